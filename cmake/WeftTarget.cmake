@@ -1,0 +1,29 @@
+# Warnings, sanitizers and the test macro that every Weft target shares.
+
+add_library(weft_options INTERFACE)
+target_compile_options(weft_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Woverloaded-virtual -Werror)
+if(WEFT_SANITIZE)
+  # glslang and SPIRV-Tools are built without RTTI, so UBSan's vptr check cannot link against them.
+  target_compile_options(weft_options INTERFACE
+    -fsanitize=${WEFT_SANITIZE} -fno-sanitize=vptr -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(weft_options INTERFACE -fsanitize=${WEFT_SANITIZE} -fno-sanitize=vptr)
+endif()
+
+# weft_library(NAME SOURCES...): a static library with the public headers and the shared options.
+function(weft_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/framework/include ${PROJECT_SOURCE_DIR}/framework)
+  target_link_libraries(${name} PRIVATE weft_options)
+endfunction()
+
+# weft_test(NAME LIBS lib... [LABELS label...] SOURCES file...): one gtest binary. Its cases are found after
+# the build, so a test that hangs while it is being listed cannot hang the build.
+function(weft_test name)
+  cmake_parse_arguments(ARG "" "" "LIBS;LABELS;SOURCES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/framework ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${name} PRIVATE WEFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE weft_options ${ARG_LIBS} GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 LABELS "${ARG_LABELS}")
+endfunction()
