@@ -1,0 +1,185 @@
+#include "weft/access.h"
+
+#include <array>
+#include <cassert>
+#include <string_view>
+
+namespace weft {
+namespace {
+
+StageMask shader_stage_mask(ShaderStageMask stages) {
+    StageMask mask = stage::kNone;
+    if (stages & stage_bit(ShaderStage::vertex)) mask |= stage::kVertexShader;
+    if (stages & stage_bit(ShaderStage::fragment)) mask |= stage::kFragmentShader;
+    if (stages & stage_bit(ShaderStage::compute)) mask |= stage::kComputeShader;
+    return mask;
+}
+
+constexpr StageMask kDepthStages = stage::kEarlyFragmentTests | stage::kLateFragmentTests;
+constexpr AccessMask kDepthAccess = access::kDepthStencilRead | access::kDepthStencilWrite;
+
+// Layouts are given for images; access_state() drops them for buffers.
+AccessState image_state(Access a, StageMask shaders, bool is_depth) {
+    const Layout sampled = is_depth ? Layout::depth_read_only : Layout::shader_read_only;
+    switch (a) {
+        case Access::none:
+            return {};
+        case Access::indirect_read:
+            return {stage::kDrawIndirect, access::kIndirectRead, Layout::undefined};
+        case Access::index_read:
+            return {stage::kVertexInput, access::kIndexRead, Layout::undefined};
+        case Access::vertex_read:
+            return {stage::kVertexInput, access::kVertexRead, Layout::undefined};
+        case Access::uniform_read:
+            return {shaders, access::kUniformRead, Layout::undefined};
+        case Access::sampled_read:
+            return {shaders, access::kSampledRead, sampled};
+        case Access::storage_read:
+            return {shaders, access::kStorageRead, Layout::general};
+        case Access::storage_write:
+            return {shaders, access::kStorageWrite, Layout::general};
+        case Access::storage_read_write:
+            return {shaders, access::kStorageRead | access::kStorageWrite, Layout::general};
+        case Access::color_write:
+            return {stage::kColorOutput, access::kColorWrite, Layout::color_attachment};
+        case Access::color_read_write:
+            return {stage::kColorOutput, access::kColorRead | access::kColorWrite, Layout::color_attachment};
+        case Access::depth_write:
+        case Access::depth_read_write:
+            return {kDepthStages, kDepthAccess, Layout::depth_attachment};
+        case Access::depth_read:
+            return {kDepthStages, access::kDepthStencilRead, Layout::depth_read_only};
+        case Access::copy_read:
+            return {stage::kCopy, access::kTransferRead, Layout::transfer_src};
+        case Access::copy_write:
+            return {stage::kCopy, access::kTransferWrite, Layout::transfer_dst};
+        case Access::blit_read:
+            return {stage::kBlit, access::kTransferRead, Layout::transfer_src};
+        case Access::blit_write:
+            return {stage::kBlit, access::kTransferWrite, Layout::transfer_dst};
+        case Access::clear_write:
+            return {stage::kClear, access::kTransferWrite, Layout::transfer_dst};
+        case Access::host_read:
+            return {stage::kHost, access::kHostRead, Layout::general};
+        case Access::present:
+            return {stage::kNone, access::kNone, Layout::present};
+    }
+    assert(false);
+    return {};
+}
+
+constexpr std::array<std::string_view, stage::kCount> kStageNames{"draw_indirect",
+                                                                  "vertex_input",
+                                                                  "vertex_shader",
+                                                                  "early_fragment_tests",
+                                                                  "fragment_shader",
+                                                                  "late_fragment_tests",
+                                                                  "color_output",
+                                                                  "compute_shader",
+                                                                  "copy",
+                                                                  "blit",
+                                                                  "resolve",
+                                                                  "clear",
+                                                                  "host"};
+
+constexpr std::array<std::string_view, access::kCount> kAccessNames{
+    "indirect_read",       "index_read",    "vertex_read",    "uniform_read", "sampled_read",
+    "storage_read",        "storage_write", "color_read",     "color_write",  "depth_stencil_read",
+    "depth_stencil_write", "transfer_read", "transfer_write", "host_read",    "host_write"};
+
+template <size_t N>
+std::string mask_text(uint32_t mask, const std::array<std::string_view, N>& names) {
+    std::string text;
+    for (size_t i = 0; i < N; ++i) {
+        if (!(mask & (1u << i))) continue;
+        if (!text.empty()) text += "|";
+        text += names[i];
+    }
+    return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask aspects) {
+    const bool is_depth = (aspects & (aspect::kDepth | aspect::kStencil)) != 0;
+    AccessState state = image_state(a, shader_stage_mask(shader_stages), is_depth);
+    if (aspects == aspect::kNone) {
+        state.layout = Layout::undefined;
+        if (a == Access::sampled_read) state.access = access::kStorageRead;
+    }
+    return state;
+}
+
+bool reads(Access a) {
+    switch (a) {
+        case Access::none:
+        case Access::storage_write:
+        case Access::color_write:
+        case Access::depth_write:
+        case Access::copy_write:
+        case Access::blit_write:
+        case Access::clear_write:
+            return false;
+        default:
+            return true;
+    }
+}
+
+bool writes(Access a) {
+    switch (a) {
+        case Access::storage_write:
+        case Access::storage_read_write:
+        case Access::color_write:
+        case Access::color_read_write:
+        case Access::depth_write:
+        case Access::depth_read_write:
+        case Access::copy_write:
+        case Access::blit_write:
+        case Access::clear_write:
+            return true;
+        default:
+            return false;
+    }
+}
+
+std::string stages_text(StageMask mask) {
+    return mask_text(mask, kStageNames);
+}
+
+std::string access_text(AccessMask mask) {
+    return mask_text(mask, kAccessNames);
+}
+
+std::string layout_text(Layout layout) {
+    constexpr std::array<const char*, 9> kNames{"undefined",        "general",         "color_attachment",
+                                                "depth_attachment", "depth_read_only", "shader_read_only",
+                                                "transfer_src",     "transfer_dst",    "present"};
+    return kNames.at(static_cast<size_t>(layout));
+}
+
+std::string access_name(Access a) {
+    constexpr std::array<const char*, 21> kNames{"none",
+                                                 "indirect_read",
+                                                 "index_read",
+                                                 "vertex_read",
+                                                 "uniform_read",
+                                                 "sampled_read",
+                                                 "storage_read",
+                                                 "storage_write",
+                                                 "storage_read_write",
+                                                 "color_write",
+                                                 "color_read_write",
+                                                 "depth_write",
+                                                 "depth_read_write",
+                                                 "depth_read",
+                                                 "copy_read",
+                                                 "copy_write",
+                                                 "blit_read",
+                                                 "blit_write",
+                                                 "clear_write",
+                                                 "host_read",
+                                                 "present"};
+    return kNames.at(static_cast<size_t>(a));
+}
+
+}  // namespace weft

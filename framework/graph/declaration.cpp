@@ -1,0 +1,97 @@
+#include "weft/declaration.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "weft/imports.h"
+#include "weft/pass.h"
+
+namespace weft {
+namespace {
+
+bool spans_overlap(uint32_t a, uint32_t a_count, uint32_t b, uint32_t b_count) {
+    return a < b + b_count && b < a + a_count;
+}
+
+template <class T>
+const T* find_by_name(const std::vector<T>& sorted, std::string_view name) {
+    const auto it = std::lower_bound(sorted.begin(), sorted.end(), name,
+                                     [](const T& item, std::string_view n) { return item.name < n; });
+    return it != sorted.end() && it->name == name ? &*it : nullptr;
+}
+
+}  // namespace
+
+bool overlaps(const SubresourceRange& a, const SubresourceRange& b) {
+    return (a.aspects & b.aspects) != 0 && spans_overlap(a.mip, a.mips, b.mip, b.mips) &&
+           spans_overlap(a.layer, a.layers, b.layer, b.layers);
+}
+
+bool contains(const SubresourceRange& outer, const SubresourceRange& inner) {
+    return (inner.aspects & ~outer.aspects) == 0 && outer.mip <= inner.mip &&
+           inner.mip + inner.mips <= outer.mip + outer.mips && outer.layer <= inner.layer &&
+           inner.layer + inner.layers <= outer.layer + outer.layers;
+}
+
+std::string range_text(const SubresourceRange& range) {
+    const auto span = [](const char* what, uint32_t first, uint32_t count) {
+        std::string text = std::string(".") + what + "(" + std::to_string(first);
+        if (count > 1) text += ".." + std::to_string(first + count - 1);
+        return text + ")";
+    };
+    return span("mip", range.mip, range.mips) + span("layer", range.layer, range.layers);
+}
+
+SubresourceRange ResourceDecl::whole() const {
+    if (kind == ResourceKind::buffer) return {};
+    return {0, mips, 0, layers, aspects};
+}
+
+Extent3D mip_extent(const Extent3D& extent, uint32_t mip) {
+    const auto halved = [mip](uint32_t side) { return std::max(1u, mip < 32 ? side >> mip : 0u); };
+    return {halved(extent.width), halved(extent.height), halved(extent.depth)};
+}
+
+uint64_t content_bytes(const ResourceDecl& resource) {
+    if (resource.kind == ResourceKind::buffer) return resource.size_bytes;
+    uint64_t texels = 0;
+    for (uint32_t mip = 0; mip < resource.mips; ++mip) {
+        const Extent3D e = mip_extent(resource.extent, mip);
+        texels += uint64_t{e.width} * e.height * e.depth;
+    }
+    return texels * resource.layers * resource.samples * format_info(resource.format).bytes_per_texel;
+}
+
+const ResourceDecl* find_resource(const ResolvedGraph& graph, std::string_view name) {
+    return find_by_name(graph.resources, name);
+}
+
+const PassDecl* find_pass(const ResolvedGraph& graph, std::string_view name) {
+    return find_by_name(graph.passes, name);
+}
+
+const char* import_kind_name(ImportKind kind) {
+    switch (kind) {
+        case ImportKind::draw_list:
+            return "drawlist";
+        case ImportKind::buffer:
+            return "buffer";
+        case ImportKind::image:
+            return "image";
+        case ImportKind::cube:
+            return "cube";
+        case ImportKind::output:
+            return "output";
+    }
+    assert(false);
+    return "";
+}
+
+double PassContext::param(std::string_view name) const {
+    const auto it =
+        std::find_if(params.begin(), params.end(), [name](const NamedValue& v) { return v.name == name; });
+    assert(it != params.end() && "the pass type declares no such parameter");
+    return it->value;
+}
+
+}  // namespace weft

@@ -1,0 +1,194 @@
+#include "weft/device_profile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace weft {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace ff = format_feature;
+
+struct FeatureName {
+    FormatFeatureMask bit;
+    const char* name;
+};
+constexpr std::array kFeatureNames{
+    FeatureName{ff::kSampled, "sampled"},     FeatureName{ff::kSampledLinear, "linear"},
+    FeatureName{ff::kStorage, "storage"},     FeatureName{ff::kColorAttachment, "color"},
+    FeatureName{ff::kColorBlend, "blend"},    FeatureName{ff::kDepthAttachment, "depth"},
+    FeatureName{ff::kTransferSrc, "copySrc"}, FeatureName{ff::kTransferDst, "copyDst"},
+    FeatureName{ff::kBlitSrc, "blitSrc"},     FeatureName{ff::kBlitDst, "blitDst"},
+};
+
+constexpr std::array<const char*, 3> kQueueNames{"graphics", "compute", "transfer"};
+
+struct Limit {
+    const char* name;
+    uint32_t DeviceProfile::*value;
+};
+constexpr std::array kLimits{
+    Limit{"maxImage2dPx", &DeviceProfile::max_image_2d_px},
+    Limit{"maxImageLayers", &DeviceProfile::max_image_layers},
+    Limit{"maxPushConstantsBytes", &DeviceProfile::max_push_constants_bytes},
+    Limit{"maxColorAttachments", &DeviceProfile::max_color_attachments},
+    Limit{"maxWorkgroupInvocations", &DeviceProfile::max_workgroup_invocations},
+    Limit{"maxSampledImagesPerStage", &DeviceProfile::max_sampled_images_per_stage},
+    Limit{"maxStorageImagesPerStage", &DeviceProfile::max_storage_images_per_stage},
+};
+struct WideLimit {
+    const char* name;
+    uint64_t DeviceProfile::*value;
+};
+constexpr std::array kWideLimits{
+    WideLimit{"maxUniformBufferBytes", &DeviceProfile::max_uniform_buffer_bytes},
+    WideLimit{"maxStorageBufferBytes", &DeviceProfile::max_storage_buffer_bytes},
+    WideLimit{"bufferImageGranularityBytes", &DeviceProfile::buffer_image_granularity_bytes},
+};
+struct Switch {
+    const char* name;
+    bool DeviceProfile::*value;
+};
+constexpr std::array kSwitches{
+    Switch{"storageReadWithoutFormat", &DeviceProfile::storage_read_without_format},
+    Switch{"descriptorIndexing", &DeviceProfile::descriptor_indexing},
+};
+
+Json features_to_json(FormatFeatureMask mask) {
+    Json names = Json::array();
+    for (const FeatureName& feature : kFeatureNames) {
+        if (mask & feature.bit) names.push_back(feature.name);
+    }
+    return names;
+}
+
+// Collects what is wrong with a profile; positions inside it are JSON pointers.
+struct ProfileReader {
+    const std::string& file;
+    Diagnostics faults;
+
+    void fault(const std::string& pointer, std::string message, std::string help) {
+        Diagnostic d;
+        d.code = "W140";
+        d.file = file;
+        d.pointer = pointer;
+        d.message = std::move(message);
+        d.help = {std::move(help)};
+        faults.push_back(std::move(d));
+    }
+
+    void formats(const Json& object, DeviceProfile& profile) {
+        for (const auto& [name, list] : object.items()) {
+            const std::optional<Format> format = format_from_name(name);
+            if (!format || !list.is_array()) {
+                fault("/formats/" + name, "\"" + name + "\" is not a format with a list of features",
+                      "use the names that `weft doctor --json` writes");
+                continue;
+            }
+            FormatFeatureMask mask = 0;
+            for (const Json& item : list) {
+                const auto it =
+                    std::find_if(kFeatureNames.begin(), kFeatureNames.end(), [&](const FeatureName& f) {
+                        return item.is_string() && item.get<std::string>() == f.name;
+                    });
+                if (it == kFeatureNames.end()) {
+                    fault("/formats/" + name, "unknown format feature " + item.dump(),
+                          "known are sampled, linear, storage, color, blend, depth, copySrc, copyDst, "
+                          "blitSrc, blitDst");
+                } else {
+                    mask |= it->bit;
+                }
+            }
+            profile.formats[*format] = mask;
+        }
+    }
+
+    void queues(const Json& list, DeviceProfile& profile) {
+        profile.queue_families.clear();
+        for (const Json& item : list) {
+            const std::string kind = item.value("kind", "");
+            const auto it = std::find(kQueueNames.begin(), kQueueNames.end(), kind);
+            if (it == kQueueNames.end()) {
+                fault("/queueFamilies", "a queue family's kind is \"" + kind + "\"",
+                      "a kind is graphics, compute or transfer");
+                continue;
+            }
+            profile.queue_families.push_back(
+                {static_cast<QueueKind>(it - kQueueNames.begin()), item.value("count", 1u)});
+        }
+        if (profile.queue_families.empty())
+            fault("/queueFamilies", "no queue family", "a device has at least one");
+    }
+
+    void member(const std::string& key, const Json& value, DeviceProfile& profile) {
+        if (key == "name" && value.is_string()) {
+            profile.name = value.get<std::string>();
+        } else if (key == "formats" && value.is_object()) {
+            formats(value, profile);
+        } else if (key == "queueFamilies" && value.is_array()) {
+            queues(value, profile);
+        } else if (!limit(key, value, profile)) {
+            fault("/" + key, "unknown key or wrong type", "compare it with what `weft doctor --json` writes");
+        }
+    }
+
+    static bool limit(const std::string& key, const Json& value, DeviceProfile& profile) {
+        for (const Limit& l : kLimits) {
+            if (key == l.name && value.is_number_unsigned())
+                return profile.*l.value = value.get<uint32_t>(), true;
+        }
+        for (const WideLimit& l : kWideLimits) {
+            if (key == l.name && value.is_number_unsigned())
+                return profile.*l.value = value.get<uint64_t>(), true;
+        }
+        for (const Switch& s : kSwitches) {
+            if (key == s.name && value.is_boolean()) return profile.*s.value = value.get<bool>(), true;
+        }
+        return false;
+    }
+};
+
+}  // namespace
+
+FormatFeatureMask DeviceProfile::features(Format format) const {
+    const auto it = formats.find(format);
+    return it == formats.end() ? 0 : it->second;
+}
+
+Result<DeviceProfile> parse_profile(const std::string& json, const std::string& file) {
+    ProfileReader reader{file, {}};
+    DeviceProfile profile;
+    const Json root = Json::parse(json, nullptr, false);
+    if (!root.is_object()) {
+        reader.fault("", "this is not a JSON object", "a profile is what `weft doctor --json` writes");
+        return std::move(reader.faults);
+    }
+    try {
+        for (const auto& [key, value] : root.items()) reader.member(key, value, profile);
+    } catch (const nlohmann::json::exception& e) {
+        reader.fault("", e.what(), "compare it with what `weft doctor --json` writes");
+    }
+    if (!reader.faults.empty()) return std::move(reader.faults);
+    return profile;
+}
+
+std::string profile_to_json(const DeviceProfile& profile) {
+    Json root;
+    root["name"] = profile.name;
+    for (const QueueFamilyProfile& family : profile.queue_families) {
+        root["queueFamilies"].push_back(
+            {{"kind", kQueueNames.at(static_cast<size_t>(family.kind))}, {"count", family.count}});
+    }
+    for (const Limit& l : kLimits) root[l.name] = profile.*l.value;
+    for (const WideLimit& l : kWideLimits) root[l.name] = profile.*l.value;
+    for (const Switch& s : kSwitches) root[s.name] = profile.*s.value;
+    for (const auto& [format, mask] : profile.formats) {
+        root["formats"][std::string(format_info(format).name)] = features_to_json(mask);
+    }
+    return root.dump(2) + "\n";
+}
+
+}  // namespace weft

@@ -1,0 +1,39 @@
+#include "weft/source.h"
+
+namespace weft {
+namespace {
+
+std::string line_of(const std::string& text, uint32_t line) {
+    size_t start = 0;
+    for (uint32_t i = 1; i < line; ++i) {
+        start = text.find('\n', start);
+        if (start == std::string::npos) return "";
+        ++start;
+    }
+    std::string found = text.substr(start, text.find('\n', start) - start);
+    if (!found.empty() && found.back() == '\r') found.pop_back();
+    return found;
+}
+
+}  // namespace
+
+Diagnostic SourceMap::error(SourceLoc loc, std::string code, std::string message) const {
+    Diagnostic d;
+    d.code = std::move(code);
+    d.message = std::move(message);
+    if (loc.file < files.size()) {
+        d.file = files[loc.file].path;
+        d.line = loc.line;
+        d.column = loc.column;
+        d.length = loc.length;
+        d.source_line = line_of(files[loc.file].text, loc.line);
+    }
+    return d;
+}
+
+std::string SourceMap::describe(SourceLoc loc) const {
+    if (loc.file >= files.size()) return "<memory>";
+    return files[loc.file].path + ":" + std::to_string(loc.line) + ":" + std::to_string(loc.column);
+}
+
+}  // namespace weft

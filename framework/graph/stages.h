@@ -1,0 +1,62 @@
+// Purpose: the compiler's table of contents. Each stage is a free function that consumes what earlier stages
+// made and returns something immutable; there is no way back.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "graph/json_doc.h"
+#include "weft/declaration.h"
+#include "weft/device_profile.h"
+#include "weft/graph_desc.h"
+#include "weft/imports.h"
+#include "weft/pass.h"
+#include "weft/plan.h"
+#include "weft/result.h"
+#include "weft/shader_interface.h"
+
+namespace weft {
+
+// --- what did the author ask for
+// ------------------------------------------------------------------------------- Shorthand becomes objects,
+// so that a patch adds to a thing instead of replacing it.
+[[nodiscard]] Result<JsonDoc> merge(JsonDoc document);
+[[nodiscard]] Result<GraphDesc> parse(const JsonDoc& document);
+
+// --- what does it mean
+// -----------------------------------------------------------------------------------------
+struct ResolveInput {
+    const GraphDesc& graph;
+    const PassCatalog& passes;
+    const ShaderCatalog& shaders;
+    const ImportCatalog& imports;
+    const DeviceProfile& profile;
+    std::map<std::string, double> params;  // overrides, by name
+    Extent3D output_extent{1280, 720, 1};
+    std::vector<std::string> observed;  // references ("name@pass.mip(e)") that must be produced as well
+};
+// Warnings go to `warnings`.
+[[nodiscard]] Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings);
+
+// --- what survives, in which order, where, when
+// ----------------------------------------------------------------
+[[nodiscard]] LiveGraph cull(const ResolvedGraph& graph, bool keep_all = false);
+// `needs` weighs the candidates' memory. W150 on a cycle is resolve()'s: here the edges are acyclic.
+[[nodiscard]] Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs);
+[[nodiscard]] Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order);
+[[nodiscard]] MemoryPlan alias(const ResolvedGraph& graph, const Schedule& order, const Lifetimes& spans,
+                               const MemoryNeeds& needs, uint64_t granularity_bytes);
+// Load and store operations come first: they count as accesses.
+[[nodiscard]] std::vector<std::vector<AttachmentOps>> attachment_ops(const ResolvedGraph& graph,
+                                                                     const LiveGraph& live,
+                                                                     const Schedule& order);
+[[nodiscard]] BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const Lifetimes& spans,
+                                   const MemoryPlan& memory,
+                                   std::vector<std::vector<AttachmentOps>> attachments);
+[[nodiscard]] SubmissionPlan submissions(const ResolvedGraph& graph, const Schedule& order,
+                                         const BarrierPlan& barriers);
+[[nodiscard]] FramePlan link(ResolvedGraph graph, LiveGraph live, Schedule order, Lifetimes spans,
+                             MemoryPlan memory, BarrierPlan barriers, SubmissionPlan submissions);
+
+}  // namespace weft

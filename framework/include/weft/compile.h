@@ -1,0 +1,26 @@
+// Purpose: the compiler's front door: a resolved graph and the device's memory needs in, a frozen plan out.
+#pragma once
+
+#include <functional>
+
+#include "weft/device_profile.h"
+#include "weft/plan.h"
+
+namespace weft {
+
+struct CompileOptions {
+    bool keep_all_passes = false;  // no culling
+    uint64_t granularity_bytes = 64;
+};
+
+// Runs cull to link. In debug builds the plan is proved by the checker afterwards (an assertion).
+[[nodiscard]] FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs,
+                                const CompileOptions& options);
+
+// Needs from contents alone: exact bytes at `alignment_bytes`, every heap allowed. For tests and `weft plan`.
+[[nodiscard]] MemoryNeeds content_needs(const ResolvedGraph& graph, uint64_t alignment_bytes = 16);
+
+// The canonical hash of a plan: 32 hex digits.
+[[nodiscard]] std::string plan_hash(const FramePlan& plan);
+
+}  // namespace weft

@@ -1,0 +1,154 @@
+// Purpose: a graph as its author wrote it: names interned as strings, expressions compiled, nothing resolved
+// yet. Every part keeps the place it was written.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "weft/declaration.h"
+#include "weft/source.h"
+
+namespace weft {
+
+// A number or a size (two components) in postfix form. Names are parameters, constants, sizes or repeat
+// indices; `res.x`-like selections and mips(res) are operations. Evaluated by evaluate() in
+// framework/graph/expression.h.
+enum class ExprOp : uint8_t {
+    number,
+    name,
+    mips_of,
+    select_x,
+    select_y,
+    add,
+    sub,
+    mul,
+    div,
+    mod,
+    negate,
+    min,
+    max,
+    ceil,
+    floor,
+    log2,
+};
+
+struct ExprNode {
+    ExprOp op = ExprOp::number;
+    double number = 0;
+    std::string name;  // for `name` and `mips_of`
+    SourceLoc loc;     // of the token, inside the string it was written in
+};
+
+struct Expr {
+    std::vector<ExprNode> postfix;  // empty: absent
+    std::string text;
+    SourceLoc loc;
+
+    [[nodiscard]] bool empty() const { return postfix.empty(); }
+};
+
+// name@pass[-N].mip(a..b).layer(a..b).depth
+struct RefDesc {
+    std::string name;
+    std::string pass;  // empty: unpinned
+    uint32_t history = 0;
+    std::optional<Expr> mip_first, mip_last;  // last absent: a single mip
+    std::optional<Expr> layer_first, layer_last;
+    AspectMask aspects = 0;  // 0: all
+    std::string text;
+    SourceLoc loc;
+};
+
+struct PortDesc {
+    std::string port;
+    RefDesc ref;
+    std::optional<SamplerDecl> sampler;
+    SourceLoc loc;  // of the port's name
+};
+
+struct ParamDesc {
+    std::string name;
+    double default_value = 0;
+    bool is_bool = false;
+    std::optional<std::array<double, 2>> range;
+    std::vector<double> allowed;  // "enum"
+    double step = 0;
+    std::string unit;
+    std::string ui;
+    SourceLoc loc;
+};
+
+struct ImportDesc {
+    std::string name;
+    std::string kind;
+    SourceLoc loc;
+};
+
+struct ResourceDesc {
+    std::string name;
+    bool is_buffer = false;
+    std::vector<std::string> formats;  // "a|b": first supported wins
+    Expr size;                         // one or two components; absent: "render" if defined, else "output"
+    ImageKind image_kind = ImageKind::d2;
+    Expr mips;  // absent: 1
+    bool full_mips = false;
+    Expr layers;  // absent: 1
+    uint32_t samples = 1;
+    std::string element;  // buffers: "u32", "vec4", or a struct of the import catalogue
+    Expr count;
+    bool pre_exposed = false;
+    std::optional<std::array<float, 4>> clear;
+    SourceLoc loc;
+};
+
+struct ParamValueDesc {
+    std::string name;
+    std::vector<Expr> components;  // one for a scalar
+    SourceLoc loc;
+};
+
+struct PassDesc {
+    std::string name;
+    std::string type;
+    QueueKind queue = QueueKind::graphics;
+    std::string shader;
+    SourceLoc shader_loc;
+    std::vector<PortDesc> in;
+    std::vector<PortDesc> out;
+    std::optional<PortDesc> depth;
+    std::vector<std::string> draws;
+    std::vector<SourceLoc> draw_locs;
+    std::string view;
+    std::vector<ParamValueDesc> params;
+    std::vector<Expr> groups;   // workgroups, one or three (or one of two components)
+    std::vector<Expr> threads;  // invocations
+    RasterState state;
+    std::map<std::string, BlendState> blend;                  // by output port; "" = all
+    std::map<std::string, std::array<float, 4>> clear_ports;  // by output port
+    std::optional<std::array<float, 4>> clear;
+    bool covers = false;
+    bool partial = false;  // writes only a part: sees the preceding version
+    std::vector<std::string> after;
+    std::vector<SourceLoc> after_locs;
+    Expr flops;
+    SourceLoc loc;
+    uint32_t order_key = 0;  // graphs made in memory
+};
+
+struct GraphDesc {
+    std::string name;
+    std::map<std::string, double> consts;
+    std::map<std::string, ParamDesc> params;
+    std::map<std::string, Expr> sizes;
+    std::map<std::string, ImportDesc> imports;
+    std::map<std::string, ResourceDesc> resources;
+    std::map<std::string, PassDesc> passes;
+    uint32_t frames = 1;
+    SourceMap sources;
+};
+
+}  // namespace weft

@@ -1,0 +1,42 @@
+// Purpose: where a thing was written. Every node of a graph file carries a SourceLoc, and the compiler hands
+// it on as provenance; it never enters a plan's hash.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "weft/result.h"
+
+namespace weft {
+
+inline constexpr uint32_t kNoFile = UINT32_MAX;
+
+struct SourceLoc {
+    uint32_t file = kNoFile;  // index into SourceMap::files
+    uint32_t line = 0;
+    uint32_t column = 0;
+    uint32_t length = 1;
+};
+
+struct SourceFile {
+    std::string path;  // as the user named it
+    std::string text;
+};
+
+struct SourceMap {
+    std::vector<SourceFile> files;
+
+    // A diagnostic with file, line, column and the excerpt filled in from `loc`.
+    [[nodiscard]] Diagnostic error(SourceLoc loc, std::string code, std::string message) const;
+    // "deferred.json:40:73", or "<memory>" for things made by a program.
+    [[nodiscard]] std::string describe(SourceLoc loc) const;
+};
+
+// Reads a file, or nullopt when there is none. All graph files come through one of these.
+using FileReader = std::function<std::optional<std::string>(const std::string& path)>;
+
+}  // namespace weft
