@@ -1,0 +1,131 @@
+// Purpose: a scene as plain data, whether it came from glTF or from code. No Vulkan, no file handles.
+// Units: metres, radians, photometric units (candela for point and spot lights, lux for directional ones).
+// Axes: glTF's, y up, right-handed, front faces counter-clockwise. Colours: scene-linear Rec.709.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace weft::scene {
+
+inline constexpr uint32_t kNone = UINT32_MAX;
+
+// One indexed triangle list. Every stream has the length of `positions`.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec4> tangents;  // xyz, w = sign of the bitangent: B = cross(N, T) * w
+    std::vector<glm::vec2> uvs;
+    std::vector<uint32_t> indices;  // three a triangle
+    glm::vec3 bounds_min{0};
+    glm::vec3 bounds_max{0};
+};
+
+enum class ColorSpace : uint8_t { linear, srgb };
+enum class Filter : uint8_t { nearest, linear };
+enum class Wrap : uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+
+// Four 8-bit channels, mip 0 first, each mip max(1, w/2) × max(1, h/2), the full chain.
+struct Texture {
+    std::string name;
+    uint32_t width_px = 1;
+    uint32_t height_px = 1;
+    ColorSpace color_space = ColorSpace::linear;
+    std::vector<std::vector<uint8_t>> mips;
+};
+
+// Where a texture is read: which one, how, and KHR_texture_transform as uv' = matrix * (u, v, 1).
+struct TextureSlot {
+    uint32_t texture = kNone;
+    Filter mag = Filter::linear;
+    Filter min = Filter::linear;
+    bool mipmapped = true;
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+    glm::mat3x2 transform{1, 0, 0, 1, 0, 0};  // columns: u, v, offset
+};
+
+enum class AlphaMode : uint8_t { opaque, mask, blend };
+
+struct Material {
+    std::string name;
+    glm::vec4 base_color{1};
+    float metallic = 1;
+    float roughness = 1;    // perceptual
+    glm::vec3 emissive{0};  // cd/m² after KHR_materials_emissive_strength
+    float normal_scale = 1;
+    float occlusion_strength = 1;
+    float specular = 1;           // KHR_materials_specular: specularFactor
+    glm::vec3 specular_color{1};  // specularColorFactor
+    float ior = 1.5f;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha_cutoff = 0.5f;
+    bool double_sided = false;
+    TextureSlot base_color_texture;          // sRGB
+    TextureSlot metallic_roughness_texture;  // linear: g roughness, b metalness
+    TextureSlot normal_texture;              // linear
+    TextureSlot occlusion_texture;           // linear: r
+    TextureSlot emissive_texture;            // sRGB
+};
+
+struct Instance {
+    std::string name;
+    uint32_t mesh = 0;
+    uint32_t material = 0;
+    glm::mat4 transform{1};  // object to world; a negative determinant flips the winding
+};
+
+enum class LightType : uint8_t { directional, point, spot };
+
+struct Light {
+    std::string name;
+    LightType type = LightType::point;
+    glm::vec3 color{1};
+    float intensity = 1;  // cd for point and spot, lx for directional
+    glm::vec3 position{0};
+    glm::vec3 direction{0, 0, -1};  // in which the light travels; unit length
+    float range_m = 0;              // 0: unlimited
+    float inner_cone_rad = 0;       // half angles, spot only
+    float outer_cone_rad = 0.7853981634f;
+};
+
+// Perspective only. Looks along -z of `transform`, y up.
+struct Camera {
+    std::string name;
+    glm::mat4 transform{1};  // camera to world, no scale
+    float fov_y_rad = 0.8f;
+    float near_m = 0.05f;
+};
+
+struct Scene {
+    std::string name;
+    std::vector<Mesh> meshes;
+    std::vector<Texture> textures;
+    std::vector<Material> materials;
+    std::vector<Instance> instances;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;
+    glm::vec3 bounds_min{0};  // of all instances, in the world
+    glm::vec3 bounds_max{0};
+    glm::vec3 sky_zenith{0};  // background radiance, cd/m², as a gradient; 0 with --env none
+    glm::vec3 sky_horizon{0};
+    float exposure_ev = 0;  // what a photographer would choose here; 0 multiplies by 1
+};
+
+struct Bounds {
+    glm::vec3 min{0};
+    glm::vec3 max{0};
+};
+[[nodiscard]] Bounds world_bounds(const Scene& scene);
+
+// The camera of design when a scene brings none: looks at the bounds' centre from direction (0.9, 0.75, 1.3),
+// normalised, at 1.9 × the bounding radius, with a horizontal field of view of 45° at `aspect` (width /
+// height).
+[[nodiscard]] Camera framing_camera(const Scene& scene, float aspect);
+
+}  // namespace weft::scene

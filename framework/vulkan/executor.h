@@ -1,0 +1,101 @@
+// Purpose: replays a FramePlan. It makes the transient heap, views, pipelines and descriptor sets that the
+// plan names, then records and submits exactly the plan's steps; it decides nothing. Frames in flight:
+// kFramesInFlight; all share one transient heap, serialised by the plan's wrap-around hand-overs.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "vulkan/device.h"
+#include "vulkan/draw_source.h"
+#include "vulkan/memory.h"
+#include "weft/imports.h"
+#include "weft/pass.h"
+#include "weft/plan.h"
+#include "weft/result.h"
+#include "weft/shader_interface.h"
+
+namespace weft::vk {
+
+inline constexpr uint32_t kFramesInFlight = 2;
+
+// What alias() needs to know about memory, from the device itself. Creates nothing that outlives the call.
+[[nodiscard]] MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph);
+
+// The program's objects behind a graph's imports.
+struct ImportBindings {
+    std::map<std::string, VkBuffer, std::less<>> buffers;
+    std::map<std::string, const Image*, std::less<>> images;
+};
+
+struct FrameInput {
+    uint64_t frame_index = 0;
+    double time_s = 0;
+    double delta_time_s = 0;
+    float pre_exposure = 1;
+    float prev_pre_exposure = 1;
+    const HostInputs* host = nullptr;
+};
+
+struct PassTiming {
+    std::string pass;
+    double gpu_ms = 0;  // negative: the device has no timestamps
+};
+
+struct FrameTiming {
+    std::vector<PassTiming> passes;
+    double record_ms = 0;
+    double submit_ms = 0;
+    double wait_ms = 0;  // for the frame slot's fence
+};
+
+// What a readback pass delivered: tightly packed texels of one mip and layer after another, or a buffer's
+// bytes.
+struct ReadbackData {
+    std::string pass;
+    uint64_t frame_index = 0;
+    Format format = Format::undefined;
+    Extent3D extent;
+    std::vector<std::byte> bytes;
+};
+
+// Test hooks. A dropped barrier must show up in validation and in the checker.
+struct ExecutorHooks {
+    uint32_t drop_barriers_of_position = kNoId;  // the barriers before the pass at this schedule position
+};
+
+struct ExecutorInput {
+    FramePlan plan;
+    const ShaderCatalog* shaders = nullptr;
+    const PassCatalog* passes = nullptr;
+    const ImportCatalog* imports = nullptr;
+    ImportBindings bindings;
+    const DrawSource* draws = nullptr;  // may be null when no pass is a raster pass
+    ExecutorHooks hooks;
+};
+
+class Executor {
+ public:
+    [[nodiscard]] static Result<std::unique_ptr<Executor>> create(Device& device, ExecutorInput input);
+    virtual ~Executor() = default;
+
+    // Waits until the next frame slot is free and returns it, so that the program may fill its per-slot data.
+    // Errors: V407 time-out, V408 device lost; both name the passes in flight.
+    [[nodiscard]] virtual Result<uint32_t> begin_frame() = 0;
+    // Records and submits one frame into the slot of begin_frame().
+    [[nodiscard]] virtual Status run(const FrameInput& frame) = 0;
+    // Waits for all frames in flight (fences, not the device), delivering their timings and readbacks.
+    [[nodiscard]] virtual Status finish() = 0;
+    // Of completed frames, oldest first; each is returned once.
+    [[nodiscard]] virtual std::vector<FrameTiming> take_timings() = 0;
+    [[nodiscard]] virtual std::vector<ReadbackData> take_readbacks() = 0;
+    // Copies an imported image (in its exit state, which must be transfer_src) to the host. Call after
+    // finish().
+    [[nodiscard]] virtual Result<ReadbackData> read_image(const Image& image) = 0;
+    [[nodiscard]] virtual const FramePlan& plan() const = 0;
+    [[nodiscard]] virtual uint64_t transient_bytes() const = 0;
+};
+
+}  // namespace weft::vk

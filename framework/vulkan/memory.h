@@ -1,0 +1,69 @@
+// Purpose: buffers and images with memory of their own, for what lives outside a plan's transient heap: scene
+// assets, the output, staging. Move-only; destroyed with their device still alive.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "vulkan/device.h"
+#include "weft/declaration.h"
+#include "weft/result.h"
+
+namespace weft::vk {
+
+class Buffer {
+ public:
+    enum class Memory : uint8_t { device, upload, readback };  // the last two are mapped and coherent
+
+    [[nodiscard]] static Result<Buffer> create(Device& device, uint64_t size_bytes, VkBufferUsageFlags usage,
+                                               Memory memory, const std::string& name);
+    Buffer() = default;
+    ~Buffer();
+    Buffer(Buffer&& other) noexcept;
+    Buffer& operator=(Buffer&& other) noexcept;
+
+    [[nodiscard]] VkBuffer handle() const { return buffer_; }
+    [[nodiscard]] uint64_t size_bytes() const { return size_bytes_; }
+    [[nodiscard]] std::span<std::byte> mapped() const { return {mapped_, mapped_ ? size_bytes_ : 0}; }
+
+ private:
+    Device* device_ = nullptr;
+    VkBuffer buffer_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    uint64_t size_bytes_ = 0;
+    std::byte* mapped_ = nullptr;
+};
+
+class Image {
+ public:
+    // Format, extent, mips, layers, samples and usage are those of `decl`. The view covers all of it.
+    [[nodiscard]] static Result<Image> create(Device& device, const ResourceDecl& decl);
+    Image() = default;
+    ~Image();
+    Image(Image&& other) noexcept;
+    Image& operator=(Image&& other) noexcept;
+
+    [[nodiscard]] VkImage handle() const { return image_; }
+    [[nodiscard]] VkImageView view() const { return view_; }
+    [[nodiscard]] const ResourceDecl& decl() const { return decl_; }
+
+ private:
+    Device* device_ = nullptr;
+    VkImage image_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    VkImageView view_ = VK_NULL_HANDLE;
+    ResourceDecl decl_;
+};
+
+// Copies before the first frame: waits for its own fence (Device::timeout_ns), so staging is gone when it
+// returns. Images end in shader_read_only, every mip of `levels` tightly packed.
+[[nodiscard]] Status upload_buffer(Device& device, const Buffer& target, std::span<const std::byte> bytes);
+[[nodiscard]] Status upload_image(Device& device, const Image& target,
+                                  std::span<const std::span<const std::byte>> levels);
+
+// Creation info shared by Image and the transient heap, and the memory needs that alias() works from.
+[[nodiscard]] VkImageCreateInfo image_create_info(const ResourceDecl& decl);
+[[nodiscard]] VkBufferCreateInfo buffer_create_info(const ResourceDecl& decl);
+
+}  // namespace weft::vk
