@@ -1,0 +1,63 @@
+// Metallic-roughness surface reflection. Units: 1/sr.
+// Trowbridge–Reitz (GGX) with height-correlated Smith masking-shadowing: Heitz 2014, "Understanding the
+// Masking-Shadowing Function in Microfacet-Based BRDFs". Fresnel: Schlick 1994. Layering of the dielectric coat over
+// its diffuse base: glTF 2.0, Appendix B, and KHR_materials_specular.
+
+const float kPi = 3.14159265358979;
+
+// A surface as the lighting loop sees it.
+struct Surface {
+    vec3 normal;
+    vec3 diffuse;     // albedo of the base; black for metals
+    vec3 f0;
+    float f90;
+    float alpha;      // roughness²
+};
+
+// The least α that is lit by points: below it a highlight is smaller than any pixel and overflows half floats.
+const float kMinAlpha = 0.002;
+
+Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughness, vec3 dielectric_f0, float specular) {
+    Surface s;
+    s.normal = normal;
+    s.diffuse = base_color * (1.0 - metallic);
+    s.f0 = mix(dielectric_f0 * specular, base_color, metallic);
+    s.f90 = mix(specular, 1.0, metallic);
+    s.alpha = max(roughness * roughness, kMinAlpha);
+    return s;
+}
+
+// 1 − (n·h)² is taken as |n × h|², which keeps its digits when the highlight is sharp.
+float ggx_distribution(float alpha, vec3 n, vec3 h) {
+    const vec3 c = cross(n, h);
+    const float a2 = alpha * alpha;
+    const float nh = dot(n, h);
+    const float d = dot(c, c) + nh * nh * a2;
+    return a2 / (kPi * d * d);
+}
+
+// V = G2 / (4 · n·l · n·v).
+float smith_visibility(float alpha, float nl, float nv) {
+    const float a2 = alpha * alpha;
+    const float lambda_v = nl * sqrt(nv * nv * (1.0 - a2) + a2);
+    const float lambda_l = nv * sqrt(nl * nl * (1.0 - a2) + a2);
+    return 0.5 / max(lambda_v + lambda_l, 1e-7);
+}
+
+vec3 schlick(vec3 f0, float f90, float vh) {
+    const float m = clamp(1.0 - vh, 0.0, 1.0);
+    const float m2 = m * m;
+    return f0 + (vec3(f90) - f0) * (m2 * m2 * m);
+}
+
+// Reflected radiance for unit irradiance on a plane facing the light: f · n·l.
+vec3 reflect_light(Surface s, vec3 v, vec3 l) {
+    const float nl = dot(s.normal, l);
+    if (nl <= 0.0) return vec3(0.0);
+    const float nv = max(dot(s.normal, v), 1e-4);
+    const vec3 h = normalize(v + l);
+    const vec3 f = schlick(s.f0, s.f90, dot(v, h));
+    const float specular = ggx_distribution(s.alpha, s.normal, h) * smith_visibility(s.alpha, nl, nv);
+    const float base = 1.0 - max(f.r, max(f.g, f.b));
+    return (s.diffuse * (base / kPi) + f * specular) * nl;
+}

@@ -1,0 +1,14 @@
+// Set 0: the frame and the view. Included by every shader that needs either.
+#include "shared/frame.glsl"
+
+layout(set = 0, binding = 0, std140) uniform FrameBlock { FrameConstants frame; };
+layout(set = 0, binding = 1, std140) uniform ViewBlock { ViewConstants view; };
+
+// World position of the point at `uv` (0,0 top left) and reversed-Z `depth` > 0.
+vec3 world_position(vec2 uv, float depth) {
+    const vec4 world = view.inverse_view_projection * vec4(uv * 2.0 - 1.0, depth, 1.0);
+    return world.xyz / world.w;
+}
+
+// Direction of the camera ray through `uv`: towards the point on the near plane.
+vec3 ray_direction(vec2 uv) { return normalize(world_position(uv, 1.0) - view.eye); }

@@ -1,0 +1,27 @@
+// What a light sends to a point. Units: lx on a plane that faces the light.
+// Distance window and cone falloff: KHR_lights_punctual.
+#include "shared/light.glsl"
+
+struct Incident {
+    vec3 direction;    // towards the light
+    vec3 irradiance;
+};
+
+float distance_window(float distance2, float range_m) {
+    if (range_m <= 0.0) return 1.0;
+    const float ratio2 = distance2 / (range_m * range_m);
+    return clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
+}
+
+Incident light_at(Light light, vec3 position) {
+    if (light.type == kLightDirectional) return Incident(-light.direction, light.intensity);
+    const vec3 to_light = light.position - position;
+    const float distance2 = max(dot(to_light, to_light), 1e-8);
+    const vec3 direction = to_light * inversesqrt(distance2);
+    float falloff = distance_window(distance2, light.range_m) / distance2;
+    if (light.type == kLightSpot) {
+        const float cone = clamp(dot(light.direction, -direction) * light.cone_scale + light.cone_offset, 0.0, 1.0);
+        falloff *= cone * cone;
+    }
+    return Incident(direction, light.intensity * falloff);
+}

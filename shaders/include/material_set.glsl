@@ -1,0 +1,14 @@
+// Set 2: one material and its textures. glTF 2.0, Appendix B, and KHR_materials_specular.
+#include "shared/material.glsl"
+
+layout(set = 2, binding = 0, std140) uniform MaterialBlock { Material material; };
+layout(set = 2, binding = 1) uniform sampler2D base_color_texture;          // sRGB
+layout(set = 2, binding = 2) uniform sampler2D metallic_roughness_texture;  // g roughness, b metalness
+layout(set = 2, binding = 3) uniform sampler2D normal_texture;
+layout(set = 2, binding = 4) uniform sampler2D occlusion_texture;           // r
+layout(set = 2, binding = 5) uniform sampler2D emissive_texture;            // sRGB
+
+vec2 transformed(TextureTransform transform, vec2 uv) {
+    const vec3 homogeneous = vec3(uv, 1.0);
+    return vec2(dot(transform.row0.xyz, homogeneous), dot(transform.row1.xyz, homogeneous));
+}

@@ -1,0 +1,4 @@
+// Closes what begin.glsl opened.
+#ifdef __cplusplus
+}  // namespace weft::shared
+#endif

@@ -1,0 +1,33 @@
+// What set 0 holds: constants of the frame, and the view a pass looks through.
+// Units: metres, cd/m². Clip space is Vulkan's with the y flip in `projection`; depth is reversed, 1 at `near_m`.
+#ifndef WEFT_SHARED_FRAME
+#define WEFT_SHARED_FRAME
+#include "begin.glsl"
+
+struct FrameConstants {
+    vec3 sky_zenith;
+    uint light_count;
+    vec3 sky_horizon;
+    uint frame_index;
+    vec3 sky_ground;
+    float time_s;
+    float pre_exposure;       // what hdr is multiplied by before it is stored
+    float prev_pre_exposure;
+    float delta_time_s;
+    float reserved;
+};
+
+struct ViewConstants {
+    mat4 view;               // world to view
+    mat4 projection;         // view to clip
+    mat4 view_projection;
+    mat4 inverse_view_projection;
+    mat4 prev_view_projection;
+    vec3 eye;
+    float near_m;
+    vec2 viewport_px;
+    vec2 inverse_viewport;
+};
+
+#include "end.glsl"
+#endif

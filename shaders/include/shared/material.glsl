@@ -1,0 +1,29 @@
+// A material as set 2 holds it, beside its five textures. Texture transforms are two rows: uv' = (row0·(u,v,1), …).
+#ifndef WEFT_SHARED_MATERIAL
+#define WEFT_SHARED_MATERIAL
+#include "begin.glsl"
+
+struct TextureTransform {
+    vec4 row0;
+    vec4 row1;
+};
+
+struct Material {
+    vec4 base_color;
+    vec3 emissive;           // cd/m²
+    float alpha_cutoff;
+    vec3 dielectric_f0;      // ((ior − 1)/(ior + 1))² · specularColor, at most 1
+    float specular;          // specularFactor
+    float metallic;
+    float roughness;         // perceptual
+    float normal_scale;
+    float occlusion_strength;
+    TextureTransform base_color_uv;
+    TextureTransform metallic_roughness_uv;
+    TextureTransform normal_uv;
+    TextureTransform occlusion_uv;
+    TextureTransform emissive_uv;
+};
+
+#include "end.glsl"
+#endif
