@@ -1,0 +1,203 @@
+#include "shader/compile_shader.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "shader/glsl_compile.h"
+#include "shader/interface_merge.h"
+#include "shader/link_stages.h"
+#include "shader/shader_cache.h"
+#include "shader/shader_sources.h"
+#include "shader/validate_spirv.h"
+
+namespace weft {
+
+namespace fs = std::filesystem;
+using namespace shader;
+
+namespace {
+
+constexpr const char* kFullscreenVertex = "fullscreen.vert";
+
+struct StageFile {
+    ShaderStage stage = ShaderStage::compute;
+    std::string path;
+    bool shared = false;  // in the include root
+};
+
+std::string extension_of(ProgramKind kind) {
+    switch (kind) {
+        case ProgramKind::compute:
+            return ".comp";
+        case ProgramKind::fullscreen:
+            return ".frag";
+        case ProgramKind::raster:
+            return "";
+    }
+    return "";
+}
+
+std::vector<StageFile> stage_files(const std::string& reference, ProgramKind kind) {
+    const std::string inner = reference + "/" + fs::path(reference).filename().string();
+    switch (kind) {
+        case ProgramKind::compute:
+            return {{ShaderStage::compute, reference, false}};
+        case ProgramKind::fullscreen:
+            return {{ShaderStage::vertex, kFullscreenVertex, true},
+                    {ShaderStage::fragment, reference, false}};
+        case ProgramKind::raster:
+            return {{ShaderStage::vertex, inner + ".vert", false},
+                    {ShaderStage::fragment, inner + ".frag", false}};
+    }
+    return {};
+}
+
+// References of this kind that exist, for "did you mean".
+std::vector<std::string> known_references(ProgramKind kind, const SourceReader& reader) {
+    if (kind != ProgramKind::raster) return reader.known_references(extension_of(kind));
+    std::vector<std::string> folders;
+    for (const std::string& file : reader.known_references(".vert")) {
+        const fs::path path(file);
+        if (path.parent_path().filename() == path.stem())
+            folders.push_back(path.parent_path().generic_string());
+    }
+    return folders;
+}
+
+Diagnostic not_found(const std::string& reference, ProgramKind kind, const StageFile& file,
+                     const std::string& reason, const ShaderRoots& roots, const SourceReader& reader) {
+    Diagnostic diagnostic;
+    diagnostic.code = "W201";
+    diagnostic.message = "shader \"" + reference + "\" not found: " + file.path + ": " + reason;
+    std::string places;
+    for (const fs::path& root : roots.roots) {
+        places +=
+            (places.empty() ? "" : ", then ") + (root.empty() ? std::string(".") : root.generic_string());
+    }
+    if (file.shared) places = roots.include_root.generic_string();
+    diagnostic.help.push_back("looked in " + (places.empty() ? "no folder at all" : places));
+    const std::string near = did_you_mean_text(reference, known_references(kind, reader));
+    if (!near.empty()) diagnostic.help.push_back(near);
+    return diagnostic;
+}
+
+// The extension is the stage, so a wrong one is a wrong reference.
+std::optional<Diagnostic> wrong_extension(const std::string& reference, ProgramKind kind,
+                                          const SourceReader& reader) {
+    const std::string wanted = extension_of(kind);
+    const std::string found = fs::path(reference).extension().string();
+    if (found == wanted || reference.empty()) return std::nullopt;
+    Diagnostic diagnostic;
+    diagnostic.code = "W201";
+    if (kind == ProgramKind::raster) {
+        diagnostic.message = "a raster shader is named without extension, found \"" + reference + "\"";
+        diagnostic.help.emplace_back("\"gbuffer\" means gbuffer/gbuffer.vert and gbuffer/gbuffer.frag");
+    } else {
+        diagnostic.message = std::string("a ") + (kind == ProgramKind::compute ? "compute" : "fullscreen") +
+                             " shader ends in " + wanted + ", found \"" + reference + "\"";
+        diagnostic.help.push_back("the extension is the stage: .comp for compute, .frag for fullscreen");
+    }
+    const std::string near = did_you_mean_text(reference, known_references(kind, reader));
+    if (!near.empty()) diagnostic.help.push_back(near);
+    return diagnostic;
+}
+
+Result<std::vector<CompiledStage>> compile_stages(const std::string& reference, ProgramKind kind,
+                                                  const ShaderRoots& roots, SourceReader& reader) {
+    if (auto diagnostic = wrong_extension(reference, kind, reader)) return std::move(*diagnostic);
+    Diagnostics errors;
+    std::vector<CompiledStage> stages;
+    for (const StageFile& file : stage_files(reference, kind)) {
+        const SourceLookup lookup =
+            file.shared ? reader.read_shared(file.path) : reader.read_reference(file.path);
+        if (lookup.source == nullptr) {
+            errors.push_back(not_found(reference, kind, file, lookup.reason, roots, reader));
+            continue;
+        }
+        auto stage = compile_stage(file.stage, *lookup.source, reader);
+        if (stage) {
+            stages.push_back(std::move(*stage));
+        } else {
+            std::ranges::move(stage.take_errors(), std::back_inserter(errors));
+        }
+    }
+    if (!errors.empty()) return errors;
+    return stages;
+}
+
+void report(const InterfaceFaults& faults, const std::vector<CompiledStage>& stages,
+            const SourceReader& reader, Diagnostics& errors) {
+    for (const InterfaceFault& fault : faults) {
+        const auto stage = std::ranges::find(stages, fault.stage, &CompiledStage::stage);
+        const SourceText* source = stage == stages.end() ? nullptr : stage->source;
+        const SourcePosition position =
+            fault.subject.empty() ? SourcePosition{source, 0, 0} : reader.locate(fault.subject, source);
+        Diagnostic diagnostic = diagnostic_at(position, fault.code, fault.message);
+        if (position.line > 0) diagnostic.length = static_cast<uint32_t>(fault.subject.size());
+        diagnostic.help.push_back(fault.help);
+        errors.push_back(std::move(diagnostic));
+    }
+}
+
+Diagnostics invalid_modules(const std::vector<CompiledStage>& stages) {
+    Diagnostics errors;
+    for (const CompiledStage& stage : stages) {
+        const auto fault = spirv_fault(stage.spirv);
+        if (!fault) continue;
+        Diagnostic diagnostic =
+            diagnostic_at({stage.source, 0, 0}, "W204", "the compiled shader is not valid: " + *fault);
+        diagnostic.help.emplace_back(
+            "rewrite the construct that the message names; GLSL accepts more than Vulkan does");
+        errors.push_back(std::move(diagnostic));
+    }
+    return errors;
+}
+
+Result<ShaderProgram> build_program(const std::string& reference, ProgramKind kind,
+                                    const ShaderRoots& roots) {
+    SourceReader reader(roots);
+    auto compiled = compile_stages(reference, kind, roots, reader);
+    if (!compiled) return compiled.take_errors();
+    std::vector<CompiledStage>& stages = *compiled;
+
+    InterfaceFaults faults;
+    Diagnostics errors;
+    link_stages(stages, faults);
+    report(faults, stages, reader, errors);
+    if (!errors.empty()) return errors;
+    if (errors = invalid_modules(stages); !errors.empty()) return errors;
+
+    ShaderProgram program;
+    program.reference = reference;
+    program.content_hash = content_hash_of(reference, kind, reader);
+    for (CompiledStage& stage : stages) program.modules.push_back({stage.stage, std::move(stage.spirv)});
+    program.interface = reflect_program(program.modules, faults);
+    report(faults, stages, reader, errors);
+    if (!errors.empty()) return errors;
+    store_cached(program, kind, roots, reader);
+    return program;
+}
+
+// The cache is a file like any other: what comes from it passes the same gate.
+std::optional<ShaderProgram> cached_program(const std::string& reference, ProgramKind kind,
+                                            const ShaderRoots& roots) {
+    auto program = load_cached(reference, kind, roots);
+    if (!program) return std::nullopt;
+    const auto invalid = [](const ShaderModule& module) { return spirv_fault(module.spirv).has_value(); };
+    if (std::ranges::any_of(program->modules, invalid)) return std::nullopt;
+    InterfaceFaults faults;
+    program->interface = reflect_program(program->modules, faults);
+    if (!faults.empty()) return std::nullopt;
+    return program;
+}
+
+}  // namespace
+
+Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
+                                     const ShaderRoots& roots) {
+    if (auto program = cached_program(reference, kind, roots)) return std::move(*program);
+    return build_program(reference, kind, roots);
+}
+
+}  // namespace weft

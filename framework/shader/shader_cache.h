@@ -1,0 +1,28 @@
+// Purpose: compiled programs on disk, by content. A manifest for each reference lists every place that
+// compiling it looked at (found or not) with the hashes of the texts; when looking again gives the same, the
+// words are stored under the hash of all contents. Anything missing, changed or damaged means "compile
+// again".
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shader/compile_shader.h"
+#include "shader/shader_sources.h"
+
+namespace weft::shader {
+
+// Of everything that decides the words: compiler, reference, kind, and the texts that were read.
+[[nodiscard]] uint64_t content_hash_of(const std::string& reference, ProgramKind kind,
+                                       const SourceReader& reader);
+
+// Reference, modules and content hash; the interface is left to reflection. The words are not validated yet.
+[[nodiscard]] std::optional<ShaderProgram> load_cached(const std::string& reference, ProgramKind kind,
+                                                       const ShaderRoots& roots);
+
+void store_cached(const ShaderProgram& program, ProgramKind kind, const ShaderRoots& roots,
+                  const SourceReader& reader);
+
+}  // namespace weft::shader

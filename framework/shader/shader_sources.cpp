@@ -1,0 +1,226 @@
+#include "shader/shader_sources.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <system_error>
+
+#include "shader/content_hash.h"
+
+namespace weft::shader {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr uintmax_t kMaxFileBytes = 1u << 20;
+constexpr size_t kMaxTotalBytes = 16u << 20;
+constexpr size_t kMaxFiles = 1000;
+constexpr int kMaxSuggestionDepth = 3;
+constexpr size_t kMaxSuggestionEntries = 2000;
+
+// Neither absolute nor climbing: what is left stays below its root unless a link leads away.
+bool is_plain_relative(const fs::path& path) {
+    if (path.empty() || path.has_root_path() || path.native().find('\0') != std::string::npos) return false;
+    return std::ranges::none_of(path, [](const fs::path& part) { return part == ".." || part.empty(); });
+}
+
+bool is_word_char(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+SourcePosition position_at(const SourceText& source, size_t offset) {
+    const auto begin = source.text.begin();
+    const auto at = begin + static_cast<std::ptrdiff_t>(offset);
+    const size_t line_start = source.text.rfind('\n', offset == 0 ? 0 : offset - 1);
+    const size_t first = (offset == 0 || line_start == std::string::npos) ? 0 : line_start + 1;
+    return {&source, 1 + static_cast<uint32_t>(std::count(begin, at, '\n')),
+            1 + static_cast<uint32_t>(offset - first)};
+}
+
+std::optional<size_t> find_word(const std::string& text, const std::string& word) {
+    for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        const size_t end = at + word.size();
+        const bool starts = at == 0 || !is_word_char(text[at - 1]);
+        const bool ends = end >= text.size() || !is_word_char(text[end]);
+        if (starts && ends) return at;
+    }
+    return std::nullopt;
+}
+
+constexpr const char* kClimbing = "the path is absolute or climbs with \"..\"";
+
+}  // namespace
+
+SourceReader::SourceReader(const ShaderRoots& roots) {
+    const auto add = [&](const fs::path& folder) {
+        std::error_code error;
+        const fs::path real = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
+        roots_.push_back({folder, error ? fs::path() : real});
+    };
+    std::ranges::for_each(roots.roots, add);
+    add(roots.include_root);
+}
+
+bool SourceReader::inside_roots(const fs::path& canonical) const {
+    return std::ranges::any_of(roots_, [&](const Root& root) {
+        if (root.canonical.empty()) return false;
+        const auto [end, rest] =
+            std::mismatch(root.canonical.begin(), root.canonical.end(), canonical.begin(), canonical.end());
+        return end == root.canonical.end() && rest != canonical.end();
+    });
+}
+
+SourceLookup SourceReader::look(size_t root, const fs::path& relative) {
+    const std::string key = relative.generic_string();
+    if (const auto known = texts_.find({root, key}); known != texts_.end())
+        return {&known->second, false, {}};
+
+    SourceProbe probe{root, key, false, 0};
+    std::error_code error;
+    const fs::path file =
+        roots_[root].canonical.empty() ? fs::path() : fs::canonical(roots_[root].canonical / relative, error);
+    if (file.empty() || error) {
+        probes_.push_back(probe);
+        return {nullptr, false, "no such file"};
+    }
+    if (!inside_roots(file)) return {nullptr, true, "it is a link that leads outside the shader folders"};
+    SourceLookup lookup = load(root, relative, file);
+    if (lookup.source != nullptr) {
+        probe.present = true;
+        probe.text_hash = hash_of(lookup.source->text);
+        probes_.push_back(probe);
+    }
+    return lookup;
+}
+
+SourceLookup SourceReader::load(size_t root, const fs::path& relative, const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return {nullptr, true, "it is not a file"};
+    const uintmax_t bytes = fs::file_size(file, error);
+    if (error || bytes > kMaxFileBytes) return {nullptr, true, "it is larger than 1 MiB"};
+    if (texts_.size() >= kMaxFiles) return {nullptr, true, "a shader may have at most 1000 files"};
+    std::string text(bytes, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream.read(text.data(), static_cast<std::streamsize>(bytes))) {
+        return {nullptr, true, "it cannot be read"};
+    }
+    total_bytes_ += text.size();
+    if (total_bytes_ > kMaxTotalBytes) return {nullptr, true, "a shader may have at most 16 MiB of text"};
+
+    const std::string key = relative.generic_string();
+    SourceText source;
+    source.name = find(key) == nullptr ? key : key + "@" + std::to_string(root);
+    source.path = (roots_[root].shown / relative).generic_string();
+    source.text = std::move(text);
+    source.root = root;
+    source.relative = key;
+    return {&texts_.emplace(std::pair(root, key), std::move(source)).first->second, false, {}};
+}
+
+SourceLookup SourceReader::read_reference(const std::string& relative) {
+    if (!is_plain_relative(relative)) return {nullptr, true, kClimbing};
+    for (size_t root = 0; root + 1 < roots_.size(); ++root) {
+        SourceLookup lookup = look(root, relative);
+        if (lookup.source != nullptr || lookup.refused) return lookup;
+    }
+    return {nullptr, false, "no such file"};
+}
+
+SourceLookup SourceReader::read_shared(const std::string& relative) {
+    return look(roots_.size() - 1, relative);
+}
+
+SourceLookup SourceReader::read_include(const std::string& requested, const std::string& includer,
+                                        bool beside) {
+    if (!is_plain_relative(requested)) return {nullptr, true, kClimbing};
+    const SourceText* parent = find(includer);
+    SourceLookup lookup;
+    if (beside && parent != nullptr)
+        lookup = look(parent->root, fs::path(parent->relative).parent_path() / requested);
+    if (lookup.source == nullptr && !lookup.refused) lookup = read_shared(requested);
+    if (lookup.source != nullptr && parent != nullptr) {
+        SourceText& found = texts_.at({lookup.source->root, lookup.source->relative});
+        if (found.included_by.empty()) {
+            found.included_by = includer;
+            found.include_text = requested;
+        }
+    }
+    return lookup;
+}
+
+bool SourceReader::still_so(const SourceProbe& probe) {
+    if (probe.root >= roots_.size() || !is_plain_relative(probe.relative)) return false;
+    const SourceLookup lookup = look(probe.root, probe.relative);
+    if (lookup.refused || (lookup.source != nullptr) != probe.present) return false;
+    return !probe.present || hash_of(lookup.source->text) == probe.text_hash;
+}
+
+std::vector<const SourceText*> SourceReader::sources() const {
+    std::vector<const SourceText*> all;
+    for (const auto& [key, source] : texts_) all.push_back(&source);
+    return all;
+}
+
+const SourceText* SourceReader::find(std::string_view name) const {
+    const auto found =
+        std::ranges::find_if(texts_, [&](const auto& item) { return item.second.name == name; });
+    return found == texts_.end() ? nullptr : &found->second;
+}
+
+SourcePosition SourceReader::locate(const std::string& word, const SourceText* first) const {
+    std::vector<const SourceText*> order = sources();
+    std::ranges::stable_partition(order, [&](const SourceText* source) { return source == first; });
+    for (const SourceText* source : order) {
+        if (const auto offset = find_word(source->text, word)) return position_at(*source, *offset);
+    }
+    return {first, 0, 0};
+}
+
+std::vector<std::string> SourceReader::known_references(const std::string& extension) const {
+    std::vector<std::string> known;
+    for (size_t root = 0; root + 1 < roots_.size(); ++root) {
+        if (roots_[root].canonical.empty()) continue;
+        std::error_code error;
+        fs::recursive_directory_iterator it(roots_[root].canonical,
+                                            fs::directory_options::skip_permission_denied, error);
+        size_t entries = 0;
+        for (; !error && it != fs::recursive_directory_iterator() && entries < kMaxSuggestionEntries;
+             ++entries) {
+            if (it->path().extension() == extension) {
+                known.push_back(it->path().lexically_relative(roots_[root].canonical).generic_string());
+            }
+            if (it.depth() >= kMaxSuggestionDepth) it.disable_recursion_pending();
+            it.increment(error);
+        }
+    }
+    std::ranges::sort(known);
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    return known;
+}
+
+std::string line_of(const std::string& text, uint32_t line) {
+    size_t start = 0;
+    for (uint32_t i = 1; i < line; ++i) {
+        const size_t end = text.find('\n', start);
+        if (end == std::string::npos) return {};
+        start = end + 1;
+    }
+    std::string found = text.substr(start, text.find('\n', start) - start);
+    if (!found.empty() && found.back() == '\r') found.pop_back();
+    return found;
+}
+
+Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::string message) {
+    Diagnostic diagnostic;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    if (position.source == nullptr) return diagnostic;
+    diagnostic.file = position.source->path;
+    diagnostic.line = position.line;
+    diagnostic.column = position.column;
+    if (position.line > 0) diagnostic.source_line = line_of(position.source->text, position.line);
+    return diagnostic;
+}
+
+}  // namespace weft::shader

@@ -1,0 +1,95 @@
+// Purpose: reads shader files, only from under the given roots, and remembers every place it looked at, so
+// that a cache can tell whether looking again would give the same texts. Limits: 1 MiB a file, 1,000 files
+// and 16 MiB a program.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "shader/compile_shader.h"
+
+namespace weft::shader {
+
+struct SourceText {
+    std::string name;  // what the compiler calls it: the path below its root, unique in a program
+    std::string path;  // what users are shown
+    std::string text;
+    size_t root = 0;           // index into the reader's roots
+    std::string relative;      // path below that root
+    std::string included_by;   // name of the file that asked first; empty for the stages themselves
+    std::string include_text;  // what that file wrote between the quotes
+};
+
+// One look at one place: what was there, or that nothing was.
+struct SourceProbe {
+    size_t root = 0;
+    std::string relative;
+    bool present = false;
+    uint64_t text_hash = 0;
+};
+
+struct SourcePosition {
+    const SourceText* source = nullptr;
+    uint32_t line = 0;
+    uint32_t column = 0;
+};
+
+// A source, or why there is none.
+struct SourceLookup {
+    const SourceText* source = nullptr;
+    bool refused = false;  // it was there, or might have been, but must not be read
+    std::string reason;
+};
+
+class SourceReader {
+ public:
+    explicit SourceReader(const ShaderRoots& roots);
+
+    // The first root that has it.
+    [[nodiscard]] SourceLookup read_reference(const std::string& relative);
+    // Only the include root.
+    [[nodiscard]] SourceLookup read_shared(const std::string& relative);
+    // "x.glsl": beside the file that includes it, then the include root. <x.glsl>: the include root.
+    [[nodiscard]] SourceLookup read_include(const std::string& requested, const std::string& includer,
+                                            bool beside);
+    // Looks again; true when it would find the same.
+    [[nodiscard]] bool still_so(const SourceProbe& probe);
+
+    [[nodiscard]] const std::vector<SourceProbe>& probes() const { return probes_; }
+    [[nodiscard]] std::vector<const SourceText*> sources() const;
+    [[nodiscard]] const SourceText* find(std::string_view name) const;
+    // Where a name is first written as a whole word: in `first`, then in the other files.
+    [[nodiscard]] SourcePosition locate(const std::string& word, const SourceText* first) const;
+    // References with this extension below the searched roots, for suggestions.
+    [[nodiscard]] std::vector<std::string> known_references(const std::string& extension) const;
+
+ private:
+    struct Root {
+        std::filesystem::path shown;
+        std::filesystem::path canonical;  // empty when the folder does not exist
+    };
+
+    SourceLookup look(size_t root, const std::filesystem::path& relative);
+    SourceLookup load(size_t root, const std::filesystem::path& relative, const std::filesystem::path& file);
+    [[nodiscard]] bool inside_roots(const std::filesystem::path& canonical) const;
+
+    std::vector<Root> roots_;  // the searched ones, then the include root
+    std::map<std::pair<size_t, std::string>, SourceText> texts_;
+    std::vector<SourceProbe> probes_;
+    size_t total_bytes_ = 0;
+};
+
+// Line `line` (from 1) of a text, without its end.
+[[nodiscard]] std::string line_of(const std::string& text, uint32_t line);
+
+// "W2xx" with file, line, column and excerpt filled in; a null source leaves them empty.
+[[nodiscard]] Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::string message);
+
+}  // namespace weft::shader
