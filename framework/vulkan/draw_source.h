@@ -20,6 +20,7 @@ struct DrawContext {
     CullMode cull = CullMode::material;  // `material`: the source sets cull mode and front face for each draw
     uint32_t frame_slot = 0;
     bool uses_materials = false;  // the pipeline layout has set 2
+    bool uses_instances = false;  // … and set 3
 };
 
 class DrawSource {
@@ -29,6 +30,7 @@ class DrawSource {
     [[nodiscard]] virtual VkDescriptorSetLayout set_layout(uint32_t set) const = 0;
     // Set 0 of this frame for `view`.
     [[nodiscard]] virtual VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const = 0;
+    // The executor has bound sets 0 and 1; the source binds 2 and 3 where the layout has them.
     // Records every draw of `context.list` that belongs to `context.variant`. Streams are bound in the order
     // of the import's vertex format.
     virtual void record(const DrawContext& context) const = 0;

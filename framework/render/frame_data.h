@@ -1,0 +1,30 @@
+// Purpose: scene data in the form that shaders read: views, frame constants, lights, materials. Pure
+// functions. Units and layouts: shaders/include/shared/.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+#include "shared/frame.glsl"
+#include "shared/instance.glsl"
+#include "shared/light.glsl"
+#include "shared/material.glsl"
+
+namespace weft::render {
+
+// Clip space with y down and reversed depth: 1 at near_m, 0 at infinity. `aspect` is width / height.
+[[nodiscard]] glm::mat4 reversed_infinite_projection(float fov_y_rad, float aspect, float near_m);
+
+[[nodiscard]] shared::ViewConstants view_constants(const scene::Camera& camera,
+                                                   const glm::mat4& prev_view_projection, uint32_t width_px,
+                                                   uint32_t height_px);
+
+[[nodiscard]] shared::Light gpu_light(const scene::Light& light);
+// Directional lights first, then the others as the scene has them: what a full buffer cannot hold is its
+// tail.
+[[nodiscard]] std::vector<shared::Light> gpu_lights(const scene::Scene& scene);
+
+[[nodiscard]] shared::Material gpu_material(const scene::Material& material);
+[[nodiscard]] shared::Instance gpu_instance(const glm::mat4& transform);
+
+}  // namespace weft::render

@@ -1,0 +1,51 @@
+#include "render/gpu_frame.h"
+
+#include <array>
+#include <cstring>
+
+namespace weft::render {
+namespace {
+
+constexpr uint64_t kViewOffsetBytes = 256;  // the greatest uniform alignment a device may ask for
+constexpr uint64_t kSlotBytes = 768;
+static_assert(sizeof(shared::FrameConstants) <= kViewOffsetBytes);
+static_assert(kViewOffsetBytes + sizeof(shared::ViewConstants) <= kSlotBytes);
+
+constexpr VkShaderStageFlags kStages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+constexpr std::array kBindings{
+    VkDescriptorSetLayoutBinding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
+    VkDescriptorSetLayoutBinding{1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr}};
+
+}  // namespace
+
+Result<GpuFrame> GpuFrame::create(vk::Device& device) {
+    GpuFrame frame;
+    Result<DescriptorSets> sets =
+        DescriptorSets::create(device, kBindings, vk::kFramesInFlight, "frame constants");
+    if (!sets) return sets.take_errors();
+    Result<vk::Buffer> constants =
+        vk::Buffer::create(device, kSlotBytes * vk::kFramesInFlight, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                           vk::Buffer::Memory::upload, "frame constants");
+    if (!constants) return constants.take_errors();
+    frame.sets_ = std::move(*sets);
+    frame.constants_ = std::move(*constants);
+    for (uint32_t slot = 0; slot < vk::kFramesInFlight; ++slot) {
+        const uint64_t offset_bytes = slot * kSlotBytes;
+        const VkBuffer buffer = frame.constants_.handle();
+        const std::array infos{
+            VkDescriptorBufferInfo{buffer, offset_bytes, sizeof(shared::FrameConstants)},
+            VkDescriptorBufferInfo{buffer, offset_bytes + kViewOffsetBytes, sizeof(shared::ViewConstants)}};
+        write_buffers(device, frame.set(slot), 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, infos);
+    }
+    return frame;
+}
+
+void GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame,
+                     const shared::ViewConstants& camera) {
+    std::byte* memory = constants_.mapped().data() + slot * kSlotBytes;
+    std::memcpy(memory, &frame, sizeof frame);
+    std::memcpy(memory + kViewOffsetBytes, &camera, sizeof camera);
+}
+
+}  // namespace weft::render

@@ -1,0 +1,29 @@
+// Purpose: a scene's meshes in GPU memory, in the canonical vertex format of import_catalog.h: one buffer of
+// positions, one of attributes, one of indices, one of instances.
+// Errors: those of vk::Buffer and the upload.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+#include "vulkan/memory.h"
+
+namespace weft::render {
+
+struct MeshRange {
+    uint32_t first_index = 0;
+    uint32_t index_count = 0;
+    int32_t vertex_offset = 0;
+};
+
+struct GpuGeometry {
+    vk::Buffer positions;
+    vk::Buffer attributes;
+    vk::Buffer indices;
+    vk::Buffer instances;
+    std::vector<MeshRange> meshes;  // by scene::Scene::meshes
+
+    [[nodiscard]] static Result<GpuGeometry> create(vk::Device& device, const scene::Scene& scene);
+};
+
+}  // namespace weft::render

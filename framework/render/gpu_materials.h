@@ -1,0 +1,41 @@
+// Purpose: a scene's textures and materials in GPU memory, one descriptor set (set 2) a material: lavapipe
+// has no descriptor indexing, and a set a material costs microseconds.
+#pragma once
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "render/descriptor_sets.h"
+#include "scene/scene.h"
+#include "vulkan/memory.h"
+
+namespace weft::render {
+
+class GpuMaterials {
+ public:
+    [[nodiscard]] static Result<GpuMaterials> create(vk::Device& device, const scene::Scene& scene);
+
+    [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
+    [[nodiscard]] VkDescriptorSet set(uint32_t material) const { return sets_.sets[material]; }
+
+ private:
+    using SamplerKey = std::tuple<scene::Filter, scene::Filter, bool, scene::Wrap, scene::Wrap>;
+
+    Status upload_textures(vk::Device& device, const scene::Scene& scene);
+    Status upload_constants(vk::Device& device, const scene::Scene& scene);
+    void write_set(vk::Device& device, const scene::Material& material, uint32_t index);
+    VkSampler sampler(vk::Device& device, const scene::TextureSlot& slot);
+    VkDescriptorImageInfo image(vk::Device& device, const scene::TextureSlot& slot,
+                                const vk::Image& fallback);
+
+    DescriptorSets sets_;  // one a material
+    std::vector<vk::Image> textures_;
+    vk::Image white_;
+    vk::Image flat_normal_;
+    vk::Buffer constants_;
+    uint64_t constants_stride_bytes_ = 0;
+    std::map<SamplerKey, vk::SamplerHandle> samplers_;
+};
+
+}  // namespace weft::render

@@ -1,0 +1,108 @@
+#include "render/gpu_scene.h"
+
+#include <algorithm>
+#include <array>
+
+namespace weft::render {
+namespace {
+
+constexpr VkDescriptorSetLayoutBinding kInstanceBinding{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
+                                                        VK_SHADER_STAGE_VERTEX_BIT, nullptr};
+
+const char* list_of(const scene::Material& material) {
+    switch (material.alpha_mode) {
+        case scene::AlphaMode::opaque:
+            return "opaque";
+        case scene::AlphaMode::mask:
+            return "masked";
+        case scene::AlphaMode::blend:
+            return "transparent";
+    }
+    return "opaque";
+}
+
+}  // namespace
+
+Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const scene::Scene& scene) {
+    std::unique_ptr<GpuScene> gpu(new GpuScene);
+    Result<GpuGeometry> geometry = GpuGeometry::create(device, scene);
+    if (!geometry) return geometry.take_errors();
+    Result<GpuMaterials> materials = GpuMaterials::create(device, scene);
+    if (!materials) return materials.take_errors();
+    Result<GpuFrame> frame = GpuFrame::create(device);
+    if (!frame) return frame.take_errors();
+    Result<DescriptorSets> instances = DescriptorSets::create(device, {&kInstanceBinding, 1}, 1, "instances");
+    if (!instances) return instances.take_errors();
+    gpu->geometry_ = std::move(*geometry);
+    gpu->materials_ = std::move(*materials);
+    gpu->frame_ = std::move(*frame);
+    gpu->instances_ = std::move(*instances);
+    const VkDescriptorBufferInfo buffer{gpu->geometry_.instances.handle(), 0, VK_WHOLE_SIZE};
+    write_buffers(device, gpu->instances_.sets[0], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {&buffer, 1});
+    gpu->sort_draws(scene);
+    return gpu;
+}
+
+void GpuScene::sort_draws(const scene::Scene& scene) {
+    for (uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        const scene::Material& material = scene.materials[instance.material];
+        const bool mirrored = glm::determinant(glm::mat3(instance.transform)) < 0;
+        lists_[list_of(material)].push_back(
+            {geometry_.meshes[instance.mesh], i, instance.material, material.double_sided, mirrored});
+    }
+    // Few state changes; stable, so that equal draws keep the scene's order and the picture is always the
+    // same.
+    for (auto& [name, draws] : lists_)
+        std::stable_sort(draws.begin(), draws.end(),
+                         [](const Draw& a, const Draw& b) { return a.material < b.material; });
+}
+
+VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {
+    switch (set) {
+        case 0:
+            return frame_.layout();
+        case 2:
+            return materials_.layout();
+        case 3:
+            return instances_.layout.get();
+        default:
+            return VK_NULL_HANDLE;
+    }
+}
+
+VkDescriptorSet GpuScene::frame_set(uint32_t frame_slot, std::string_view) const {
+    return frame_.set(frame_slot);
+}
+
+void GpuScene::record(const vk::DrawContext& context) const {
+    const auto found = lists_.find(context.list);
+    if (found == lists_.end()) return;
+    const vk::DeviceFunctions& fn = *context.fn;
+    const VkCommandBuffer commands = context.commands;
+    const std::array streams{geometry_.positions.handle(), geometry_.attributes.handle()};
+    const std::array<VkDeviceSize, 2> offsets{0, 0};
+    fn.vkCmdBindVertexBuffers(commands, 0, static_cast<uint32_t>(streams.size()), streams.data(),
+                              offsets.data());
+    fn.vkCmdBindIndexBuffer(commands, geometry_.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    if (context.uses_instances)
+        fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
+                                   instances_.sets.data(), 0, nullptr);
+    uint32_t bound_material = scene::kNone;
+    for (const Draw& draw : found->second) {
+        if (context.uses_materials && draw.material != bound_material) {
+            const VkDescriptorSet set = materials_.set(draw.material);
+            fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 2, 1, &set,
+                                       0, nullptr);
+            bound_material = draw.material;
+        }
+        fn.vkCmdSetFrontFace(commands,
+                             draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        if (context.cull == CullMode::material)
+            fn.vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+        fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, 1, draw.mesh.first_index,
+                            draw.mesh.vertex_offset, draw.instance);
+    }
+}
+
+}  // namespace weft::render

@@ -1,0 +1,50 @@
+// Purpose: a scene on the GPU as graphs draw it: the lists opaque, masked and transparent, sorted by
+// material, and the sets 0 (frame), 2 (material) and 3 (draw) that shaders/include/*_set.glsl declare.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/gpu_frame.h"
+#include "render/gpu_geometry.h"
+#include "render/gpu_materials.h"
+#include "vulkan/draw_source.h"
+
+namespace weft::render {
+
+class GpuScene final : public vk::DrawSource {
+ public:
+    [[nodiscard]] static Result<std::unique_ptr<GpuScene>> create(vk::Device& device,
+                                                                  const scene::Scene& scene);
+
+    // Fills the slot's constants; call between Executor::begin_frame() and run().
+    void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera) {
+        frame_.write(slot, frame, camera);
+    }
+
+    [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
+    [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
+    void record(const vk::DrawContext& context) const override;
+
+ private:
+    struct Draw {
+        MeshRange mesh;
+        uint32_t instance = 0;
+        uint32_t material = 0;
+        bool double_sided = false;
+        bool mirrored = false;  // negative determinant: the winding is swapped
+    };
+
+    GpuScene() = default;
+    void sort_draws(const scene::Scene& scene);
+
+    GpuGeometry geometry_;
+    GpuMaterials materials_;
+    GpuFrame frame_;
+    DescriptorSets instances_;  // one set
+    std::map<std::string, std::vector<Draw>, std::less<>> lists_;
+};
+
+}  // namespace weft::render
