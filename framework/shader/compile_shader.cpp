@@ -131,8 +131,7 @@ void report(const InterfaceFaults& faults, const std::vector<CompiledStage>& sta
     for (const InterfaceFault& fault : faults) {
         const auto stage = std::ranges::find(stages, fault.stage, &CompiledStage::stage);
         const SourceText* source = stage == stages.end() ? nullptr : stage->source;
-        const SourcePosition position =
-            fault.subject.empty() ? SourcePosition{source, 0, 0} : reader.locate(fault.subject, source);
+        const SourcePosition position = find_declaration(fault.subject, source, reader.sources());
         Diagnostic diagnostic = diagnostic_at(position, fault.code, fault.message);
         if (position.line > 0) diagnostic.length = static_cast<uint32_t>(fault.subject.size());
         diagnostic.help.push_back(fault.help);

@@ -5,6 +5,44 @@
 
 namespace weft::shader {
 
+namespace {
+
+constexpr std::array kFormats = {
+    std::pair{SpvImageFormatRgba32f, Format::rgba32f},
+    std::pair{SpvImageFormatRgba16f, Format::rgba16f},
+    std::pair{SpvImageFormatR32f, Format::r32f},
+    std::pair{SpvImageFormatRgba8, Format::rgba8},
+    std::pair{SpvImageFormatRgba8Snorm, Format::rgba8_snorm},
+    std::pair{SpvImageFormatRg32f, Format::rg32f},
+    std::pair{SpvImageFormatRg16f, Format::rg16f},
+    std::pair{SpvImageFormatR11fG11fB10f, Format::b10g11r11f},
+    std::pair{SpvImageFormatR16f, Format::r16f},
+    std::pair{SpvImageFormatRgba16, Format::rgba16},
+    std::pair{SpvImageFormatRgb10A2, Format::rgb10a2},
+    std::pair{SpvImageFormatRg16, Format::rg16},
+    std::pair{SpvImageFormatRg8, Format::rg8},
+    std::pair{SpvImageFormatR16, Format::r16},
+    std::pair{SpvImageFormatR8, Format::r8},
+    std::pair{SpvImageFormatRgba16Snorm, Format::rgba16_snorm},
+    std::pair{SpvImageFormatRg16Snorm, Format::rg16_snorm},
+    std::pair{SpvImageFormatRg8Snorm, Format::rg8_snorm},
+    std::pair{SpvImageFormatR8Snorm, Format::r8_snorm},
+    std::pair{SpvImageFormatRgba32i, Format::rgba32i},
+    std::pair{SpvImageFormatRg32i, Format::rg32i},
+    std::pair{SpvImageFormatR32i, Format::r32i},
+    std::pair{SpvImageFormatRgba32ui, Format::rgba32u},
+    std::pair{SpvImageFormatRgba16ui, Format::rgba16u},
+    std::pair{SpvImageFormatRgba8ui, Format::rgba8u},
+    std::pair{SpvImageFormatR32ui, Format::r32u},
+    std::pair{SpvImageFormatRg32ui, Format::rg32u},
+    std::pair{SpvImageFormatRg16ui, Format::rg16u},
+    std::pair{SpvImageFormatRg8ui, Format::rg8u},
+    std::pair{SpvImageFormatR16ui, Format::r16u},
+    std::pair{SpvImageFormatR8ui, Format::r8u},
+};
+
+}  // namespace
+
 std::optional<ScalarType> to_scalar(spvc_basetype type) {
     switch (type) {
         case SPVC_BASETYPE_FP32:
@@ -36,39 +74,6 @@ std::optional<ImageDim> to_dim(SpvDim dim) {
 }
 
 Format to_format(SpvImageFormat format) {
-    static constexpr std::array kFormats = {
-        std::pair{SpvImageFormatRgba32f, Format::rgba32f},
-        std::pair{SpvImageFormatRgba16f, Format::rgba16f},
-        std::pair{SpvImageFormatR32f, Format::r32f},
-        std::pair{SpvImageFormatRgba8, Format::rgba8},
-        std::pair{SpvImageFormatRgba8Snorm, Format::rgba8_snorm},
-        std::pair{SpvImageFormatRg32f, Format::rg32f},
-        std::pair{SpvImageFormatRg16f, Format::rg16f},
-        std::pair{SpvImageFormatR11fG11fB10f, Format::b10g11r11f},
-        std::pair{SpvImageFormatR16f, Format::r16f},
-        std::pair{SpvImageFormatRgba16, Format::rgba16},
-        std::pair{SpvImageFormatRgb10A2, Format::rgb10a2},
-        std::pair{SpvImageFormatRg16, Format::rg16},
-        std::pair{SpvImageFormatRg8, Format::rg8},
-        std::pair{SpvImageFormatR16, Format::r16},
-        std::pair{SpvImageFormatR8, Format::r8},
-        std::pair{SpvImageFormatRgba16Snorm, Format::rgba16_snorm},
-        std::pair{SpvImageFormatRg16Snorm, Format::rg16_snorm},
-        std::pair{SpvImageFormatRg8Snorm, Format::rg8_snorm},
-        std::pair{SpvImageFormatR8Snorm, Format::r8_snorm},
-        std::pair{SpvImageFormatRgba32i, Format::rgba32i},
-        std::pair{SpvImageFormatRg32i, Format::rg32i},
-        std::pair{SpvImageFormatR32i, Format::r32i},
-        std::pair{SpvImageFormatRgba32ui, Format::rgba32u},
-        std::pair{SpvImageFormatRgba16ui, Format::rgba16u},
-        std::pair{SpvImageFormatRgba8ui, Format::rgba8u},
-        std::pair{SpvImageFormatR32ui, Format::r32u},
-        std::pair{SpvImageFormatRg32ui, Format::rg32u},
-        std::pair{SpvImageFormatRg16ui, Format::rg16u},
-        std::pair{SpvImageFormatRg8ui, Format::rg8u},
-        std::pair{SpvImageFormatR16ui, Format::r16u},
-        std::pair{SpvImageFormatR8ui, Format::r8u},
-    };
     for (const auto& [spirv, ours] : kFormats) {
         if (spirv == format) return ours;
     }

@@ -1,7 +1,6 @@
 #include "shader/shader_sources.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <system_error>
 
@@ -23,29 +22,6 @@ constexpr size_t kMaxSuggestionEntries = 2000;
 bool is_plain_relative(const fs::path& path) {
     if (path.empty() || path.has_root_path() || path.native().find('\0') != std::string::npos) return false;
     return std::ranges::none_of(path, [](const fs::path& part) { return part == ".." || part.empty(); });
-}
-
-bool is_word_char(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-SourcePosition position_at(const SourceText& source, size_t offset) {
-    const auto begin = source.text.begin();
-    const auto at = begin + static_cast<std::ptrdiff_t>(offset);
-    const size_t line_start = source.text.rfind('\n', offset == 0 ? 0 : offset - 1);
-    const size_t first = (offset == 0 || line_start == std::string::npos) ? 0 : line_start + 1;
-    return {&source, 1 + static_cast<uint32_t>(std::count(begin, at, '\n')),
-            1 + static_cast<uint32_t>(offset - first)};
-}
-
-std::optional<size_t> find_word(const std::string& text, const std::string& word) {
-    for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-        const size_t end = at + word.size();
-        const bool starts = at == 0 || !is_word_char(text[at - 1]);
-        const bool ends = end >= text.size() || !is_word_char(text[end]);
-        if (starts && ends) return at;
-    }
-    return std::nullopt;
 }
 
 constexpr const char* kClimbing = "the path is absolute or climbs with \"..\"";
@@ -168,15 +144,6 @@ const SourceText* SourceReader::find(std::string_view name) const {
     return found == texts_.end() ? nullptr : &found->second;
 }
 
-SourcePosition SourceReader::locate(const std::string& word, const SourceText* first) const {
-    std::vector<const SourceText*> order = sources();
-    std::ranges::stable_partition(order, [&](const SourceText* source) { return source == first; });
-    for (const SourceText* source : order) {
-        if (const auto offset = find_word(source->text, word)) return position_at(*source, *offset);
-    }
-    return {first, 0, 0};
-}
-
 std::vector<std::string> SourceReader::known_references(const std::string& extension) const {
     std::vector<std::string> known;
     for (size_t root = 0; root + 1 < roots_.size(); ++root) {
@@ -197,30 +164,6 @@ std::vector<std::string> SourceReader::known_references(const std::string& exten
     std::ranges::sort(known);
     known.erase(std::unique(known.begin(), known.end()), known.end());
     return known;
-}
-
-std::string line_of(const std::string& text, uint32_t line) {
-    size_t start = 0;
-    for (uint32_t i = 1; i < line; ++i) {
-        const size_t end = text.find('\n', start);
-        if (end == std::string::npos) return {};
-        start = end + 1;
-    }
-    std::string found = text.substr(start, text.find('\n', start) - start);
-    if (!found.empty() && found.back() == '\r') found.pop_back();
-    return found;
-}
-
-Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = std::move(code);
-    diagnostic.message = std::move(message);
-    if (position.source == nullptr) return diagnostic;
-    diagnostic.file = position.source->path;
-    diagnostic.line = position.line;
-    diagnostic.column = position.column;
-    if (position.line > 0) diagnostic.source_line = line_of(position.source->text, position.line);
-    return diagnostic;
 }
 
 }  // namespace weft::shader

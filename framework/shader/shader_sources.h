@@ -7,25 +7,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "shader/compile_shader.h"
+#include "shader/source_position.h"
 
 namespace weft::shader {
-
-struct SourceText {
-    std::string name;  // what the compiler calls it: the path below its root, unique in a program
-    std::string path;  // what users are shown
-    std::string text;
-    size_t root = 0;           // index into the reader's roots
-    std::string relative;      // path below that root
-    std::string included_by;   // name of the file that asked first; empty for the stages themselves
-    std::string include_text;  // what that file wrote between the quotes
-};
 
 // One look at one place: what was there, or that nothing was.
 struct SourceProbe {
@@ -33,12 +23,6 @@ struct SourceProbe {
     std::string relative;
     bool present = false;
     uint64_t text_hash = 0;
-};
-
-struct SourcePosition {
-    const SourceText* source = nullptr;
-    uint32_t line = 0;
-    uint32_t column = 0;
 };
 
 // A source, or why there is none.
@@ -65,8 +49,6 @@ class SourceReader {
     [[nodiscard]] const std::vector<SourceProbe>& probes() const { return probes_; }
     [[nodiscard]] std::vector<const SourceText*> sources() const;
     [[nodiscard]] const SourceText* find(std::string_view name) const;
-    // Where a name is first written as a whole word: in `first`, then in the other files.
-    [[nodiscard]] SourcePosition locate(const std::string& word, const SourceText* first) const;
     // References with this extension below the searched roots, for suggestions.
     [[nodiscard]] std::vector<std::string> known_references(const std::string& extension) const;
 
@@ -85,11 +67,5 @@ class SourceReader {
     std::vector<SourceProbe> probes_;
     size_t total_bytes_ = 0;
 };
-
-// Line `line` (from 1) of a text, without its end.
-[[nodiscard]] std::string line_of(const std::string& text, uint32_t line);
-
-// "W2xx" with file, line, column and excerpt filled in; a null source leaves them empty.
-[[nodiscard]] Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::string message);
 
 }  // namespace weft::shader

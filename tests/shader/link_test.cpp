@@ -106,7 +106,8 @@ void main() { color = texture(port, vec3(0)); }
 
 TEST_F(Link, an_input_that_nothing_writes_is_refused_with_its_place) {
     write("graph/n/n.vert", kOneOutput);
-    write("graph/n/n.frag", R"(#version 460
+    write("graph/n/n.frag", R"(#version 460  // uv;
+/* reads uv; */
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec2 uv;
 layout(location = 0) out vec4 color;
@@ -115,7 +116,7 @@ void main() { color = vec4(normal, uv.x); }
     const Diagnostics found = errors("n", ProgramKind::raster);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].code, "W205");
-    EXPECT_EQ(found[0].line, 3u);
+    EXPECT_EQ(found[0].line, 4u);
     EXPECT_NE(found[0].message.find("vec2 uv at location 1"), std::string::npos);
     EXPECT_NE(found[0].help.at(0).find("vec3 normal at location 0"), std::string::npos);
 }

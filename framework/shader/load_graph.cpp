@@ -1,0 +1,74 @@
+#include "shader/load_graph.h"
+
+#include <iterator>
+#include <optional>
+
+#include "graph/stages.h"
+
+namespace weft {
+namespace {
+
+std::optional<ProgramKind> program_kind(const PassDesc& pass) {
+    if (pass.type == "compute") return ProgramKind::compute;
+    if (pass.type == "fullscreen") return ProgramKind::fullscreen;
+    if (pass.type == "raster") return ProgramKind::raster;
+    return std::nullopt;
+}
+
+void append(Diagnostics& to, Diagnostics from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+// A shader that cannot be found is the graph's fault: the error points there.
+void locate(const GraphDesc& graph, const PassDesc& pass, Diagnostics& faults) {
+    for (Diagnostic& fault : faults) {
+        if (fault.code != "W201") continue;
+        Diagnostic located = graph.sources.error(pass.shader_loc, fault.code, fault.message);
+        located.pointer = "/passes/" + pass.name + "/shader";
+        located.help = std::move(fault.help);
+        fault = std::move(located);
+    }
+}
+
+ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, Diagnostics& faults) {
+    ShaderCatalog catalog;
+    for (const auto& [name, pass] : graph.passes) {
+        const std::optional<ProgramKind> kind = program_kind(pass);
+        if (!kind || pass.shader.empty() || catalog.contains(pass.shader)) continue;
+        Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots);
+        if (program) {
+            catalog.emplace(pass.shader, std::move(*program));
+            continue;
+        }
+        Diagnostics errors = program.take_errors();
+        locate(graph, pass, errors);
+        append(faults, std::move(errors));
+        catalog.emplace(pass.shader, ShaderProgram{pass.shader, {}, {}, 0});
+    }
+    return catalog;
+}
+
+}  // namespace
+
+Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
+    Result<JsonDoc> document = read_json(input.path, input.reader);
+    if (!document) return document.take_errors();
+    Result<JsonDoc> merged = merge(std::move(*document));
+    if (!merged) return merged.take_errors();
+    Result<GraphDesc> desc = parse(*merged);
+    if (!desc) return desc.take_errors();
+
+    Diagnostics faults;
+    const ShaderRoots roots{{std::filesystem::absolute(input.path).parent_path(), input.shader_root},
+                            input.shader_root / "include",
+                            input.shader_cache};
+    ShaderCatalog shaders = compile_shaders(*desc, roots, faults);
+    Result<ResolvedGraph> graph = resolve({*desc, input.passes, shaders, input.imports, input.profile,
+                                           input.params, input.output_extent, input.observed},
+                                          warnings);
+    if (!graph) append(faults, graph.take_errors());
+    if (!faults.empty()) return faults;
+    return LoadedGraph{std::move(*desc), std::move(shaders), std::move(*graph)};
+}
+
+}  // namespace weft

@@ -1,0 +1,42 @@
+// Purpose: from a graph file to a resolved graph: read, merge, parse, compile its shaders, resolve.
+// Everything wrong with the file and its shaders is reported in one go.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "shader/compile_shader.h"
+#include "weft/declaration.h"
+#include "weft/graph_desc.h"
+#include "weft/imports.h"
+#include "weft/pass.h"
+#include "weft/result.h"
+#include "weft/source.h"
+
+namespace weft {
+
+struct LoadInput {
+    std::string path;
+    FileReader reader;                   // for the graph file
+    std::filesystem::path shader_root;   // the shaders/ folder; its include/ is the include root
+    std::filesystem::path shader_cache;  // empty: none
+    const PassCatalog& passes;
+    const ImportCatalog& imports;
+    const DeviceProfile& profile;
+    Extent3D output_extent{1280, 720, 1};
+    std::map<std::string, double> params;
+    std::vector<std::string> observed;
+};
+
+struct LoadedGraph {
+    GraphDesc desc;
+    ShaderCatalog shaders;
+    ResolvedGraph graph;
+};
+
+// Warnings go to `warnings`.
+[[nodiscard]] Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings);
+
+}  // namespace weft
