@@ -1,0 +1,69 @@
+// Purpose: one graph drawing one scene: load, compile, prove, run. What `weft render` and the picture tests
+// are made of, and the shortest way to embed Weft. Units: size in pixels, exposure in EV (hdr is stored ×
+// 2^EV).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/gpu_scene.h"
+#include "shader/load_graph.h"
+#include "vulkan/executor.h"
+
+namespace weft::render {
+
+struct SessionInput {
+    std::string graph_path;
+    FileReader reader;
+    std::filesystem::path shader_root;
+    std::filesystem::path shader_cache;
+    const PassCatalog* passes = nullptr;
+    Extent3D size{1280, 720, 1};
+    std::map<std::string, double> params;
+    std::vector<std::string> observed;  // references that are read back every frame
+    scene::Camera camera;
+    float exposure_ev = 0;
+    bool check_plan = false;  // prove the plan before it runs; always done in debug builds
+    bool timestamps = false;  // per-pass GPU times; adds execution barriers, so not for validation runs
+    std::string drop_barriers_before;  // test hook: a pass whose barriers are not recorded
+};
+
+class Session {
+ public:
+    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…).
+    [[nodiscard]] static Result<std::unique_ptr<Session>> create(vk::Device& device,
+                                                                 const scene::Scene& scene,
+                                                                 const SessionInput& input,
+                                                                 Diagnostics& warnings);
+
+    [[nodiscard]] Status render_frame(double time_s, double delta_time_s);
+    [[nodiscard]] Status finish();
+    // The output image of the last frame; call after finish().
+    [[nodiscard]] Result<vk::ReadbackData> read_output();
+    [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks() { return executor_->take_readbacks(); }
+    [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return executor_->take_timings(); }
+    [[nodiscard]] const FramePlan& plan() const { return executor_->plan(); }
+    [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
+    [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
+    [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
+
+ private:
+    Session() = default;
+    [[nodiscard]] shared::FrameConstants frame_constants(double time_s, double delta_time_s) const;
+
+    LoadedGraph loaded_;
+    ImportCatalog imports_;
+    PassCatalog passes_;
+    std::unique_ptr<GpuScene> scene_;
+    vk::Image output_;
+    std::vector<shared::Light> lights_;
+    shared::ViewConstants view_{};
+    glm::vec3 sky_zenith_{0};
+    glm::vec3 sky_horizon_{0};
+    float pre_exposure_ = 1;
+    uint64_t frame_index_ = 0;
+    std::unique_ptr<vk::Executor> executor_;  // last: destroyed first
+};
+
+}  // namespace weft::render
