@@ -44,6 +44,8 @@ class Session {
     [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks() { return executor_->take_readbacks(); }
     [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return executor_->take_timings(); }
     [[nodiscard]] const FramePlan& plan() const { return executor_->plan(); }
+    // How many frames the graph asks for.
+    [[nodiscard]] uint32_t frames() const { return loaded_.desc.frames; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }

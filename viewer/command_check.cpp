@@ -1,0 +1,57 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "files.h"
+#include "offline_graph.h"
+
+namespace weft::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Diagnostic& d) {
+    Json notes = Json::array();
+    for (const Note& note : d.notes)
+        notes.push_back(
+            {{"file", note.file}, {"line", note.line}, {"column", note.column}, {"message", note.message}});
+    return {{"code", d.code},       {"severity", d.severity == Severity::error ? "error" : "warning"},
+            {"file", d.file},       {"line", d.line},
+            {"column", d.column},   {"pointer", d.pointer},
+            {"message", d.message}, {"help", d.help},
+            {"notes", notes},       {"tier", d.tier.empty() ? Json(nullptr) : Json(d.tier)}};
+}
+
+}  // namespace
+
+ExitCode run_check(const CheckOptions& options) {
+    Result<DeviceProfile> profile = load_profile(options.profile);
+    if (!profile) {
+        report(profile.errors());
+        return exit_code_for(profile.errors());
+    }
+    Diagnostics all;
+    for (const std::string& file : options.files) {
+        Diagnostics found;
+        Result<FramePlan> plan = compile_offline(file, *profile, options.size, {}, found);
+        if (!plan) {
+            const Diagnostics errors = plan.take_errors();
+            found.insert(found.end(), errors.begin(), errors.end());
+        } else if (!options.json) {
+            std::fprintf(stderr,
+                         "%s: ok, %zu passes live of %zu, %u barriers, %.1f MiB of transient memory\n",
+                         file.c_str(), plan->schedule.order.size(), plan->graph.passes.size(),
+                         plan->barriers.emitted, static_cast<double>(plan->memory.heap_bytes) / 1048576.0);
+        }
+        if (!options.json) report(found);
+        all.insert(all.end(), found.begin(), found.end());
+    }
+    if (options.json) {
+        Json list = Json::array();
+        for (const Diagnostic& d : all) list.push_back(to_json(d));
+        std::printf("%s\n", list.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    }
+    return has_errors(all) ? exit_code_for(all) : ExitCode::ok;
+}
+
+}  // namespace weft::viewer

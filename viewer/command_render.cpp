@@ -1,0 +1,137 @@
+#include <chrono>
+#include <cstdio>
+
+#include "commands.h"
+#include "files.h"
+#include "image_file.h"
+#include "render/session.h"
+#include "render/texels.h"
+#include "scene_source.h"
+#include "stats.h"
+#include "weft/registry.h"
+
+namespace weft::viewer {
+namespace {
+
+// What is left of a run once the frames are done.
+struct RunOutcome {
+    vk::ReadbackData output;
+    std::vector<vk::FrameTiming> timings;
+    std::vector<vk::ReadbackData> readbacks;
+};
+
+ExitCode fail(const Diagnostics& errors) {
+    report(errors);
+    return exit_code_for(errors);
+}
+
+Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& options, uint32_t frames) {
+    for (uint32_t i = 0; i < frames; ++i) {
+        if (Status s = session.render_frame(i * options.fixed_dt_s, options.fixed_dt_s); !s)
+            return s.take_errors();
+    }
+    if (Status s = session.finish(); !s) return s.take_errors();
+    Result<vk::ReadbackData> output = session.read_output();
+    if (!output) return output.take_errors();
+    return RunOutcome{std::move(*output), session.take_timings(), session.take_readbacks()};
+}
+
+// The picture that --output asks for: the graph's output, or the resource of --resource.
+Status write_picture(const RenderOptions& options, const render::Session& session,
+                     const RunOutcome& outcome) {
+    const bool is_output = options.resource.empty();
+    if (!is_output && outcome.readbacks.empty()) {
+        Diagnostic d;
+        d.code = "W103";
+        d.message = "\"" + options.resource + "\" was not read back";
+        d.help = {"name a resource that a pass of this graph writes"};
+        return d;
+    }
+    const vk::ReadbackData& data = is_output ? outcome.output : outcome.readbacks.back();
+    if (data.format == Format::undefined)
+        return write_file(options.output,
+                          {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
+    const Result<ImageFileKind> kind = image_file_kind(options.output);
+    if (!kind) return kind.errors();
+    if (is_output && *kind == ImageFileKind::png)
+        return write_png(options.output, data.extent.width, data.extent.height, data.bytes);
+    std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
+    // Raw values are in the resource's own units; a PNG is for looking at, so it keeps the exposure.
+    if (!is_output && *kind != ImageFileKind::png && is_pre_exposed(session.plan(), options.resource)) {
+        for (glm::vec4& texel : texels) texel = glm::vec4(glm::vec3(texel) / session.pre_exposure(), texel.a);
+    }
+    return write_image(options.output, data.extent.width, data.extent.height, texels);
+}
+
+render::SessionInput session_input(const RenderOptions& options, const scene::Scene& scene,
+                                   const scene::Camera& camera, const PassCatalog& passes) {
+    const std::filesystem::path root = shipped_root();
+    render::SessionInput input;
+    input.graph_path = options.graph.empty() ? (root / "graphs" / "deferred.json").string() : options.graph;
+    input.reader = read_file;
+    input.shader_root = root / "shaders";
+    input.shader_cache = shader_cache();
+    input.passes = &passes;
+    input.size = options.size;
+    input.params = options.params;
+    if (!options.resource.empty()) input.observed = {options.resource};
+    input.camera = camera;
+    input.exposure_ev = options.exposure_ev.value_or(scene.exposure_ev);
+    input.check_plan = options.validate;
+    input.timestamps = !options.stats.empty() && !options.validate;
+    input.drop_barriers_before = options.drop_barriers_before;
+    return input;
+}
+
+// Prints what the layers said, pass by pass.
+bool report_messages(vk::Device& device) {
+    for (const vk::Message& message : device.messages().messages())
+        std::fprintf(stderr, "validation: %s%s%s: %s\n", message.id.c_str(),
+                     message.pass.empty() ? "" : ": pass ", message.pass.c_str(), message.text.c_str());
+    return device.messages().count() > 0;
+}
+
+}  // namespace
+
+ExitCode run_render(const RenderOptions& options) {
+    if (const Result<ImageFileKind> kind = image_file_kind(options.output);
+        !kind && options.resource.empty()) {
+        report(kind.errors());
+        return ExitCode::usage;
+    }
+    Diagnostics warnings;
+    Result<scene::Scene> scene = open_scene(options.scene, options.env, warnings);
+    report(warnings);
+    if (!scene) return fail(scene.errors());
+    const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
+    Result<scene::Camera> camera = choose_camera(*scene, options.camera, aspect);
+    if (!camera) return fail(camera.errors());
+
+    vk::DeviceOptions device_options;
+    device_options.validate = options.validate;
+    device_options.device = options.device;
+    device_options.timeout_ns = static_cast<uint64_t>(options.timeout_s * 1e9);
+    Result<std::unique_ptr<vk::Device>> device = vk::Device::create(device_options);
+    if (!device) return fail(device.errors());
+
+    const PassCatalog passes = registered_passes();
+    warnings.clear();
+    Result<std::unique_ptr<render::Session>> session =
+        render::Session::create(**device, *scene, session_input(options, *scene, *camera, passes), warnings);
+    report(warnings);
+    if (!session) return fail(session.errors());
+    const uint32_t frames = options.frames > 0 ? options.frames : (*session)->frames();
+    Result<RunOutcome> outcome = run_frames(**session, options, frames);
+    const bool complained = report_messages(**device);
+    if (!outcome) return fail(outcome.errors());
+    if (Status s = write_picture(options, **session, *outcome); !s) return fail(s.errors());
+    if (!options.stats.empty()) {
+        const std::string json =
+            stats_json({**device, (*session)->plan(), outcome->output, outcome->timings, frames});
+        if (Status s = write_file(options.stats, json); !s) return fail(s.errors());
+    }
+    std::fprintf(stderr, "weft: wrote %s\n", options.output.c_str());
+    return complained ? ExitCode::validation : ExitCode::ok;
+}
+
+}  // namespace weft::viewer

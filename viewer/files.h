@@ -1,0 +1,28 @@
+// Purpose: the files that Weft ships (graphs, shaders, profiles), wherever the program was put, and plain
+// file access.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "weft/device_profile.h"
+#include "weft/result.h"
+
+namespace weft::viewer {
+
+// The folder that holds graphs/, shaders/ and framework/profiles/: found by walking up from the program
+// itself.
+[[nodiscard]] std::filesystem::path shipped_root();
+// Where compiled shaders are kept between runs: $XDG_CACHE_HOME/weft or ~/.cache/weft; empty when neither is
+// set.
+[[nodiscard]] std::filesystem::path shader_cache();
+
+[[nodiscard]] std::optional<std::string> read_file(const std::string& path);
+// Errors: X510, the file cannot be written.
+[[nodiscard]] Status write_file(const std::string& path, const std::string& content);
+
+// The named profile file, or the shipped one of lavapipe when `path` is empty.
+[[nodiscard]] Result<DeviceProfile> load_profile(const std::string& path);
+
+}  // namespace weft::viewer

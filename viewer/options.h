@@ -1,0 +1,54 @@
+// Purpose: what the command line asked for, one struct a command. Filled by main.cpp, read by the commands.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "weft/declaration.h"
+
+namespace weft::viewer {
+
+struct RenderOptions {
+    std::string scene = "builtin:atrium";
+    std::string output = "frame.png";
+    std::string graph;  // empty: the shipped graphs/deferred.json
+    Extent3D size{1280, 720, 1};
+    uint32_t frames = 0;  // 0: what the graph says
+    double fixed_dt_s = 1.0 / 60.0;
+    std::string camera;
+    std::string env = "sky";
+    std::optional<float> exposure_ev;
+    std::map<std::string, double> params;
+    std::string resource;
+    bool validate = false;
+    std::string stats;
+    std::string device;
+    double timeout_s = 10;
+    std::string drop_barriers_before;  // test hook
+};
+
+struct CheckOptions {
+    std::vector<std::string> files;
+    std::string profile;
+    Extent3D size{1280, 720, 1};
+    bool json = false;
+};
+
+struct PlanOptions {
+    std::string file;
+    std::string profile;
+    Extent3D size{1280, 720, 1};
+    std::string format = "text";
+    std::string output;
+    std::map<std::string, double> params;
+};
+
+struct DoctorOptions {
+    bool json = false;
+    std::string device;
+};
+
+}  // namespace weft::viewer

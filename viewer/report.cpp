@@ -1,0 +1,22 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "commands.h"
+
+namespace weft::viewer {
+
+void report(const Diagnostics& diagnostics) {
+    if (!diagnostics.empty()) std::fprintf(stderr, "%s\n", to_text(diagnostics).c_str());
+}
+
+ExitCode exit_code_for(const Diagnostics& errors) {
+    const auto it = std::find_if(errors.begin(), errors.end(),
+                                 [](const Diagnostic& d) { return d.severity == Severity::error; });
+    if (it == errors.end() || it->code.empty()) return ExitCode::failed;
+    if (it->code == "V407" || it->code == "V408") return ExitCode::lost;
+    if (it->code.starts_with("V40")) return ExitCode::no_device;
+    const char kind = it->code.front();
+    return kind == 'W' || kind == 'S' ? ExitCode::invalid_input : ExitCode::failed;
+}
+
+}  // namespace weft::viewer
