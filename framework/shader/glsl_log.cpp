@@ -77,12 +77,13 @@ std::vector<std::string> identifiers(const SourceReader& reader, const std::stri
     std::set<std::string> words;
     for (const SourceText* source : reader.sources()) {
         std::string word;
-        for (const char c : source->text + "\n") {
+        for (const char c : without_comments(source->text) + "\n") {
             const bool part = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
             if (part) word += c;
             if (part || word.empty()) continue;
             const bool number = std::isdigit(static_cast<unsigned char>(word[0])) != 0;
-            if (!number && word != except && words.size() < kMaxIdentifiers) words.insert(word);
+            if (!number && word.size() > 1 && word != except && words.size() < kMaxIdentifiers)
+                words.insert(word);
             word.clear();
         }
     }

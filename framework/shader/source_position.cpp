@@ -13,18 +13,6 @@ bool is_word_char(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// The same text with comments turned to spaces, so that offsets stay.
-std::string without_comments(std::string text) {
-    for (size_t at = 0; at + 1 < text.size(); ++at) {
-        if (text[at] != '/' || (text[at + 1] != '/' && text[at + 1] != '*')) continue;
-        const bool line = text[at + 1] == '/';
-        const size_t end = line ? text.find('\n', at) : text.find("*/", at + 2);
-        const size_t stop = end == std::string::npos ? text.size() : end + (line ? 0 : 2);
-        for (; at < stop; ++at) text[at] = text[at] == '\n' ? '\n' : ' ';
-    }
-    return text;
-}
-
 std::optional<size_t> find_declared(const std::string& text, const std::string& name) {
     constexpr std::string_view kDeclarationEnds = ";[={";
     for (size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
@@ -46,6 +34,17 @@ SourcePosition position_at(const SourceText& source, size_t offset) {
 }
 
 }  // namespace
+
+std::string without_comments(std::string text) {
+    for (size_t at = 0; at + 1 < text.size(); ++at) {
+        if (text[at] != '/' || (text[at + 1] != '/' && text[at + 1] != '*')) continue;
+        const bool line = text[at + 1] == '/';
+        const size_t end = line ? text.find('\n', at) : text.find("*/", at + 2);
+        const size_t stop = end == std::string::npos ? text.size() : end + (line ? 0 : 2);
+        for (; at < stop; ++at) text[at] = text[at] == '\n' ? '\n' : ' ';
+    }
+    return text;
+}
 
 SourcePosition find_declaration(const std::string& name, const SourceText* first,
                                 const std::vector<const SourceText*>& others) {

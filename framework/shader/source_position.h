@@ -32,6 +32,9 @@ struct SourcePosition {
 [[nodiscard]] SourcePosition find_declaration(const std::string& name, const SourceText* first,
                                               const std::vector<const SourceText*>& others);
 
+// The same text with comments turned to spaces, so that offsets stay.
+[[nodiscard]] std::string without_comments(std::string text);
+
 // Line `line` (from 1) of a text, without its end.
 [[nodiscard]] std::string line_of(const std::string& text, uint32_t line);
 
