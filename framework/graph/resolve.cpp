@@ -1,0 +1,28 @@
+#include "graph/resolve_context.h"
+
+namespace weft {
+
+Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) {
+    ResolveState state{.input = input, .warnings = warnings};
+    state.graph.name = input.graph.name;
+    state.graph.output_extent = input.output_extent;
+
+    resolve_values(state);
+    resolve_resources(state);
+    declare_passes(state);
+    bind_ports(state);
+    choose_formats(state);
+    check_interfaces(state);
+    resolve_versions(state);
+    resolve_attachments(state);
+    resolve_dispatches(state);
+    resolve_blocks(state);
+    check_custom_passes(state);
+    warn_unused(state);
+
+    if (!state.errors.empty()) return std::move(state.errors);
+    state.graph.sources = input.graph.sources;
+    return std::move(state.graph);
+}
+
+}  // namespace weft

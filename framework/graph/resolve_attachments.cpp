@@ -1,0 +1,142 @@
+// Colour attachments by the location of the fragment output, the depth attachment, and the one extent they
+// share.
+#include <algorithm>
+
+#include "graph/resolve_context.h"
+
+namespace weft {
+namespace {
+
+class AttachmentStep {
+ public:
+    AttachmentStep(ResolveState& state, PassId pass)
+        : state_(state), pass_(pass), work_(state.passes[pass]), decl_(state.graph.passes[pass]) {}
+
+    void run() {
+        for (uint32_t i = 0; i < decl_.uses.size(); ++i) {
+            if (work_.ports[i].color_output) add_color(i);
+            if (work_.ports[i].is_depth_port) add_depth(i);
+        }
+        std::ranges::sort(decl_.colors, {}, &AttachmentDecl::location);
+        const uint32_t limit = state_.input.profile.max_color_attachments;
+        if (decl_.colors.size() > limit) {
+            error(decl_.loc,
+                  "pass " + quoted(decl_.name) + " has " + std::to_string(decl_.colors.size()) +
+                      " colour outputs; the device offers " + std::to_string(limit),
+                  "split the pass, or pack its outputs");
+        }
+        check_agreement();
+    }
+
+ private:
+    const PassDesc& desc() const { return *work_.desc; }
+
+    void error(SourceLoc loc, const std::string& message, const std::string& help) {
+        add_help(state_.pass_error(pass_, loc, "W112", message), help);
+    }
+
+    std::array<float, 4> clear_value(const UseDecl& use) const {
+        const auto own = desc().clear_ports.find(use.port);
+        if (own != desc().clear_ports.end()) return own->second;
+        const ResourceDecl& resource = state_.graph.resources[use.resource];
+        // The pass's own value is a colour.
+        if (desc().clear && !(resource.aspects & aspect::kDepth)) return *desc().clear;
+        // Reversed depth: 0 is infinitely far.
+        return resource.clear.value_or(std::array<float, 4>{0, 0, 0, 0});
+    }
+
+    void add_color(uint32_t index) {
+        const UseDecl& use = decl_.uses[index];
+        AttachmentDecl color;
+        color.use = index;
+        color.location = work_.ports[index].color_output->location;
+        color.blend = blend_of(desc(), use.port);
+        color.clear = clear_value(use);
+        const bool explicitly_cleared = desc().clear || desc().clear_ports.contains(use.port);
+        color.covers = work_.ports[index].rank == WriteRank::fresh && !explicitly_cleared;
+        decl_.colors.push_back(color);
+        check_range(use);
+    }
+
+    void add_depth(uint32_t index) {
+        AttachmentDecl depth;
+        depth.use = index;
+        depth.clear = clear_value(decl_.uses[index]);
+        decl_.depth = depth;
+        check_range(decl_.uses[index]);
+    }
+
+    void check_range(const UseDecl& use) {
+        if (use.range.mips == 1 && use.range.layers == 1) return;
+        const ResourceDecl& resource = state_.graph.resources[use.resource];
+        const std::string pick =
+            resource.name + (use.range.mips > 1 ? ".mip(0)" : "") + (use.range.layers > 1 ? ".layer(0)" : "");
+        error(use.loc,
+              "attachment " + quoted(use.port) + " of pass " + quoted(decl_.name) +
+                  " is one mip of one layer, but " + quoted(range_of(resource, use.range)) + " has " +
+                  std::to_string(use.range.mips) + " mips and " + std::to_string(use.range.layers) +
+                  " layers",
+              "pick one: " + quoted(pick));
+    }
+
+    std::vector<uint32_t> attachment_uses() const {
+        std::vector<uint32_t> uses;
+        for (const AttachmentDecl& color : decl_.colors) uses.push_back(color.use);
+        if (decl_.depth) uses.push_back(decl_.depth->use);
+        return uses;
+    }
+
+    void check_agreement() {
+        const std::vector<uint32_t> uses = attachment_uses();
+        if (uses.empty()) {
+            if (work_.faulty) return;
+            error(decl_.loc, "pass " + quoted(decl_.name) + " has no attachment to draw into",
+                  "name a fragment output in \"out\", or a \"depth\"");
+            return;
+        }
+        const UseDecl& first = decl_.uses[uses.front()];
+        decl_.render_extent = use_extent(state_, first);
+        for (const uint32_t index : uses) {
+            const UseDecl& use = decl_.uses[index];
+            if (state_.resources[use.resource].suspect_shape ||
+                state_.resources[first.resource].suspect_shape)
+                continue;
+            const Extent3D extent = use_extent(state_, use);
+            if (extent != decl_.render_extent) {
+                error(use.loc,
+                      "attachments of pass " + quoted(decl_.name) + " differ in size: " + quoted(first.port) +
+                          " is " + extent_text(decl_.render_extent) + ", " + quoted(use.port) + " is " +
+                          extent_text(extent),
+                      "give them the same \"size\" and mip");
+                return;
+            }
+            const uint32_t samples = state_.graph.resources[use.resource].samples;
+            const uint32_t wanted = state_.graph.resources[first.resource].samples;
+            if (samples != wanted) {
+                error(use.loc,
+                      "attachments of pass " + quoted(decl_.name) +
+                          " differ in samples: " + quoted(first.port) + " has " + std::to_string(wanted) +
+                          ", " + quoted(use.port) + " has " + std::to_string(samples),
+                      "give them the same \"samples\"");
+                return;
+            }
+        }
+    }
+
+    ResolveState& state_;
+    PassId pass_;
+    PassWork& work_;
+    PassDecl& decl_;
+};
+
+}  // namespace
+
+void resolve_attachments(ResolveState& state) {
+    for (PassId pass = 0; pass < state.passes.size(); ++pass) {
+        const PassKind kind = state.graph.passes[pass].kind;
+        const bool draws = kind == PassKind::raster || kind == PassKind::fullscreen;
+        if (draws && state.passes[pass].shader) AttachmentStep(state, pass).run();
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,139 @@
+#include "graph/resolve_context.h"
+
+#include <algorithm>
+
+namespace weft {
+namespace {
+
+template <class T>
+uint32_t index_by_name(const std::vector<T>& sorted, std::string_view name) {
+    const auto it = std::lower_bound(sorted.begin(), sorted.end(), name,
+                                     [](const T& item, std::string_view n) { return item.name < n; });
+    if (it == sorted.end() || it->name != name) return kNoId;
+    return static_cast<uint32_t>(it - sorted.begin());
+}
+
+template <class T>
+std::vector<std::string> keys_of(const std::map<std::string, T>& map) {
+    std::vector<std::string> keys;
+    for (const auto& [key, unused] : map) keys.push_back(key);
+    return keys;
+}
+
+}  // namespace
+
+std::optional<ExprValue> ResolveNames::value(const std::string& name) const {
+    const auto it = values.find(name);
+    if (it == values.end()) return std::nullopt;
+    return it->second;
+}
+
+std::optional<uint32_t> ResolveNames::mips(const std::string& resource) const {
+    const auto it = mip_counts.find(resource);
+    if (it == mip_counts.end()) return std::nullopt;
+    return it->second;
+}
+
+std::vector<std::string> ResolveNames::known_names() const {
+    return keys_of(values);
+}
+
+std::vector<std::string> ResolveNames::known_resources() const {
+    return keys_of(mip_counts);
+}
+
+Diagnostic& ResolveState::error(SourceLoc loc, std::string code, std::string message) {
+    return errors.emplace_back(input.graph.sources.error(loc, std::move(code), std::move(message)));
+}
+
+Diagnostic& ResolveState::pass_error(PassId pass, SourceLoc loc, std::string code, std::string message) {
+    passes[pass].faulty = true;
+    return error(loc, std::move(code), std::move(message));
+}
+
+void ResolveState::warn(SourceLoc loc, std::string code, std::string message, std::string help) {
+    Diagnostic warning = input.graph.sources.error(loc, std::move(code), std::move(message));
+    warning.severity = Severity::warning;
+    warning.help.push_back(std::move(help));
+    warnings.push_back(std::move(warning));
+}
+
+std::optional<ExprValue> ResolveState::evaluate_here(const Expr& expression) {
+    for (const ExprNode& node : expression.postfix) {
+        if (std::ranges::find(faulty_values, node.name) != faulty_values.end()) return std::nullopt;
+        if (node.op != ExprOp::mips_of) continue;
+        const ResourceId resource = resource_id(node.name);
+        if (resource != kNoId && resources[resource].suspect_shape) return std::nullopt;
+    }
+    Result<ExprValue> value = evaluate(expression, names, input.graph.sources);
+    if (value) return *value;
+    for (Diagnostic& d : value.take_errors()) errors.push_back(std::move(d));
+    return std::nullopt;
+}
+
+ResourceId ResolveState::resource_id(std::string_view name) const {
+    return index_by_name(graph.resources, name);
+}
+
+PassId ResolveState::pass_id(std::string_view name) const {
+    return index_by_name(graph.passes, name);
+}
+
+std::vector<std::string> ResolveState::resource_names() const {
+    std::vector<std::string> known;
+    for (const ResourceDecl& resource : graph.resources) known.push_back(resource.name);
+    return known;
+}
+
+std::vector<std::string> ResolveState::pass_names() const {
+    return keys_of(input.graph.passes);
+}
+
+std::string range_of(const ResourceDecl& resource, const SubresourceRange& range) {
+    const auto span = [](const char* what, uint32_t first, uint32_t count) {
+        const std::string last = count > 1 ? ".." + std::to_string(first + count - 1) : "";
+        return std::string(".") + what + "(" + std::to_string(first) + last + ")";
+    };
+    std::string text = resource.name;
+    if (range.mips != resource.mips) text += span("mip", range.mip, range.mips);
+    if (range.layers != resource.layers) text += span("layer", range.layer, range.layers);
+    return text;
+}
+
+std::string quoted(std::string_view name) {
+    std::string text = "\"";
+    text += name;
+    return text += '"';
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) {
+        if (!text.empty()) text += ", ";
+        text += quoted(name);
+    }
+    return text;
+}
+
+std::string extent_text(const Extent3D& extent) {
+    std::string text = std::to_string(extent.width) + "x" + std::to_string(extent.height);
+    if (extent.depth > 1) text += "x" + std::to_string(extent.depth);
+    return text;
+}
+
+Extent3D use_extent(const ResolveState& state, const UseDecl& use) {
+    return mip_extent(state.graph.resources[use.resource].extent, use.range.mip);
+}
+
+BlendState blend_of(const PassDesc& desc, const std::string& port) {
+    const auto own = desc.blend.find(port);
+    if (own != desc.blend.end()) return own->second;
+    const auto all = desc.blend.find("");
+    return all != desc.blend.end() ? all->second : BlendState{};
+}
+
+void add_help(Diagnostic& diagnostic, std::string help) {
+    if (!help.empty()) diagnostic.help.push_back(std::move(help));
+}
+
+}  // namespace weft

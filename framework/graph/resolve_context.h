@@ -1,0 +1,123 @@
+// Purpose: what the steps of resolve() share while one graph is being resolved. Private to resolve_*.cpp.
+// A step reports every fault it meets and goes on. What a fault makes unknowable is marked suspect, and later
+// steps keep quiet about suspects: one cause, one message.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graph/expression.h"
+#include "graph/stages.h"
+
+namespace weft {
+
+// How a write treats what was there before.
+enum class WriteRank : uint8_t {
+    fresh,     // makes a new version: nothing of the old content is seen
+    resumes,   // goes on with a preceding version if this frame has one (a loaded attachment, a read-write
+               // buffer)
+    in_place,  // changes the preceding version
+};
+
+// What resolve() knows about a use beyond its UseDecl. Parallel to PassDecl::uses.
+struct PortWork {
+    const PortDesc* desc = nullptr;
+    const ShaderBinding* binding = nullptr;       // in set 1
+    const StageVariable* color_output = nullptr;  // colour attachments
+    PassId pin = kNoId;
+    WriteRank rank = WriteRank::fresh;
+    bool is_depth_port = false;
+    bool reads_own_port = false;  // "in" and "out" both name this port: one binding, in place
+};
+
+struct PassWork {
+    const PassDesc* desc = nullptr;
+    const ShaderInterface* shader = nullptr;
+    const PassType* custom = nullptr;
+    std::vector<PortWork> ports;
+    bool faulty = false;  // reported already; some of its uses may be missing
+};
+
+struct ResourceWork {
+    const ResourceDesc* desc = nullptr;  // null for imports
+    bool has_content = false;            // imports: something was there before the frame
+    bool suspect_shape = false;          // extent, mips or format are unknown because of a fault
+    bool suspect_writers = false;        // a faulty pass may write it
+};
+
+// Parameters, constants, sizes and the mip counts found so far.
+class ResolveNames final : public ExprNames {
+ public:
+    std::map<std::string, ExprValue> values;
+    std::map<std::string, uint32_t> mip_counts;
+
+    [[nodiscard]] std::optional<ExprValue> value(const std::string& name) const override;
+    [[nodiscard]] std::optional<uint32_t> mips(const std::string& resource) const override;
+    [[nodiscard]] std::vector<std::string> known_names() const override;
+    [[nodiscard]] std::vector<std::string> known_resources() const override;
+};
+
+struct ResolveState {
+    const ResolveInput& input;
+    Diagnostics& warnings;
+    Diagnostics errors = {};
+    ResolvedGraph graph = {};
+    ResolveNames names = {};
+    std::vector<std::string> faulty_values = {};  // params and sizes already reported
+    std::vector<ResourceWork> resources = {};     // by ResourceId
+    std::vector<PassWork> passes = {};            // by PassId
+    std::map<std::string, PassDesc> observers = {};
+
+    Diagnostic& error(SourceLoc loc, std::string code, std::string message);
+    // The same, and the pass is faulty from now on.
+    Diagnostic& pass_error(PassId pass, SourceLoc loc, std::string code, std::string message);
+    void warn(SourceLoc loc, std::string code, std::string message, std::string help);
+    // Reports and returns nullopt when the expression is wrong; quiet when it only names what was reported
+    // already.
+    std::optional<ExprValue> evaluate_here(const Expr& expression);
+
+    [[nodiscard]] ResourceId resource_id(std::string_view name) const;  // kNoId: none
+    [[nodiscard]] PassId pass_id(std::string_view name) const;
+    [[nodiscard]] std::vector<std::string> resource_names() const;
+    [[nodiscard]] std::vector<std::string> pass_names() const;  // without observers
+    [[nodiscard]] const std::string& pass_name(PassId pass) const { return graph.passes[pass].name; }
+    [[nodiscard]] const std::string& resource_name(ResourceId r) const { return graph.resources[r].name; }
+};
+
+// A range as its author would write it: only what is less than the whole resource.
+[[nodiscard]] std::string range_of(const ResourceDecl& resource, const SubresourceRange& range);
+[[nodiscard]] std::string quoted(std::string_view name);
+[[nodiscard]] std::string joined(const std::vector<std::string>& names);  // "a", "b", "c"
+[[nodiscard]] std::string extent_text(const Extent3D& extent);
+[[nodiscard]] Extent3D use_extent(const ResolveState& state, const UseDecl& use);
+// "" holds for every output that has no state of its own.
+[[nodiscard]] BlendState blend_of(const PassDesc& desc, const std::string& port);
+[[nodiscard]] bool has_shader(PassKind kind);
+void add_help(Diagnostic& diagnostic, std::string help);  // unless empty
+
+// --- the steps, in order
+// ---------------------------------------------------------------------------------------
+void resolve_values(ResolveState& state);
+void resolve_resources(ResolveState& state);  // imports too
+// Adds one resource; both kinds go through the name table in the order of their names.
+void resolve_import(ResolveState& state, const ImportDesc& desc, ResourceDecl& decl, ResourceWork& work);
+void check_draw_list_imports(ResolveState& state);
+void declare_passes(ResolveState& state);
+void bind_ports(ResolveState& state);
+// What a port means to the shader or pass type behind it; false: reported.
+void bind_shader_pass(ResolveState& state, PassId pass);
+void bind_fixed_pass(ResolveState& state, PassId pass);  // clear, copy, readback
+void bind_custom_pass(ResolveState& state, PassId pass);
+void check_draws(ResolveState& state, PassId pass);
+void choose_formats(ResolveState& state);
+void check_interfaces(ResolveState& state);
+void resolve_versions(ResolveState& state);
+void resolve_attachments(ResolveState& state);
+void resolve_dispatches(ResolveState& state);
+void resolve_blocks(ResolveState& state);
+void check_custom_passes(ResolveState& state);
+void warn_unused(ResolveState& state);
+
+}  // namespace weft

@@ -1,0 +1,171 @@
+// How many workgroups a compute pass runs: ceil(extent of its output range / local size), or what it says.
+// Copies are checked here too: both ends must have the same shape.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "graph/resolve_context.h"
+
+namespace weft {
+namespace {
+
+constexpr double kMaxGroups = 65535;  // the least that Vulkan promises
+
+class DispatchStep {
+ public:
+    DispatchStep(ResolveState& state, PassId pass)
+        : state_(state), pass_(pass), work_(state.passes[pass]), decl_(state.graph.passes[pass]) {}
+
+    void run() {
+        check_local_size();
+        const PassDesc& desc = *work_.desc;
+        std::optional<std::array<double, 3>> groups;
+        if (!desc.groups.empty() && !desc.threads.empty()) {
+            error(desc.groups.front().loc,
+                  "pass " + quoted(decl_.name) + " gives both \"groups\" and \"threads\"",
+                  "leave one of them out");
+            return;
+        }
+        if (!desc.groups.empty()) {
+            groups = evaluate_sides(desc.groups);
+        } else if (!desc.threads.empty()) {
+            groups = in_groups(evaluate_sides(desc.threads));
+        } else {
+            groups = in_groups(output_threads());
+        }
+        if (groups) store(*groups);
+    }
+
+ private:
+    void error(SourceLoc loc, const std::string& message, const std::string& help) {
+        add_help(state_.pass_error(pass_, loc, "W114", message), help);
+    }
+
+    void check_local_size() {
+        const auto& local = work_.shader->local_size;
+        const uint64_t invocations = uint64_t{local[0]} * local[1] * local[2];
+        const uint32_t limit = state_.input.profile.max_workgroup_invocations;
+        if (invocations <= limit) return;
+        error(work_.desc->shader_loc,
+              "shader " + quoted(work_.desc->shader) + " has workgroups of " + std::to_string(invocations) +
+                  " invocations; the device offers " + std::to_string(limit),
+              "make local_size smaller");
+    }
+
+    // A number is (n, 1, 1), a size (x, y, 1), an array its items.
+    std::optional<std::array<double, 3>> evaluate_sides(const std::vector<Expr>& sides) {
+        std::array<double, 3> result{1, 1, 1};
+        for (size_t i = 0; i < std::min<size_t>(3, sides.size()); ++i) {
+            const std::optional<ExprValue> value = state_.evaluate_here(sides[i]);
+            if (!value) return std::nullopt;
+            if (value->is_size && sides.size() > 1) {
+                error(sides[i].loc,
+                      "each item of the dispatch size of " + quoted(decl_.name) + " must be a number",
+                      "use .x or .y of the size");
+                return std::nullopt;
+            }
+            result[i] = value->x;
+            if (value->is_size) result[1] = value->y;
+        }
+        return result;
+    }
+
+    std::optional<std::array<double, 3>> in_groups(std::optional<std::array<double, 3>> threads) const {
+        if (!threads) return std::nullopt;
+        for (size_t i = 0; i < 3; ++i) (*threads)[i] = std::ceil((*threads)[i] / work_.shader->local_size[i]);
+        return threads;
+    }
+
+    std::optional<std::array<double, 3>> output_threads() {
+        std::set<std::array<uint32_t, 3>> extents;
+        std::string listed;
+        for (const UseDecl& use : decl_.uses) {
+            if (!use.is_output) continue;
+            if (state_.resources[use.resource].suspect_shape) return std::nullopt;
+            if (state_.graph.resources[use.resource].kind == ResourceKind::buffer) continue;
+            const Extent3D e = use_extent(state_, use);
+            if (extents.insert({e.width, e.height, std::max(e.depth, use.range.layers)}).second) {
+                listed += (listed.empty() ? "" : ", ") + quoted(use.port) + " is " + extent_text(e);
+            }
+        }
+        if (extents.size() == 1) {
+            const auto& e = *extents.begin();
+            return std::array<double, 3>{double(e[0]), double(e[1]), double(e[2])};
+        }
+        // A faulty pass may lack the very output that would tell.
+        if (work_.faulty) return std::nullopt;
+        const std::string why = extents.empty() ? "it writes no image" : "its outputs differ: " + listed;
+        error(decl_.loc, "the dispatch size of pass " + quoted(decl_.name) + " is unknown: " + why,
+              "say it: \"threads\": \"output\" (invocations) or \"groups\": [x, y, z] (workgroups)");
+        return std::nullopt;
+    }
+
+    void store(const std::array<double, 3>& groups) {
+        for (size_t i = 0; i < 3; ++i) {
+            const double count = std::ceil(groups[i]);
+            if (count < 1 || count > kMaxGroups) {
+                const PassDesc& desc = *work_.desc;
+                const SourceLoc loc = !desc.groups.empty()    ? desc.groups.front().loc
+                                      : !desc.threads.empty() ? desc.threads.front().loc
+                                                              : desc.loc;
+                error(loc,
+                      "pass " + quoted(decl_.name) + " would run " +
+                          std::to_string(static_cast<int64_t>(count)) + " workgroups along one side",
+                      "1 to 65535 are possible");
+                return;
+            }
+            decl_.groups[i] = static_cast<uint32_t>(count);
+        }
+    }
+
+    ResolveState& state_;
+    PassId pass_;
+    PassWork& work_;
+    PassDecl& decl_;
+};
+
+std::string shape_text(const ResolveState& state, const UseDecl& use) {
+    const ResourceDecl& resource = state.graph.resources[use.resource];
+    if (resource.kind == ResourceKind::buffer) return std::to_string(resource.size_bytes) + " bytes";
+    return extent_text(use_extent(state, use)) + ", " + std::to_string(use.range.mips) + " mips, " +
+           std::to_string(use.range.layers) + " layers, " + std::string(format_info(resource.format).name);
+}
+
+bool same_shape(const ResolveState& state, const UseDecl& a, const UseDecl& b) {
+    const ResourceDecl& from = state.graph.resources[a.resource];
+    const ResourceDecl& to = state.graph.resources[b.resource];
+    if (from.kind != to.kind) return false;
+    if (from.kind == ResourceKind::buffer) return from.size_bytes == to.size_bytes;
+    const FormatInfo& f = format_info(from.format);
+    const FormatInfo& t = format_info(to.format);
+    const bool formats =
+        from.format == to.format || (f.bytes_per_texel == t.bytes_per_texel && !f.depth && !t.depth);
+    return formats && use_extent(state, a) == use_extent(state, b) && a.range.mips == b.range.mips &&
+           a.range.layers == b.range.layers && a.range.aspects == b.range.aspects &&
+           from.samples == to.samples;
+}
+
+void check_copy(ResolveState& state, PassId pass) {
+    const PassDecl& decl = state.graph.passes[pass];
+    if (decl.kind != PassKind::copy || state.passes[pass].faulty || decl.uses.size() != 2) return;
+    const UseDecl& from = decl.uses[0];
+    const UseDecl& to = decl.uses[1];
+    if (state.resources[from.resource].suspect_shape || state.resources[to.resource].suspect_shape) return;
+    if (same_shape(state, from, to)) return;
+    Diagnostic& d = state.pass_error(pass, to.loc, "W112",
+                                     "copy pass " + quoted(decl.name) + " has ends of different shape: " +
+                                         shape_text(state, from) + " and " + shape_text(state, to));
+    add_help(d, "give both the same size, mips, layers and bytes per texel, or use a fullscreen pass");
+}
+
+}  // namespace
+
+void resolve_dispatches(ResolveState& state) {
+    for (PassId pass = 0; pass < state.passes.size(); ++pass) {
+        const bool compute = state.graph.passes[pass].kind == PassKind::compute;
+        if (compute && state.passes[pass].shader) DispatchStep(state, pass).run();
+        check_copy(state, pass);
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,200 @@
+// The union of a resource's usages picks its format: the first that the device supports for all of them.
+// Aspects follow from the format, and with them every use is complete.
+#include <algorithm>
+#include <array>
+
+#include "graph/resolve_context.h"
+
+namespace weft {
+namespace {
+
+UsageMask usage_of(Access a) {
+    switch (a) {
+        case Access::sampled_read:
+            return usage::kSampled;
+        case Access::storage_read:
+        case Access::storage_write:
+        case Access::storage_read_write:
+            return usage::kStorage;
+        case Access::uniform_read:
+            return usage::kUniform;
+        case Access::color_write:
+        case Access::color_read_write:
+            return usage::kColorAttachment;
+        case Access::depth_write:
+        case Access::depth_read_write:
+        case Access::depth_read:
+            return usage::kDepthAttachment;
+        case Access::copy_read:
+        case Access::blit_read:
+            return usage::kTransferSrc;
+        case Access::copy_write:
+        case Access::blit_write:
+        case Access::clear_write:
+            return usage::kTransferDst;
+        case Access::indirect_read:
+            return usage::kIndirect;
+        case Access::index_read:
+            return usage::kIndex;
+        case Access::vertex_read:
+            return usage::kVertex;
+        default:
+            return 0;
+    }
+}
+
+// What one resource must be good for, beyond its usages.
+struct Needs {
+    bool blend = false;
+    bool linear_always = false;    // a sampler that says so
+    bool linear_if_float = false;  // the default sampler
+};
+
+struct FeatureRow {
+    FormatFeatureMask bit;
+    const char* name;
+};
+constexpr std::array kFeatureRows{
+    FeatureRow{format_feature::kSampled, "sampling"},
+    FeatureRow{format_feature::kSampledLinear, "linear filtering"},
+    FeatureRow{format_feature::kStorage, "storage images"},
+    FeatureRow{format_feature::kColorAttachment, "colour attachments"},
+    FeatureRow{format_feature::kColorBlend, "blending"},
+    FeatureRow{format_feature::kDepthAttachment, "depth attachments"},
+    FeatureRow{format_feature::kTransferSrc, "copying from"},
+    FeatureRow{format_feature::kTransferDst, "copying or clearing to"},
+};
+
+std::string features_text(FormatFeatureMask mask) {
+    std::string text;
+    for (const FeatureRow& row : kFeatureRows) {
+        if (mask & row.bit) text += (text.empty() ? "" : ", ") + std::string(row.name);
+    }
+    return text;
+}
+
+bool is_float(Format format) {
+    return format_info(format).numeric == NumericClass::float_like;
+}
+
+FormatFeatureMask features_needed(UsageMask usages, const Needs& needs, Format format) {
+    constexpr std::array<std::pair<UsageMask, FormatFeatureMask>, 6> kPairs{{
+        {usage::kSampled, format_feature::kSampled},
+        {usage::kStorage, format_feature::kStorage},
+        {usage::kColorAttachment, format_feature::kColorAttachment},
+        {usage::kDepthAttachment, format_feature::kDepthAttachment},
+        {usage::kTransferSrc, format_feature::kTransferSrc},
+        {usage::kTransferDst, format_feature::kTransferDst},
+    }};
+    FormatFeatureMask mask = 0;
+    for (const auto& [used, feature] : kPairs) {
+        if (usages & used) mask |= feature;
+    }
+    if (needs.blend) mask |= format_feature::kColorBlend;
+    if (needs.linear_always || (needs.linear_if_float && is_float(format)))
+        mask |= format_feature::kSampledLinear;
+    return mask;
+}
+
+bool filters_linearly(const SamplerDecl& sampler) {
+    return sampler.filter == SamplerFilter::linear || sampler.mip_filter == SamplerFilter::linear;
+}
+
+std::vector<Needs> gather_needs(ResolveState& state) {
+    std::vector<Needs> needs(state.resources.size());
+    for (PassId id = 0; id < state.passes.size(); ++id) {
+        const PassWork& work = state.passes[id];
+        const std::vector<UseDecl>& uses = state.graph.passes[id].uses;
+        for (size_t i = 0; i < uses.size(); ++i) {
+            Needs& need = needs[uses[i].resource];
+            state.graph.resources[uses[i].resource].usage |= usage_of(uses[i].access);
+            if (work.ports[i].color_output && blend_of(*work.desc, uses[i].port).enabled) need.blend = true;
+            if (uses[i].access != Access::sampled_read) continue;
+            const std::optional<SamplerDecl>& sampler = work.ports[i].desc->sampler;
+            if (sampler) need.linear_always |= filters_linearly(*sampler);
+            if (!sampler) need.linear_if_float = true;
+        }
+    }
+    return needs;
+}
+
+void set_format(ResourceDecl& decl, Format format) {
+    decl.format = format;
+    const FormatInfo& info = format_info(format);
+    decl.aspects =
+        static_cast<AspectMask>((info.depth ? aspect::kDepth : 0) | (info.stencil ? aspect::kStencil : 0));
+    if (decl.aspects == aspect::kNone) decl.aspects = aspect::kColor;
+}
+
+std::optional<std::vector<Format>> candidates(ResolveState& state, const ResourceDesc& desc) {
+    std::vector<Format> formats;
+    for (const std::string& name : desc.formats) {
+        if (const std::optional<Format> format = format_from_name(name)) {
+            formats.push_back(*format);
+            continue;
+        }
+        Diagnostic& d = state.error(desc.loc, "W116",
+                                    "resource " + quoted(desc.name) + " has unknown format " + quoted(name));
+        const std::string near = did_you_mean_text(name, format_names());
+        add_help(d, near.empty() ? "formats are " + joined(format_names()) : near);
+    }
+    if (formats.size() == desc.formats.size()) return formats;
+    return std::nullopt;
+}
+
+bool choose_format(ResolveState& state, ResourceDecl& decl, const ResourceDesc& desc, const Needs& needs) {
+    const std::optional<std::vector<Format>> formats = candidates(state, desc);
+    if (!formats) return false;
+    std::vector<std::string> reasons;
+    for (const Format format : *formats) {
+        const FormatFeatureMask missing =
+            features_needed(decl.usage, needs, format) & ~state.input.profile.features(format);
+        if (missing == 0) {
+            set_format(decl, format);
+            return true;
+        }
+        reasons.push_back(quoted(format_info(format).name) + " lacks " + features_text(missing));
+    }
+    Diagnostic& d = state.error(
+        desc.loc, "W117",
+        "the device supports no format of " + quoted(desc.name) + " for all that passes do with it");
+    for (std::string& reason : reasons) add_help(d, std::move(reason));
+    add_help(d, reasons.empty() ? "name a format" : "add a fallback: \"a|b\" takes the first that works");
+    return false;
+}
+
+void complete_use(const ResolveState& state, UseDecl& use, const PortWork& port) {
+    const ResourceDecl& resource = state.graph.resources[use.resource];
+    if (resource.kind == ResourceKind::buffer) {
+        use.range.aspects = aspect::kColor;
+    } else if (use.range.aspects == aspect::kNone) {
+        use.range.aspects = resource.aspects;
+        // A sampled view shows one aspect.
+        if (use.access == Access::sampled_read && (resource.aspects & aspect::kDepth))
+            use.range.aspects = aspect::kDepth;
+    }
+    if (use.access != Access::sampled_read || !port.binding) return;
+    if (!port.desc->sampler && !is_float(resource.format)) {
+        use.sampler.filter = use.sampler.mip_filter = SamplerFilter::nearest;
+    }
+    use.sampler.compare_greater_equal = port.binding->shadow;
+}
+
+}  // namespace
+
+void choose_formats(ResolveState& state) {
+    const std::vector<Needs> needs = gather_needs(state);
+    for (ResourceId id = 0; id < state.resources.size(); ++id) {
+        const ResourceDesc* desc = state.resources[id].desc;
+        if (!desc || desc->is_buffer) continue;
+        if (!choose_format(state, state.graph.resources[id], *desc, needs[id]))
+            state.resources[id].suspect_shape = true;
+    }
+    for (PassId id = 0; id < state.passes.size(); ++id) {
+        PassDecl& pass = state.graph.passes[id];
+        for (size_t i = 0; i < pass.uses.size(); ++i)
+            complete_use(state, pass.uses[i], state.passes[id].ports[i]);
+    }
+}
+
+}  // namespace weft

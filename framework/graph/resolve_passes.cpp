@@ -1,0 +1,125 @@
+// Passes get their kinds and shaders; observed references become passes of their own.
+#include <algorithm>
+#include <array>
+
+#include "graph/reference.h"
+#include "graph/resolve_context.h"
+
+namespace weft {
+namespace {
+
+struct KindName {
+    std::string_view name;
+    PassKind kind;
+};
+constexpr std::array kKinds{
+    KindName{"clear", PassKind::clear},   KindName{"compute", PassKind::compute},
+    KindName{"copy", PassKind::copy},     KindName{"fullscreen", PassKind::fullscreen},
+    KindName{"raster", PassKind::raster}, KindName{"readback", PassKind::readback},
+};
+
+void declare_observers(ResolveState& state) {
+    for (const std::string& text : state.input.observed) {
+        const Result<RefDesc> ref = parse_reference({.text = text, .literal = {}}, state.input.graph.sources);
+        if (!ref) {
+            state.errors.insert(state.errors.end(), ref.errors().begin(), ref.errors().end());
+            continue;
+        }
+        PassDesc desc;
+        desc.name = "observe:" + text;
+        desc.type = "readback";
+        desc.in.push_back({.port = "src", .ref = *ref, .sampler = std::nullopt, .loc = {}});
+        desc.order_key = UINT32_MAX;
+        state.observers.emplace(desc.name, std::move(desc));
+    }
+}
+
+void find_kind(ResolveState& state, PassId id) {
+    PassDecl& decl = state.graph.passes[id];
+    const auto* built_in = std::ranges::find(kKinds, std::string_view(decl.type), &KindName::name);
+    if (built_in != kKinds.end()) {
+        decl.kind = built_in->kind;
+        return;
+    }
+    decl.kind = PassKind::custom;
+    const auto custom = state.input.passes.find(decl.type);
+    if (custom != state.input.passes.end()) {
+        state.passes[id].custom = &custom->second;
+        return;
+    }
+    std::vector<std::string> known;
+    for (const KindName& kind : kKinds) known.emplace_back(kind.name);
+    for (const auto& [name, unused] : state.input.passes) known.push_back(name);
+    Diagnostic& d = state.pass_error(id, decl.loc, "W115",
+                                     "pass " + quoted(decl.name) + " has unknown type " + quoted(decl.type));
+    const std::string near = did_you_mean_text(decl.type, known);
+    add_help(d, near.empty() ? "types are " + joined(known) : near);
+}
+
+void find_shader(ResolveState& state, PassId id) {
+    PassWork& work = state.passes[id];
+    const PassDecl& decl = state.graph.passes[id];
+    if (!has_shader(decl.kind)) return;
+    const auto program = state.input.shaders.find(work.desc->shader);
+    // A program without modules failed to compile, and whoever compiled it said so.
+    if (program != state.input.shaders.end() && program->second.modules.empty()) {
+        work.faulty = true;
+        return;
+    }
+    if (program == state.input.shaders.end()) {
+        Diagnostic& d = state.pass_error(id, work.desc->shader_loc, "W112",
+                                         work.desc->shader.empty()
+                                             ? decl.type + " pass " + quoted(decl.name) + " has no shader"
+                                             : "shader " + quoted(work.desc->shader) + " of pass " +
+                                                   quoted(decl.name) + " was not compiled");
+        add_help(d, "name a shader: \"shader\": \"name" +
+                        std::string(decl.kind == PassKind::compute      ? ".comp\""
+                                    : decl.kind == PassKind::fullscreen ? ".frag\""
+                                                                        : "\" for name/name.vert and .frag"));
+        return;
+    }
+    const ShaderStageMask wanted =
+        stage_bit(decl.kind == PassKind::compute ? ShaderStage::compute : ShaderStage::fragment);
+    work.shader = &program->second.interface;
+    if (work.shader->stages & wanted) return;
+    work.shader = nullptr;
+    Diagnostic& d =
+        state.pass_error(id, work.desc->shader_loc, "W112",
+                         "shader " + quoted(work.desc->shader) + " is not one for a " + decl.type + " pass");
+    add_help(d, decl.kind == PassKind::compute ? "it needs a .comp shader" : "it needs a fragment stage");
+}
+
+}  // namespace
+
+bool has_shader(PassKind kind) {
+    return kind == PassKind::compute || kind == PassKind::fullscreen || kind == PassKind::raster;
+}
+
+void declare_passes(ResolveState& state) {
+    declare_observers(state);
+    std::map<std::string_view, const PassDesc*> by_name;
+    for (const auto& [name, desc] : state.input.graph.passes) by_name[name] = &desc;
+    for (const auto& [name, desc] : state.observers) by_name[name] = &desc;
+    for (const auto& [name, desc] : by_name) {
+        PassDecl decl;
+        decl.name = name;
+        decl.type = desc->type;
+        decl.queue = desc->queue;
+        decl.shader = desc->shader;
+        decl.state = desc->state;
+        decl.order_key = desc->order_key;
+        decl.loc = desc->loc;
+        state.graph.passes.push_back(std::move(decl));
+        state.passes.push_back({.desc = desc});
+    }
+    for (PassId id = 0; id < state.passes.size(); ++id) {
+        find_kind(state, id);
+        find_shader(state, id);
+        PassDecl& decl = state.graph.passes[id];
+        decl.side_effect = decl.kind == PassKind::readback;
+        if (state.passes[id].desc->flops.empty()) continue;
+        if (const auto flops = state.evaluate_here(state.passes[id].desc->flops)) decl.flops = flops->x;
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,198 @@
+// The references of ports become resources, ranges and pins.
+#include <algorithm>
+#include <cmath>
+
+#include "graph/resolve_context.h"
+
+namespace weft {
+namespace {
+
+// A whole number in [0, count), or reported. `what` is "mip" or "layer".
+std::optional<uint32_t> subresource_index(ResolveState& state, PassId pass, const RefDesc& ref,
+                                          const Expr& expression, const char* what, uint32_t count) {
+    const std::optional<ExprValue> value = state.evaluate_here(expression);
+    if (!value) {
+        state.passes[pass].faulty = true;
+        return std::nullopt;
+    }
+    const double index = std::floor(value->x);
+    if (!value->is_size && index >= 0 && index < count) return static_cast<uint32_t>(index);
+    const std::string found = value->is_size ? "a size" : std::to_string(static_cast<int64_t>(index));
+    Diagnostic& d =
+        state.pass_error(pass, ref.loc, "W105",
+                         std::string(what) + " " + found + " of " + quoted(ref.name) + " is out of range");
+    add_help(d, quoted(ref.name) + " has " +
+                    (count == 1 ? std::string("only ") + what + " 0"
+                                : std::string(what) + "s 0 to " + std::to_string(count - 1)));
+    return std::nullopt;
+}
+
+struct Span {
+    uint32_t first = 0;
+    uint32_t count = 1;
+};
+
+std::optional<Span> subresource_span(ResolveState& state, PassId pass, const RefDesc& ref, const char* what,
+                                     uint32_t count) {
+    const bool is_mip = what[0] == 'm';
+    const std::optional<Expr>& first = is_mip ? ref.mip_first : ref.layer_first;
+    const std::optional<Expr>& last = is_mip ? ref.mip_last : ref.layer_last;
+    if (!first) return Span{0, count};
+    const std::optional<uint32_t> from = subresource_index(state, pass, ref, *first, what, count);
+    if (!from || !last) return from ? std::optional(Span{*from, 1}) : std::nullopt;
+    const std::optional<uint32_t> to = subresource_index(state, pass, ref, *last, what, count);
+    if (!to) return std::nullopt;
+    if (*to >= *from) return Span{*from, *to - *from + 1};
+    Diagnostic& d = state.pass_error(
+        pass, ref.loc, "W105", std::string("the ") + what + "s of " + quoted(ref.text) + " run backwards");
+    add_help(d, "write the smaller first: a..b with a <= b");
+    return std::nullopt;
+}
+
+// A misspelt output may be the writer that another pass waits for: that pass has no fault of its own.
+void suspect_near_names(ResolveState& state, const std::string& name) {
+    for (const std::string& near : did_you_mean(name, state.resource_names())) {
+        state.resources[state.resource_id(near)].suspect_writers = true;
+    }
+}
+
+ResourceId find_port_resource(ResolveState& state, PassId pass, const RefDesc& ref, bool is_output) {
+    const ResourceId id = state.resource_id(ref.name);
+    if (id != kNoId) return id;
+    const std::string verb = is_output ? " writes " : " reads ";
+    const std::string who = pass < state.passes.size() && state.observers.contains(state.pass_name(pass))
+                                ? "the observer" + verb
+                                : "pass " + quoted(state.pass_name(pass)) + verb;
+    if (state.input.graph.imports.contains(ref.name)) {
+        Diagnostic& d =
+            state.pass_error(pass, ref.loc, "W103", who + quoted(ref.name) + ", which is a draw list");
+        add_help(d, "draw lists go to \"draws\" of a raster pass");
+        return kNoId;
+    }
+    Diagnostic& d = state.pass_error(pass, ref.loc, "W103", who + "unknown resource " + quoted(ref.name));
+    const std::string near = did_you_mean_text(ref.name, state.resource_names());
+    add_help(d, near.empty() ? "declare it in \"resources\", or import it" : near);
+    if (is_output) suspect_near_names(state, ref.name);
+    return kNoId;
+}
+
+bool find_pin(ResolveState& state, PassId pass, const RefDesc& ref, PortWork& port) {
+    if (ref.pass.empty()) return true;
+    port.pin = state.pass_id(ref.pass);
+    if (port.pin == pass) {
+        Diagnostic& d = state.pass_error(
+            pass, ref.loc, "W104",
+            "pass " + quoted(ref.pass) + " can't pin its own version of " + quoted(ref.name));
+        add_help(d, "name the pass whose version it should see");
+        return false;
+    }
+    if (port.pin != kNoId) return true;
+    Diagnostic& d =
+        state.pass_error(pass, ref.loc, "W104", quoted(ref.text) + " names unknown pass " + quoted(ref.pass));
+    const std::string near = did_you_mean_text(ref.pass, state.pass_names());
+    add_help(d, near.empty() ? "passes are " + joined(state.pass_names()) : near);
+    return false;
+}
+
+std::optional<SubresourceRange> find_range(ResolveState& state, PassId pass, const RefDesc& ref,
+                                           ResourceId id) {
+    const ResourceDecl& resource = state.graph.resources[id];
+    if (resource.kind == ResourceKind::buffer) {
+        if (!ref.mip_first && !ref.layer_first && ref.aspects == 0) return SubresourceRange{};
+        Diagnostic& d = state.pass_error(pass, ref.loc, "W105",
+                                         quoted(ref.name) +
+                                             " is a buffer: it has no mips, "
+                                             "layers or aspects");
+        add_help(d, "write " + quoted(ref.name));
+        return std::nullopt;
+    }
+    const std::optional<Span> mips = subresource_span(state, pass, ref, "mip", resource.mips);
+    const std::optional<Span> layers = subresource_span(state, pass, ref, "layer", resource.layers);
+    if (!mips || !layers) return std::nullopt;
+    return SubresourceRange{mips->first, mips->count, layers->first, layers->count, ref.aspects};
+}
+
+struct BoundPort {
+    UseDecl use;
+    PortWork work;
+};
+
+void add_port(ResolveState& state, PassId pass, const PortDesc& port, bool is_output,
+              std::vector<BoundPort>& ports) {
+    const RefDesc& ref = port.ref;
+    const ResourceId resource = find_port_resource(state, pass, ref, is_output);
+    if (resource == kNoId) return;
+    BoundPort bound;
+    bound.work.desc = &port;
+    if (ref.history > 0) {
+        Diagnostic& d = state.pass_error(
+            pass, ref.loc, "W121",
+            quoted(ref.text) + " asks for an earlier frame, but " + quoted(ref.name) + " keeps no history");
+        add_help(d, "leave out [-" + std::to_string(ref.history) + "]");
+        return;
+    }
+    if (!find_pin(state, pass, ref, bound.work) || state.resources[resource].suspect_shape) {
+        // An output is still known to write this resource, though not where.
+        state.passes[pass].faulty = true;
+        if (is_output) state.resources[resource].suspect_writers = true;
+        return;
+    }
+    const std::optional<SubresourceRange> range = find_range(state, pass, ref, resource);
+    if (!range) {
+        if (is_output) state.resources[resource].suspect_writers = true;
+        return;
+    }
+    bound.use.port = port.port;
+    bound.use.resource = resource;
+    bound.use.range = *range;
+    bound.use.is_output = is_output;
+    bound.use.loc = ref.loc;
+    if (port.sampler) bound.use.sampler = *port.sampler;
+    ports.push_back(std::move(bound));
+}
+
+// Inputs first, then outputs, each in the order of their names.
+void collect_ports(ResolveState& state, PassId id) {
+    PassWork& work = state.passes[id];
+    std::vector<BoundPort> ports;
+    for (const PortDesc& port : work.desc->in) add_port(state, id, port, false, ports);
+    for (const PortDesc& port : work.desc->out) add_port(state, id, port, true, ports);
+    if (work.desc->depth) {
+        const size_t before = ports.size();
+        add_port(state, id, *work.desc->depth, true, ports);
+        if (ports.size() > before) ports.back().work.is_depth_port = true;
+    }
+    std::ranges::stable_sort(ports, {},
+                             [](const BoundPort& p) { return std::pair(p.use.is_output, p.use.port); });
+    for (BoundPort& port : ports) {
+        state.graph.passes[id].uses.push_back(std::move(port.use));
+        work.ports.push_back(port.work);
+    }
+}
+
+void suspect_outputs(ResolveState& state, PassId id) {
+    if (!state.passes[id].faulty) return;
+    for (const UseDecl& use : state.graph.passes[id].uses) {
+        if (use.is_output) state.resources[use.resource].suspect_writers = true;
+    }
+}
+
+}  // namespace
+
+void bind_ports(ResolveState& state) {
+    for (PassId id = 0; id < state.passes.size(); ++id) {
+        collect_ports(state, id);
+        const PassKind kind = state.graph.passes[id].kind;
+        if (kind == PassKind::raster) check_draws(state, id);
+        if (has_shader(kind)) {
+            if (state.passes[id].shader) bind_shader_pass(state, id);
+        } else if (kind == PassKind::custom) {
+            if (state.passes[id].custom) bind_custom_pass(state, id);
+        } else {
+            bind_fixed_pass(state, id);
+        }
+        suspect_outputs(state, id);
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,227 @@
+// Images and buffers: extents, mips, layers, bytes. Formats come later, when the usages are known.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "graph/resolve_context.h"
+
+namespace weft {
+namespace {
+
+constexpr uint32_t kCubeFaces = 6;
+
+bool uses_mips_of(const ResourceDesc& desc) {
+    const auto asks = [](const Expr& e) {
+        return std::ranges::any_of(e.postfix, [](const ExprNode& n) { return n.op == ExprOp::mips_of; });
+    };
+    return asks(desc.size) || asks(desc.mips) || asks(desc.layers) || asks(desc.count);
+}
+
+// Whole numbers of at least 1. Anything the device could not hold is capped here and reported by the limits'
+// check.
+uint32_t at_least_one(double value) {
+    constexpr double kMost = 1u << 30;
+    return static_cast<uint32_t>(std::clamp(std::floor(value), 1.0, kMost));
+}
+
+ExprValue default_size(const ResolveState& state) {
+    const auto render = state.names.values.find("render");
+    return render != state.names.values.end() ? render->second : state.names.values.at("output");
+}
+
+bool default_size_is_faulty(const ResolveState& state) {
+    return std::ranges::find(state.faulty_values, "render") != state.faulty_values.end();
+}
+
+class ResourceStep {
+ public:
+    ResourceStep(ResolveState& state, ResourceId id, const ResourceDesc& desc)
+        : state_(state), decl_(state.graph.resources[id]), work_(state.resources[id]), desc_(desc) {}
+
+    void run() {
+        decl_.pre_exposed = desc_.pre_exposed;
+        decl_.clear = desc_.clear;
+        if (desc_.is_buffer) {
+            resolve_buffer();
+        } else {
+            resolve_image();
+        }
+    }
+
+ private:
+    // `fallback` when absent; marks the resource suspect when wrong.
+    std::optional<ExprValue> value(const Expr& expression, ExprValue fallback) {
+        if (expression.empty()) return fallback;
+        const std::optional<ExprValue> found = state_.evaluate_here(expression);
+        if (!found) work_.suspect_shape = true;
+        return found;
+    }
+
+    std::optional<double> number(const Expr& expression, double fallback, const char* what) {
+        const std::optional<ExprValue> found = value(expression, number_value(fallback));
+        if (!found || !found->is_size) return found ? std::optional(found->x) : std::nullopt;
+        work_.suspect_shape = true;
+        Diagnostic& d =
+            state_.error(expression.loc, "W106",
+                         std::string(what) + " of " + quoted(desc_.name) + " is a size, not a number");
+        add_help(d, "use .x or .y of it, or their product");
+        return std::nullopt;
+    }
+
+    void resolve_image() {
+        decl_.kind = ResourceKind::image;
+        decl_.image_kind = desc_.image_kind;
+        decl_.samples = std::max(1u, desc_.samples);
+        if (desc_.size.empty() && default_size_is_faulty(state_)) {
+            work_.suspect_shape = true;
+            return;
+        }
+        const std::optional<ExprValue> size = value(desc_.size, default_size(state_));
+        const std::optional<double> layers = number(desc_.layers, 1, "the layer count");
+        if (!size || !layers) return;
+        decl_.extent = {at_least_one(size->x), at_least_one(size->y), 1};
+        resolve_layers(at_least_one(*layers));
+        const uint32_t largest = std::max({decl_.extent.width, decl_.extent.height, decl_.extent.depth});
+        const uint32_t full = static_cast<uint32_t>(std::bit_width(largest));
+        const std::optional<double> mips = number(desc_.mips, 1, "the mip count");
+        if (!mips) return;
+        decl_.mips = desc_.full_mips ? full : std::min(full, at_least_one(*mips));
+        check_image_limits();
+        state_.names.mip_counts[desc_.name] = decl_.mips;
+    }
+
+    void resolve_layers(uint32_t layers) {
+        const bool cube = desc_.image_kind == ImageKind::cube || desc_.image_kind == ImageKind::cube_array;
+        if (desc_.image_kind == ImageKind::d3) {
+            decl_.extent.depth = layers;
+        } else {
+            decl_.layers = cube ? kCubeFaces * layers : layers;
+            if (layers > 1 && desc_.image_kind == ImageKind::d2) decl_.image_kind = ImageKind::d2_array;
+        }
+    }
+
+    void check_image_limits() {
+        const uint32_t side_limit = state_.input.profile.max_image_2d_px;
+        const Extent3D& e = decl_.extent;
+        if (std::max({e.width, e.height, e.depth}) > side_limit) {
+            over_limit("image " + quoted(desc_.name) + " is " + extent_text(e) + " px",
+                       std::to_string(side_limit) + " px a side");
+        }
+        const uint32_t layer_limit = state_.input.profile.max_image_layers;
+        if (decl_.layers > layer_limit) {
+            over_limit("image " + quoted(desc_.name) + " has " + std::to_string(decl_.layers) + " layers",
+                       std::to_string(layer_limit) + " layers");
+        }
+        if (decl_.samples != 1 && (decl_.mips != 1 || !std::has_single_bit(decl_.samples))) {
+            Diagnostic& d =
+                state_.error(desc_.loc, "W119",
+                             "image " + quoted(desc_.name) + " can't have these samples and mips together");
+            add_help(d, "multisampled images have one mip and 2, 4 or 8 samples");
+        }
+    }
+
+    void over_limit(const std::string& what, const std::string& limit) {
+        work_.suspect_shape = true;
+        Diagnostic& d = state_.error(desc_.loc, "W119", what + "; the device offers at most " + limit);
+        add_help(d, "the limit comes from the device profile " + quoted(state_.input.profile.name));
+    }
+
+    std::optional<uint32_t> element_bytes() {
+        static const std::map<std::string, uint32_t> kElements{
+            {"u32", 4},   {"i32", 4},   {"f32", 4},    {"vec2", 8},   {"uvec2", 8},
+            {"ivec2", 8}, {"vec4", 16}, {"uvec4", 16}, {"ivec4", 16}, {"mat4", 64}};
+        const auto plain = kElements.find(desc_.element);
+        if (plain != kElements.end()) return plain->second;
+        const auto& strides = state_.input.imports.strides;
+        const auto known = strides.find(desc_.element);
+        if (known != strides.end()) return known->second;
+        work_.suspect_shape = true;
+        std::vector<std::string> names;
+        for (const auto& [name, unused] : kElements) names.push_back(name);
+        for (const auto& [name, unused] : strides) names.push_back(name);
+        Diagnostic& d = state_.error(
+            desc_.loc, "W116",
+            "buffer " + quoted(desc_.name) + " has elements of unknown type " + quoted(desc_.element));
+        const std::string near = did_you_mean_text(desc_.element, names);
+        add_help(d, near.empty() ? "known types are " + joined(names) : near);
+        return std::nullopt;
+    }
+
+    void resolve_buffer() {
+        decl_.kind = ResourceKind::buffer;
+        decl_.aspects = aspect::kColor;
+        const std::optional<uint32_t> stride = element_bytes();
+        const std::optional<double> count = number(desc_.count, 1, "the element count");
+        if (!stride || !count) return;
+        const uint64_t limit = state_.input.profile.max_storage_buffer_bytes;
+        const double elements = std::max(1.0, std::floor(*count));
+        decl_.stride_bytes = *stride;
+        // Compared as numbers before the product is formed: it could pass 2^64.
+        if (elements * *stride > static_cast<double>(limit)) {
+            over_limit(
+                "buffer " + quoted(desc_.name) + " holds more than " + std::to_string(limit) + " bytes",
+                std::to_string(limit) + " bytes a buffer");
+            return;
+        }
+        decl_.size_bytes = static_cast<uint64_t>(elements) * *stride;
+    }
+
+    ResolveState& state_;
+    ResourceDecl& decl_;
+    ResourceWork& work_;
+    const ResourceDesc& desc_;
+};
+
+bool becomes_resource(const ImportDesc& import) {
+    return import.kind != import_kind_name(ImportKind::draw_list);
+}
+
+void name_resources(ResolveState& state) {
+    std::map<std::string, const ResourceDesc*> names;  // null: an import
+    for (const auto& [name, import] : state.input.graph.imports) {
+        if (becomes_resource(import)) names[name] = nullptr;
+    }
+    for (const auto& [name, desc] : state.input.graph.resources) {
+        if (state.input.graph.imports.contains(name)) {
+            Diagnostic& d = state.error(desc.loc, "W118", quoted(name) + " is both an import and a resource");
+            add_help(d, "rename one of them");
+        }
+        names[name] = &desc;
+    }
+    for (const auto& [name, desc] : names) {
+        ResourceDecl decl;
+        decl.name = name;
+        decl.loc = desc ? desc->loc : state.input.graph.imports.at(name).loc;
+        state.graph.resources.push_back(std::move(decl));
+        state.resources.push_back({.desc = desc});
+    }
+}
+
+}  // namespace
+
+void resolve_resources(ResolveState& state) {
+    name_resources(state);
+    check_draw_list_imports(state);
+    const auto count = static_cast<ResourceId>(state.graph.resources.size());
+    for (ResourceId id = 0; id < count; ++id) {
+        ResourceDecl& decl = state.graph.resources[id];
+        if (state.resources[id].desc) continue;
+        resolve_import(state, state.input.graph.imports.at(decl.name), decl, state.resources[id]);
+        if (decl.lifetime == ResourceLifetime::imported && decl.kind == ResourceKind::image) {
+            state.names.mip_counts[decl.name] = decl.mips;
+        }
+    }
+    // Those that ask for another's mips come second.
+    for (const bool second : {false, true}) {
+        for (ResourceId id = 0; id < count; ++id) {
+            const ResourceDesc* desc = state.resources[id].desc;
+            if (desc && uses_mips_of(*desc) == second) ResourceStep(state, id, *desc).run();
+        }
+    }
+    const auto output = std::ranges::find_if(state.input.graph.imports, [](const auto& import) {
+        return import.second.kind == import_kind_name(ImportKind::output);
+    });
+    if (output != state.input.graph.imports.end()) state.graph.output = state.resource_id(output->first);
+}
+
+}  // namespace weft

@@ -1,0 +1,17 @@
+// Purpose: from ordered writers to what each use sees, its final access, and the edges of the graph. Private
+// to resolve_*.cpp.
+#pragma once
+
+#include <vector>
+
+#include "graph/resolve_cells.h"
+
+namespace weft {
+
+// The index of the writer whose version `reader` sees in an ordered cell; -1: the content from before the
+// frame.
+[[nodiscard]] int version_seen(const ResolveState& state, const Cell& cell, const CellUse& reader);
+// W110 for reads that nobody writes.
+void connect_versions(ResolveState& state, const std::vector<Cell>& cells);
+
+}  // namespace weft

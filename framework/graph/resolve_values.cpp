@@ -1,0 +1,122 @@
+// Parameters, constants and sizes become the names that every later expression may use.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "graph/resolve_context.h"
+
+namespace weft {
+namespace {
+
+std::string number_text(double value) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << value;
+    return text.str();
+}
+
+std::string allowed_text(const ParamDesc& param) {
+    if (param.is_bool) return "it is true or false (1 or 0)";
+    if (!param.allowed.empty()) {
+        std::string text;
+        for (const double value : param.allowed) text += (text.empty() ? "" : ", ") + number_text(value);
+        return "allowed are " + text;
+    }
+    return "its range is " + number_text((*param.range)[0]) + " to " + number_text((*param.range)[1]);
+}
+
+bool allows(const ParamDesc& param, double value) {
+    if (!std::isfinite(value)) return false;
+    if (param.is_bool) return value == 0.0 || value == 1.0;
+    if (!param.allowed.empty()) return std::ranges::find(param.allowed, value) != param.allowed.end();
+    return !param.range || (value >= (*param.range)[0] && value <= (*param.range)[1]);
+}
+
+void check_override_names(ResolveState& state) {
+    std::vector<std::string> known;
+    for (const auto& [name, unused] : state.input.graph.params) known.push_back(name);
+    for (const auto& [name, unused] : state.input.params) {
+        if (state.input.graph.params.contains(name)) continue;
+        Diagnostic& d = state.error({}, "W120", "the graph has no parameter " + quoted(name));
+        const std::string near = did_you_mean_text(name, known);
+        if (!near.empty()) {
+            add_help(d, near);
+        } else {
+            add_help(d,
+                     known.empty() ? "this graph has no parameters" : "its parameters are " + joined(known));
+        }
+    }
+}
+
+void resolve_params(ResolveState& state) {
+    check_override_names(state);
+    for (const auto& [name, param] : state.input.graph.params) {
+        const auto given = state.input.params.find(name);
+        const bool overridden = given != state.input.params.end();
+        const double value = overridden ? given->second : param.default_value;
+        if (!allows(param, value)) {
+            const std::string what = overridden ? "parameter " : "the default of parameter ";
+            const std::string finite = std::isfinite(value) ? "" : "not a finite number: ";
+            Diagnostic& d = state.error(param.loc, "W120",
+                                        what + quoted(name) + " can't be " + finite + number_text(value));
+            if (param.is_bool || !param.allowed.empty() || param.range) add_help(d, allowed_text(param));
+        }
+        state.names.values[name] = number_value(value);
+        state.graph.params.push_back({name, value});
+    }
+}
+
+// Sizes may refer to each other in any order, so each is evaluated when the first one asks for it.
+class SizeEvaluator {
+ public:
+    explicit SizeEvaluator(ResolveState& state) : state_(state) {}
+
+    void evaluate_size(const std::string& name) {
+        if (state_.names.values.contains(name) || is_faulty(name)) return;
+        const Expr& expression = state_.input.graph.sizes.at(name);
+        if (std::ranges::find(path_, name) != path_.end()) return report_cycle(name, expression.loc);
+        path_.push_back(name);
+        for (const ExprNode& node : expression.postfix) {
+            if (node.op == ExprOp::name && state_.input.graph.sizes.contains(node.name))
+                evaluate_size(node.name);
+        }
+        path_.pop_back();
+        if (is_faulty(name)) return;
+        if (const auto value = state_.evaluate_here(expression)) {
+            state_.names.values[name] = *value;
+        } else {
+            state_.faulty_values.push_back(name);
+        }
+    }
+
+ private:
+    bool is_faulty(const std::string& name) const {
+        return std::ranges::find(state_.faulty_values, name) != state_.faulty_values.end();
+    }
+
+    void report_cycle(const std::string& name, SourceLoc loc) {
+        std::string text;
+        for (auto it = std::ranges::find(path_, name); it != path_.end(); ++it) {
+            text += *it + " -> ";
+            state_.faulty_values.push_back(*it);
+        }
+        Diagnostic& d = state_.error(loc, "W106", "sizes depend on each other: " + text + name);
+        add_help(d, "write one of them in terms of \"output\" or of numbers");
+    }
+
+    ResolveState& state_;
+    std::vector<std::string> path_;
+};
+
+}  // namespace
+
+void resolve_values(ResolveState& state) {
+    const Extent3D output = state.input.output_extent;
+    state.names.values["output"] = size_value(output.width, output.height);
+    for (const auto& [name, value] : state.input.graph.consts) state.names.values[name] = number_value(value);
+    resolve_params(state);
+    SizeEvaluator sizes(state);
+    for (const auto& [name, unused] : state.input.graph.sizes) sizes.evaluate_size(name);
+}
+
+}  // namespace weft
