@@ -1,0 +1,35 @@
+// Purpose: gathers what is wrong with one glTF file, so that all of it can be told at once. A hostile file
+// cannot make it grow without bound: past a number of entries it only counts.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "weft/result.h"
+
+namespace weft::scene::gltf {
+
+class Report {
+ public:
+    explicit Report(std::string file) : file_(std::move(file)) {}
+
+    // `pointer` is a JSON pointer, empty for the whole file.
+    void error(const char* code, std::string pointer, std::string message, std::string help);
+    void warn(const char* code, std::string pointer, std::string message, std::string help);
+    void error_at(const char* code, uint32_t line, uint32_t column, std::string message, std::string help);
+
+    [[nodiscard]] bool failed() const { return !errors_.empty(); }
+    [[nodiscard]] const std::string& file() const { return file_; }
+    [[nodiscard]] Diagnostics take_errors();
+    [[nodiscard]] Diagnostics take_warnings();
+
+ private:
+    std::string file_;
+    Diagnostics errors_;
+    Diagnostics warnings_;
+    std::map<std::string, uint64_t> warnings_by_code_;
+    uint64_t error_count_ = 0;
+};
+
+}  // namespace weft::scene::gltf

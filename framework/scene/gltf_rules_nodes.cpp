@@ -1,0 +1,129 @@
+#include <algorithm>
+
+#include "scene/gltf_rules.h"
+
+namespace weft::scene::gltf {
+namespace {
+
+constexpr double kUnbounded = 1e18;
+constexpr double kHalfPi = 1.5707963267948966;
+constexpr double kMaxFovRad = 3.1;
+
+void check_light(const Fields& light) {
+    light.text("name", Need::optional);
+    const std::string type = light.text("type", Need::required).value_or("point");
+    if (type != "point" && type != "spot" && type != "directional")
+        light.wrong("type", "directional, point or spot");
+    light.numbers("color", 3);
+    light.number_in("intensity", 0, kUnbounded);
+    light.number_in("range", 0, kUnbounded);
+    const std::optional<Fields> cone = light.object("spot", type == "spot" ? Need::required : Need::optional);
+    if (!cone) return;
+    cone->number_in("innerConeAngle", 0, kHalfPi);
+    cone->number_in("outerConeAngle", 0, kHalfPi);
+}
+
+void check_camera(Checker& c, const Fields& camera) {
+    camera.text("name", Need::optional);
+    const std::string type = camera.text("type", Need::required).value_or("perspective");
+    if (type == "orthographic") {
+        camera.object("orthographic", Need::required);
+        c.report.warn("S153", camera.pointer(), "orthographic cameras are left out",
+                      "use a perspective camera");
+        return;
+    }
+    if (type != "perspective") camera.wrong("type", "perspective or orthographic");
+    const std::optional<Fields> perspective = camera.object("perspective", Need::required);
+    if (!perspective) return;
+    const std::optional<double> fov = perspective->number("yfov", Need::required);
+    if (fov && (*fov <= 0 || *fov > kMaxFovRad))
+        perspective->wrong("yfov", "above 0 and at most 3.1 radians");
+    const std::optional<double> near = perspective->number("znear", Need::required);
+    if (near && *near <= 0) perspective->wrong("znear", "above 0");
+}
+
+// With at most one parent a node, the nodes are a forest exactly when every walk upwards ends.
+void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
+    std::vector<uint32_t> depth(parent.size(), 0);  // 0: not known yet
+    std::vector<uint32_t> path;
+    for (uint32_t start = 0; start < parent.size(); ++start) {
+        path.clear();
+        uint32_t node = start;
+        while (node != kNone && depth[node] == 0 && path.size() <= parent.size()) {
+            path.push_back(node);
+            node = parent[node];
+        }
+        const std::string pointer = "/nodes/" + std::to_string(start);
+        if (path.size() > parent.size()) {
+            c.report.error(
+                "S109", pointer + "/children",
+                "node " + std::to_string(start) + " is its own descendant: the children form a cycle",
+                "remove the child that closes the cycle");
+            return;
+        }
+        uint32_t levels = node == kNone ? 0 : depth[node];
+        for (size_t i = path.size(); i-- > 0;) depth[path[i]] = ++levels;
+        if (levels > c.limits.node_depth) {
+            c.report.error("S109", pointer,
+                           "the node is " + std::to_string(levels) + " levels deep, the limit is " +
+                               std::to_string(c.limits.node_depth),
+                           "flatten the hierarchy");
+            return;
+        }
+    }
+}
+
+void check_node(Checker& c, const Fields& node, uint32_t self, std::vector<uint32_t>& parent) {
+    node.text("name", Need::optional);
+    node.index("mesh", Need::optional, c.sizes["meshes"], "meshes");
+    node.index("camera", Need::optional, c.sizes["cameras"], "cameras");
+    node.numbers("matrix", 16);
+    node.numbers("translation", 3);
+    node.numbers("rotation", 4);
+    node.numbers("scale", 3);
+    if (const std::optional<Fields> light = node.extension("KHR_lights_punctual")) {
+        light->index("light", Need::required, c.sizes["lights"], "lights");
+    }
+    for (const uint32_t child : node.indices("children", c.limits.array_items, parent.size(), "nodes")) {
+        if (parent[child] == kNone) {
+            parent[child] = self;
+            continue;
+        }
+        c.report.error(
+            "S109", node.pointer_to("children"),
+            "node " + std::to_string(child) + " is already a child of node " + std::to_string(parent[child]),
+            "give every node one parent; show a mesh twice through two nodes");
+    }
+}
+
+void check_scene(Checker& c, const Fields& scene, const std::vector<uint32_t>& parent) {
+    scene.text("name", Need::optional);
+    std::vector<uint32_t> roots = scene.indices("nodes", c.limits.array_items, parent.size(), "nodes");
+    std::sort(roots.begin(), roots.end());
+    const bool twice = std::adjacent_find(roots.begin(), roots.end()) != roots.end();
+    const bool child =
+        std::any_of(roots.begin(), roots.end(), [&](uint32_t n) { return parent[n] != kNone; });
+    if (!twice && !child) return;
+    c.report.error("S109", scene.pointer_to("nodes"),
+                   twice ? "a node is listed twice" : "a listed node is the child of another",
+                   "list each root node once");
+}
+
+}  // namespace
+
+void check_nodes(Checker& c) {
+    if (const std::optional<Fields> punctual = c.root.extension("KHR_lights_punctual")) {
+        c.sizes["lights"] = punctual->array_size("lights", c.limits.array_items);
+        punctual->each("lights", c.limits.array_items, check_light);
+    }
+    c.root.each("cameras", c.limits.array_items, [&](const Fields& camera) { check_camera(c, camera); });
+    std::vector<uint32_t> parent(c.sizes["nodes"], kNone);
+    uint32_t self = 0;
+    c.root.each("nodes", c.limits.array_items,
+                [&](const Fields& node) { check_node(c, node, self++, parent); });
+    check_forest(c, parent);
+    c.root.index("scene", Need::optional, c.sizes["scenes"], "scenes");
+    c.root.each("scenes", c.limits.array_items, [&](const Fields& scene) { check_scene(c, scene, parent); });
+}
+
+}  // namespace weft::scene::gltf

@@ -1,0 +1,122 @@
+#include "scene/load_gltf.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "scene/gltf_check.h"
+#include "scene/gltf_container.h"
+#include "scene/gltf_parse.h"
+#include "scene/gltf_report.h"
+#include "scene/gltf_resources.h"
+#include "scene/mesh_build.h"
+#include "scene/node_walk.h"
+#include "scene/rooted_folder.h"
+#include "scene/texture_build.h"
+
+namespace weft::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_gltf_name(const fs::path& file) {
+    const std::string extension = file.extension().string();
+    return extension == ".gltf" || extension == ".glb";
+}
+
+// `path` itself, or the one glTF file in it when it is a folder; empty after an error was reported.
+fs::path find_file(const fs::path& path, gltf::Report& report) {
+    std::error_code failed;
+    if (!fs::is_directory(path, failed)) {
+        if (fs::exists(path, failed)) return path;
+        report.error("S101", {}, "there is no file or folder \"" + path.string() + "\"",
+                     "check the path; a scene is a .gltf, a .glb, a folder that holds one, or builtin:NAME");
+        return {};
+    }
+    std::vector<fs::path> found;
+    for (fs::directory_iterator it(path, failed), end; !failed && it != end; it.increment(failed)) {
+        if (is_gltf_name(it->path())) found.push_back(it->path());
+    }
+    if (found.size() == 1) return found.front();
+    std::sort(found.begin(), found.end());
+    std::string names;
+    for (const fs::path& file : found) names += (names.empty() ? ": " : ", ") + file.filename().string();
+    report.error(
+        "S101", {},
+        "the folder holds " + std::to_string(found.size()) + " glTF files when it should hold one" + names,
+        found.empty() ? "name a folder with a .gltf or .glb in it" : "name one of the files");
+    return {};
+}
+
+FileBytes read_scene_file(const fs::path& file, const SceneLimits& limits, gltf::Report& report) {
+    FileBytes bytes = read_plain_file(file, limits.resource_bytes + limits.json_bytes);
+    if (!bytes.fault) return bytes;
+    const bool large = *bytes.fault == ReadFault::too_large;
+    report.error(large ? "S107" : "S101", {}, bytes.message,
+                 large ? "split the scene into several files" : "check that the file exists and may be read");
+    return bytes;
+}
+
+// A material for primitives that name none, added only when one needs it.
+uint32_t default_material(const gltf::BuiltMeshes& built, Scene& scene) {
+    for (const std::vector<gltf::BuiltPrimitive>& primitives : built.of_gltf_mesh) {
+        for (const gltf::BuiltPrimitive& primitive : primitives) {
+            if (primitive.material != kNone) continue;
+            Material material;
+            material.name = "default";
+            scene.materials.push_back(std::move(material));
+            return static_cast<uint32_t>(scene.materials.size() - 1);
+        }
+    }
+    return kNone;
+}
+
+Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLimits& limits,
+                  gltf::Report& report) {
+    Scene scene;
+    scene.name = document.name.empty() ? file.stem().string() : document.name;
+    scene.materials = std::move(document.materials);
+    scene.textures = gltf::build_textures(document, limits, report, scene.materials);
+    gltf::BuiltMeshes built = gltf::build_meshes(document, limits, report);
+    const uint32_t fallback = default_material(built, scene);
+    gltf::place_nodes(document, built, fallback, limits, report, scene);
+    scene.meshes = std::move(built.meshes);
+    if (report.failed()) return scene;
+    if (scene.instances.empty()) {
+        report.warn("S156", {}, "the scene has no triangles to draw", "add a mesh to a node of the scene");
+    }
+    const Bounds bounds = world_bounds(scene);
+    scene.bounds_min = bounds.min;
+    scene.bounds_max = bounds.max;
+    return scene;
+}
+
+std::optional<Scene> load(const fs::path& file, const SceneLimits& limits, gltf::Report& report) {
+    const FileBytes bytes = read_scene_file(file, limits, report);
+    if (report.failed()) return std::nullopt;
+    const std::optional<gltf::Container> container = gltf::open_container(bytes.bytes, report);
+    if (!container || !gltf::json_within_limits(container->json, limits, report)) return std::nullopt;
+    std::optional<gltf::CheckedJson> checked = gltf::check_gltf(container->json, limits, report);
+    if (!checked) return std::nullopt;
+    const RootedFolder folder(file.parent_path());
+    std::optional<gltf::Resources> resources =
+        gltf::load_resources(*checked, container->binary, folder, limits, report);
+    if (!resources) return std::nullopt;
+    std::optional<gltf::Document> document = gltf::parse_document(*checked, std::move(*resources), report);
+    if (!document) return std::nullopt;
+    return build_scene(*document, file, limits, report);
+}
+
+}  // namespace
+
+Result<Scene> load_gltf(const fs::path& file_or_folder, Diagnostics& warnings, const SceneLimits& limits) {
+    gltf::Report unnamed(file_or_folder.string());
+    const fs::path file = find_file(file_or_folder, unnamed);
+    if (file.empty()) return unnamed.take_errors();
+    gltf::Report report(file.string());
+    std::optional<Scene> scene = load(file, limits, report);
+    for (Diagnostic& warning : report.take_warnings()) warnings.push_back(std::move(warning));
+    if (report.failed()) return report.take_errors();
+    return std::move(*scene);
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,265 @@
+#include "scene/mesh_build.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "scene/accessor_reader.h"
+#include "scene/mesh_attributes.h"
+
+namespace weft::scene::gltf {
+namespace {
+
+// Farther out, differences of positions and areas overflow float.
+constexpr float kMaxCoordinateM = 1e12f;
+
+bool is_usable(const glm::vec3& p) {
+    return std::abs(p.x) <= kMaxCoordinateM && std::abs(p.y) <= kMaxCoordinateM &&
+           std::abs(p.z) <= kMaxCoordinateM;
+}
+
+class Builder {
+ public:
+    Builder(const Document& document, const SceneLimits& limits, Report& report)
+        : document_(document), limits_(limits), report_(report) {}
+
+    // The mesh of a primitive at `pointer`; without indices when nothing is left of it.
+    Mesh build(const Primitive& primitive, const std::string& pointer) {
+        Mesh mesh;
+        std::optional<AccessorReader> positions = open(primitive.position, pointer + "/attributes/POSITION");
+        if (!positions) return mesh;
+        std::vector<uint32_t> indices = read_indices(primitive, positions->count(), pointer);
+        if (indices.empty() || !within_limits(indices, primitive.normal == kNone, pointer)) return mesh;
+        drop_unusable(indices, *positions, pointer);
+        if (indices.empty()) return mesh;
+        const std::vector<uint32_t> used = make_compact(indices);
+        mesh.indices = std::move(indices);
+        for (const uint32_t vertex : used) mesh.positions.push_back(positions->vector<glm::vec3>(vertex));
+        read_uvs(primitive, used, pointer, mesh);
+        if (primitive.normal == kNone) {
+            make_flat(mesh);
+        } else {
+            read_normals(primitive, used, pointer, mesh);
+        }
+        const bool own_tangents = primitive.normal != kNone && primitive.tangent != kNone;
+        if (!own_tangents || !read_tangents(primitive, used, pointer, mesh)) generate_tangents(mesh);
+        // Every vertex has uvs from here on, so that one vertex layout serves all meshes.
+        mesh.uvs.resize(mesh.positions.size(), glm::vec2(0));
+        compute_bounds(mesh);
+        return mesh;
+    }
+
+ private:
+    std::optional<AccessorReader> open(uint32_t accessor, const std::string& pointer) {
+        if (accessor == kNone) return std::nullopt;
+        std::optional<AccessorReader> reader = AccessorReader::open(document_, accessor);
+        if (!reader) {
+            report_.error("S104", pointer,
+                          "accessor " + std::to_string(accessor) +
+                              " reaches past its bytes, or its sparse indices do not ascend within its count",
+                          "export the scene again");
+        }
+        return reader;
+    }
+
+    std::vector<uint32_t> read_indices(const Primitive& primitive, uint64_t vertices,
+                                       const std::string& pointer) {
+        std::vector<uint32_t> indices;
+        const std::optional<AccessorReader> reader = open(primitive.indices, pointer + "/indices");
+        if (primitive.indices != kNone && !reader) return indices;
+        uint64_t count = reader ? reader->count() : vertices;
+        if (count / 3 > limits_.triangles) {
+            report_over_limit(pointer, count / 3, "triangles", limits_.triangles);
+            return indices;
+        }
+        if (count % 3 != 0) {
+            report_.warn("S156", pointer,
+                         std::to_string(count) + " corners are not a multiple of 3, the rest is left out",
+                         "export the mesh as triangles");
+            count -= count % 3;
+        }
+        indices.resize(count);
+        if (!reader) {
+            std::iota(indices.begin(), indices.end(), 0u);
+            return indices;
+        }
+        for (uint64_t i = 0; i < count; ++i) {
+            indices[i] = reader->index(i);
+            if (indices[i] < vertices) continue;
+            report_.error("S111", pointer + "/indices",
+                          "index " + std::to_string(i) + " is " + std::to_string(indices[i]) +
+                              ", but there are " + std::to_string(vertices) + " vertices",
+                          "export the scene again");
+            return {};
+        }
+        return indices;
+    }
+
+    // Counts what the primitive will take before anything is allocated for it.
+    bool within_limits(const std::vector<uint32_t>& indices, bool flat, const std::string& pointer) {
+        const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
+        triangles_ += indices.size() / 3;
+        vertices_ += std::max<uint64_t>(uint64_t{*high} - *low + 1, flat ? indices.size() : 0);
+        if (triangles_ > limits_.triangles)
+            report_over_limit(pointer, triangles_, "triangles", limits_.triangles);
+        if (vertices_ > limits_.vertices) report_over_limit(pointer, vertices_, "vertices", limits_.vertices);
+        return triangles_ <= limits_.triangles && vertices_ <= limits_.vertices;
+    }
+
+    void report_over_limit(const std::string& pointer, uint64_t found, const char* what, uint64_t limit) {
+        report_.error("S107", pointer,
+                      "the scene has " + std::to_string(found) + " " + what + " up to here, the limit is " +
+                          std::to_string(limit),
+                      "simplify the meshes or split the scene");
+    }
+
+    void drop_unusable(std::vector<uint32_t>& indices, const AccessorReader& positions,
+                       const std::string& pointer) {
+        size_t kept = 0;
+        for (size_t i = 0; i + 2 < indices.size(); i += 3) {
+            bool usable = true;
+            for (size_t k = 0; k < 3; ++k) usable &= is_usable(positions.vector<glm::vec3>(indices[i + k]));
+            if (!usable) continue;
+            for (size_t k = 0; k < 3; ++k) indices[kept++] = indices[i + k];
+        }
+        if (kept == indices.size()) return;
+        report_.warn(
+            "S152", pointer + "/attributes/POSITION",
+            std::to_string((indices.size() - kept) / 3) +
+                " triangles have a position that is not finite, or farther out than 1e12 m, and are left out",
+            "remove NaN and infinite positions from the mesh");
+        indices.resize(kept);
+    }
+
+    // Renumbers `indices` to the vertices they use and returns those, ascending: primitives that share one
+    // large buffer must not each bring all of it along.
+    static std::vector<uint32_t> make_compact(std::vector<uint32_t>& indices) {
+        const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
+        const uint32_t first = *low;
+        std::vector<uint32_t> renumbered(*high - first + 1, kNone);
+        for (const uint32_t index : indices) renumbered[index - first] = 0;
+        std::vector<uint32_t> used;
+        for (uint32_t i = 0; i < renumbered.size(); ++i) {
+            if (renumbered[i] == kNone) continue;
+            renumbered[i] = static_cast<uint32_t>(used.size());
+            used.push_back(first + i);
+        }
+        for (uint32_t& index : indices) index = renumbered[index - first];
+        return used;
+    }
+
+    void read_uvs(const Primitive& primitive, const std::vector<uint32_t>& used, const std::string& pointer,
+                  Mesh& mesh) {
+        const std::optional<AccessorReader> reader = open(primitive.uv, pointer + "/attributes/TEXCOORD_0");
+        if (!reader) return;
+        size_t mended = 0;
+        for (const uint32_t vertex : used) {
+            glm::vec2 uv = reader->vector<glm::vec2>(vertex);
+            if (!(std::abs(uv.x) <= kMaxCoordinateM && std::abs(uv.y) <= kMaxCoordinateM)) {
+                uv = glm::vec2(0);
+                ++mended;
+            }
+            mesh.uvs.push_back(uv);
+        }
+        warn_mended(pointer + "/attributes/TEXCOORD_0", mended, "texture coordinates");
+    }
+
+    void read_normals(const Primitive& primitive, const std::vector<uint32_t>& used,
+                      const std::string& pointer, Mesh& mesh) {
+        const std::optional<AccessorReader> reader = open(primitive.normal, pointer + "/attributes/NORMAL");
+        generate_normals(mesh);
+        if (!reader) return;
+        size_t mended = 0;
+        for (size_t i = 0; i < used.size(); ++i) {
+            const glm::vec3 normal = reader->vector<glm::vec3>(used[i]);
+            const float length = glm::length(normal);
+            if (std::isfinite(length) && length > 1e-6f) {
+                mesh.normals[i] = normal / length;
+            } else {
+                ++mended;
+            }
+        }
+        warn_mended(pointer + "/attributes/NORMAL", mended, "normals");
+    }
+
+    // False when the file's tangents cannot be used and must be generated.
+    bool read_tangents(const Primitive& primitive, const std::vector<uint32_t>& used,
+                       const std::string& pointer, Mesh& mesh) {
+        const std::optional<AccessorReader> reader = open(primitive.tangent, pointer + "/attributes/TANGENT");
+        if (!reader) return false;
+        size_t mended = 0;
+        for (size_t i = 0; i < used.size(); ++i) {
+            glm::vec4 tangent = reader->vector<glm::vec4>(used[i]);
+            const float length = glm::length(glm::vec3(tangent));
+            if (!std::isfinite(length) || length < 1e-6f || !std::isfinite(tangent.w)) {
+                tangent = {0, 0, 0, 1};
+                ++mended;
+            }
+            mesh.tangents.emplace_back(orthonormal_tangent(mesh.normals[i], glm::vec3(tangent)),
+                                       tangent.w < 0 ? -1.0f : 1.0f);
+        }
+        warn_mended(pointer + "/attributes/TANGENT", mended, "tangents");
+        return true;
+    }
+
+    void warn_mended(const std::string& pointer, size_t count, const char* what) {
+        if (count == 0) return;
+        report_.warn("S152", pointer,
+                     std::to_string(count) + " " + what + " are not finite or zero and were replaced",
+                     "recompute the " + std::string(what) + " before exporting");
+    }
+
+    const Document& document_;
+    const SceneLimits& limits_;
+    Report& report_;
+    uint64_t triangles_ = 0;
+    uint64_t vertices_ = 0;
+};
+
+bool is_drawable(const Primitive& primitive, const std::string& pointer, Report& report) {
+    static constexpr std::array<const char*, 7> kModes{
+        "points", "lines", "a line loop", "a line strip", "triangles", "a triangle strip", "a triangle fan"};
+    if (primitive.mode != kTriangles) {
+        report.warn("S151", pointer + "/mode",
+                    "the primitive is " + std::string(kModes[std::min<uint32_t>(primitive.mode, 6)]) +
+                        " and is left out: only triangles are drawn",
+                    "export the mesh as triangles");
+        return false;
+    }
+    if (primitive.position == kNone) {
+        report.warn("S156", pointer + "/attributes", "the primitive has no POSITION and is left out",
+                    "add positions or remove the primitive");
+        return false;
+    }
+    return true;
+}
+
+std::string mesh_name(const MeshSource& source, size_t mesh, size_t primitive) {
+    const std::string name = source.name.empty() ? "mesh " + std::to_string(mesh) : source.name;
+    return source.primitives.size() > 1 ? name + "/" + std::to_string(primitive) : name;
+}
+
+}  // namespace
+
+BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, Report& report) {
+    BuiltMeshes built;
+    Builder builder(document, limits, report);
+    for (size_t m = 0; m < document.meshes.size(); ++m) {
+        const MeshSource& source = document.meshes[m];
+        std::vector<BuiltPrimitive>& primitives = built.of_gltf_mesh.emplace_back();
+        for (size_t p = 0; p < source.primitives.size(); ++p) {
+            const Primitive& primitive = source.primitives[p];
+            const std::string pointer = "/meshes/" + std::to_string(m) + "/primitives/" + std::to_string(p);
+            if (!is_drawable(primitive, pointer, report)) continue;
+            Mesh mesh = builder.build(primitive, pointer);
+            if (mesh.indices.empty()) continue;
+            mesh.name = mesh_name(source, m, p);
+            primitives.push_back({static_cast<uint32_t>(built.meshes.size()), primitive.material});
+            built.meshes.push_back(std::move(mesh));
+        }
+    }
+    return built;
+}
+
+}  // namespace weft::scene::gltf

@@ -1,0 +1,104 @@
+#include "scene/node_walk.h"
+
+#include <cmath>
+
+namespace weft::scene::gltf {
+namespace {
+
+constexpr float kMaxEntry = 1e15f;
+
+bool is_usable(const glm::mat4& m) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!(std::abs(m[column][row]) <= kMaxEntry)) return false;
+        }
+    }
+    return true;
+}
+
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
+    const float length = glm::length(v);
+    return std::isfinite(length) && length > 1e-20f ? v / length : fallback;
+}
+
+// The same view without scale or shear: cameras look along -z whatever their parents do.
+glm::mat4 rigid(const glm::mat4& world) {
+    const glm::vec3 back = unit_or(glm::vec3(world[2]), {0, 0, 1});
+    const glm::vec3 steep = std::abs(back.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 right =
+        unit_or(glm::cross(glm::vec3(world[1]), back), unit_or(glm::cross(steep, back), {1, 0, 0}));
+    return {glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0), glm::vec4(back, 0), world[3]};
+}
+
+class Walk {
+ public:
+    Walk(const Document& document, const BuiltMeshes& meshes, uint32_t default_material, Scene& scene)
+        : document_(document), meshes_(meshes), default_material_(default_material), scene_(scene) {}
+
+    void place(const Node& node, const glm::mat4& world) {
+        if (node.mesh != kNone) {
+            for (const BuiltPrimitive& primitive : meshes_.of_gltf_mesh[node.mesh]) {
+                const std::string& name = node.name.empty() ? meshes_.meshes[primitive.mesh].name : node.name;
+                const uint32_t material =
+                    primitive.material == kNone ? default_material_ : primitive.material;
+                scene_.instances.push_back({name, primitive.mesh, material, world});
+            }
+        }
+        if (node.light != kNone) {
+            Light light = document_.lights[node.light];
+            light.position = glm::vec3(world[3]);
+            light.direction = unit_or(-glm::vec3(world[2]), {0, 0, -1});
+            if (!node.name.empty() && light.name.empty()) light.name = node.name;
+            scene_.lights.push_back(std::move(light));
+        }
+        if (node.camera != kNone && document_.cameras[node.camera]) {
+            Camera camera = *document_.cameras[node.camera];
+            camera.transform = rigid(world);
+            // Blender and others name the node, not the camera.
+            if (!node.name.empty()) camera.name = node.name;
+            scene_.cameras.push_back(std::move(camera));
+        }
+    }
+
+ private:
+    const Document& document_;
+    const BuiltMeshes& meshes_;
+    uint32_t default_material_;
+    Scene& scene_;
+};
+
+}  // namespace
+
+void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t default_material,
+                 const SceneLimits& limits, Report& report, Scene& scene) {
+    struct Visit {
+        uint32_t node;
+        glm::mat4 parent;
+    };
+    Walk walk(document, meshes, default_material, scene);
+    std::vector<Visit> stack;
+    // Reversed, because the last pushed is visited first: nodes come out in the file's order.
+    for (size_t i = document.roots.size(); i-- > 0;) stack.push_back({document.roots[i], glm::mat4(1)});
+    while (!stack.empty()) {
+        const Visit visit = stack.back();
+        stack.pop_back();
+        const Node& node = document.nodes[visit.node];
+        const glm::mat4 world = visit.parent * node.local;
+        if (!is_usable(world)) {
+            report.warn("S152", "/nodes/" + std::to_string(visit.node),
+                        "the node's transform leaves the range of numbers; it and its children are left out",
+                        "correct the matrix or scale of the node or of its parents");
+            continue;
+        }
+        walk.place(node, world);
+        if (scene.instances.size() > limits.instances) {
+            report.error("S107", "/nodes/" + std::to_string(visit.node),
+                         "the scene has more than " + std::to_string(limits.instances) + " instances",
+                         "join meshes or split the scene");
+            return;
+        }
+        for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], world});
+    }
+}
+
+}  // namespace weft::scene::gltf

@@ -1,0 +1,155 @@
+#include "scene/rooted_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <system_error>
+
+namespace weft::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+FileBytes fault(ReadFault kind, std::string message) {
+    return {{}, kind, std::move(message)};
+}
+
+int hex_digit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+bool has_scheme(std::string_view uri) {
+    const size_t colon = uri.find(':');
+    return colon != std::string_view::npos && uri.substr(0, colon).find('/') == std::string_view::npos;
+}
+
+bool climbs_out(const fs::path& relative) {
+    int depth = 0;
+    for (const fs::path& part : relative) {
+        if (part == "..") {
+            if (--depth < 0) return true;
+        } else if (part != "." && !part.empty()) {
+            ++depth;
+        }
+    }
+    return false;
+}
+
+bool is_below(const fs::path& file, const fs::path& root) {
+    return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+}
+
+constexpr std::array<int8_t, 256> base64_table() {
+    std::array<int8_t, 256> table{};
+    table.fill(-1);
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < digits.size(); ++i)
+        table[static_cast<uint8_t>(digits[i])] = static_cast<int8_t>(i);
+    return table;
+}
+
+}  // namespace
+
+RootedFolder::RootedFolder(const fs::path& folder) {
+    std::error_code failed;
+    root_ = fs::canonical(folder.empty() ? fs::path(".") : folder, failed);
+    if (failed) root_.clear();
+}
+
+FileBytes RootedFolder::read(std::string_view uri, uint64_t max_bytes) const {
+    const std::string shown(uri.substr(0, 80));
+    const std::optional<std::string> decoded = percent_decode(uri);
+    if (!decoded || decoded->empty())
+        return fault(ReadFault::missing, "\"" + shown + "\" is not a valid URI");
+    const fs::path relative(*decoded);
+    if (has_scheme(uri) || has_scheme(*decoded) || relative.is_absolute() ||
+        decoded->find('\\') != std::string::npos || climbs_out(relative)) {
+        return fault(ReadFault::escapes, "\"" + shown + "\" leaves the scene's folder");
+    }
+    if (root_.empty()) return fault(ReadFault::missing, "the scene's folder is missing");
+    std::error_code failed;
+    const fs::path file = fs::canonical(root_ / relative, failed);
+    if (failed) return fault(ReadFault::missing, "\"" + shown + "\" does not exist: " + failed.message());
+    if (!is_below(file, root_)) {
+        return fault(ReadFault::escapes, "\"" + shown + "\" is a link that leaves the scene's folder");
+    }
+    return read_plain_file(file, max_bytes);
+}
+
+FileBytes read_plain_file(const fs::path& file, uint64_t max_bytes) {
+    const std::string name = file.filename().string();
+    std::error_code failed;
+    if (!fs::is_regular_file(file, failed)) {
+        return fault(failed ? ReadFault::missing : ReadFault::unreadable,
+                     "\"" + name + "\" is not a plain file");
+    }
+    const uint64_t size = fs::file_size(file, failed);
+    if (failed)
+        return fault(ReadFault::unreadable, "\"" + name + "\" cannot be measured: " + failed.message());
+    if (size > max_bytes) {
+        return fault(ReadFault::too_large, "\"" + name + "\" holds " + std::to_string(size) +
+                                               " bytes, more than the " + std::to_string(max_bytes) +
+                                               " that are left of the limit");
+    }
+    std::ifstream stream(file, std::ios::binary);
+    FileBytes result;
+    result.bytes.resize(size);
+    // A file that shrank since it was measured must not leave a tail of zeros.
+    if (!stream || (size > 0 && !stream.read(reinterpret_cast<char*>(result.bytes.data()),
+                                             static_cast<std::streamsize>(size)))) {
+        return fault(ReadFault::unreadable, "\"" + name + "\" cannot be read");
+    }
+    return result;
+}
+
+std::optional<std::string> percent_decode(std::string_view uri) {
+    std::string out;
+    out.reserve(uri.size());
+    for (size_t i = 0; i < uri.size(); ++i) {
+        if (uri[i] != '%') {
+            out.push_back(uri[i]);
+        } else {
+            if (i + 2 >= uri.size()) return std::nullopt;
+            const int high = hex_digit(uri[i + 1]);
+            const int low = hex_digit(uri[i + 2]);
+            if (high < 0 || low < 0) return std::nullopt;
+            out.push_back(static_cast<char>(high * 16 + low));
+            i += 2;
+        }
+        if (out.back() == '\0') return std::nullopt;
+    }
+    return out;
+}
+
+bool is_data_uri(std::string_view uri) {
+    return uri.starts_with("data:");
+}
+
+std::optional<std::vector<uint8_t>> decode_data_uri(std::string_view uri) {
+    static constexpr std::array<int8_t, 256> kTable = base64_table();
+    const size_t comma = uri.find(',');
+    if (!is_data_uri(uri) || comma == std::string_view::npos) return std::nullopt;
+    if (!uri.substr(0, comma).ends_with(";base64")) return std::nullopt;
+    std::string_view text = uri.substr(comma + 1);
+    while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+    std::vector<uint8_t> out;
+    out.reserve(text.size() / 4 * 3 + 3);
+    uint32_t bits = 0;
+    int bit_count = 0;
+    for (const char c : text) {
+        const int digit = kTable[static_cast<uint8_t>(c)];
+        if (digit < 0) return std::nullopt;
+        bits = (bits << 6 | static_cast<uint32_t>(digit)) & 0xffffff;
+        bit_count += 6;
+        if (bit_count >= 8) {
+            bit_count -= 8;
+            out.push_back(static_cast<uint8_t>(bits >> bit_count));
+        }
+    }
+    return out;
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,19 @@
+// Purpose: decodes the images that materials use, once each, and makes one texture for every meaning they are
+// used with: an image that is both colour and data becomes an sRGB and a linear texture. Errors: S106 an
+// image over the limits, S112 an image that cannot be decoded.
+#pragma once
+
+#include <vector>
+
+#include "scene/gltf_document.h"
+#include "scene/gltf_report.h"
+#include "scene/load_gltf.h"
+
+namespace weft::scene::gltf {
+
+// Returns the textures and points the slots of `materials` from glTF textures to them. A slot whose texture
+// has no image becomes empty. Materials that blend with an alpha of 1 everywhere become opaque.
+[[nodiscard]] std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
+                                                  Report& report, std::vector<Material>& materials);
+
+}  // namespace weft::scene::gltf
