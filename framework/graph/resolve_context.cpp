@@ -91,8 +91,10 @@ std::vector<std::string> ResolveState::pass_names() const {
 
 std::string range_of(const ResourceDecl& resource, const SubresourceRange& range) {
     const auto span = [](const char* what, uint32_t first, uint32_t count) {
-        const std::string last = count > 1 ? ".." + std::to_string(first + count - 1) : "";
-        return std::string(".") + what + "(" + std::to_string(first) + last + ")";
+        std::string written = ".";
+        written.append(what).append("(").append(std::to_string(first));
+        if (count > 1) written.append("..").append(std::to_string(first + count - 1));
+        return written.append(")");
     };
     std::string text = resource.name;
     if (range.mips != resource.mips) text += span("mip", range.mip, range.mips);
@@ -116,8 +118,9 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::string extent_text(const Extent3D& extent) {
-    std::string text = std::to_string(extent.width) + "x" + std::to_string(extent.height);
-    if (extent.depth > 1) text += "x" + std::to_string(extent.depth);
+    std::string text = std::to_string(extent.width);
+    text.append("x").append(std::to_string(extent.height));
+    if (extent.depth > 1) text.append("x").append(std::to_string(extent.depth));
     return text;
 }
 
