@@ -1,0 +1,207 @@
+#include "check/check_structure.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace weft::check {
+namespace {
+
+constexpr const char* kCompilerFault = "this is a fault of the compiler, not of the graph: please report it";
+
+bool check_shape(const FramePlan& plan, FaultList& faults) {
+    const size_t passes = plan.graph.passes.size();
+    bool ok = plan.schedule.order.size() == plan.barriers.steps.size() &&
+              plan.live.live_passes.size() == passes &&
+              plan.lifetimes.spans.size() == plan.graph.resources.size();
+    std::vector<uint32_t> times(passes, 0);
+    for (const PassId pass : plan.schedule.order) {
+        ok = ok && pass < passes;
+        if (pass < passes) ++times[pass];
+    }
+    for (size_t i = 0; ok && i < plan.schedule.order.size(); ++i)
+        ok = plan.barriers.steps[i].pass == plan.schedule.order[i];
+    if (!ok) {
+        faults.add("C301", {}, "the plan's tables do not belong together", kCompilerFault);
+        return false;
+    }
+    for (PassId p = 0; p < passes; ++p) {
+        const uint32_t wanted = plan.live.live_passes[p] ? 1 : 0;
+        if (times[p] != wanted)
+            faults.add("C301", plan.graph.passes[p].loc,
+                       "pass " + faults.pass_name(p) + " is recorded " + std::to_string(times[p]) +
+                           " times, but should be " + std::to_string(wanted),
+                       kCompilerFault);
+    }
+    return true;
+}
+
+const char* edge_text(EdgeKind kind) {
+    switch (kind) {
+        case EdgeKind::raw:
+            return "reads what it writes";
+        case EdgeKind::war:
+            return "overwrites what it reads";
+        case EdgeKind::waw:
+            return "overwrites what it writes";
+        case EdgeKind::after:
+            return "says it comes after it";
+    }
+    return "";
+}
+
+void check_edges(const FramePlan& plan, FaultList& faults) {
+    std::vector<uint32_t> position(plan.graph.passes.size(), kNoId);
+    for (uint32_t i = 0; i < plan.schedule.order.size(); ++i) position[plan.schedule.order[i]] = i;
+    for (const EdgeDecl& edge : plan.graph.edges) {
+        if (position[edge.from] == kNoId || position[edge.to] == kNoId) continue;
+        if (position[edge.from] < position[edge.to]) continue;
+        const std::string through =
+            edge.resource == kNoId ? "" : " (" + faults.resource_name(edge.resource) + ")";
+        faults.add("C302", edge.loc,
+                   "pass " + faults.pass_name(edge.to) + " is recorded before pass " +
+                       faults.pass_name(edge.from) + ", but " + edge_text(edge.kind) + through,
+                   "the order of the schedule is wrong");
+    }
+}
+
+void check_lifetimes(const FramePlan& plan, FaultList& faults) {
+    for (uint32_t i = 0; i < plan.schedule.order.size(); ++i) {
+        const PassDecl& pass = plan.graph.passes[plan.schedule.order[i]];
+        for (const UseDecl& use : pass.uses) {
+            if (plan.graph.resources[use.resource].lifetime != ResourceLifetime::transient) continue;
+            const LifetimeSpan& span = plan.lifetimes.spans[use.resource];
+            if (span.first <= i && i <= span.last) continue;
+            const auto at = [&](uint32_t position) {
+                return position < plan.schedule.order.size() ? faults.pass_name(plan.schedule.order[position])
+                                                             : std::string("?");
+            };
+            faults.add("C342", use.loc,
+                       "pass " + faults.pass_name(plan.schedule.order[i]) + " uses " +
+                           faults.resource_name(use.resource) + ", whose memory it holds only from pass " +
+                           at(span.first) + " to pass " + at(span.last),
+                       "a lifetime must cover every use");
+        }
+    }
+}
+
+// The passes that use a resource, for naming both sides of a collision.
+std::string users(const FramePlan& plan, FaultList& faults, ResourceId resource) {
+    const LifetimeSpan& span = plan.lifetimes.spans[resource];
+    if (span.first > span.last || span.last >= plan.schedule.order.size()) return "unused";
+    return "from pass " + faults.pass_name(plan.schedule.order[span.first]) + " to pass " +
+           faults.pass_name(plan.schedule.order[span.last]);
+}
+
+bool share_memory(const Placement& a, const Placement& b) {
+    return a.heap == b.heap && a.offset_bytes < b.offset_bytes + b.size_bytes &&
+           b.offset_bytes < a.offset_bytes + a.size_bytes;
+}
+
+void check_placements(const FramePlan& plan, FaultList& faults) {
+    std::vector<uint8_t> placed(plan.graph.resources.size(), 0);
+    const std::vector<Placement>& all = plan.memory.placements;
+    for (size_t i = 0; i < all.size(); ++i) {
+        const Placement& a = all[i];
+        placed[a.resource] = 1;
+        if (a.heap >= plan.memory.heaps.size() ||
+            a.offset_bytes + a.size_bytes > plan.memory.heaps[a.heap].size_bytes)
+            faults.add("C343", plan.graph.resources[a.resource].loc,
+                       faults.resource_name(a.resource) + " lies outside its heap", kCompilerFault);
+        for (size_t j = i + 1; j < all.size(); ++j) {
+            const Placement& b = all[j];
+            const LifetimeSpan &s = plan.lifetimes.spans[a.resource], &t = plan.lifetimes.spans[b.resource];
+            const bool together = s.first <= t.last && t.first <= s.last;
+            if (!together || !share_memory(a, b)) continue;
+            faults.add("C340", plan.graph.resources[a.resource].loc,
+                       faults.resource_name(a.resource) + " (" + users(plan, faults, a.resource) + ") and " +
+                           faults.resource_name(b.resource) + " (" + users(plan, faults, b.resource) +
+                           ") hold the same memory at the same time",
+                       "resources that live together need places of their own");
+        }
+    }
+    for (ResourceId id = 0; id < placed.size(); ++id) {
+        const LifetimeSpan& span = plan.lifetimes.spans[id];
+        const bool needed =
+            plan.graph.resources[id].lifetime != ResourceLifetime::imported && span.first <= span.last;
+        if (needed && !placed[id])
+            faults.add("C343", plan.graph.resources[id].loc,
+                       faults.resource_name(id) + " has no place in memory", kCompilerFault);
+    }
+}
+
+void check_hand_overs(const FramePlan& plan, FaultList& faults) {
+    const std::vector<HandOver>& listed = plan.memory.hand_overs;
+    const auto known = [&](ResourceId from, ResourceId to) {
+        return std::any_of(listed.begin(), listed.end(),
+                           [&](const HandOver& h) { return h.from == from && h.to == to; });
+    };
+    std::vector<uint8_t> used(listed.size(), 0);
+    for (const PassStep& step : plan.barriers.steps) {
+        for (const BarrierDecl& barrier : step.barriers) {
+            for (const ResourceId from : barrier.hand_over_from) {
+                for (size_t i = 0; i < listed.size(); ++i)
+                    if (listed[i].from == from && listed[i].to == barrier.resource) used[i] = 1;
+                if (known(from, barrier.resource)) continue;
+                faults.add("C341", plan.graph.resources[barrier.resource].loc,
+                           "the barrier before pass " + faults.pass_name(step.pass) + " hands memory of " +
+                               faults.resource_name(from) + " (" + users(plan, faults, from) + ") over to " +
+                               faults.resource_name(barrier.resource) +
+                               ", which the memory plan does not know",
+                           "every hand-over belongs into the memory plan");
+            }
+        }
+    }
+    for (size_t i = 0; i < listed.size(); ++i) {
+        if (used[i]) continue;
+        const LifetimeSpan& to = plan.lifetimes.spans[listed[i].to];
+        faults.add("C341", plan.graph.resources[listed[i].to].loc,
+                   faults.resource_name(listed[i].to) + " (" + users(plan, faults, listed[i].to) +
+                       ") takes over the memory of " + faults.resource_name(listed[i].from) + " (" +
+                       users(plan, faults, listed[i].from) + "), but no barrier before pass " +
+                       faults.pass_name(to.first < plan.schedule.order.size() ? plan.schedule.order[to.first]
+                                                                              : kNoId) +
+                       " waits for it",
+                   "the first use of a resource needs a barrier that names whose memory it takes over");
+    }
+}
+
+void check_submissions(const FramePlan& plan, FaultList& faults) {
+    uint32_t next = 0;
+    bool ok = !plan.submissions.batches.empty() || plan.schedule.order.empty();
+    for (const Batch& batch : plan.submissions.batches) {
+        ok = ok && batch.queue == 0 && batch.first == next;
+        next = batch.first + batch.count;
+    }
+    ok = ok && next == plan.schedule.order.size();
+    if (!ok)
+        faults.add("C303", {}, "the submissions do not hold every pass once, in order, on one queue",
+                   kCompilerFault);
+}
+
+void check_boundary(const FramePlan& plan, FaultList& faults) {
+    for (const BoundaryState& boundary : plan.boundary) {
+        const ResourceDecl& resource = plan.graph.resources[boundary.resource];
+        if (!resource.import || boundary.state.layout == resource.import->exit.layout) continue;
+        faults.add("C350", resource.loc,
+                   faults.resource_name(boundary.resource) + " is handed back in " +
+                       layout_text(boundary.state.layout) + ", but is wanted in " +
+                       layout_text(resource.import->exit.layout),
+                   kCompilerFault);
+    }
+}
+
+}  // namespace
+
+bool check_structure(const FramePlan& plan, FaultList& faults) {
+    if (!check_shape(plan, faults)) return false;
+    check_edges(plan, faults);
+    check_lifetimes(plan, faults);
+    check_placements(plan, faults);
+    check_hand_overs(plan, faults);
+    check_submissions(plan, faults);
+    check_boundary(plan, faults);
+    return true;
+}
+
+}  // namespace weft::check

@@ -1,0 +1,28 @@
+#include "check/fault_list.h"
+
+namespace weft::check {
+
+void FaultList::add(const char* code, SourceLoc loc, const std::string& message, const std::string& help) {
+    if (!seen_.insert(code + message).second) return;
+    Diagnostic fault = plan_.graph.sources.error(loc, code, message);
+    fault.help = {help};
+    faults_.push_back(std::move(fault));
+}
+
+std::string FaultList::pass_name(PassId pass) const {
+    return pass < plan_.graph.passes.size() ? "\"" + plan_.graph.passes[pass].name + "\""
+                                            : "outside the graph";
+}
+
+std::string FaultList::resource_name(ResourceId resource) const {
+    return resource < plan_.graph.resources.size() ? "\"" + plan_.graph.resources[resource].name + "\"" : "?";
+}
+
+std::string FaultList::actor_text(const Actor& actor, uint32_t current_frame) const {
+    std::string text = actor.pass == kNoId ? "the program around the graph" : "pass " + pass_name(actor.pass);
+    if (actor.transition) text = "the layout transition before " + text;
+    if (actor.frame != current_frame) text += " of the frame before";
+    return text;
+}
+
+}  // namespace weft::check

@@ -1,0 +1,106 @@
+#include "check/ordering.h"
+
+namespace weft::check {
+namespace {
+
+// The graphics pipeline in logical order. Compute has one stage behind the indirect read; the others stand
+// alone.
+constexpr std::array kGraphicsOrder{
+    stage::kDrawIndirect,   stage::kVertexInput,       stage::kVertexShader, stage::kEarlyFragmentTests,
+    stage::kFragmentShader, stage::kLateFragmentTests, stage::kColorOutput};
+
+bool has(StageMask mask, int bit) {
+    return (mask & (1u << bit)) != 0;
+}
+
+}  // namespace
+
+StageMask with_earlier(StageMask stages) {
+    StageMask widened = stages;
+    bool later_seen = false;
+    for (size_t i = kGraphicsOrder.size(); i-- > 0;) {
+        later_seen = later_seen || (stages & kGraphicsOrder[i]);
+        if (later_seen) widened |= kGraphicsOrder[i];
+    }
+    if (stages & stage::kComputeShader) widened |= stage::kDrawIndirect;
+    return widened;
+}
+
+StageMask with_later(StageMask stages) {
+    StageMask widened = stages;
+    bool earlier_seen = false;
+    for (const StageMask s : kGraphicsOrder) {
+        earlier_seen = earlier_seen || (stages & s);
+        if (earlier_seen) widened |= s;
+    }
+    if (stages & stage::kDrawIndirect) widened |= stage::kComputeShader;
+    return widened;
+}
+
+Scopes scopes_of(const BarrierDecl& barrier) {
+    return {with_earlier(barrier.src.stages),
+            with_later(barrier.dst.stages),
+            barrier.src.stages,
+            barrier.dst.stages,
+            barrier.src.access,
+            barrier.dst.access};
+}
+
+AccessRecord::AccessRecord(const Actor& actor, StageMask stages, AccessMask access, bool is_write)
+    : actor_(actor), stages_(stages), access_(access), is_write_(is_write) {}
+
+AccessRecord AccessRecord::transition(const Actor& actor, const Scopes& scopes) {
+    AccessRecord record(actor, 0, 0, true);
+    record.actor_.transition = true;
+    record.available_ = true;  // transitions make their own writes available
+    record.transition_reach_ = scopes.dst_execution;
+    for (int t = 0; t < stage::kCount; ++t)
+        if (has(scopes.dst_memory, t)) record.visible_[static_cast<size_t>(t)] = scopes.dst_access;
+    return record;
+}
+
+bool AccessRecord::ordered_before(const Scopes& scopes) const {
+    if (stages_ == 0) return (transition_reach_ & scopes.src_execution) != 0 || !actor_.transition;
+    for (int s = 0; s < stage::kCount; ++s) {
+        if (!has(stages_, s)) continue;
+        if ((((1u << s) | reach_[static_cast<size_t>(s)]) & scopes.src_execution) == 0) return false;
+    }
+    return true;
+}
+
+bool AccessRecord::ordered_before(StageMask stages) const {
+    if (stages_ == 0) return !actor_.transition || (stages & ~transition_reach_) == 0;
+    for (int s = 0; s < stage::kCount; ++s)
+        if (has(stages_, s) && (stages & ~reach_[static_cast<size_t>(s)]) != 0) return false;
+    return true;
+}
+
+void AccessRecord::pass_barriers(std::span<const Scopes> all, std::span<const Scopes> on_memory) {
+    const AccessRecord before = *this;
+    for (const Scopes& scopes : on_memory) {
+        if (!is_write_) break;
+        const bool flushed =
+            (stages_ & ~scopes.src_memory) == 0 && (access_ & access::kAllWrites & ~scopes.src_access) == 0;
+        available_ = available_ || flushed;
+        if (!(before.available_ || flushed) || !before.ordered_before(scopes)) continue;
+        for (int t = 0; t < stage::kCount; ++t)
+            if (has(scopes.dst_memory, t)) visible_[static_cast<size_t>(t)] |= scopes.dst_access;
+    }
+    for (const Scopes& scopes : all) {
+        if (actor_.transition && (before.transition_reach_ & scopes.src_execution))
+            transition_reach_ |= scopes.dst_execution;
+        for (int s = 0; s < stage::kCount; ++s) {
+            const size_t i = static_cast<size_t>(s);
+            if (has(stages_, s) && (((1u << s) | before.reach_[i]) & scopes.src_execution))
+                reach_[i] |= scopes.dst_execution;
+        }
+    }
+}
+
+bool AccessRecord::visible_to(StageMask stages, AccessMask access) const {
+    for (int t = 0; t < stage::kCount; ++t)
+        if (has(stages, t) && (access & ~visible_[static_cast<size_t>(t)]) != 0) return false;
+    return true;
+}
+
+}  // namespace weft::check

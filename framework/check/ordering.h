@@ -1,0 +1,64 @@
+// Purpose: what happens before what on one queue, by the rules of Vulkan's execution and memory dependencies
+// (Vulkan 1.3 specification, chapter "Synchronization and Cache Control").
+// A barrier orders everything earlier in its source stages before everything later in its destination stages,
+// and chains with barriers whose scopes meet. Memory is made available by a barrier whose source names the
+// writing stage and access, and visible to the stages and accesses of the destination.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "check/fault_list.h"
+#include "weft/plan.h"
+
+namespace weft::check {
+
+// Stages that a source mask stands for: those named and, in one pipeline, the logically earlier ones.
+[[nodiscard]] StageMask with_earlier(StageMask stages);
+// Stages that a destination mask stands for: those named and the logically later ones.
+[[nodiscard]] StageMask with_later(StageMask stages);
+
+// One barrier's two halves, stages widened for execution and kept narrow for memory.
+struct Scopes {
+    StageMask src_execution = 0, dst_execution = 0;
+    StageMask src_memory = 0, dst_memory = 0;
+    AccessMask src_access = 0, dst_access = 0;
+};
+[[nodiscard]] Scopes scopes_of(const BarrierDecl& barrier);
+
+// One access, or layout transition, and how far its effects have been carried since.
+class AccessRecord {
+ public:
+    AccessRecord() = default;
+    // A transition has no stages of its own: it is done when its barrier's destination stages start.
+    AccessRecord(const Actor& actor, StageMask stages, AccessMask access, bool is_write);
+    static AccessRecord transition(const Actor& actor, const Scopes& scopes);
+
+    // Carries one vkCmdPipelineBarrier2: `all` are its barriers, of whatever resource, whose execution parts
+    // hold for everything; `on_memory` those on the memory this access touched. Barriers of one batch do not
+    // chain.
+    void pass_barriers(std::span<const Scopes> all, std::span<const Scopes> on_memory);
+
+    // Every stage of this access is in, or chained to, the barrier's source.
+    [[nodiscard]] bool ordered_before(const Scopes& scopes) const;
+    // Every stage of this access is over before any of `stages` starts.
+    [[nodiscard]] bool ordered_before(StageMask stages) const;
+    [[nodiscard]] bool visible_to(StageMask stages, AccessMask access) const;
+    [[nodiscard]] bool available() const { return available_; }
+    [[nodiscard]] bool is_write() const { return is_write_; }
+    [[nodiscard]] const Actor& actor() const { return actor_; }
+    [[nodiscard]] StageMask stages() const { return stages_; }
+    [[nodiscard]] AccessMask access() const { return access_; }
+
+ private:
+    Actor actor_;
+    StageMask stages_ = 0;
+    AccessMask access_ = 0;
+    bool is_write_ = false;
+    bool available_ = false;
+    std::array<StageMask, stage::kCount> reach_{};  // by own stage: later stages known to come after it
+    StageMask transition_reach_ = 0;
+    std::array<AccessMask, stage::kCount> visible_{};  // by later stage
+};
+
+}  // namespace weft::check
