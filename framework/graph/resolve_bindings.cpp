@@ -37,16 +37,25 @@ class ShaderBinder {
  private:
     const PassDesc& desc() const { return *work_.desc; }
 
+    // The depth attachment is no binding, so an input may share its name.
+    size_t output_of_same_name(size_t in) const {
+        size_t out = 0;
+        for (; out < decl_.uses.size(); ++out) {
+            const bool binding = decl_.uses[out].is_output && !work_.ports[out].is_depth_port;
+            if (!decl_.uses[in].is_output && binding && decl_.uses[out].port == decl_.uses[in].port) break;
+        }
+        return out;
+    }
+
     // "in" and "out" under one name are one binding that is read and written in place.
     void merge_ports_named_twice() {
         for (size_t in = 0; in < decl_.uses.size();) {
-            const auto same = [&](const UseDecl& u) { return u.is_output && u.port == decl_.uses[in].port; };
-            const auto out = std::ranges::find_if(decl_.uses, same);
-            if (decl_.uses[in].is_output || out == decl_.uses.end()) {
+            const size_t out_index = output_of_same_name(in);
+            if (out_index == decl_.uses.size()) {
                 ++in;
                 continue;
             }
-            const auto out_index = static_cast<size_t>(out - decl_.uses.begin());
+            const auto out = decl_.uses.begin() + static_cast<std::ptrdiff_t>(out_index);
             if (out->resource != decl_.uses[in].resource || out->range != decl_.uses[in].range) {
                 Diagnostic& d =
                     state_.pass_error(pass_, out->loc, "W112",

@@ -96,8 +96,9 @@ FormatFeatureMask features_needed(UsageMask usages, const Needs& needs, Format f
     return mask;
 }
 
-bool filters_linearly(const SamplerDecl& sampler) {
-    return sampler.filter == SamplerFilter::linear || sampler.mip_filter == SamplerFilter::linear;
+bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
+    return sampler.filter == SamplerFilter::linear ||
+           (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
 
 std::vector<Needs> gather_needs(ResolveState& state) {
@@ -111,7 +112,7 @@ std::vector<Needs> gather_needs(ResolveState& state) {
             if (work.ports[i].color_output && blend_of(*work.desc, uses[i].port).enabled) need.blend = true;
             if (uses[i].access != Access::sampled_read) continue;
             const std::optional<SamplerDecl>& sampler = work.ports[i].desc->sampler;
-            if (sampler) need.linear_always |= filters_linearly(*sampler);
+            if (sampler) need.linear_always |= filters_linearly(*sampler, uses[i].range.mips);
             if (!sampler) need.linear_if_float = true;
         }
     }
@@ -177,6 +178,8 @@ void complete_use(const ResolveState& state, UseDecl& use, const PortWork& port)
     if (!port.desc->sampler && !is_float(resource.format)) {
         use.sampler.filter = use.sampler.mip_filter = SamplerFilter::nearest;
     }
+    // There is nothing between the mips of one mip.
+    if (use.range.mips == 1) use.sampler.mip_filter = SamplerFilter::nearest;
     use.sampler.compare_greater_equal = port.binding->shadow;
 }
 

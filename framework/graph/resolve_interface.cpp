@@ -214,7 +214,7 @@ class InterfaceCheck {
         error(
             use,
             port_text(use) + " filters " + quoted(resource.name) + " linearly, but its numbers are integers",
-            "use \"sampler\": \"nearest\"");
+            "use \"sampler\": { \"filter\": \"nearest\", \"mipFilter\": \"nearest\" }");
     }
 
     void check_buffer(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {

@@ -5,7 +5,7 @@ namespace weft::test {
 namespace {
 
 class ResolveVersions : public ResolveTest {
-   protected:
+ protected:
     ResolveVersions() {
         shaders["make.comp"] = compute({image_out("dst")});
         shaders["filter.comp"] = compute({sampled("src"), image_out("dst")});
@@ -172,8 +172,10 @@ TEST_F(ResolveVersions, ObservedReferencesBecomeReadbackPasses) {
 TEST_F(ResolveVersions, ShuffledDeclarationsResolveAlike) {
     const std::string a = R"j("base": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}})j";
     const std::string b = R"j("mod": {"type": "compute", "shader": "change.comp", "out": ["x"]})j";
-    const std::string c = R"j("use": {"type": "compute", "shader": "filter.comp", "in": {"src": "x"}, "out": {"dst": "y"}})j";
-    const auto text = [](const std::string& p, const std::string& q, const std::string& r, const std::string& res) {
+    const std::string c =
+        R"j("use": {"type": "compute", "shader": "filter.comp", "in": {"src": "x"}, "out": {"dst": "y"}})j";
+    const auto text = [](const std::string& p, const std::string& q, const std::string& r,
+                         const std::string& res) {
         return R"j("resources": {)j" + res + R"j(}, "passes": {)j" + p + "," + q + "," + r + "}";
     };
     const ResolvedGraph first = good(text(a, b, c, R"j("x": "rgba16f", "y": "rgba16f")j"));
@@ -194,7 +196,8 @@ TEST_F(ResolveVersions, ShuffledDeclarationsResolveAlike) {
     }
 }
 
-// --- faults ----------------------------------------------------------------------------------------------------
+// --- faults
+// ----------------------------------------------------------------------------------------------------
 
 TEST_F(ResolveVersions, TwoUnorderedWriters) {
     const Diagnostic d = bad(R"j(
@@ -260,7 +263,8 @@ TEST_F(ResolveVersions, CycleTellsTheLoopAndThePin) {
   "ssrApply":    {"type": "fullscreen", "shader": "apply.frag", "in": ["acc"], "out": ["hdr"], "state": {"blend": "add"}}})j");
     EXPECT_EQ(d.code, "W150");
     EXPECT_EQ(d.message,
-              "dependency cycle: ssrTrace (reads hdr) -> ssrApply (reads acc) -> ssrTemporal (reads ray) -> ssrTrace");
+              "dependency cycle: ssrTrace (reads hdr) -> ssrApply (reads acc) -> ssrTemporal (reads ray) -> "
+              "ssrTrace");
     EXPECT_EQ(d.line, 5u);
     expect_help(d, R"j("hdr" has several writers; pin the version you want in "ssrTrace": "hdr@lighting")j");
 }
