@@ -88,6 +88,13 @@ std::optional<Container> open_container(std::span<const uint8_t> file, Report& r
     if (file.size() >= 4 && read_u32(file, 0) == kMagic) return open_binary(file, report);
     std::string_view text = as_text(file);
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    const size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || text[first] != '{') {
+        const TextPosition at = position_of(text, first);
+        report.error_at("S102", at.line, at.column, "this is neither a .glb nor the JSON object of a .gltf",
+                        "name a .gltf or .glb, or export the scene again");
+        return std::nullopt;
+    }
     return Container{text, std::nullopt};
 }
 
