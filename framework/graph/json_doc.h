@@ -1,5 +1,8 @@
 // Purpose: JSON with comments and trailing commas, in which every value and key knows where it was written.
-// Limits: 8 MiB, depth 64. Duplicate keys are errors. Errors: W001 … W009 with line and column.
+// Limits: 8 MiB, depth 64, 262,144 values, strings of 4,096 bytes.
+// Errors: W001 syntax, W002 no such file, W003 duplicate key (all of them are reported), W004 too large or
+// too deep, W005 not UTF-8; each with its line and column and a remedy. Source: RFC 8259, with // and /* */
+// comments and a comma allowed behind the last value.
 #pragma once
 
 #include <string>
@@ -9,6 +12,9 @@
 #include "weft/source.h"
 
 namespace weft {
+
+// A longer source line is left out of the excerpts: a fault in a minified file would carry all of it.
+inline constexpr size_t kMaxExcerptBytes = 4096;
 
 enum class JsonKind : uint8_t { null, boolean, number, string, array, object };
 
@@ -21,7 +27,7 @@ struct JsonNode {
     std::string string;               // also the exact spelling of numbers
     std::vector<JsonNode> items;      // arrays
     std::vector<JsonMember> members;  // objects, in the order written
-    SourceLoc loc;
+    SourceLoc loc;                    // of the whole token, quotes included; of the opening brace or bracket
 
     [[nodiscard]] const JsonNode* find(std::string_view key) const;
 };

@@ -34,6 +34,7 @@ enum class ExprOp : uint8_t {
     ceil,
     floor,
     log2,
+    make_size,  // two numbers to a size: "size": [w, h]
 };
 
 struct ExprNode {

@@ -1,0 +1,136 @@
+#include <map>
+
+#include "graph/expression.h"
+#include "graph/parse_context.h"
+#include "graph/stages.h"
+
+namespace weft {
+namespace {
+
+constexpr int64_t kFormatVersion = 1;
+constexpr int64_t kMaxFrames = 1'000'000;
+
+const std::vector<std::string>& import_kinds() {
+    static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube", "output"};
+    return kinds;
+}
+
+void read_version(ParseContext& context, const JsonNode& node, GraphDesc&) {
+    double version = 0;
+    if (!read_number(context, node, version) || version == static_cast<double>(kFormatVersion)) return;
+    context.error(node.loc, "W109", "version " + node.string + " of the graph format is not known",
+                  "this program reads version 1");
+}
+
+void read_import_kind(ParseContext& context, const JsonNode& node, ImportDesc& import) {
+    if (!read_string(context, node, import.kind)) return;
+    for (const std::string& kind : import_kinds())
+        if (kind == import.kind) return;
+    Diagnostic& error = context.error(node.loc, "W118", "unknown kind of import \"" + import.kind + "\"");
+    const std::string near = did_you_mean_text(import.kind, import_kinds());
+    if (!near.empty()) error.help.push_back(near);
+    error.help.push_back("kinds are " + quoted_list(import_kinds()));
+}
+
+void read_imports(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    static constexpr std::array kKeys{KeyRule<ImportDesc>{"kind", read_import_kind}};
+    read_named(context, node, "an import", [&](const JsonMember& member) {
+        ImportDesc import{member.key, {}, member.key_loc};
+        if (!read_object(context, member.value, "an import", kKeys, import)) return;
+        if (member.value.find("kind") == nullptr)
+            missing_key(context, member.key_loc, "an import", "kind",
+                        "kinds are " + quoted_list(import_kinds()));
+        graph.imports.emplace(member.key, std::move(import));
+    });
+}
+
+void read_consts(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "a constant", [&](const JsonMember& member) {
+        double value = 0;
+        if (read_number(context, member.value, value)) graph.consts.emplace(member.key, value);
+    });
+}
+
+void read_sizes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "a size", [&](const JsonMember& member) {
+        Expr size;
+        if (read_size(context, member.value, size)) graph.sizes.emplace(member.key, std::move(size));
+    });
+}
+
+void read_frames(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    int64_t frames = 1;
+    if (read_integer(context, node, 1, kMaxFrames, frames)) graph.frames = static_cast<uint32_t>(frames);
+}
+
+void read_text(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_string(context, node, graph.name);
+}
+
+// For editors only; any string will do.
+void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
+    expect(context, node, JsonKind::string);
+}
+
+constexpr std::array kTopKeys{
+    KeyRule<GraphDesc>{"$schema", skip_schema}, KeyRule<GraphDesc>{"version", read_version},
+    KeyRule<GraphDesc>{"name", read_text},      KeyRule<GraphDesc>{"imports", read_imports},
+    KeyRule<GraphDesc>{"consts", read_consts},  KeyRule<GraphDesc>{"params", parse_params},
+    KeyRule<GraphDesc>{"sizes", read_sizes},    KeyRule<GraphDesc>{"resources", parse_resources},
+    KeyRule<GraphDesc>{"passes", parse_passes}, KeyRule<GraphDesc>{"frames", read_frames},
+};
+
+// Names of these sections are used side by side, so each must be unique among all of them.
+void check_shared_names(ParseContext& context, const JsonNode& root,
+                        std::span<const std::string_view> sections, bool in_expressions) {
+    std::map<std::string, SourceLoc> first;
+    for (const std::string_view section : sections) {
+        const JsonNode* node = root.find(section);
+        if (node == nullptr) continue;
+        const PointerScope section_scope(context, section);
+        for (const JsonMember& member : node->members) {
+            const PointerScope scope(context, member.key);
+            if (in_expressions && is_reserved_word(member.key))
+                context.error(member.key_loc, "W109",
+                              "\"" + member.key + "\" has a meaning of its own in expressions",
+                              "choose another name");
+            const auto [it, is_new] = first.emplace(member.key, member.key_loc);
+            if (is_new) continue;
+            Diagnostic& error =
+                context.error(member.key_loc, "W109", "the name \"" + member.key + "\" is taken");
+            error.help.emplace_back("choose another: references could not tell the two apart");
+            error.notes.push_back({error.file, it->second.line, it->second.column, "first used here"});
+        }
+    }
+}
+
+// "graphs/deferred.json" → "deferred"
+std::string stem(const std::string& path) {
+    const size_t slash = path.find_last_of('/');
+    const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+    return file.substr(0, file.find('.'));
+}
+
+}  // namespace
+
+Result<GraphDesc> parse(const JsonDoc& document) {
+    static constexpr std::array<std::string_view, 3> kExpressionNames{"consts", "params", "sizes"};
+    static constexpr std::array<std::string_view, 2> kReferenceNames{"imports", "resources"};
+    GraphDesc graph;
+    graph.sources = document.sources;
+    if (!graph.sources.files.empty()) graph.name = stem(graph.sources.files.front().path);
+    ParseContext context(document.sources);
+    const JsonNode& root = document.root;
+    if (read_object(context, root, "a graph", kTopKeys, graph)) {
+        if (root.find("version") == nullptr)
+            missing_key(context, root.loc, "a graph", "version", "write \"version\": 1 first");
+        if (root.find("passes") == nullptr)
+            missing_key(context, root.loc, "a graph", "passes", "write \"passes\": { … }");
+        check_shared_names(context, root, kExpressionNames, true);
+        check_shared_names(context, root, kReferenceNames, false);
+    }
+    if (context.has_errors()) return context.take_errors();
+    return graph;
+}
+
+}  // namespace weft

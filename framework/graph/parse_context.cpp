@@ -1,0 +1,265 @@
+#include "graph/parse_context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graph/expression.h"
+
+namespace weft {
+namespace {
+
+constexpr size_t kMaxErrors = 100;
+constexpr size_t kShortList = 16;
+
+// Keys of the format that this version does not have: more helpful than "unknown".
+constexpr std::array<std::string_view, 16> kLaterKeys{
+    "tiers",   "include",    "debug",    "tests", "repeat", "if",      "else",    "perFrame",
+    "history", "firstFrame", "onResize", "keep",  "cube",   "samples", "resolve", "optional"};
+
+}  // namespace
+
+Diagnostic& ParseContext::error(SourceLoc loc, std::string code, std::string message) {
+    if (errors_.size() >= kMaxErrors) return dropped_ = Diagnostic{};
+    add({sources_.error(loc, std::move(code), std::move(message))});
+    return errors_.back();
+}
+
+void ParseContext::error(SourceLoc loc, std::string code, std::string message, std::string help) {
+    error(loc, std::move(code), std::move(message)).help.push_back(std::move(help));
+}
+
+void ParseContext::add(Diagnostics errors) {
+    for (Diagnostic& one : errors) {
+        if (errors_.size() >= kMaxErrors) return;
+        one.pointer = pointer();
+        if (one.source_line.size() > kMaxExcerptBytes) one.source_line.clear();
+        errors_.push_back(std::move(one));
+    }
+}
+
+Diagnostics ParseContext::take_errors() {
+    if (errors_.size() >= kMaxErrors) errors_.back().help.emplace_back("only the first 100 errors are shown");
+    std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+        return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    });
+    return std::move(errors_);
+}
+
+// RFC 6901
+std::string ParseContext::pointer() const {
+    std::string text;
+    for (const std::string& key : path_) {
+        text += '/';
+        for (const char c : key) {
+            if (c == '~')
+                text += "~0";
+            else if (c == '/')
+                text += "~1";
+            else
+                text += c;
+        }
+    }
+    return text;
+}
+
+void wrong_type(ParseContext& context, const JsonNode& node, std::string_view wanted) {
+    Diagnostic& error =
+        context.error(node.loc, "W102",
+                      std::string("found ") + json_kind_name(node.kind) + ", wanted " + std::string(wanted));
+    if (node.kind == JsonKind::string && wanted == json_kind_name(JsonKind::number))
+        error.help.emplace_back("write the number without quotes");
+    else if (node.kind == JsonKind::string && wanted == json_kind_name(JsonKind::boolean))
+        error.help.emplace_back("write true or false without quotes");
+    else if (wanted == json_kind_name(JsonKind::object))
+        error.help.emplace_back("write { … } here");
+    else if (wanted == json_kind_name(JsonKind::array))
+        error.help.emplace_back("write [ … ] here");
+    else
+        error.help.emplace_back("write a value of that kind here");
+}
+
+bool expect(ParseContext& context, const JsonNode& node, JsonKind wanted) {
+    if (node.kind == wanted) return true;
+    wrong_type(context, node, json_kind_name(wanted));
+    return false;
+}
+
+bool read_string(ParseContext& context, const JsonNode& node, std::string& out) {
+    if (!expect(context, node, JsonKind::string)) return false;
+    if (node.string.empty()) {
+        context.error(node.loc, "W109", "the string is empty", "write something, or leave the key out");
+        return false;
+    }
+    out = node.string;
+    return true;
+}
+
+bool read_bool(ParseContext& context, const JsonNode& node, bool& out) {
+    if (!expect(context, node, JsonKind::boolean)) return false;
+    out = node.boolean;
+    return true;
+}
+
+bool read_number(ParseContext& context, const JsonNode& node, double& out) {
+    if (!expect(context, node, JsonKind::number)) return false;
+    out = node.number;
+    return true;
+}
+
+bool read_float(ParseContext& context, const JsonNode& node, float& out) {
+    double number = 0;
+    if (!read_number(context, node, number)) return false;
+    if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max())) {
+        context.error(node.loc, "W109", "the number is out of range", "single precision ends at 3.4e38");
+        return false;
+    }
+    out = static_cast<float>(number);
+    return true;
+}
+
+bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int64_t max, int64_t& out) {
+    double number = 0;
+    if (!read_number(context, node, number)) return false;
+    if (number != std::floor(number) || number < static_cast<double>(min) ||
+        number > static_cast<double>(max)) {
+        context.error(node.loc, "W109", "found " + node.string + ", wanted a whole number",
+                      "it may be " + std::to_string(min) + " to " + std::to_string(max));
+        return false;
+    }
+    out = static_cast<int64_t>(number);
+    return true;
+}
+
+bool read_byte(ParseContext& context, const JsonNode& node, uint8_t& out) {
+    int64_t value = 0;
+    if (!read_integer(context, node, 0, 255, value)) return false;
+    out = static_cast<uint8_t>(value);
+    return true;
+}
+
+bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out) {
+    if (!expect(context, node, JsonKind::array)) return false;
+    if (node.items.size() != out.size()) {
+        context.error(
+            node.loc, "W109",
+            "found " + std::to_string(node.items.size()) + " values, wanted " + std::to_string(out.size()),
+            "write " + std::to_string(out.size()) + " numbers");
+        return false;
+    }
+    bool good = true;
+    for (size_t i = 0; i < out.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        good = read_number(context, node.items[i], out[i]) && good;
+    }
+    return good;
+}
+
+void read_color(ParseContext& context, const JsonNode& node, std::optional<std::array<float, 4>>& out) {
+    std::array<float, 4> color{};
+    if (node.kind == JsonKind::number) {
+        if (!read_float(context, node, color[0])) return;
+        color.fill(color[0]);
+        out = color;
+        return;
+    }
+    std::array<double, 4> numbers{};
+    if (node.kind != JsonKind::array) return wrong_type(context, node, "a number or four numbers");
+    if (!read_numbers(context, node, numbers)) return;
+    for (size_t i = 0; i < color.size(); ++i)
+        if (!read_float(context, node.items[i], color[i])) return;
+    out = color;
+}
+
+bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
+    if (node.kind == JsonKind::number) {
+        out = number_expression(node.number, node.loc);
+        return true;
+    }
+    if (node.kind != JsonKind::string) {
+        wrong_type(context, node, "a number or an expression in a string");
+        return false;
+    }
+    Result<Expr> parsed = parse_expression({node.string, node.loc}, context.sources());
+    if (!parsed) {
+        context.add(parsed.take_errors());
+        return false;
+    }
+    out = std::move(*parsed);
+    return true;
+}
+
+bool read_size(ParseContext& context, const JsonNode& node, Expr& out) {
+    if (node.kind != JsonKind::array) return read_expression(context, node, out);
+    if (node.items.size() != 2) {
+        context.error(node.loc, "W109", "found " + std::to_string(node.items.size()) + " values, wanted two",
+                      "a size is [width, height]");
+        return false;
+    }
+    Expr width, height;
+    const bool has_width = read_expression(context, node.items[0], width);
+    if (!read_expression(context, node.items[1], height) || !has_width) return false;
+    out = size_expression(width, height, node.loc);
+    return true;
+}
+
+void read_names(ParseContext& context, const JsonNode& node, std::vector<std::string>& names,
+                std::vector<SourceLoc>& locs) {
+    if (!expect(context, node, JsonKind::array)) return;
+    for (size_t i = 0; i < node.items.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        std::string name;
+        if (!read_string(context, node.items[i], name)) continue;
+        names.push_back(std::move(name));
+        locs.push_back(node.items[i].loc);
+    }
+}
+
+bool check_identifier(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc) {
+    if (is_identifier(name)) return true;
+    context.error(loc, "W109", "\"" + name + "\" cannot be the name of " + std::string(what),
+                  "names are made of letters, digits and _, and do not begin with a digit");
+    return false;
+}
+
+std::string quoted_list(const std::vector<std::string>& names) {
+    std::string text;
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+        text += "\"" + names[i] + "\"";
+    }
+    return text;
+}
+
+void unknown_key(ParseContext& context, const JsonMember& member, std::string_view what,
+                 const std::vector<std::string>& allowed) {
+    Diagnostic& error =
+        context.error(member.key_loc, "W101", "unknown key \"" + member.key + "\" in " + std::string(what));
+    if (std::find(kLaterKeys.begin(), kLaterKeys.end(), member.key) != kLaterKeys.end()) {
+        error.help.push_back("\"" + member.key + "\" is not available in this version");
+        return;
+    }
+    const std::string near = did_you_mean_text(member.key, allowed);
+    if (!near.empty()) error.help.push_back(near);
+    if (allowed.size() <= kShortList)
+        error.help.push_back(allowed.empty() ? "no keys are allowed here"
+                                             : "keys are " + quoted_list(allowed));
+    else if (near.empty())
+        error.help.emplace_back("remove it, or move it to where it belongs");
+}
+
+void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, std::string_view key,
+                 std::string help) {
+    context.error(loc, "W108", std::string(what) + " needs the key \"" + std::string(key) + "\"",
+                  std::move(help));
+}
+
+void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
+                const std::vector<std::string>& allowed) {
+    Diagnostic& error = context.error(node.loc, "W109", "\"" + found + "\" is not among the allowed values");
+    const std::string near = did_you_mean_text(found, allowed);
+    if (!near.empty()) error.help.push_back(near);
+    error.help.push_back("values are " + quoted_list(allowed));
+}
+
+}  // namespace weft

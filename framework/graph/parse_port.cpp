@@ -1,0 +1,123 @@
+#include "graph/parse_context.h"
+#include "graph/reference.h"
+
+namespace weft {
+namespace {
+
+struct PortDraft {
+    PortDesc port;
+    std::optional<std::array<float, 4>> clear;
+    bool has_ref = false;
+};
+
+constexpr std::array kFilters{Choice<SamplerFilter>{"nearest", SamplerFilter::nearest},
+                              Choice<SamplerFilter>{"linear", SamplerFilter::linear}};
+constexpr std::array kWraps{
+    Choice<SamplerWrap>{"clamp", SamplerWrap::clamp}, Choice<SamplerWrap>{"repeat", SamplerWrap::repeat},
+    Choice<SamplerWrap>{"mirror", SamplerWrap::mirror}, Choice<SamplerWrap>{"border", SamplerWrap::border}};
+constexpr std::array kCompares{Choice<bool>{"none", false}, Choice<bool>{"greater_equal", true}};
+
+constexpr std::array kSamplerKeys{
+    KeyRule<SamplerDecl>{"filter", [](ParseContext& c, const JsonNode& n,
+                                      SamplerDecl& s) { read_choice(c, n, kFilters, s.filter); }},
+    KeyRule<SamplerDecl>{"mipFilter", [](ParseContext& c, const JsonNode& n,
+                                         SamplerDecl& s) { read_choice(c, n, kFilters, s.mip_filter); }},
+    KeyRule<SamplerDecl>{"wrap", [](ParseContext& c, const JsonNode& n,
+                                    SamplerDecl& s) { read_choice(c, n, kWraps, s.wrap); }},
+    KeyRule<SamplerDecl>{"compare",
+                         [](ParseContext& c, const JsonNode& n, SamplerDecl& s) {
+                             read_choice(c, n, kCompares, s.compare_greater_equal);
+                         }},
+};
+
+void read_ref(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    draft.has_ref = true;
+    if (!expect(context, node, JsonKind::string)) return;
+    Result<RefDesc> ref = parse_reference({node.string, node.loc}, context.sources());
+    if (ref)
+        draft.port.ref = std::move(*ref);
+    else
+        context.add(ref.take_errors());
+}
+
+void read_sampler(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    read_object(context, node, "a sampler", kSamplerKeys, draft.port.sampler.emplace());
+}
+
+void read_clear(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    read_color(context, node, draft.clear);
+}
+
+constexpr std::array kInputKeys{KeyRule<PortDraft>{"ref", read_ref},
+                                KeyRule<PortDraft>{"sampler", read_sampler}};
+constexpr std::array kOutputKeys{KeyRule<PortDraft>{"ref", read_ref},
+                                 KeyRule<PortDraft>{"clear", read_clear}};
+
+template <size_t N>
+PortDraft read_port(ParseContext& context, const JsonNode& node, std::string name, SourceLoc loc,
+                    std::string_view what, const std::array<KeyRule<PortDraft>, N>& keys) {
+    PortDraft draft;
+    draft.port.port = std::move(name);
+    draft.port.loc = loc;
+    if (node.kind != JsonKind::object)
+        wrong_type(context, node, "a reference in a string");
+    else if (read_object(context, node, what, keys, draft) && !draft.has_ref)
+        missing_key(context, loc, what, "ref", "say which resource: {\"ref\": \"name\"}");
+    return draft;
+}
+
+// A bare reference that is no good names no good port either; that is one fault, not two.
+bool is_port_map(ParseContext& context, const JsonNode& node) {
+    if (node.kind == JsonKind::object) return true;
+    if (node.kind != JsonKind::array) {
+        wrong_type(context, node, "a list of references or an object of ports");
+        return false;
+    }
+    for (size_t i = 0; i < node.items.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        expect(context, node.items[i], JsonKind::string);
+    }
+    return false;
+}
+
+bool named_by_reference(const JsonMember& member) {
+    const JsonNode* ref = member.value.find("ref");
+    return ref != nullptr && ref->loc.line == member.key_loc.line && ref->loc.column == member.key_loc.column;
+}
+
+template <class F>
+void read_ports(ParseContext& context, const JsonNode& node, F read) {
+    if (!is_port_map(context, node)) return;
+    for (const JsonMember& member : node.members) {
+        const PointerScope scope(context, member.key);
+        if (named_by_reference(member) || check_identifier(context, "a port", member.key, member.key_loc))
+            read(member);
+    }
+}
+
+}  // namespace
+
+void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_ports(context, node, [&](const JsonMember& member) {
+        PortDraft draft =
+            read_port(context, member.value, member.key, member.key_loc, "an input", kInputKeys);
+        pass.in.push_back(std::move(draft.port));
+    });
+}
+
+void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_ports(context, node, [&](const JsonMember& member) {
+        PortDraft draft =
+            read_port(context, member.value, member.key, member.key_loc, "an output", kOutputKeys);
+        if (draft.clear) pass.clear_ports.emplace(member.key, *draft.clear);
+        pass.out.push_back(std::move(draft.port));
+    });
+}
+
+void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    PortDraft draft = read_port(context, node, "depth", node.loc, "a depth attachment", kOutputKeys);
+    if (draft.clear) pass.clear_ports.emplace("depth", *draft.clear);
+    pass.depth = std::move(draft.port);
+}
+
+}  // namespace weft
