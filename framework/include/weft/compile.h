@@ -13,7 +13,8 @@ struct CompileOptions {
     uint64_t granularity_bytes = 64;
 };
 
-// Runs cull to link. In debug builds the plan is proved by the checker afterwards (an assertion).
+// Runs cull to link. The checker shares no code with these stages and is not called here: callers prove the plan with
+// check_plan() (framework/check/check_plan.h), as every test and every debug build does.
 [[nodiscard]] FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs,
                                 const CompileOptions& options);
 

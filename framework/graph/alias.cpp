@@ -1,0 +1,93 @@
+// Where every transient lives. Resources that may live in the same heap are packed together; buffers and
+// images stay apart where the device's granularity asks for it, which costs less than padding every
+// placement.
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "graph/alias_hand_over.h"
+#include "graph/alias_pack.h"
+#include "graph/stages.h"
+
+namespace weft {
+namespace {
+
+struct HeapKey {
+    bool buffers = false;
+    uint32_t type_bits = UINT32_MAX;
+    bool operator<(const HeapKey& other) const {
+        return std::tie(buffers, type_bits) < std::tie(other.buffers, other.type_bits);
+    }
+};
+
+using Groups = std::map<HeapKey, std::vector<ResourceId>>;
+
+Groups group_by_heap(const ResolvedGraph& graph, const Lifetimes& spans, const MemoryNeeds& needs,
+                     bool keep_apart) {
+    Groups groups;
+    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+        if (spans.spans[id].first > spans.spans[id].last || needs[id].size_bytes == 0) continue;
+        const bool buffers = keep_apart && graph.resources[id].kind == ResourceKind::buffer;
+        groups[{buffers, needs[id].type_bits}].push_back(id);
+    }
+    return groups;
+}
+
+struct Peak {
+    uint64_t bytes = 0;
+    uint32_t position = 0;
+};
+
+Peak find_peak(const std::vector<ResourceId>& resources, const Lifetimes& spans, const MemoryNeeds& needs) {
+    std::map<uint32_t, int64_t> changes;  // by position: bytes that start there less bytes that ended before
+    for (const ResourceId id : resources) {
+        changes[spans.spans[id].first] += static_cast<int64_t>(needs[id].size_bytes);
+        changes[spans.spans[id].last + 1] -= static_cast<int64_t>(needs[id].size_bytes);
+    }
+    Peak peak;
+    int64_t bytes = 0;
+    for (const auto& [position, change] : changes) {
+        bytes += change;
+        if (bytes > static_cast<int64_t>(peak.bytes)) peak = {static_cast<uint64_t>(bytes), position};
+    }
+    return peak;
+}
+
+void place_group(const std::vector<ResourceId>& group, const Lifetimes& spans, const MemoryNeeds& needs,
+                 HeapKey key, MemoryPlan& plan) {
+    std::vector<PackItem> items;
+    for (const ResourceId id : group)
+        items.push_back({needs[id].size_bytes, std::max<uint64_t>(needs[id].alignment_bytes, 1),
+                         spans.spans[id].first, spans.spans[id].last});
+    const Packing packing = pack(items, find_peak(group, spans, needs).bytes);
+    const auto heap = static_cast<uint32_t>(plan.heaps.size());
+    plan.heaps.push_back({packing.height_bytes, key.type_bits, key.buffers});
+    for (size_t i = 0; i < group.size(); ++i)
+        plan.placements.push_back({group[i], heap, packing.offsets_bytes[i], items[i].size_bytes});
+    plan.heap_bytes += packing.height_bytes;
+}
+
+}  // namespace
+
+MemoryPlan alias(const ResolvedGraph& graph, const Schedule&, const Lifetimes& spans,
+                 const MemoryNeeds& needs, uint64_t granularity_bytes) {
+    MemoryPlan plan;
+    const Groups groups = group_by_heap(graph, spans, needs, granularity_bytes > 1);
+    std::vector<ResourceId> placed;
+    for (const auto& [key, group] : groups) {
+        place_group(group, spans, needs, key, plan);
+        placed.insert(placed.end(), group.begin(), group.end());
+    }
+    for (const ResourceId id : placed) plan.sum_bytes += needs[id].size_bytes;
+    const Peak peak = find_peak(placed, spans, needs);
+    plan.peak_live_bytes = peak.bytes;
+    plan.peak_position = peak.position;
+    std::sort(plan.placements.begin(), plan.placements.end(), [](const Placement& a, const Placement& b) {
+        return std::tie(a.heap, a.offset_bytes, a.resource) < std::tie(b.heap, b.offset_bytes, b.resource);
+    });
+    plan.hand_overs = hand_overs(plan.placements, spans);
+    return plan;
+}
+
+}  // namespace weft

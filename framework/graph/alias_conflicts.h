@@ -1,0 +1,44 @@
+// Purpose: for an item about to be placed, the bytes already taken by items that live at the same time.
+// Sparse graphs visit only an item's neighbours in time; dense ones scan everything placed, which is cheaper
+// than keeping nearly all pairs.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "graph/alias_pack.h"
+
+namespace weft {
+
+struct ByteSpan {
+    uint64_t begin_bytes = 0;
+    uint64_t end_bytes = 0;
+};
+
+class Conflicts {
+ public:
+    explicit Conflicts(const std::vector<PackItem>& items);
+
+    void clear();
+    void place(uint32_t item, uint64_t offset_bytes);
+    // Sorted by offset; valid until the next call.
+    [[nodiscard]] const std::vector<ByteSpan>& taken(uint32_t item);
+    [[nodiscard]] bool dense() const { return dense_; }
+
+ private:
+    struct Placed {
+        uint64_t offset_bytes = 0;
+        uint32_t item = 0;
+    };
+
+    void find_neighbours();
+
+    const std::vector<PackItem>& items_;
+    bool dense_ = false;
+    std::vector<Placed> placed_;                     // dense: sorted by offset
+    std::vector<uint64_t> offsets_bytes_;            // sparse: by item, kUnplaced until placed
+    std::vector<std::vector<uint32_t>> neighbours_;  // sparse: by item
+    std::vector<ByteSpan> taken_;
+};
+
+}  // namespace weft

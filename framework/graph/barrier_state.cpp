@@ -1,0 +1,104 @@
+#include "graph/barrier_state.h"
+
+namespace weft {
+namespace {
+
+// One state for the first read and all that follow in its layout, up to the next write.
+AccessState merged_reads(std::span<const Touch> touches) {
+    AccessState state = touches.front().state;
+    for (const Touch& touch : touches) {
+        if (touch.writes || touch.state.layout != state.layout) break;
+        state.stages |= touch.state.stages;
+        state.access |= touch.state.access;
+    }
+    return state;
+}
+
+}  // namespace
+
+SubresourceState::SubresourceState(const AccessState& entry)
+    : taken_over_(false), entered_(true), layout_(entry.layout) {
+    unflushed_ = entry.access & access::kAllWrites;
+    if (unflushed_ != 0) {
+        writer_stages_ = entry.stages;
+        return;
+    }
+    reader_stages_ = entry.stages;
+    visible_.fill(~access::kNone);  // nobody has written: there is nothing to make visible
+}
+
+bool SubresourceState::visible(const AccessState& state) const {
+    for (int s = 0; s < stage::kCount; ++s)
+        if ((state.stages & (1u << s)) && (state.access & ~visible_[static_cast<size_t>(s)])) return false;
+    return true;
+}
+
+bool SubresourceState::needs_barrier(const Touch& touch) const {
+    if (taken_over_ || layout_ != touch.state.layout || unflushed_ != 0) return true;
+    if (touch.writes) return (reader_stages_ | writer_stages_) != 0;
+    return !visible(touch.state);
+}
+
+BarrierReason SubresourceState::reason(const Touch& touch) const {
+    if (taken_over_) return BarrierReason::hand_over;
+    if (entered_) return BarrierReason::acquire_import;
+    if (unflushed_ != 0) return touch.reads ? BarrierReason::raw : BarrierReason::waw;
+    return touch.writes ? BarrierReason::war : BarrierReason::layout;
+}
+
+std::optional<CellBarrier> SubresourceState::advance(std::span<const Touch> touches) {
+    const Touch& touch = touches.front();
+    std::optional<CellBarrier> barrier;
+    if (needs_barrier(touch)) {
+        const Pending before = pending();
+        barrier = CellBarrier{.position = touch.position,
+                              .cell = 0,
+                              .src = {before.stages, before.writes, before.layout},
+                              .dst = touch.writes ? touch.state : merged_reads(touches),
+                              .reason = reason(touch),
+                              .from = before.pass};
+        apply_barrier(*barrier);
+    }
+    apply_touch(touch);
+    return barrier;
+}
+
+void SubresourceState::apply_barrier(const CellBarrier& barrier) {
+    // A layout change rewrites the memory: what was visible is not any more.
+    if (layout_ != barrier.dst.layout || unflushed_ != 0) visible_.fill(access::kNone);
+    for (int s = 0; s < stage::kCount; ++s)
+        if (barrier.dst.stages & (1u << s)) visible_[static_cast<size_t>(s)] |= barrier.dst.access;
+    layout_ = barrier.dst.layout;
+    unflushed_ = access::kNone;
+    reader_stages_ = stage::kNone;
+    pass_ = kNoId;
+    several_ = false;
+    taken_over_ = false;
+    entered_ = false;
+}
+
+void SubresourceState::apply_touch(const Touch& touch) {
+    note_pass(touch.pass);
+    if (!touch.writes) {
+        reader_stages_ |= touch.state.stages;
+        return;
+    }
+    writer_stages_ = touch.state.stages;
+    unflushed_ = touch.state.access & access::kAllWrites;
+    reader_stages_ = stage::kNone;
+    visible_.fill(access::kNone);
+    written_ = true;
+}
+
+void SubresourceState::note_pass(PassId pass) {
+    const bool waits_for_outside = entered_ && (reader_stages_ | writer_stages_) != 0;
+    several_ = several_ || waits_for_outside || (pass_ != kNoId && pass_ != pass);
+    pass_ = several_ ? kNoId : pass;
+    entered_ = false;
+}
+
+Pending SubresourceState::pending() const {
+    return {reader_stages_ != 0 ? reader_stages_ : writer_stages_, unflushed_, layout_, pass_, written_};
+}
+
+}  // namespace weft

@@ -1,0 +1,29 @@
+#include "weft/compile.h"
+
+#include <utility>
+
+#include "graph/stages.h"
+
+namespace weft {
+
+FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const CompileOptions& options) {
+    LiveGraph live = cull(graph, options.keep_all_passes);
+    Schedule order = schedule(graph, live, needs);
+    Lifetimes spans = lifetimes(graph, live, order);
+    MemoryPlan memory = alias(graph, order, spans, needs, options.granularity_bytes);
+    std::vector<std::vector<AttachmentOps>> attachments = attachment_ops(graph, live, order);
+    BarrierPlan barrier_plan = barriers(graph, order, spans, memory, std::move(attachments));
+    SubmissionPlan submission_plan = submissions(graph, order, barrier_plan);
+    return link(graph, std::move(live), std::move(order), std::move(spans), std::move(memory),
+                std::move(barrier_plan), std::move(submission_plan));
+}
+
+MemoryNeeds content_needs(const ResolvedGraph& graph, uint64_t alignment_bytes) {
+    MemoryNeeds needs(graph.resources.size());
+    for (ResourceId id = 0; id < graph.resources.size(); ++id)
+        if (graph.resources[id].lifetime != ResourceLifetime::imported)
+            needs[id] = {content_bytes(graph.resources[id]), alignment_bytes, UINT32_MAX};
+    return needs;
+}
+
+}  // namespace weft

@@ -1,0 +1,23 @@
+#include <algorithm>
+
+#include "graph/stages.h"
+
+namespace weft {
+
+Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order) {
+    Lifetimes result;
+    result.spans.resize(graph.resources.size());
+    for (uint32_t position = 0; position < order.order.size(); ++position) {
+        for (const UseDecl& use : graph.passes[order.order[position]].uses) {
+            const bool counts = live.live_resources[use.resource] &&
+                                graph.resources[use.resource].lifetime == ResourceLifetime::transient;
+            if (!counts) continue;
+            LifetimeSpan& span = result.spans[use.resource];
+            if (span.first > span.last) span.first = position;
+            span.last = position;
+        }
+    }
+    return result;
+}
+
+}  // namespace weft

@@ -1,0 +1,87 @@
+// XXH3, 128 bits, over every field of the plan in the order of plan_fields.h; each sequence and text is led
+// by its length, so that no two plans run together to the same bytes.
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <xxhash.h>
+
+#include "graph/plan_fields.h"
+#include "weft/compile.h"
+
+namespace weft {
+namespace {
+
+class HashVisitor {
+ public:
+    explicit HashVisitor(XXH3_state_t* state) : state_(state) {}
+
+    template <class T>
+    void operator()(const char*, const T& value) {
+        add(value);
+    }
+
+ private:
+    void word(uint64_t value) {
+        std::array<unsigned char, 8> bytes{};  // little-endian everywhere
+        for (size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<unsigned char>(value >> (8 * i));
+        XXH3_128bits_update(state_, bytes.data(), bytes.size());
+    }
+
+    void add(const std::string& text) {
+        word(text.size());
+        XXH3_128bits_update(state_, text.data(), text.size());
+    }
+    template <class T>
+    void add(const std::vector<T>& items) {
+        word(items.size());
+        for (const T& item : items) add(item);
+    }
+    template <class T, size_t N>
+    void add(const std::array<T, N>& items) {
+        for (const T& item : items) add(item);
+    }
+    template <class T>
+    void add(const std::optional<T>& item) {
+        word(item.has_value() ? 1 : 0);
+        if (item) add(*item);
+    }
+    template <class T>
+    void add(const T& value) {
+        if constexpr (std::is_same_v<T, double>)
+            word(std::bit_cast<uint64_t>(value));
+        else if constexpr (std::is_same_v<T, float>)
+            word(std::bit_cast<uint32_t>(value));
+        else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+            word(static_cast<uint64_t>(value));
+        else
+            visit_fields(*this, value);
+    }
+
+    XXH3_state_t* state_;
+};
+
+struct FreeState {
+    void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+};
+
+}  // namespace
+
+std::string plan_hash(const FramePlan& plan) {
+    const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
+    XXH3_128bits_reset(state.get());
+    HashVisitor visitor(state.get());
+    visit_fields(visitor, plan);
+    const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+    std::array<char, 33> text{};
+    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    return text.data();
+}
+
+}  // namespace weft
