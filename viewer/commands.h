@@ -27,7 +27,7 @@ enum class ExitCode : int {
 
 // Prints to stderr.
 void report(const Diagnostics& diagnostics);
-// The exit code that the first error's code stands for: W, S: input; V40x: device; V407, V408: lost.
+// The exit code that the first error's code stands for: W, S: input; V40x: device; V407, V408: lost; X520: usage.
 [[nodiscard]] ExitCode exit_code_for(const Diagnostics& errors);
 
 }  // namespace weft::viewer
