@@ -1,0 +1,26 @@
+#include "scene/builtin_scenes.h"
+
+#include "scene/builtin_atrium.h"
+#include "scene/builtin_spheres.h"
+
+namespace weft::scene {
+
+std::vector<std::string> builtin_scene_names() {
+    return {"atrium", "spheres"};
+}
+
+Result<Scene> make_builtin(std::string_view name) {
+    if (name == "atrium") return make_atrium();
+    if (name == "spheres") return make_spheres();
+    Diagnostic error;
+    error.code = "S120";
+    error.message = "no built-in scene is called \"" + std::string(name) + "\"";
+    const std::string hint = did_you_mean_text(std::string(name), builtin_scene_names());
+    if (!hint.empty()) error.help.push_back(hint);
+    std::string known = "the built-in scenes are:";
+    for (const std::string& scene : builtin_scene_names()) known += " builtin:" + scene;
+    error.help.push_back(known);
+    return error;
+}
+
+}  // namespace weft::scene
