@@ -1,5 +1,6 @@
-// Purpose: Vulkan's entry points as plain tables, one per instance and one per device. Nothing links to libvulkan's
-// symbols and nothing global is called after start-up, so two devices, or a fault injector, live side by side.
+// Purpose: Vulkan's entry points as plain tables, one per instance and one per device. Nothing links to
+// libvulkan's symbols and nothing global is called after start-up, so two devices, or a fault injector, live
+// side by side.
 // Errors: no loader library is an empty optional; an entry point that is not there is null.
 #pragma once
 
@@ -9,6 +10,7 @@
 #include <volk.h>
 
 #include <optional>
+#include <string>
 
 namespace weft::vk {
 
@@ -49,5 +51,8 @@ using DeviceFunctions = VolkDeviceTable;
 [[nodiscard]] std::optional<LoaderFunctions> load_loader(const char* library = kLoaderLibrary);
 [[nodiscard]] InstanceFunctions load_instance_functions(const LoaderFunctions& loader, VkInstance instance);
 [[nodiscard]] DeviceFunctions load_device_functions(const InstanceFunctions& functions, VkDevice device);
+
+// "1.3.239"
+[[nodiscard]] std::string version_text(uint32_t version);
 
 }  // namespace weft::vk
