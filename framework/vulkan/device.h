@@ -1,12 +1,16 @@
 // Purpose: an instance, a device and its queues, brought up by us or brought along by an embedder. Functions
-// are in per-device tables: swapping one pointer is how tests inject faults. Errors: V4xx "no device" carries
-// what to install; the program maps them to exit code 4.
+// are in per-device tables: swapping one pointer is how tests inject faults.
+// Errors, each with what to install or do; the program maps V401 to V406 to exit code 4:
+//   V401 no loader library    V402 no device           V403 no device of that name
+//   V404 a feature is missing V405 no validation layer V406 creation refused
+//   V407 time-out             V408 device lost         V409 any other failure       V410 out of memory
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "vulkan/device_features.h"
 #include "vulkan/functions.h"
 #include "vulkan/messages.h"
 #include "weft/device_profile.h"
@@ -16,8 +20,8 @@ namespace weft::vk {
 
 struct DeviceOptions {
     bool validate = false;  // core and synchronisation validation; any message is collected
-    std::string
-        device;  // index or part of a name; empty: the first discrete, integrated, virtual, then CPU one
+    // Index or part of a name. Empty: the first discrete, integrated, virtual, then CPU one that is fit.
+    std::string device;
     uint64_t timeout_ns = 10'000'000'000;  // for every fence
 };
 
@@ -31,7 +35,8 @@ struct DeviceInfo {
     std::string driver;  // "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
     std::string api_version;
     bool is_cpu = false;
-    std::vector<LayerInfo> layers;  // enabled ones
+    std::vector<LayerInfo> layers;     // enabled ones
+    std::vector<std::string> missing;  // what Weft needs and it lacks: "dynamicRendering"
     float timestamp_period_ns = 1;
     bool timestamps = false;
 };
@@ -45,7 +50,8 @@ class Device {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
     // An embedder's own objects; they are used, never destroyed. `queue` must support graphics and compute,
-    // and the device must have been made with required_features().
+    // and the device must have been made with required_features(); optional ones are taken to be off. Nothing
+    // reports to messages().
     [[nodiscard]] static Result<std::unique_ptr<Device>> adopt(VkInstance instance, VkPhysicalDevice physical,
                                                                VkDevice device, Queue queue);
     ~Device();
@@ -66,6 +72,8 @@ class Device {
     [[nodiscard]] uint64_t timeout_ns() const { return timeout_ns_; }
     [[nodiscard]] bool validating() const { return messenger_ != VK_NULL_HANDLE; }
 
+    [[nodiscard]] const OptionalFeatures& optional() const { return optional_; }  // the enabled ones
+
     // Index of a memory type that fits `type_bits` and has `wanted`, or UINT32_MAX.
     [[nodiscard]] uint32_t memory_type(uint32_t type_bits, VkMemoryPropertyFlags wanted) const;
     // Names an object for validation messages and captures; nothing without the debug extension.
@@ -73,6 +81,8 @@ class Device {
 
  private:
     Device() = default;
+    void tear_down();
+    friend std::vector<Message> destroy_device(std::unique_ptr<Device> device);
 
     MessageCollector messages_;
     VkInstance instance_ = VK_NULL_HANDLE;
@@ -86,18 +96,24 @@ class Device {
     DeviceFunctions functions_{};
     DeviceInfo info_;
     DeviceProfile profile_;
+    OptionalFeatures optional_;
     VkPhysicalDeviceMemoryProperties memory_{};
     uint64_t timeout_ns_ = 0;
     friend struct DeviceBuilder;
 };
 
+// Destroys a device and returns all messages, with those that destruction itself caused: objects that are
+// still alive are reported only then.
+[[nodiscard]] std::vector<Message> destroy_device(std::unique_ptr<Device> device);
+
 // What a run of the program reports about this machine without keeping a device: every device, layers,
 // versions.
 struct MachineReport {
     std::string loader_version;
-    std::vector<DeviceInfo> devices;
-    std::vector<LayerInfo> layers;
+    std::vector<DeviceInfo> devices;  // empty without a driver
+    std::vector<LayerInfo> layers;    // installed ones
 };
+// Errors: V401, V406.
 [[nodiscard]] Result<MachineReport> inspect_machine();
 
 }  // namespace weft::vk

@@ -1,0 +1,116 @@
+#include <utility>
+
+#include "vulkan/device.h"
+#include "vulkan/instance.h"
+#include "vulkan/messenger.h"
+#include "vulkan/physical_device.h"
+#include "vulkan/vk_result.h"
+
+namespace weft::vk {
+
+// Fills a Device step by step. On an error the half-made device goes out of scope and frees what it owns.
+struct DeviceBuilder {
+    std::unique_ptr<Device> device{new Device};
+
+    Status make_instance(const LoaderFunctions& loader, const DeviceOptions& options);
+    Status make_messenger();
+    Status make_device(const Candidate& chosen);
+    void describe(const Candidate& candidate);
+};
+
+Status DeviceBuilder::make_instance(const LoaderFunctions& loader, const DeviceOptions& options) {
+    MessageCollector* collector = options.validate ? &device->messages_ : nullptr;
+    Result<Instance> instance = vk::make_instance(loader, collector);
+    if (!instance) return instance.take_errors();
+    device->owned_ = true;
+    device->instance_ = instance->handle;
+    device->instance_functions_ = instance->functions;
+    device->debug_utils_ = instance->debug_utils;
+    device->info_.layers = std::move(instance->layers);
+    return options.validate ? make_messenger() : Status(Unit{});
+}
+
+Status DeviceBuilder::make_messenger() {
+    const VkDebugUtilsMessengerCreateInfoEXT info = messenger_create_info(device->messages_);
+    const VkResult result = device->instance_functions_.vkCreateDebugUtilsMessengerEXT(
+        device->instance_, &info, nullptr, &device->messenger_);
+    if (result != VK_SUCCESS) return vk_error(result, "creating the validation messenger");
+    return Unit{};
+}
+
+Status DeviceBuilder::make_device(const Candidate& chosen) {
+    const InstanceFunctions& fn = device->instance_functions_;
+    FeatureChain supported;
+    fn.vkGetPhysicalDeviceFeatures2(chosen.handle, &supported.head());
+    FeatureChain enabled;
+    required_features(enabled);
+    device->optional_ = enable_optional_features(supported, enabled);
+
+    const float priority = 1;
+    VkDeviceQueueCreateInfo queue{};
+    queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+    queue.queueFamilyIndex = chosen.family;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    VkDeviceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+    info.pNext = &enabled.head();
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    const VkResult result = fn.vkCreateDevice(chosen.handle, &info, nullptr, &device->device_);
+    if (result != VK_SUCCESS) {
+        Diagnostic error = vk_error(result, "creating a device on \"" + chosen.info.name + "\"");
+        if (error.code == "V409") error.code = "V406";
+        return error;
+    }
+    device->functions_ = load_device_functions(fn, device->device_);
+    device->queue_.family = chosen.family;
+    device->functions_.vkGetDeviceQueue(device->device_, chosen.family, 0, &device->queue_.handle);
+    return Unit{};
+}
+
+void DeviceBuilder::describe(const Candidate& candidate) {
+    const InstanceFunctions& fn = device->instance_functions_;
+    device->physical_ = candidate.handle;
+    std::vector<LayerInfo> layers = std::move(device->info_.layers);
+    device->info_ = candidate.info;
+    device->info_.layers = std::move(layers);
+    device->profile_ = make_profile(fn, candidate.handle);
+    device->profile_.storage_read_without_format = device->optional_.storage_read_without_format;
+    fn.vkGetPhysicalDeviceMemoryProperties(candidate.handle, &device->memory_);
+}
+
+Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
+    const Result<LoaderFunctions> loader = require_loader();
+    if (!loader) return loader.errors();
+    DeviceBuilder builder;
+    builder.device->timeout_ns_ = options.timeout_ns;
+    if (Status made = builder.make_instance(*loader, options); !made) return made.take_errors();
+    const auto candidates = list_devices(builder.device->instance_functions_, builder.device->instance_);
+    const Result<Candidate> chosen = choose_device(candidates, options.device);
+    if (!chosen) return chosen.errors();
+    if (Status made = builder.make_device(*chosen); !made) return made.take_errors();
+    builder.describe(*chosen);
+    return std::move(builder.device);
+}
+
+Result<std::unique_ptr<Device>> Device::adopt(VkInstance instance, VkPhysicalDevice physical, VkDevice device,
+                                              Queue queue) {
+    const Result<LoaderFunctions> loader = require_loader();
+    if (!loader) return loader.errors();
+    DeviceBuilder builder;
+    Device& made = *builder.device;
+    made.timeout_ns_ = DeviceOptions{}.timeout_ns;
+    made.instance_ = instance;
+    made.instance_functions_ = load_instance_functions(*loader, instance);
+    made.debug_utils_ = made.instance_functions_.vkSetDebugUtilsObjectNameEXT != nullptr;
+    Candidate candidate = describe_device(made.instance_functions_, physical, queue.family);
+    if (!candidate.info.missing.empty()) return unsuitable_error(candidate);
+    made.device_ = device;
+    made.functions_ = load_device_functions(made.instance_functions_, device);
+    made.queue_ = queue;
+    builder.describe(candidate);
+    return std::move(builder.device);
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,36 @@
+// Purpose: the devices of this machine as plain data, and the choice among them, which is a pure function.
+// Errors: V402 no device at all, V403 none of that name, V404 it lacks what Weft needs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "vulkan/device.h"
+
+namespace weft::vk {
+
+struct Candidate {
+    VkPhysicalDevice handle = VK_NULL_HANDLE;
+    VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
+    DeviceInfo info;      // info.missing: why it cannot be used
+    uint32_t family = 0;  // one that draws and computes
+};
+
+inline constexpr uint32_t kAnyFamily = UINT32_MAX;
+
+// Name, driver, version, what is missing. `family` is an embedder's choice; otherwise the first that does.
+[[nodiscard]] Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical,
+                                        uint32_t family = kAnyFamily);
+[[nodiscard]] std::vector<Candidate> list_devices(const InstanceFunctions& fn, VkInstance instance);
+// `wanted` is an index, part of a name, or empty.
+[[nodiscard]] Result<Candidate> choose_device(const std::vector<Candidate>& candidates,
+                                              const std::string& wanted);
+// V404, naming what is missing.
+[[nodiscard]] Diagnostic unsuitable_error(const Candidate& candidate);
+// V402, with the packages that bring a driver.
+[[nodiscard]] Diagnostic no_device_error();
+
+// The device as the compiler sees it.
+[[nodiscard]] DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physical);
+
+}  // namespace weft::vk
