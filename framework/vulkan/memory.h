@@ -1,5 +1,7 @@
 // Purpose: buffers and images with memory of their own, for what lives outside a plan's transient heap: scene
-// assets, the output, staging. Move-only; destroyed with their device still alive.
+// assets, the output, staging. Move-only; destroyed with their device still alive and no work pending on
+// them. Units: bytes. Errors: V407 time-out, V408 device lost, V410 out of memory, V420 sizes do not match,
+// V421 the device has no such image.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +39,8 @@ class Buffer {
 
 class Image {
  public:
-    // Format, extent, mips, layers, samples and usage are those of `decl`. The view covers all of it.
+    // Format, extent, mips, layers, samples and usage are those of `decl`. The view covers all of it; it
+    // is null where no usage can have one (only copied).
     [[nodiscard]] static Result<Image> create(Device& device, const ResourceDecl& decl);
     Image() = default;
     ~Image();
@@ -57,12 +60,15 @@ class Image {
 };
 
 // Copies before the first frame: waits for its own fence (Device::timeout_ns), so staging is gone when it
-// returns. Images end in shader_read_only, every mip of `levels` tightly packed.
+// returns. Both need transfer_dst among the target's usages; all that is submitted later to the same queue
+// sees the copy. After a time-out the objects in use are left alone, for the device may still read them.
 [[nodiscard]] Status upload_buffer(Device& device, const Buffer& target, std::span<const std::byte> bytes);
+// `levels`: the mips from 0 on, each with all its layers, tightly packed. Every mip of the image ends in
+// shader_read_only (depth: depth_read_only).
 [[nodiscard]] Status upload_image(Device& device, const Image& target,
                                   std::span<const std::span<const std::byte>> levels);
 
-// Creation info shared by Image and the transient heap, and the memory needs that alias() works from.
+// Creation info shared by Image and the transient heap, whose images share memory.
 [[nodiscard]] VkImageCreateInfo image_create_info(const ResourceDecl& decl);
 [[nodiscard]] VkBufferCreateInfo buffer_create_info(const ResourceDecl& decl);
 
