@@ -1,0 +1,159 @@
+// Which device is taken, and what is said when none is, without any device.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <thread>
+
+#include "vulkan/device_features.h"
+#include "vulkan/instance.h"
+#include "vulkan/physical_device.h"
+
+namespace weft::vk {
+namespace {
+
+Candidate candidate(const std::string& name, VkPhysicalDeviceType type) {
+    Candidate result;
+    result.type = type;
+    result.info.name = name;
+    return result;
+}
+
+std::vector<Candidate> three_devices() {
+    return {candidate("llvmpipe (LLVM 15)", VK_PHYSICAL_DEVICE_TYPE_CPU),
+            candidate("Integrated 620", VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU),
+            candidate("Discrete 9000", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU)};
+}
+
+std::string chosen(const std::vector<Candidate>& candidates, const std::string& wanted) {
+    const Result<Candidate> result = choose_device(candidates, wanted);
+    return result ? result->info.name : result.errors().front().code;
+}
+
+// Points the loader elsewhere while it lives.
+class ScopedEnvironment {
+ public:
+    ScopedEnvironment(const char* name, const char* value) : name_(name) {
+        if (const char* old = std::getenv(name)) old_ = old;
+        had_ = std::getenv(name) != nullptr;
+        setenv(name, value, 1);
+    }
+    ~ScopedEnvironment() {
+        if (had_) {
+            setenv(name_, old_.c_str(), 1);
+        } else {
+            unsetenv(name_);
+        }
+    }
+    ScopedEnvironment(const ScopedEnvironment&) = delete;
+    ScopedEnvironment& operator=(const ScopedEnvironment&) = delete;
+
+ private:
+    const char* name_;
+    std::string old_;
+    bool had_ = false;
+};
+
+bool mentions(const Diagnostics& errors, const std::string& word) {
+    return to_text(errors).find(word) != std::string::npos;
+}
+
+TEST(DeviceChoice, prefers_discrete_then_integrated_then_cpu) {
+    std::vector<Candidate> devices = three_devices();
+    EXPECT_EQ(chosen(devices, ""), "Discrete 9000");
+    devices.pop_back();
+    EXPECT_EQ(chosen(devices, ""), "Integrated 620");
+    devices.pop_back();
+    EXPECT_EQ(chosen(devices, ""), "llvmpipe (LLVM 15)");
+}
+
+TEST(DeviceChoice, skips_what_cannot_run_weft) {
+    std::vector<Candidate> devices = three_devices();
+    devices[2].info.missing = {"dynamicRendering"};
+    EXPECT_EQ(chosen(devices, ""), "Integrated 620");
+}
+
+TEST(DeviceChoice, takes_an_index_or_a_part_of_a_name) {
+    EXPECT_EQ(chosen(three_devices(), "0"), "llvmpipe (LLVM 15)");
+    EXPECT_EQ(chosen(three_devices(), "620"), "V403");  // all digits: an index
+    EXPECT_EQ(chosen(three_devices(), "Integrated"), "Integrated 620");
+}
+
+TEST(DeviceChoice, an_unknown_name_is_answered_with_the_list) {
+    const Result<Candidate> result = choose_device(three_devices(), "voodoo");
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.errors().front().code, "V403");
+    EXPECT_TRUE(mentions(result.errors(), "1: \"Integrated 620\""));
+}
+
+TEST(DeviceChoice, a_device_that_lacks_features_is_refused_by_their_names) {
+    std::vector<Candidate> devices{candidate("old", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU)};
+    devices[0].info.missing = {"dynamicRendering", "synchronization2"};
+    for (const char* wanted : {"", "old"}) {
+        const Result<Candidate> result = choose_device(devices, wanted);
+        ASSERT_FALSE(result.ok());
+        EXPECT_EQ(result.errors().front().code, "V404");
+        EXPECT_TRUE(mentions(result.errors(), "dynamicRendering, synchronization2"));
+    }
+}
+
+TEST(DeviceChoice, features_are_required_exactly_when_missing_ones_are_reported) {
+    const FeatureChain nothing;
+    const std::vector<std::string> missing = missing_features(nothing);
+    EXPECT_NE(std::find(missing.begin(), missing.end(), "dynamicRendering"), missing.end());
+    FeatureChain required;
+    required_features(required);
+    EXPECT_TRUE(missing_features(required).empty());
+}
+
+TEST(DeviceMissing, no_loader_names_its_package) {
+    const Result<LoaderFunctions> loader = require_loader("libnot-vulkan.so.1");
+    ASSERT_FALSE(loader.ok());
+    EXPECT_EQ(loader.errors().front().code, "V401");
+    EXPECT_TRUE(mentions(loader.errors(), "libvulkan1"));
+}
+
+TEST(DeviceMissing, no_driver_names_its_package) {
+    const ScopedEnvironment drivers("VK_DRIVER_FILES", "/nonexistent/driver.json");
+    const Result<std::unique_ptr<Device>> device = Device::create({});
+    ASSERT_FALSE(device.ok());
+    EXPECT_EQ(device.errors().front().code, "V402");
+    EXPECT_TRUE(mentions(device.errors(), "mesa-vulkan-drivers"));
+}
+
+TEST(DeviceMissing, a_machine_without_a_driver_is_still_described) {
+    const ScopedEnvironment drivers("VK_DRIVER_FILES", "/nonexistent/driver.json");
+    const Result<MachineReport> report = inspect_machine();
+    ASSERT_TRUE(report.ok()) << to_text(report.errors());
+    EXPECT_TRUE(report->devices.empty());
+    EXPECT_FALSE(report->loader_version.empty());
+}
+
+TEST(DeviceMissing, validation_without_its_layer_is_an_error) {
+    const ScopedEnvironment layers("VK_LAYER_PATH", "/nonexistent");
+    DeviceOptions options;
+    options.validate = true;
+    const Result<std::unique_ptr<Device>> device = Device::create(options);
+    ASSERT_FALSE(device.ok());
+    EXPECT_EQ(device.errors().front().code, "V405");
+    EXPECT_TRUE(mentions(device.errors(), "vulkan-validationlayers"));
+}
+
+TEST(MessageCollector, collects_from_many_threads_and_blames_the_current_pass) {
+    MessageCollector collector;
+    collector.set_current_pass("ssao");
+    {
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < 4; ++t) {
+            threads.emplace_back([&] {
+                for (int i = 0; i < 250; ++i) collector.add({MessageSeverity::error, "id", "", "text"});
+            });
+        }
+    }
+    collector.add({MessageSeverity::warning, "id", "tonemap", "a message that names its own"});
+    ASSERT_EQ(collector.count(), 1001u);
+    EXPECT_EQ(collector.messages().front().pass, "ssao");
+    EXPECT_EQ(collector.messages().back().pass, "tonemap");
+}
+
+}  // namespace
+}  // namespace weft::vk

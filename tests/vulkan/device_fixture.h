@@ -1,0 +1,39 @@
+// A validating device for each test. Ending with any message of the layers, or with an object left alive,
+// fails.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+
+#include "vulkan/device.h"
+
+namespace weft::vk {
+
+class DeviceTest : public testing::Test {
+ protected:
+    void SetUp() override {
+        DeviceOptions options;
+        options.validate = true;
+        Result<std::unique_ptr<Device>> made = Device::create(options);
+        ASSERT_TRUE(made.ok()) << to_text(made.errors());
+        device_ = std::move(*made);
+    }
+
+    void TearDown() override {
+        if (device_ == nullptr) return;
+        for (const Message& message : destroy_device(std::move(device_))) {
+            ADD_FAILURE() << message.id << " in \"" << message.pass << "\": " << message.text;
+        }
+    }
+
+    [[nodiscard]] Device& device() { return *device_; }
+    // For tests that provoke messages.
+    [[nodiscard]] std::unique_ptr<Device> take_device() { return std::move(device_); }
+
+ private:
+    std::unique_ptr<Device> device_;
+};
+
+}  // namespace weft::vk

@@ -1,0 +1,183 @@
+// A device comes up, hears its validation layer, describes itself, and can be an embedder's.
+#include "vulkan/device.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "vulkan/device_fixture.h"
+#include "vulkan/memory.h"
+#include "vulkan/native.h"
+#include "vulkan/one_shot.h"
+
+namespace weft::vk {
+namespace {
+
+using DeviceVk = DeviceTest;
+
+// Fills a buffer with no transfer usage: wrong whatever the device.
+void record_fault(Device& device, VkCommandBuffer commands, const Buffer& buffer) {
+    device.fn().vkCmdFillBuffer(commands, buffer.handle(), 0, VK_WHOLE_SIZE, 1);
+}
+
+Buffer faulty_buffer(Device& device) {
+    Result<Buffer> buffer =
+        Buffer::create(device, 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Buffer::Memory::device, "lights");
+    EXPECT_TRUE(buffer.ok());
+    return std::move(*buffer);
+}
+
+TEST_F(DeviceVk, comes_up_under_validation_and_says_so) {
+    EXPECT_TRUE(device().validating());
+    ASSERT_EQ(device().info().layers.size(), 1u);
+    EXPECT_EQ(device().info().layers[0].name, "VK_LAYER_KHRONOS_validation");
+    EXPECT_EQ(device().info().layers[0].version.substr(0, 2), "1.");
+    EXPECT_FALSE(device().info().name.empty());
+    EXPECT_FALSE(device().info().driver.empty());
+    EXPECT_NE(device().queue().handle, VK_NULL_HANDLE);
+    EXPECT_EQ(device().timeout_ns(), 10'000'000'000u);
+}
+
+TEST_F(DeviceVk, a_message_names_the_label_it_was_recorded_under) {
+    std::unique_ptr<Device> owned = take_device();
+    {
+        const Buffer buffer = faulty_buffer(*owned);
+        const InstanceFunctions& fn = owned->instance_fn();
+        const Status status = submit_once(*owned, "a fault", [&](VkCommandBuffer commands) {
+            VkDebugUtilsLabelEXT label{};
+            label.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT;
+            for (const char* name : {"frame", "light_culling"}) {
+                label.pLabelName = name;
+                fn.vkCmdBeginDebugUtilsLabelEXT(commands, &label);
+            }
+            record_fault(*owned, commands, buffer);
+            fn.vkCmdEndDebugUtilsLabelEXT(commands);
+            fn.vkCmdEndDebugUtilsLabelEXT(commands);
+        });
+        ASSERT_TRUE(status.ok()) << to_text(status.errors());
+    }
+    const std::vector<Message> messages = destroy_device(std::move(owned));
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_EQ(messages[0].severity, MessageSeverity::error);
+    EXPECT_EQ(messages[0].id, "VUID-vkCmdFillBuffer-dstBuffer-00029");
+    EXPECT_EQ(messages[0].pass, "light_culling");
+    EXPECT_NE(messages[0].text.find("lights"), std::string::npos)
+        << "objects have names: " << messages[0].text;
+}
+
+TEST_F(DeviceVk, a_message_without_a_label_names_the_current_pass) {
+    std::unique_ptr<Device> owned = take_device();
+    {
+        const Buffer buffer = faulty_buffer(*owned);
+        owned->messages().set_current_pass("shadows");
+        const Status status = submit_once(
+            *owned, "a fault", [&](VkCommandBuffer commands) { record_fault(*owned, commands, buffer); });
+        ASSERT_TRUE(status.ok()) << to_text(status.errors());
+    }
+    const std::vector<Message> messages = destroy_device(std::move(owned));
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_EQ(messages[0].pass, "shadows");
+}
+
+TEST_F(DeviceVk, a_missing_barrier_is_heard) {
+    std::unique_ptr<Device> owned = take_device();
+    {
+        Result<Buffer> buffer = Buffer::create(*owned, 64, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                               Buffer::Memory::device, "twice written");
+        ASSERT_TRUE(buffer.ok());
+        const Status status = submit_once(*owned, "two fills", [&](VkCommandBuffer commands) {
+            owned->fn().vkCmdFillBuffer(commands, buffer->handle(), 0, VK_WHOLE_SIZE, 1);
+            owned->fn().vkCmdFillBuffer(commands, buffer->handle(), 0, VK_WHOLE_SIZE, 2);
+        });
+        ASSERT_TRUE(status.ok()) << to_text(status.errors());
+    }
+    const std::vector<Message> messages = destroy_device(std::move(owned));
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_EQ(messages[0].id, "SYNC-HAZARD-WRITE-AFTER-WRITE");
+}
+
+TEST_F(DeviceVk, an_object_left_alive_is_heard_at_destruction) {
+    std::unique_ptr<Device> owned = take_device();
+    VkFenceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+    VkFence fence = VK_NULL_HANDLE;
+    ASSERT_EQ(owned->fn().vkCreateFence(owned->handle(), &info, nullptr, &fence), VK_SUCCESS);
+    EXPECT_EQ(owned->messages().count(), 0u);
+    EXPECT_EQ(destroy_device(std::move(owned)).size(), 1u);
+}
+
+TEST_F(DeviceVk, two_devices_live_side_by_side) {
+    const Result<std::unique_ptr<Device>> second = Device::create({});
+    ASSERT_TRUE(second.ok());
+    EXPECT_FALSE((*second)->validating());
+    EXPECT_TRUE((*second)->info().layers.empty());
+    EXPECT_NE((*second)->handle(), device().handle());
+}
+
+TEST_F(DeviceVk, memory_types_fit_what_was_asked) {
+    const VkMemoryPropertyFlags wanted =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    const uint32_t type = device().memory_type(UINT32_MAX, wanted);
+    ASSERT_NE(type, UINT32_MAX);
+    EXPECT_EQ(device().memory().memoryTypes[type].propertyFlags & wanted, wanted);
+    EXPECT_EQ(device().memory_type(0, 0), UINT32_MAX);
+}
+
+TEST_F(DeviceVk, an_adopted_device_works_and_is_left_alive) {
+    const NativeDevice own = native(device());
+    {
+        Result<std::unique_ptr<Device>> adopted =
+            Device::adopt(own.instance, own.physical, own.device, own.queue);
+        ASSERT_TRUE(adopted.ok()) << to_text(adopted.errors());
+        EXPECT_EQ((*adopted)->info().name, device().info().name);
+        EXPECT_EQ((*adopted)->profile().formats, device().profile().formats);
+        Result<Buffer> buffer = Buffer::create(**adopted, 16, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                               Buffer::Memory::device, "adopted");
+        ASSERT_TRUE(buffer.ok());
+        const std::array<std::byte, 16> bytes{};
+        EXPECT_TRUE(upload_buffer(**adopted, *buffer, bytes).ok());
+    }
+    EXPECT_EQ(device().fn().vkDeviceWaitIdle(own.device), VK_SUCCESS);  // still ours, still alive
+}
+
+TEST_F(DeviceVk, a_queue_family_that_is_not_there_is_refused) {
+    const NativeDevice own = native(device());
+    const auto adopted = Device::adopt(own.instance, own.physical, own.device, {own.queue.handle, 99});
+    ASSERT_FALSE(adopted.ok());
+    EXPECT_EQ(adopted.errors().front().code, "V404");
+}
+
+TEST(MachineReportVk, lists_devices_layers_and_the_loader) {
+    const Result<MachineReport> report = inspect_machine();
+    ASSERT_TRUE(report.ok()) << to_text(report.errors());
+    EXPECT_EQ(report->loader_version.substr(0, 2), "1.");
+    ASSERT_FALSE(report->devices.empty());
+    EXPECT_TRUE(std::any_of(report->devices.begin(), report->devices.end(),
+                            [](const DeviceInfo& device) { return device.missing.empty(); }));
+    EXPECT_TRUE(std::any_of(report->layers.begin(), report->layers.end(), [](const LayerInfo& layer) {
+        return layer.name == "VK_LAYER_KHRONOS_validation";
+    }));
+}
+
+// framework/profiles/lavapipe.json stands in for the device where there is none, so it must say what the
+// device says.
+TEST_F(DeviceVk, the_stored_profile_of_lavapipe_is_that_of_the_device) {
+    if (device().info().driver.find("Mesa 22.3") == std::string::npos) {
+        GTEST_SKIP() << "the stored profile is Mesa 22.3's, this is " << device().info().driver;
+    }
+    const std::string path = std::string(WEFT_SOURCE_DIR) + "/framework/profiles/lavapipe.json";
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    const Result<DeviceProfile> stored = parse_profile(text.str(), path);
+    ASSERT_TRUE(stored.ok()) << to_text(stored.errors());
+    DeviceProfile expected = device().profile();
+    expected.name = stored->name;  // the device's own name holds the width of this machine's vectors
+    EXPECT_EQ(text.str(), profile_to_json(expected)) << "`weft doctor --json` writes it anew";
+}
+
+}  // namespace
+}  // namespace weft::vk
