@@ -15,10 +15,10 @@ std::string quoted(const std::string& text) {
 }
 
 std::string pass_node(PassId id) {
-    return "p" + std::to_string(id);
+    return std::string("p").append(std::to_string(id));
 }
 std::string resource_node(ResourceId id) {
-    return "r" + std::to_string(id);
+    return std::string("r").append(std::to_string(id));
 }
 
 std::string grey_unless(bool live) {

@@ -53,8 +53,9 @@ class PlanText {
     }
 
     std::string state(const AccessState& s, bool image) const {
-        std::string text = stages_text(s.stages) + " " + access_text(s.access);
-        if (image) text += " " + layout_text(s.layout);
+        std::string text = stages_text(s.stages);
+        text.append(" ").append(access_text(s.access));
+        if (image) text.append(" ").append(layout_text(s.layout));
         return text;
     }
 
@@ -76,8 +77,10 @@ class PlanText {
     void step(uint32_t position) {
         const PassStep& s = plan_.barriers.steps[position];
         const PassDecl& decl = plan_.graph.passes[s.pass];
-        text_ += "\n" + std::to_string(position) + "  " + decl.name + "  (" + decl.type +
-                 (decl.shader.empty() ? "" : " " + decl.shader) + ")\n";
+        text_.append("\n").append(std::to_string(position)).append("  ").append(decl.name);
+        text_.append("  (").append(decl.type);
+        if (!decl.shader.empty()) text_.append(" ").append(decl.shader);
+        text_.append(")\n");
         for (const BarrierDecl& b : s.barriers) barrier(b);
         for (const AttachmentOps& ops : s.attachments) {
             const UseDecl& use = decl.uses[ops.use];
