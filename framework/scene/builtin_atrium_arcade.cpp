@@ -121,7 +121,7 @@ void add_cornice(Parts& parts) {
                        {0.2f, 0.38f},
                        {-0.3f, 0.38f}},
                       inward_loop(kCourtHalfX - kWallHalf, kCourtHalfZ - kWallHalf, kWallTop), true);
-    place(parts, builder.finish("cornice"), parts.materials.trim);
+    place(parts, builder.finish("cornice"), parts.materials.coping);
 }
 
 void add_pier(Parts& parts, float x, float z) {

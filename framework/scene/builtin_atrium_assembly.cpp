@@ -85,6 +85,7 @@ uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface&
     material.name = name;
     material.alpha_mode = AlphaMode::mask;
     material.double_sided = true;
+    material.specular = 0.45f;  // waxy, but without shadows a full sheen against the sun turns leaves white
     material.base_color_texture.texture = textures.color;
     material.metallic_roughness_texture.texture = textures.metallic_roughness;
     material.normal_texture.texture = textures.normal;

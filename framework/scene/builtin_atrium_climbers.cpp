@@ -96,7 +96,7 @@ void add_climbers(Parts& parts) {
                                 glm::vec3(3, 0, -kCourtHalfZ), glm::vec3(kCourtHalfX, 0, 6)}) {
         place_copy(parts, column, m.ivy, moved(at, at.x + at.z));
     }
-    const uint32_t spill = add_mesh(parts, climber(95, 0.15f, 52, over_parapet));
+    const uint32_t spill = add_mesh(parts, climber(120, 0.18f, 52, over_parapet));
     const glm::mat4 left = moved({0, 0, 0}, 0.5f * kPi);
     const glm::mat4 right = moved({0, 0, 0}, -0.5f * kPi);
     place_copy(parts, spill, m.ivy, left * moved({3.4f, 0, -kCourtHalfX}));

@@ -29,8 +29,8 @@ void add_capital_leaf(MeshBuilder& builder, float angle, float low, float high, 
         const float half =
             width * 0.5f * (0.75f + 0.5f * std::sin(kPi * (0.15f + 0.75f * t))) * (1 - 0.55f * t * t * t);
         const float curl = t * t * t;
-        const float radius = 0.262f + 0.035f * t + 0.085f * curl - 0.016f * across * across;
-        const float y = low + (high - low) * (t < 0.8f ? t / 0.8f : 1 - (t - 0.8f) * 0.9f);
+        const float radius = 0.262f + 0.035f * t + 0.05f * curl - 0.014f * across * across;
+        const float y = low + (high - low) * (t < 0.8f ? t / 0.8f : 1 - (t - 0.8f) * 0.4f);
         return GridPoint{outward * radius + side * (across * half) + glm::vec3(0, y, 0), {across * half, -y}};
     });
 }

@@ -71,7 +71,7 @@ void add_floors(Parts& parts) {
 
     builder.add_sweep({{0, 0}, {0, kFloor - kStepBevel}, {-kStepBevel, kFloor}}, inward_loop(kStepX, kStepZ),
                       true);
-    place(parts, builder.finish("step"), m.trim);
+    place(parts, builder.finish("step"), m.coping);
 }
 
 void add_outer_walls(Parts& parts) {

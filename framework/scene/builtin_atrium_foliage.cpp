@@ -46,21 +46,26 @@ Surface citrus_twig() {
     return surface;
 }
 
+// A vine that winds up the card, leaves to both sides of it.
 Surface ivy_sprig() {
     Random random(202);
     Surface surface = blank_leaf_surface(kTextureSize, 0.5f, rgb(0x35592a));
-    for (int i = 0; i < 17; ++i) {
-        const float turn = static_cast<float>(i) * 2.39996f;
-        const float reach = 34 + 46 * std::sqrt(static_cast<float>(i));
+    glm::vec2 before{240, 505};
+    for (int i = 0; i < 16; ++i) {
+        const float t = static_cast<float>(i) / 15;
+        const glm::vec2 node{256 + 70 * std::sin(4.5f * t + 0.4f), 470 - 400 * t};
+        draw_stalk(surface, before, node, 6, rgb(0x5a4a2a));
+        before = node;
         LeafStroke leaf;
-        leaf.length = random.range(95, 135);
+        leaf.length = random.range(95, 140) * (1 - 0.25f * t);
         leaf.width = leaf.length * 1.05f;
-        leaf.angle = kPi / 2 + random.range(-0.8f, 0.8f);
-        const glm::vec2 middle{256 + reach * std::cos(turn) * 0.85f, 250 + reach * std::sin(turn) * 0.85f};
+        leaf.angle = kPi / 2 + random.range(-0.9f, 0.9f);
+        const float side = (i & 1 ? 1.0f : -1.0f) * random.range(35, 105);
+        const glm::vec2 middle = node + glm::vec2(side, random.range(-25, 25));
         leaf.base = middle - glm::vec2(std::cos(leaf.angle), std::sin(leaf.angle)) * (leaf.length * 0.35f);
         leaf.color_srgb = varied(random, rgb(0x274a20), rgb(0x5d8440));
         leaf.depth_m = 0.001f * static_cast<float>(i);
-        draw_stalk(surface, {256, 250}, leaf.base, 4, rgb(0x5a4a2a));
+        draw_stalk(surface, node, leaf.base, 4, rgb(0x5a4a2a));
         draw_leaf(surface, leaf);
     }
     return surface;

@@ -104,7 +104,7 @@ void add_lights(Parts& parts) {
     sun.type = LightType::directional;
     sun.color = glm::vec3(1, 0.80f, 0.54f);
     sun.intensity = 11000;
-    sun.direction = -glm::normalize(glm::vec3(-0.62f, 0.5f, 0.6f));
+    sun.direction = -glm::normalize(glm::vec3(-0.64f, 0.36f, 0.66f));
     scene.lights.push_back(sun);
     for (const glm::vec3& at : lantern_places()) {
         Light light;

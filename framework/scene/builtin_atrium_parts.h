@@ -32,7 +32,8 @@ inline constexpr float kPoolHalfZ = 4.0f;
 inline constexpr float kPoolRim = 0.42f;
 
 struct Materials {
-    uint32_t ashlar, trim, trim_shaded, trim_floor, voussoir, marble, checker, inlay, flags, azulejo, zellige;
+    uint32_t ashlar, trim, trim_shaded, trim_floor, coping, voussoir, marble, checker, inlay, flags, azulejo,
+        zellige;
     uint32_t plaster_red, plaster_ochre, water, beam, planks, door, clay, roof;
     uint32_t bronze, gold, steel, iron, glass;
     uint32_t cloth_red, cloth_saffron, cloth_indigo;

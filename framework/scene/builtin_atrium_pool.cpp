@@ -99,7 +99,7 @@ void add_pool(Parts& parts) {
                        {-kRimWidth - 0.02f, kPoolRim - 0.07f},
                        {-kRimWidth, kPoolRim - 0.08f}},
                       loop, true);
-    place(parts, builder.finish("pool_rim"), m.trim);
+    place(parts, builder.finish("pool_rim"), m.coping);
     builder.add_sweep({{0.01f, 0.08f}, {0.01f, kPoolRim - 0.09f}}, loop, true);
     builder.add_sweep({{-kRimWidth, kPoolRim - 0.08f}, {-kRimWidth, 0.2f}}, loop, true);
     place(parts, builder.finish("pool_tiles"), m.zellige);

@@ -28,18 +28,44 @@ Surface ashlar(const NoiseBank& bank) {
     });
 }
 
+// Dressed stone at a place that lies `joint_m` from the nearest joint.
+Texel dressed_stone(const NoiseAt& n, float joint_m) {
+    const float bed = n.grain(2);
+    const float face = smooth_step(0.002f, 0.007f, joint_m);
+    glm::vec3 color = mix3(rgb(0xd8c8a8), rgb(0xeee2c8), n.coarse(1));
+    color *= 0.9f + 0.16f * n.medium() + 0.08f * (bed - 0.5f);
+    const float pit = smooth_step(0.68f, 0.76f, n.fine(1)) * smooth_step(0.5f, 0.65f, n.medium(3));
+    color *= 1 - 0.12f * pit;
+    Texel texel;
+    texel.color_srgb = mix3(rgb(0x8a7a60), color, 0.25f + 0.75f * face);
+    texel.height_m = 0.0018f * n.medium(5) + 0.0007f * n.fine() - 0.001f * pit + 0.004f * face;
+    texel.roughness = 0.62f + 0.16f * n.medium(2) + 0.1f * pit;
+    return texel;
+}
+
 Surface trim_stone(const NoiseBank& bank) {
+    return make_surface(kTextureSize, 1.5f,
+                        [&](uint32_t x, uint32_t y) { return dressed_stone(noise_at(bank, x, y), 1); });
+}
+
+// Long stones laid end to end along u, each of its own shade.
+Surface coping_stone(const NoiseBank& bank) {
     return make_surface(kTextureSize, 1.5f, [&](uint32_t x, uint32_t y) {
-        const NoiseAt n = noise_at(bank, x, y);
-        const float bed = n.grain(2);
-        glm::vec3 color = mix3(rgb(0xd8c8a8), rgb(0xeee2c8), n.coarse(1));
-        color *= 0.9f + 0.16f * n.medium() + 0.08f * (bed - 0.5f);
-        const float pit = smooth_step(0.68f, 0.76f, n.fine(1)) * smooth_step(0.5f, 0.65f, n.medium(3));
-        color *= 1 - 0.12f * pit;
-        Texel texel;
-        texel.color_srgb = color;
-        texel.height_m = 0.0018f * n.medium(5) + 0.0007f * n.fine() - 0.001f * pit;
-        texel.roughness = 0.62f + 0.16f * n.medium(2) + 0.1f * pit;
+        const Block block = block_at({2, 1, 0}, x, y, kTextureSize, 1.5f);
+        const float joint_m = std::min(block.local.x, 1 - block.local.x) * 0.75f;
+        Texel texel = dressed_stone(noise_at(bank, x + 211 * block.column, y), joint_m);
+        texel.color_srgb *= block.column == 0 ? glm::vec3(1) : glm::vec3(0.95f, 0.93f, 0.9f);
+        return texel;
+    });
+}
+
+// Slabs of the same stone as a floor.
+Surface slab_stone(const NoiseBank& bank) {
+    return make_surface(kTextureSize, 2, [&](uint32_t x, uint32_t y) {
+        const Block block = block_at({2, 2, 0.5f}, x, y, kTextureSize, 2);
+        Texel texel = dressed_stone(noise_at(bank, x + block.id % 391, y + block.id % 277), block.edge_m);
+        texel.color_srgb *= 0.9f + 0.1f * hash_unit(block.id, 12, 5);
+        texel.roughness *= 0.7f;  // trodden smooth
         return texel;
     });
 }
@@ -116,7 +142,7 @@ Surface plaster(const NoiseBank& bank, glm::vec3 color_srgb, glm::vec3 faded_srg
         color *= 1 - 0.12f * crack * n.medium(5);
         Texel texel;
         texel.color_srgb = color;
-        texel.height_m = 0.006f * n.medium(4) + 0.003f * n.grain(1) + 0.0008f * n.fine(2);
+        texel.height_m = 0.006f * n.medium(4) + 0.0008f * n.grain(1) + 0.0008f * n.fine(2);
         texel.roughness = 0.82f + 0.1f * n.medium(6);
         return texel;
     });
@@ -147,19 +173,22 @@ void make_stone_materials(Parts& parts) {
     Materials& m = parts.materials;
     const NoiseBank& bank = parts.noise;
     m.ashlar = add_material(parts, "limestone_ashlar", ashlar(bank));
+    shade_by_height(parts, m.ashlar, {0.7f, 0.9f, 1, 1, 1, 1, 1, 0.95f, 0.5f}, 0, kWallTop);
     m.trim = add_material(parts, "limestone_trim", trim_stone(bank));
     // The same stone where it faces the walkway and sees little sky, and where it is floor.
     m.trim_shaded = copy_material(parts, m.trim, "limestone_trim_shaded");
     shade_by_height(parts, m.trim_shaded, {0.42f, 0.42f}, 0, 1);
-    m.trim_floor = copy_material(parts, m.trim, "limestone_floor");
+    m.trim_floor = add_material(parts, "limestone_slabs", slab_stone(bank));
+    m.coping = add_material(parts, "limestone_coping", coping_stone(bank));
     m.voussoir = add_material(parts, "voussoirs", voussoirs(bank));
     m.marble = add_material(parts, "column_marble", column_marble(bank));
     shade_by_height(parts, m.marble, {0.55f, 0.8f, 0.85f, 0.85f, 0.8f, 0.6f}, 0, 2.4f);
     m.flags = add_material(parts, "court_flags", court_flags(bank));
-    m.plaster_red = add_material(parts, "plaster_red", plaster(bank, rgb(0x8c4733), rgb(0xae7554)));
+    m.plaster_red = add_material(parts, "plaster_red", plaster(bank, rgb(0x814534), rgb(0xa8765a)));
     shade_by_height(parts, m.plaster_red, {0.42f, 0.45f, 0.42f, 0.36f, 0.26f, 0.14f}, kFloor + 1.4f,
                     kCeiling);
     m.plaster_ochre = add_material(parts, "plaster_ochre", plaster(bank, rgb(0xd8aa6c), rgb(0xe2bf8c)));
+    shade_by_height(parts, m.plaster_ochre, {0.85f, 0.85f, 0.85f, 0.75f, 0.4f}, kUpperFloor, 7.9f);
     m.soil = add_material(parts, "soil", soil(bank));
 }
 

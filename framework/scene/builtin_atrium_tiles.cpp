@@ -76,9 +76,9 @@ glm::vec3 azulejo_color(glm::vec2 p) {
 }
 
 Surface azulejos(const NoiseBank& bank) {
-    return make_surface(kTextureSize, 0.6f, [&](uint32_t x, uint32_t y) {
+    return make_surface(kTextureSize, 0.9f, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
-        const Block block = block_at({3, 3, 0}, x, y, kTextureSize, 0.6f);
+        const Block block = block_at({3, 3, 0}, x, y, kTextureSize, 0.9f);
         const float face = smooth_step(0.001f, 0.004f, block.edge_m);
         glm::vec3 color = azulejo_color(block.local - 0.5f);
         color *= 0.88f + 0.1f * hash_unit(block.id, 6, 5) + 0.1f * n.medium(1);

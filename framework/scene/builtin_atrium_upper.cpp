@@ -42,7 +42,7 @@ void add_parapet(Parts& parts, const std::vector<glm::mat4>& sides) {
     const uint32_t trim_mesh = add_mesh(parts, trim.finish("gallery_parapet_trim"));
     const uint32_t panel_mesh = add_mesh(parts, panel.finish("gallery_parapet"));
     for (const glm::mat4& side : sides) {
-        place_copy(parts, trim_mesh, m.trim, side);
+        place_copy(parts, trim_mesh, m.coping, side);
         place_copy(parts, panel_mesh, m.plaster_ochre, side);
     }
 }
@@ -134,8 +134,8 @@ void add_upper_walls(Parts& parts, const std::vector<glm::mat4>& sides) {
     for (int i = -3; i <= 3; ++i) {
         const float x = static_cast<float>(i) * 2.6f;
         const float z = -(kBackWallX - kCourtHalfX);
-        shutters.add_box({x - 0.52f, kUpperFloor, z}, {x - 0.01f, kUpperFloor + 2.15f, z + 0.06f});
-        shutters.add_box({x + 0.01f, kUpperFloor, z}, {x + 0.52f, kUpperFloor + 2.15f, z + 0.06f});
+        shutters.add_box({x - 0.52f, kUpperFloor, z}, {x - 0.01f, kUpperFloor + 2.7f, z + 0.06f});
+        shutters.add_box({x + 0.01f, kUpperFloor, z}, {x + 0.52f, kUpperFloor + 2.7f, z + 0.06f});
     }
     for (const float sign : {-1.0f, 1.0f}) {
         const float x = sign * (kEndZ + 1.75f);
@@ -146,7 +146,7 @@ void add_upper_walls(Parts& parts, const std::vector<glm::mat4>& sides) {
     const uint32_t shutter_mesh = add_mesh(parts, shutters.finish("shutters"));
     for (const glm::mat4& side : sides) {
         place_copy(parts, wall_mesh, m.plaster_ochre, side);
-        place_copy(parts, shutter_mesh, m.planks, side);
+        place_copy(parts, shutter_mesh, m.door, side);
     }
 }
 
@@ -203,7 +203,7 @@ void add_terraces(Parts& parts) {
     const uint32_t baluster = add_mesh(parts, builder.finish("baluster"));
     for (const float half_turn : {0.0f, kPi}) {
         const glm::mat4 side = moved({0, 0, 0}, half_turn) * moved({0, 0, -kCourtHalfZ});
-        place_copy(parts, rails, m.trim, side);
+        place_copy(parts, rails, m.coping, side);
         for (int i = 0; i < 21; ++i) {
             const float x = -5.5f + static_cast<float>(i) * 0.55f;
             const float to_post = std::abs(x - kBay * std::round(x / kBay));

@@ -17,7 +17,7 @@ uint32_t add_sphere_material(Scene& scene, uint32_t column, uint32_t row) {
     Material material;
     material.roughness = std::max(0.05f, static_cast<float>(column) / last);
     material.metallic = static_cast<float>(row) / last;
-    material.base_color = glm::vec4(0.80f, 0.36f, 0.22f, 1);
+    material.base_color = glm::vec4(0.78f, 0.30f, 0.16f, 1);
     material.name = "roughness_" + std::to_string(column) + "_metalness_" + std::to_string(row);
     scene.materials.push_back(std::move(material));
     return static_cast<uint32_t>(scene.materials.size() - 1);
@@ -30,7 +30,7 @@ void add_ground(Scene& scene) {
     scene.meshes.push_back(builder.finish("ground"));
     Material ground;
     ground.name = "ground";
-    ground.base_color = glm::vec4(0.32f, 0.33f, 0.35f, 1);
+    ground.base_color = glm::vec4(0.18f, 0.19f, 0.21f, 1);
     ground.metallic = 0;
     ground.roughness = 0.85f;
     scene.materials.push_back(ground);
@@ -39,14 +39,14 @@ void add_ground(Scene& scene) {
 }
 
 Camera overview() {
-    const glm::vec3 eye{0, 5.6f, 7.4f};
-    const glm::vec3 back = glm::normalize(eye - glm::vec3(0, 0.1f, 0.35f));
+    const glm::vec3 eye{0, 9.2f, 7.0f};
+    const glm::vec3 back = glm::normalize(eye - glm::vec3(0, 0.1f, 0.15f));
     const glm::vec3 right{1, 0, 0};
     Camera camera;
     camera.name = "overview";
     camera.transform = glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0),
                                  glm::vec4(back, 0), glm::vec4(eye, 1));
-    camera.fov_y_rad = 0.78f;
+    camera.fov_y_rad = 0.58f;
     return camera;
 }
 
@@ -77,9 +77,9 @@ Scene make_spheres() {
     lamp.position = {-3.5f, 5.5f, 4.5f};
     scene.lights.push_back(lamp);
     scene.cameras.push_back(overview());
-    scene.sky_zenith = glm::vec3(260, 330, 450);
-    scene.sky_horizon = glm::vec3(620, 640, 660);
-    scene.exposure_ev = -9.3f;
+    scene.sky_zenith = glm::vec3(70, 105, 170);
+    scene.sky_horizon = glm::vec3(210, 225, 240);
+    scene.exposure_ev = -9.6f;
     const Bounds bounds = world_bounds(scene);
     scene.bounds_min = bounds.min;
     scene.bounds_max = bounds.max;
