@@ -139,9 +139,12 @@ Result<ExprValue> evaluate(const Expr& expression, const ExprNames& names, const
     }
     assert(stack.size() == 1);
     const ExprValue value = stack.back();
-    if (!std::isfinite(value.x) || !std::isfinite(value.y))
-        return sources.error(expression.loc, "W106",
-                             "\"" + expression.text + "\" is too large to be a number");
+    if (!std::isfinite(value.x) || !std::isfinite(value.y)) {
+        Diagnostic error =
+            sources.error(expression.loc, "W106", "\"" + expression.text + "\" is too large to be a number");
+        error.help.emplace_back("check its factors");
+        return error;
+    }
     return value;
 }
 

@@ -9,6 +9,8 @@ namespace weft {
 namespace {
 
 constexpr int kMaxNesting = 64;
+constexpr const char* kLanguage =
+    "expressions know + - * / % ( ) min max ceil floor log2 mips(resource) .x .y, names and numbers";
 
 struct FunctionRule {
     std::string_view name;
@@ -46,17 +48,15 @@ class ExpressionParser {
     bool fail(size_t offset, size_t length, const std::string& message, const std::string& help = {}) {
         if (error_) return false;
         error_ = sources_.error(text_.at(offset, length), "W106", message);
-        if (!help.empty()) error_->help.push_back(help);
+        error_->help.push_back(help.empty() ? kLanguage : help);
         return false;
     }
     bool fail_here(const std::string& wanted) {
         skip_spaces();
         if (position_ >= text_.text.size())
             return fail(position_, 1, "the expression ends where " + wanted + " was wanted");
-        return fail(
-            position_, 1,
-            std::string("found '") + text_.text[position_] + "' where " + wanted + " was wanted",
-            "expressions know + - * / % ( ) min max ceil floor log2 mips(resource) .x .y, names and numbers");
+        return fail(position_, 1,
+                    std::string("found '") + text_.text[position_] + "' where " + wanted + " was wanted");
     }
 
     [[nodiscard]] size_t position() const { return position_; }

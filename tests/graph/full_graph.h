@@ -1,0 +1,38 @@
+// A graph that uses every key of the format.
+#pragma once
+
+namespace weft::test {
+
+inline constexpr const char* kFullGraph = R"json({
+  "$schema": "weft.schema.json", "version": 1, "name": "full", "frames": 4,
+  "imports": { "opaque": "drawlist", "backbuffer": { "kind": "output" } },
+  "consts": { "tile": 16 },
+  "params": { "scale": { "default": 0.5, "enum": [0.5, 1], "step": 0.5, "unit": "EV", "ui": "A/B" }, "on": true },
+  "sizes": { "render": "ceil(output * scale)", "fixed": [64, "tile * 2"] },
+  "resources": {
+    "albedo": "rgba8_srgb", "depth": "d32f", "normal": "rg16_snorm|rgba16f",
+    "hdr": { "format": "rgba16f", "size": "render", "mips": "full", "layers": 6, "clear": [0, 0, 0, 1],
+             "preExposed": true },
+    "lights": { "buffer": "Light", "count": "tile * tile" }
+  },
+  "passes": {
+    "gbuffer": { "type": "raster", "draws": ["opaque"], "shader": "gbuffer", "depth": { "ref": "depth", "clear": 0 },
+      "out": ["normal", "albedo"], "view": "camera",
+      "state": { "cull": "material", "frontFace": "cw", "topology": "lines", "fill": "line", "depth": "less_equal",
+                 "depthClamp": true, "depthBias": { "constant": 1, "slope": 2 }, "scissor": [0, 1, 20, 30],
+                 "stencil": { "compare": "equal", "pass": "replace", "reference": 7 },
+                 "blend": { "albedo": "add" }, "writeMask": { "normal": "rg" } } },
+    "light": { "type": "compute", "shader": "light.comp", "queue": "async", "groups": ["tile", 1, 1],
+      "in": { "n": { "ref": "normal@gbuffer",
+                     "sampler": { "filter": "nearest", "wrap": "repeat", "compare": "greater_equal" } } },
+      "out": { "hdr": "hdr.mip(0).layer(0..5)" }, "params": { "a": "scale + 1", "b": [1, 2, "tile"], "c": true },
+      "after": ["gbuffer"], "cost": { "flops": "100 * output.x" }, "partial": true },
+    "show": { "type": "fullscreen", "shader": "show.frag", "in": ["hdr"], "out": ["backbuffer"], "covers": true,
+      "state": { "blend": { "color": ["src_alpha", "add", "one"], "alpha": ["zero", "max", "one"] },
+                 "writeMask": "rgb" } },
+    "upload": { "type": "light_upload", "out": ["lights"], "params": { "n": 3 } },
+    "wipe": { "type": "clear", "out": ["hdr"], "clear": 1 }
+  }
+})json";
+
+}  // namespace weft::test
