@@ -1,0 +1,153 @@
+#!/usr/bin/env bash
+# The two commands of the README in a fresh Debian 12 root: `./weft render`, then `./weft test`. An ordinary CI machine,
+# used before, hides a missing install step; a root made by debootstrap a minute ago doesn't.
+# Needs root, debootstrap and a package mirror. Prints how long each step took; exits non-zero when one fails.
+#   tests/bare_machine.sh [--keep] [--render-only]
+#     --keep         leave the root behind and say where
+#     --render-only  skip `./weft test`
+# WEFT_BARE_MIRROR   package mirror [the host's first, else http://deb.debian.org/debian]
+# WEFT_BARE_TARBALL  cache of the root: made when absent, unpacked when present
+set -euo pipefail
+
+source_root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+suite=bookworm
+keep=0
+run_tests=1
+for arg in "$@"; do
+  case $arg in
+    --keep) keep=1 ;;
+    --render-only) run_tests=0 ;;
+    *) printf 'usage: %s [--keep] [--render-only]\n' "$0" >&2; exit 2 ;;
+  esac
+done
+
+say() { printf 'bare machine: %s\n' "$*" >&2; }
+fail() { say "FAILED: $*"; exit 1; }
+
+[ "$(id -u)" -eq 0 ] || fail "run this as root: it makes a root and enters it"
+command -v git >/dev/null || fail "git is needed to clone the repository"
+
+work=$(mktemp -d "${TMPDIR:-/tmp}/weft-bare.XXXXXX")
+bare=$work/root
+mounts=()
+
+clean_up() {
+  local status=$? i failed=0
+  trap - EXIT INT TERM
+  for ((i = ${#mounts[@]} - 1; i >= 0; --i)); do
+    umount "${mounts[i]}" 2>/dev/null || umount --lazy "${mounts[i]}" || failed=1
+  done
+  if ((keep)); then
+    say "kept in $bare"
+  elif ((failed)) || grep -q " $bare/" /proc/self/mounts; then
+    say "something is still mounted below $bare, so it is left in place"
+  else
+    rm -rf --one-file-system "$work"
+  fi
+  exit "$status"
+}
+trap clean_up EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+
+# timed NAME COMMAND...: runs it and prints how long it took.
+timings=()
+timed() {
+  local name=$1 begin=$SECONDS status=0
+  shift
+  "$@" || status=$?
+  timings+=("$name: $((SECONDS - begin)) s")
+  say "${timings[-1]}"
+  return "$status"
+}
+
+# The host's first mirror of the suite, in either format of sources.
+host_mirror() {
+  {
+    sed -n 's/^deb \(\[[^]]*\] \)\?\([^ ]*\) .*/\2/p' /etc/apt/sources.list /etc/apt/sources.list.d/*.list
+    sed -n 's/^URIs: *\([^ ]*\).*/\1/p' /etc/apt/sources.list.d/*.sources
+  } 2>/dev/null | grep -v security | head -n 1
+}
+
+make_root() {
+  local tarball=${WEFT_BARE_TARBALL:-} mirror
+  mkdir "$bare"
+  if [ -n "$tarball" ] && [ -f "$tarball" ]; then
+    tar -xpf "$tarball" -C "$bare" --numeric-owner
+    return
+  fi
+  command -v debootstrap >/dev/null || fail "debootstrap is needed: apt-get install debootstrap"
+  mirror=${WEFT_BARE_MIRROR:-$(host_mirror || true)}
+  debootstrap --variant=minbase "$suite" "$bare" "${mirror:-http://deb.debian.org/debian}" >"$work/debootstrap.log" 2>&1 ||
+    { tail -n 20 "$work/debootstrap.log" >&2; fail "debootstrap"; }
+  if [ -n "$tarball" ]; then tar -cpf "$tarball" -C "$bare" --numeric-owner .; fi
+}
+
+# The root reaches packages the way the host does: same sources, proxies, keys and names.
+share_network() {
+  local entry
+  for entry in sources.list sources.list.d apt.conf apt.conf.d trusted.gpg trusted.gpg.d keyrings auth.conf auth.conf.d; do
+    [ -e "/etc/apt/$entry" ] || continue
+    rm -rf "$bare/etc/apt/$entry"
+    cp -aL "/etc/apt/$entry" "$bare/etc/apt/$entry"
+  done
+  [ ! -d /usr/share/keyrings ] || cp -aL /usr/share/keyrings/. "$bare/usr/share/keyrings/"
+  for entry in resolv.conf hosts ssl/certs; do
+    [ -e "/etc/$entry" ] || continue
+    mkdir -p "$(dirname "$bare/etc/$entry")"
+    rm -rf "${bare:?}/etc/$entry"
+    cp -aL "/etc/$entry" "$bare/etc/$entry"
+  done
+}
+
+mount_into() {  # TYPE_OR_BIND TARGET
+  mkdir -p "$bare$2"
+  if [ "$1" = bind ]; then mount --bind "$2" "$bare$2"; else mount -t "$1" "$1" "$bare$2"; fi
+  mounts+=("$bare$2")
+}
+
+enter_root() {
+  mount_into proc /proc
+  mount_into bind /dev
+  printf '#!/bin/sh\nexit 101\n' >"$bare/usr/sbin/policy-rc.d"  # no services are started in the root
+  chmod +x "$bare/usr/sbin/policy-rc.d"
+}
+
+# Only what is committed: a stranger clones, too.
+clone_repository() {
+  git clone --quiet --no-hardlinks -c safe.directory="*" "$source_root" "$bare/root/weft"
+  say "commit $(git -C "$bare/root/weft" log -1 --format='%h %s')"
+}
+
+# inside COMMAND: in the root, with nothing of the host's environment but its proxies.
+inside() {
+  local name environment=(HOME=/root USER=root LANG=C.UTF-8 TERM=dumb
+    PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
+  for name in http_proxy https_proxy no_proxy HTTP_PROXY HTTPS_PROXY NO_PROXY; do
+    [ -z "${!name:-}" ] || environment+=("$name=${!name}")
+  done
+  env -i "${environment[@]}" chroot "$bare" /bin/bash -c "cd /root/weft && $1"
+}
+
+# A PNG of the expected size that shows something: a black or flat one of this size compresses to a few kilobytes.
+check_picture() {
+  local picture=$bare/root/weft/frame.png width height
+  [ -s "$picture" ] || fail "no frame.png was written"
+  [ "$(head -c 8 "$picture" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "frame.png is not a PNG"
+  width=$((0x$(od -An -tx1 -j16 -N4 "$picture" | tr -d ' \n')))
+  height=$((0x$(od -An -tx1 -j20 -N4 "$picture" | tr -d ' \n')))
+  [ "${width}x$height" = 1280x720 ] || fail "frame.png is ${width}x$height, not 1280x720"
+  [ "$(stat -c %s "$picture")" -gt 100000 ] || fail "frame.png is so small that it must be (nearly) one colour"
+  say "frame.png: ${width}x$height, $(stat -c %s "$picture") bytes, sha256 $(sha256sum "$picture" | cut -c1-16)…"
+}
+
+timed "make the root" make_root
+share_network
+enter_root
+clone_repository
+timed "./weft render" inside "./weft render" || fail "./weft render"
+check_picture
+timed "./weft render again" inside "./weft render" || fail "the second ./weft render"
+if ((run_tests)); then timed "./weft test" inside "./weft test" || fail "./weft test"; fi
+say "passed on $(nproc) cores"
+printf '%s\n' "${timings[@]}"

@@ -1,0 +1,1 @@
+#error "this module must build without Vulkan headers"

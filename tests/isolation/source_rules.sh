@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# The rules of the house that a grep can check. Prints every breach and fails when there is one.
+#   source_rules.sh SOURCE_ROOT
+set -euo pipefail
+cd "$1"
+breaches=0
+report() {  # RULE, breaches on stdin
+  local line
+  while IFS= read -r line; do
+    printf '%s: %s\n' "$1" "$line"
+    breaches=$((breaches + 1))
+  done
+}
+# Everything that is ours and text; this file lists forbidden words.
+files() { find "$@" -type f -not -name source_rules.sh -not -path '*/bad/*' | sort; }
+# FILE:LINE:TEXT without // comments, for rules about code.
+# shellcheck disable=SC2016  # awk's own $0
+code() { xargs awk '{ sub(/\/\/.*/, ""); print FILENAME ":" FNR ":" $0 }'; }
+sources() { files "$@" | grep -E '\.(h|cpp|glsl|vert|frag|comp|sh|in)$' || true; }
+
+everything=(framework passes shaders viewer tests)
+
+report "more than 600 lines" < <(sources "${everything[@]}" | xargs wc -l | awk '$1 > 600 && $2 != "total" { print $2 " has " $1 }')
+
+report "name says nothing" < <(files "${everything[@]}" | grep -iE '/[a-z_]*(util|common|helper|manager)[a-z_]*\.' || true)
+
+report "Vulkan name in a module that knows no Vulkan" < <(
+  sources framework/include framework/graph framework/check framework/shader framework/scene passes | code |
+    grep -E '\b(Vk[A-Z]|VK_[A-Z]|vkCmd[A-Z]|vk[A-Z][a-z]+[A-Z(])|volk\.h|vulkan/' || true)
+
+report "unfinished" < <(
+  files "${everything[@]}" docs graphs README.md | xargs grep -nE '\b(TODO|FIXME|XXX|HACK)\b|[Nn]ot implemented' || true)
+
+report "shared ownership, or a singleton" < <(
+  sources framework passes viewer | code | grep -E '\b(std::)?(shared_ptr|weak_ptr|make_shared)\b|[gG]et_?[iI]nstance\(' || true)
+
+report "slow third-party header in a header" < <(
+  files framework passes viewer | grep -E '\.h$' |
+    xargs grep -nE '#include [<"](nlohmann/json\.hpp|CLI/|tiny_gltf|stb_|tinyexr|fmt/|glslang/)' || true)
+
+# The checker judges the stages, so it shares nothing with them.
+report "framework/check includes more than plans, declarations and the standard library" < <(
+  grep -nE '^ *# *include' framework/check/*.h framework/check/*.cpp |
+    grep -vE '#include ("check/[a-z_]+\.h"|<[a-z_]+>)' |
+    grep -vE '"weft/(plan|declaration|access|result|source|format|shader_interface|device_profile)\.h"' || true)
+
+report "diagnostic without a row in docs/diagnostics.md" < <(
+  grep -rhoE '"[WSVCX][0-9]{3}"' framework viewer passes | tr -d '"' | sort -u |
+    while IFS= read -r code; do grep -q "^| $code |" docs/diagnostics.md || echo "$code"; done)
+report "row of docs/diagnostics.md without a diagnostic" < <(
+  grep -oE '^\| [WSVCX][0-9]{3} \|' docs/diagnostics.md | tr -d '| ' | sort |
+    while IFS= read -r code; do grep -rqF "\"$code\"" framework viewer passes || echo "$code"; done)
+
+report "link to nowhere" < <(
+  for page in README.md docs/*.md; do
+    grep -oE '\]\([^)#]+' "$page" | cut -c3- | grep -vE '^[a-z]+:' |
+      while IFS= read -r target; do [ -e "$(dirname "$page")/$target" ] || echo "$page: $target"; done || true
+  done)
+
+if ((breaches)); then
+  echo "$breaches breaches"
+  exit 1
+fi
+echo "no breaches"

@@ -1,0 +1,188 @@
+// The contract that scripts rely on: exit codes, what goes to stdout, and what the commands say.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+using Json = nlohmann::json;
+constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
+constexpr const char* kBadFolder = WEFT_SOURCE_DIR "/tests/viewer/bad/";
+
+struct BadUsage {
+    const char* name;
+    std::vector<std::string> arguments;
+    const char* message;
+};
+
+void PrintTo(const BadUsage& bad, std::ostream* out) {
+    *out << bad.name;
+}
+
+const std::vector<BadUsage>& bad_usages() {
+    static const std::vector<BadUsage> usages{
+        {"Nothing", {}, "weft --help"},
+        {"UnknownCommand", {"rendr"}, "rendr"},
+        {"UnknownFlag", {"render", "--sizes", "8x8"}, "--sizes"},
+        {"EmptySize", {"render", "--size", "0x5"}, "a size is WIDTHxHEIGHT"},
+        {"HugeSize", {"render", "--size", "99999x5"}, "a size is WIDTHxHEIGHT"},
+        {"NoFrames", {"render", "--frames", "0"}, "--frames"},
+        {"ParameterWithoutValue", {"render", "--param", "exposure"}, "a parameter is NAME=VALUE"},
+        {"ParameterThatIsNoNumber", {"render", "--param", "exposure=much"}, "is not a number"},
+        {"UnknownEnvironment", {"render", "--env", "moon"}, "--env"},
+        {"UnknownPicture", {"render", "-o", "a.gif"}, ".png, .exr or .pfm"},
+        {"CameraOfSixNumbers", {"render", "builtin:spheres", "--camera", "1,2,3,4,5,6"}, "seven numbers"},
+        {"CheckWithoutFile", {"check"}, "FILE"},
+        {"UnknownPlanFormat", {"plan", kDeferred, "--format", "pdf"}, "--format"},
+        {"LaterTier", {"render", "--tier", "low"}, "--tier: quality tiers are not there yet"},
+        {"LaterLights", {"render", "--lights", "5"}, "not there yet"},
+        {"LaterSeed", {"render", "--seed", "5"}, "not there yet"},
+        {"LaterTime", {"render", "--time", "12"}, "not there yet"},
+        {"LaterProfile", {"render", "--profile", "a.json"}, "not there yet"},
+        {"LaterLimits", {"render", "--limits", "a.json"}, "not there yet"},
+        {"LaterRun", {"check", kDeferred, "--run"}, "not there yet"},
+        {"LaterSarif", {"check", kDeferred, "--sarif"}, "not there yet"},
+        {"LaterPlanTier", {"plan", kDeferred, "--tier", "low"}, "not there yet"},
+        {"LaterView", {"view"}, "`view` is not there yet"},
+        {"LaterExplain", {"explain", kDeferred, "culled", "x"}, "`explain` is not there yet"},
+        {"LaterDiff", {"diff", "a.json", "b.json"}, "`diff` is not there yet"},
+        {"LaterSchema", {"schema"}, "`schema` is not there yet"},
+        {"LaterBench", {"bench", "compile", "--passes", "10"}, "`bench` is not there yet"},
+        {"LaterCompare", {"compare", "a.png", "b.png"}, "`compare` is not there yet"},
+    };
+    return usages;
+}
+
+class BadUsageTest : public testing::TestWithParam<BadUsage> {};
+
+TEST_P(BadUsageTest, IsExitCode2AndSaysWhy) {
+    const RunResult run = run_weft(GetParam().arguments);
+    EXPECT_EQ(run.exit_code, 2) << run.text();
+    EXPECT_TRUE(run.out.empty()) << run.text();
+    EXPECT_NE(run.err.find(GetParam().message), std::string::npos) << run.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadUsageTest, testing::ValuesIn(bad_usages()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(CommandLine, HelpAndVersionAreData) {
+    const RunResult help = run_weft({"render", "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.out.find("--validate"), std::string::npos) << help.text();
+    EXPECT_EQ(help.out.find("--test-drop-barriers"), std::string::npos) << "a test hook is no feature";
+    const RunResult version = run_weft({"--version"});
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_TRUE(version.out.starts_with("weft ")) << version.text();
+}
+
+TEST(Check, TheShippedGraphIsGoodAndPrintsNothing) {
+    const RunResult run = run_weft({"check", kDeferred});
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_TRUE(run.out.empty()) << run.text();
+    EXPECT_NE(run.err.find("deferred.json: ok"), std::string::npos) << run.text();
+}
+
+TEST(Check, JsonHoldsEveryFieldOfTheContract) {
+    const RunResult good = run_weft({"check", "--json", kDeferred});
+    EXPECT_EQ(good.exit_code, 0) << good.text();
+    EXPECT_EQ(Json::parse(good.out), Json::array()) << good.text();
+
+    const std::string bad = std::string(kBadFolder) + "unknown_resource.json";
+    const RunResult run = run_weft({"check", "--json", kDeferred, bad});
+    EXPECT_EQ(run.exit_code, 3) << run.text();
+    const Json list = Json::parse(run.out);
+    ASSERT_EQ(list.size(), 1u) << run.text();
+    const Json& fault = list[0];
+    EXPECT_EQ(fault.at("code"), "W103");
+    EXPECT_EQ(fault.at("severity"), "error");
+    EXPECT_EQ(fault.at("file"), bad);
+    EXPECT_EQ(fault.at("line"), 8);
+    EXPECT_GT(fault.at("column"), 80);
+    EXPECT_EQ(fault.at("pointer"), "/passes/tonemap/in/hdr");
+    EXPECT_NE(fault.at("message").get<std::string>().find("hrd"), std::string::npos);
+    EXPECT_FALSE(fault.at("help").empty());
+    EXPECT_TRUE(fault.at("notes").is_array());
+    EXPECT_TRUE(fault.at("tier").is_null());
+}
+
+TEST(Plan, SpeaksTextJsonAndDot) {
+    const RunResult text = run_weft({"plan", kDeferred});
+    EXPECT_EQ(text.exit_code, 0) << text.text();
+    for (const char* pass : {"lightUpload", "gbuffer", "lighting", "tonemap"})
+        EXPECT_NE(text.out.find(pass), std::string::npos) << text.text();
+
+    const RunResult json = run_weft({"plan", kDeferred, "--format", "json"});
+    EXPECT_EQ(json.exit_code, 0) << json.text();
+    const Json plan = Json::parse(json.out);
+    EXPECT_EQ(plan.at("hash").get<std::string>().size(), 32u);
+    EXPECT_EQ(plan.at("schedule").at("order").size(), 4u);
+
+    const RunResult dot = run_weft({"plan", kDeferred, "--format", "dot"});
+    EXPECT_EQ(dot.exit_code, 0) << dot.text();
+    EXPECT_TRUE(dot.out.starts_with("digraph")) << dot.text();
+}
+
+TEST(Plan, IsTheSameBytesEveryTimeAndGoesToAFile) {
+    const ScratchFolder scratch;
+    const RunResult first = run_weft({"plan", kDeferred, "--format", "json"});
+    const RunResult second = run_weft({"plan", kDeferred, "--format", "json", "-o", scratch / "plan.json"});
+    EXPECT_EQ(second.exit_code, 0) << second.text();
+    EXPECT_TRUE(second.out.empty());
+    EXPECT_EQ(read_text(scratch / "plan.json"), first.out);
+    const RunResult nowhere = run_weft({"plan", kDeferred, "-o", scratch / "no/folder/plan.txt"});
+    EXPECT_EQ(nowhere.exit_code, 1) << nowhere.text();
+    EXPECT_NE(nowhere.err.find("error[X510]"), std::string::npos) << nowhere.text();
+}
+
+TEST(Plan, DependsOnTheSize) {
+    const RunResult small = run_weft({"plan", kDeferred, "--size", "320x180", "--format", "json"});
+    const RunResult large = run_weft({"plan", kDeferred, "--size", "641x361", "--format", "json"});
+    EXPECT_EQ(small.exit_code, 0) << small.text();
+    EXPECT_NE(Json::parse(small.out).at("hash"), Json::parse(large.out).at("hash"));
+}
+
+TEST(Doctor, DescribesTheMachineAndItsProfileWorks) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const RunResult text = run_weft({"doctor"});
+    EXPECT_EQ(text.exit_code, 0) << text.text();
+    EXPECT_NE(text.out.find("chosen device"), std::string::npos) << text.text();
+    const RunResult json = run_weft({"doctor", "--json"});
+    EXPECT_EQ(json.exit_code, 0) << json.text();
+    EXPECT_TRUE(Json::parse(json.out).contains("formats")) << json.text();
+    const ScratchFolder scratch;
+    scratch.write("here.json", json.out);
+    const RunResult check = run_weft({"check", kDeferred, "--profile", scratch / "here.json"});
+    EXPECT_EQ(check.exit_code, 0) << check.text();
+}
+
+const Environment kNoDriver{{"VK_DRIVER_FILES", "/nonexistent"}, {"VK_ICD_FILENAMES", "/nonexistent"}};
+
+TEST(NoDevice, IsExitCode4AndNamesWhatToInstall) {
+    const ScratchFolder scratch;
+    const RunResult render =
+        run_weft({"render", "builtin:spheres", "--size", "16x16", "-o", scratch / "a.png"}, kNoDriver);
+    EXPECT_EQ(render.exit_code, 4) << render.text();
+    EXPECT_NE(render.err.find("mesa-vulkan-drivers"), std::string::npos) << render.text();
+    const RunResult doctor = run_weft({"doctor"}, kNoDriver);
+    EXPECT_EQ(doctor.exit_code, 4) << doctor.text();
+    EXPECT_NE(doctor.err.find("mesa-vulkan-drivers"), std::string::npos) << doctor.text();
+}
+
+TEST(NoDevice, GraphsAreCheckedAllTheSame) {
+    const RunResult run = run_weft({"check", kDeferred}, kNoDriver);
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+}
+
+TEST(NoDevice, AnUnknownDeviceIsOneToo) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const RunResult run = run_weft({"doctor", "--device", "no such device"});
+    EXPECT_EQ(run.exit_code, 4) << run.text();
+    EXPECT_NE(run.err.find("error[V403]"), std::string::npos) << run.text();
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,109 @@
+#include "viewer/program.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+namespace weft::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr unsigned kKillAfter_s = 120;
+
+// In the child: nothing here may allocate after the descriptors are set up, and nothing does but exec.
+[[noreturn]] void become_weft(std::vector<char*>& arguments, const Environment& environment,
+                              const std::filesystem::path& folder, const char* out, const char* err) {
+    const int out_file = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int err_file = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int nothing = open("/dev/null", O_RDONLY);
+    const bool ready = dup2(nothing, 0) >= 0 && dup2(out_file, 1) >= 0 && dup2(err_file, 2) >= 0;
+    for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+    if (!ready || (!folder.empty() && chdir(folder.c_str()) != 0)) _exit(126);
+    alarm(kKillAfter_s);  // survives exec
+    execv(WEFT_PROGRAM, arguments.data());
+    _exit(127);
+}
+
+}  // namespace
+
+std::string RunResult::text() const {
+    std::ostringstream text;
+    text << "exit code " << exit_code << " after " << wall_s << " s, " << max_rss_bytes / 1048576
+         << " MiB at most\n--- stdout\n"
+         << out.substr(0, 4000) << "\n--- stderr\n"
+         << err.substr(0, 8000);
+    return text.str();
+}
+
+RunResult run_weft(const std::vector<std::string>& arguments, const Environment& environment,
+                   const std::filesystem::path& folder) {
+    const ScratchFolder scratch;
+    const std::string out = scratch / "out", err = scratch / "err";
+    std::vector<std::string> words{WEFT_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    Environment all{{"XDG_CACHE_HOME", WEFT_TEST_CACHE}, {"MESA_SHADER_CACHE_DIR", WEFT_TEST_CACHE "/mesa"}};
+    all.insert(all.end(), environment.begin(), environment.end());
+
+    const Clock::time_point begin = Clock::now();
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("fork failed");
+    if (child == 0) become_weft(pointers, all, folder, out.c_str(), err.c_str());
+    int status = 0;
+    rusage usage{};
+    while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
+    }
+    RunResult result;
+    result.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    result.max_rss_bytes = static_cast<uint64_t>(usage.ru_maxrss) * 1024;
+    result.out = read_text(out);
+    result.err = read_text(err);
+    return result;
+}
+
+ScratchFolder::ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "weft-test-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
+    path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+void ScratchFolder::write(const std::string& name, const std::string& content) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << content;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+bool extended() {
+    const char* value = std::getenv("WEFT_EXTENDED");
+    return value != nullptr && *value != '\0' && std::string(value) != "0";
+}
+
+bool has_device() {
+    return run_weft({"doctor"}).exit_code == 0;
+}
+
+}  // namespace weft::test

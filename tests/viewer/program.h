@@ -1,0 +1,52 @@
+// Runs the `weft` program as a user does, and measures what it took. Units are in names.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace weft::test {
+
+struct RunResult {
+    int exit_code = -1;  // 128 + signal when it was killed
+    std::string out;
+    std::string err;
+    double wall_s = 0;
+    uint64_t max_rss_bytes = 0;
+
+    // For failure messages.
+    [[nodiscard]] std::string text() const;
+};
+
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
+// `environment` adds to that of the test. Killed after two minutes.
+[[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments, const Environment& environment = {},
+                                 const std::filesystem::path& folder = {});
+
+// An empty folder, removed at the end.
+class ScratchFolder {
+ public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+    void write(const std::string& name, const std::string& content) const;
+
+ private:
+    std::filesystem::path path_;
+};
+
+[[nodiscard]] std::string read_text(const std::filesystem::path& path);
+
+// Full matrices, not only the quick ones.
+[[nodiscard]] bool extended();
+
+// A Vulkan device is there; otherwise the tests that need one say "skipped".
+[[nodiscard]] bool has_device();
+
+}  // namespace weft::test
