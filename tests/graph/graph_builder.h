@@ -1,0 +1,49 @@
+// Purpose: ResolvedGraphs made by hand, for tests of the stages after resolve(). Passes are given in program
+// order, and a read sees the last write before it in that order. build() sorts by name and remaps ids, as
+// resolve() does.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "weft/declaration.h"
+
+namespace weft::test {
+
+struct BuilderUse {
+    std::string port;
+    ResourceId resource = kNoId;  // as returned by the builder
+    Access access = Access::none;
+    std::optional<SubresourceRange> range;  // default: all of it
+    uint32_t binding = kNoId;
+};
+
+[[nodiscard]] SubresourceRange one_cell(uint32_t mip, uint32_t layer = 0);
+
+class GraphBuilder {
+ public:
+    ResourceId image(std::string name, Format format = Format::r32u, uint32_t side_px = 16, uint32_t mips = 1,
+                     uint32_t layers = 1);
+    ResourceId buffer(std::string name, uint64_t size_bytes = 1024);
+    // Turns a resource into an import.
+    void import_as(ResourceId resource, const AccessState& entry, const AccessState& exit);
+    void set_output(ResourceId resource) { graph_.output = resource; }
+
+    // Attachments follow from the accesses; the returned pass may be adjusted until the next call.
+    PassDecl& pass(std::string name, PassKind kind, const std::vector<BuilderUse>& uses);
+    PassDecl& compute(std::string name, const std::vector<BuilderUse>& uses) {
+        return pass(std::move(name), PassKind::compute, uses);
+    }
+    // `to` runs after `from`, for no other reason.
+    void after(const std::string& from, const std::string& to);
+
+    [[nodiscard]] const ResourceDecl& resource(ResourceId id) const { return graph_.resources[id]; }
+    [[nodiscard]] ResolvedGraph build() const;
+
+ private:
+    ResolvedGraph graph_;
+    std::vector<std::pair<std::string, std::string>> after_;
+};
+
+}  // namespace weft::test

@@ -1,0 +1,35 @@
+// Purpose: random single-queue frames for tests: 5 to 60 passes over images with mips and layers, buffers and
+// imports, with partial ranges, in-place writes, overwrites, several readers, and branches that nobody needs.
+//
+// The graphs can run on a device. Everything is exact integer arithmetic on r32u images and u32 buffers (and
+// one exact conversion to d32f), so that any two correct plans of a graph give the same bytes. Passes without
+// a shader are clear, copy and readback; the others use this fixed set, found in tests/graph/shaders/:
+//   compute     fill_image, mix_image_1, mix_image_2, mix_image_3, mix_depth, update_image,
+//               mix_buffer_1, mix_buffer_2, update_buffer, image_to_buffer, buffer_to_image   (.comp)
+//   fullscreen  mix_color_1, mix_color_2, write_depth   (.frag)
+// Ports a, b, c, dst, bound in this order in set 1; colours at location 0; `Params { uint seed; }` in push
+// constants. Sampled ports see one layer, and one mip or all of them; storage ports one mip of one layer.
+//
+// Imports, where a graph has them (the runner provides them, with any content, the same for both plans):
+//   import_image  r32u, 32 px, kept in shader_read_only     import_words  256 words, only read
+//   state_words   256 words, changed in place by a pass with a side effect
+// The result is what the readback pass "read_back" delivers: random_graph_result().
+#pragma once
+
+#include <cstdint>
+
+#include "weft/declaration.h"
+
+namespace weft::test {
+
+struct RandomGraphOptions {
+    uint32_t min_passes = 5;
+    uint32_t max_passes = 60;
+};
+
+[[nodiscard]] ResolvedGraph random_graph(uint32_t seed, const RandomGraphOptions& options = {});
+
+// The image that "read_back" reads; all of it.
+[[nodiscard]] ResourceId random_graph_result(const ResolvedGraph& graph);
+
+}  // namespace weft::test

@@ -1,0 +1,13 @@
+// Mixes an image into a colour attachment.
+#version 460
+#include "mixing.glsl"
+
+uniform usampler2D a;
+layout(location = 0) out uint dst;
+
+void main() {
+    const uvec2 at = uvec2(gl_FragCoord.xy);
+    uint value = scramble(params.seed + at.x * 65536u + at.y);
+    value = scramble(value ^ fetch(a, at));
+    dst = value;
+}
