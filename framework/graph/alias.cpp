@@ -1,6 +1,7 @@
-// Where every transient lives. Resources that may live in the same heap are packed together; buffers and
-// images stay apart where the device's granularity asks for it, which costs less than padding every
-// placement.
+// Where every transient lives. Resources that may live in the same heap are packed together. Buffers and
+// images in one heap must not share a page of the device's granularity, so that there every placement gets
+// pages of its own; where pages are so large that this would waste more than it saves, they get heaps of
+// their own instead.
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -12,6 +13,12 @@
 
 namespace weft {
 namespace {
+
+constexpr uint64_t kMaxPadding = 4096;
+
+uint64_t rounded_up(uint64_t bytes, uint64_t page_bytes) {
+    return (bytes + page_bytes - 1) / page_bytes * page_bytes;
+}
 
 struct HeapKey {
     bool buffers = false;
@@ -54,17 +61,24 @@ Peak find_peak(const std::vector<ResourceId>& resources, const Lifetimes& spans,
     return peak;
 }
 
+bool has_both_kinds(const ResolvedGraph& graph, const std::vector<ResourceId>& group) {
+    const auto is_buffer = [&](ResourceId id) { return graph.resources[id].kind == ResourceKind::buffer; };
+    return std::any_of(group.begin(), group.end(), is_buffer) &&
+           !std::all_of(group.begin(), group.end(), is_buffer);
+}
+
 void place_group(const std::vector<ResourceId>& group, const Lifetimes& spans, const MemoryNeeds& needs,
-                 HeapKey key, MemoryPlan& plan) {
+                 uint64_t page_bytes, HeapKey key, MemoryPlan& plan) {
     std::vector<PackItem> items;
     for (const ResourceId id : group)
-        items.push_back({needs[id].size_bytes, std::max<uint64_t>(needs[id].alignment_bytes, 1),
+        items.push_back({rounded_up(needs[id].size_bytes, page_bytes),
+                         rounded_up(std::max<uint64_t>(needs[id].alignment_bytes, 1), page_bytes),
                          spans.spans[id].first, spans.spans[id].last});
     const Packing packing = pack(items, find_peak(group, spans, needs).bytes);
     const auto heap = static_cast<uint32_t>(plan.heaps.size());
     plan.heaps.push_back({packing.height_bytes, key.type_bits, key.buffers});
     for (size_t i = 0; i < group.size(); ++i)
-        plan.placements.push_back({group[i], heap, packing.offsets_bytes[i], items[i].size_bytes});
+        plan.placements.push_back({group[i], heap, packing.offsets_bytes[i], needs[group[i]].size_bytes});
     plan.heap_bytes += packing.height_bytes;
 }
 
@@ -73,10 +87,12 @@ void place_group(const std::vector<ResourceId>& group, const Lifetimes& spans, c
 MemoryPlan alias(const ResolvedGraph& graph, const Schedule&, const Lifetimes& spans,
                  const MemoryNeeds& needs, uint64_t granularity_bytes) {
     MemoryPlan plan;
-    const Groups groups = group_by_heap(graph, spans, needs, granularity_bytes > 1);
+    const Groups groups = group_by_heap(graph, spans, needs, granularity_bytes > kMaxPadding);
     std::vector<ResourceId> placed;
     for (const auto& [key, group] : groups) {
-        place_group(group, spans, needs, key, plan);
+        const uint64_t page_bytes =
+            has_both_kinds(graph, group) ? std::max<uint64_t>(granularity_bytes, 1) : 1;
+        place_group(group, spans, needs, page_bytes, key, plan);
         placed.insert(placed.end(), group.begin(), group.end());
     }
     for (const ResourceId id : placed) plan.sum_bytes += needs[id].size_bytes;
