@@ -9,7 +9,6 @@
 namespace weft {
 namespace {
 
-constexpr size_t kMaxErrors = 100;
 constexpr size_t kShortList = 16;
 
 // Keys of the format that this version does not have: more helpful than "unknown".
@@ -20,7 +19,7 @@ constexpr std::array<std::string_view, 16> kLaterKeys{
 }  // namespace
 
 Diagnostic& ParseContext::error(SourceLoc loc, std::string code, std::string message) {
-    if (errors_.size() >= kMaxErrors) return dropped_ = Diagnostic{};
+    if (is_full()) return dropped_ = Diagnostic{};
     add({sources_.error(loc, std::move(code), std::move(message))});
     return errors_.back();
 }
@@ -31,7 +30,7 @@ void ParseContext::error(SourceLoc loc, std::string code, std::string message, s
 
 void ParseContext::add(Diagnostics errors) {
     for (Diagnostic& one : errors) {
-        if (errors_.size() >= kMaxErrors) return;
+        if (is_full()) return;
         one.pointer = pointer();
         if (one.source_line.size() > kMaxExcerptBytes) one.source_line.clear();
         errors_.push_back(std::move(one));
@@ -39,7 +38,7 @@ void ParseContext::add(Diagnostics errors) {
 }
 
 Diagnostics ParseContext::take_errors() {
-    if (errors_.size() >= kMaxErrors) errors_.back().help.emplace_back("only the first 100 errors are shown");
+    if (is_full()) errors_.back().help.emplace_back("only the first 100 errors are shown");
     std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.line, a.column) < std::pair(b.line, b.column);
     });
@@ -206,7 +205,7 @@ bool read_size(ParseContext& context, const JsonNode& node, Expr& out) {
 void read_names(ParseContext& context, const JsonNode& node, std::vector<std::string>& names,
                 std::vector<SourceLoc>& locs) {
     if (!expect(context, node, JsonKind::array)) return;
-    for (size_t i = 0; i < node.items.size(); ++i) {
+    for (size_t i = 0; i < node.items.size() && !context.is_full(); ++i) {
         const PointerScope scope(context, std::to_string(i));
         std::string name;
         if (!read_string(context, node.items[i], name)) continue;

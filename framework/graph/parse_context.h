@@ -21,6 +21,8 @@ namespace weft {
 
 class ParseContext {
  public:
+    static constexpr size_t kMaxErrors = 100;
+
     explicit ParseContext(const SourceMap& sources) : sources_(sources) {}
 
     // The reference lives until the next error. Beyond a limit errors are dropped.
@@ -28,6 +30,8 @@ class ParseContext {
     void error(SourceLoc loc, std::string code, std::string message, std::string help);
     void add(Diagnostics errors);
     [[nodiscard]] const SourceMap& sources() const { return sources_; }
+    // So many faults that looking for more would only cost time.
+    [[nodiscard]] bool is_full() const { return errors_.size() >= kMaxErrors; }
     [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
     [[nodiscard]] Diagnostics take_errors();  // in the order of the file
 
@@ -133,6 +137,7 @@ bool read_object(ParseContext& context, const JsonNode& node, std::string_view w
                  const std::array<KeyRule<T>, N>& rules, T& out) {
     if (!expect(context, node, JsonKind::object)) return false;
     for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
         const PointerScope scope(context, member.key);
         const KeyRule<T>* found = nullptr;
         for (const KeyRule<T>& rule : rules)
@@ -153,6 +158,7 @@ template <class F>
 void read_named(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
     if (!expect(context, node, JsonKind::object)) return;
     for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
         const PointerScope scope(context, member.key);
         if (check_identifier(context, what, member.key, member.key_loc)) read(member);
     }

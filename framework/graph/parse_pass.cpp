@@ -181,6 +181,7 @@ void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, cons
     for (const PassKey& key : kPassKeys)
         if ((key.types & mask) != 0) allowed.emplace_back(key.key);
     for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
         const PointerScope scope(context, member.key);
         const PassKey* key = find_key(member.key);
         if (key == nullptr)

@@ -73,7 +73,7 @@ bool is_port_map(ParseContext& context, const JsonNode& node) {
         wrong_type(context, node, "a list of references or an object of ports");
         return false;
     }
-    for (size_t i = 0; i < node.items.size(); ++i) {
+    for (size_t i = 0; i < node.items.size() && !context.is_full(); ++i) {
         const PointerScope scope(context, std::to_string(i));
         expect(context, node.items[i], JsonKind::string);
     }
@@ -89,6 +89,7 @@ template <class F>
 void read_ports(ParseContext& context, const JsonNode& node, F read) {
     if (!is_port_map(context, node)) return;
     for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
         const PointerScope scope(context, member.key);
         if (named_by_reference(member) || check_identifier(context, "a port", member.key, member.key_loc))
             read(member);

@@ -1,3 +1,5 @@
+#include <chrono>
+
 #include "full_graph.h"
 #include "marked_graph.h"
 
@@ -105,6 +107,21 @@ TEST(Parse, ManyErrorsAreCutOffAndSaySo) {
     const Result<GraphDesc> graph = parse_text(text + "}");
     ASSERT_FALSE(graph.ok());
     EXPECT_EQ(graph.errors().size(), 100u);
+}
+
+// Faults by the hundred thousand on one long line must not take quadratic time.
+TEST(Parse, HostileFilesAreAnsweredSoon) {
+    const auto many = [](const std::string& before, const std::string& item, const std::string& after) {
+        std::string text = before;
+        for (int i = 0; i < 60'000; ++i)
+            text.append("\"k").append(std::to_string(i)).append("\":").append(item).append(",");
+        return text + after;
+    };
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_FALSE(parse_text(many("{\"version\":1,\"passes\":{},\"sizes\":{", "\"1+\"", "}}")).ok());
+    EXPECT_FALSE(parse_text(many("{\"version\":1,\"passes\":{},", "1", "}")).ok());
+    EXPECT_FALSE(parse_text(many("{\"version\":1,\"passes\":{", "{\"in\":[\"x.\"]}", "}}")).ok());
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4));
 }
 
 }  // namespace
