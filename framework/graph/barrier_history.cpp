@@ -36,9 +36,11 @@ std::vector<std::vector<Touch>> touches_by_cell(const SubresourceGrid& grid,
     return cells;
 }
 
-void release(const ImportState& import, const Pending& left, uint32_t cell,
+// Needed after writes, for another layout, and where whoever comes next may write what this frame has read.
+void release(const ImportState& import, const Pending& left, bool touched, uint32_t cell,
              std::vector<CellBarrier>& barriers) {
-    if (!left.written && left.layout == import.exit.layout) return;
+    const bool overwritten_next = touched && (import.exit.access & access::kAllWrites) != 0;
+    if (!left.written && !overwritten_next && left.layout == import.exit.layout) return;
     barriers.push_back({.position = kEpiloguePosition,
                         .cell = cell,
                         .src = {left.stages, left.writes, left.layout},
@@ -100,7 +102,7 @@ ResourceHistory resource_history(const ResourceDecl& resource, const std::vector
             }
         }
         if (!all.empty()) add_pending(state.pending(), history.last);
-        if (resource.import) release(*resource.import, state.pending(), cell, barriers);
+        if (resource.import) release(*resource.import, state.pending(), !all.empty(), cell, barriers);
     }
     history.barriers = merged(grid, std::move(barriers));
     return history;
