@@ -26,15 +26,25 @@ class HashVisitor {
         add(value);
     }
 
+    // Hands on what is still gathered; the last call.
+    void finish() { flush(); }
+
  private:
+    // Little-endian everywhere. Words are gathered, because a plan is mostly words and each update has a
+    // price.
     void word(uint64_t value) {
-        std::array<unsigned char, 8> bytes{};  // little-endian everywhere
-        for (size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<unsigned char>(value >> (8 * i));
-        XXH3_128bits_update(state_, bytes.data(), bytes.size());
+        if (used_ == words_.size()) flush();
+        for (size_t i = 0; i < 8; ++i) words_[used_++] = static_cast<unsigned char>(value >> (8 * i));
+    }
+
+    void flush() {
+        XXH3_128bits_update(state_, words_.data(), used_);
+        used_ = 0;
     }
 
     void add(const std::string& text) {
         word(text.size());
+        flush();
         XXH3_128bits_update(state_, text.data(), text.size());
     }
     template <class T>
@@ -64,6 +74,8 @@ class HashVisitor {
     }
 
     XXH3_state_t* state_;
+    std::array<unsigned char, 4096> words_{};
+    size_t used_ = 0;
 };
 
 struct FreeState {
@@ -77,6 +89,7 @@ std::string plan_hash(const FramePlan& plan) {
     XXH3_128bits_reset(state.get());
     HashVisitor visitor(state.get());
     visit_fields(visitor, plan);
+    visitor.finish();
     const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
     std::array<char, 33> text{};
     std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
