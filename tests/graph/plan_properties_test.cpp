@@ -91,6 +91,25 @@ TEST(PlanProperties, TheSameFrameGivesTheSamePlan) {
     EXPECT_NE(compile(one, content_needs(one), {}).hash, compile(two, content_needs(two), {}).hash);
 }
 
+// Both ways: the plan has no barrier too many, and the checker misses none that is dropped.
+TEST(PlanProperties, EveryBarrierIsNeeded) {
+    for (uint32_t seed = 0; seed < 15; ++seed) {
+        const ResolvedGraph graph = random_graph(seed, {5, 25});
+        const FramePlan plan = compile(graph, content_needs(graph), {});
+        for (size_t p = 0; p < plan.barriers.steps.size(); ++p) {
+            for (size_t i = 0; i < plan.barriers.steps[p].barriers.size(); ++i) {
+                FramePlan without = plan;
+                std::vector<BarrierDecl>& barriers = without.barriers.steps[p].barriers;
+                barriers.erase(barriers.begin() + static_cast<std::ptrdiff_t>(i));
+                const BarrierDecl& dropped = plan.barriers.steps[p].barriers[i];
+                EXPECT_FALSE(check_plan(without).empty())
+                    << "seed " << seed << ": before " << graph.passes[dropped.to].name << " on "
+                    << graph.resources[dropped.resource].name;
+            }
+        }
+    }
+}
+
 TEST(PlanProperties, TheNaivePlanIsProvedToo) {
     for (uint32_t seed = 0; seed < 50; ++seed) {
         const Diagnostics faults = check_plan(naive_plan(random_graph(seed)));
