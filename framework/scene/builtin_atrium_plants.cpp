@@ -76,7 +76,7 @@ void add_citrus_trees(Parts& parts, const PotMeshes& pots) {
     const uint32_t fruit = add_mesh(parts, oranges.finish("citrus_fruit"));
     float turn = 0.3f;
     for (const glm::vec2& at : {glm::vec2(-4.35f, -7.25f), glm::vec2(4.35f, -7.25f), glm::vec2(-4.5f, 5.9f),
-                                glm::vec2(4.7f, 5.1f)}) {
+                                glm::vec2(4.85f, 5.3f)}) {
         const glm::mat4 to_world = moved({at.x, 0.12f, at.y}, turn);
         place_pot(parts, pots, {at.x, 0, at.y}, turn, 1.3f);
         place_copy(parts, leaves, m.citrus, to_world);
