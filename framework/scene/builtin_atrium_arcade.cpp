@@ -139,7 +139,7 @@ void add_pier(Parts& parts, float x, float z) {
     trim.add_box({-0.39f, kSpring - 0.15f, -0.39f}, {0.39f, kSpring - 0.08f, 0.39f});
     trim.add_bevelled_box({-0.43f, kSpring - 0.08f, -0.43f}, {0.43f, kSpring, 0.43f}, 0.02f);
     place(parts, trim.finish("corner_pier_trim"), m.trim);
-    parts.footprints.push_back({{x, z}, {0.43f, 0.43f}, false, 0.4f, 0.6f});
+    parts.footprints.push_back({{x, z}, {0.43f, 0.43f}, false, 0.45f, 0.75f});
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ float footprint_factor(const Footprint& footprint, glm::vec2 p) {
     const float distance = footprint.round ? glm::length(away) - footprint.half.x
                                            : glm::length(glm::max(away - footprint.half, glm::vec2(0)));
     const float near = 1 - std::clamp(distance / footprint.reach_m, 0.0f, 1.0f);
-    return 1 - footprint.strength * near * near;
+    return 1 - footprint.strength * near * std::sqrt(near);
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ void add_armillary(Parts& parts) {
     MeshBuilder globe;
     globe.add_sphere(center, 0.19f, 24, 12);
     place_copy(parts, add_mesh(parts, globe.finish("gold_sphere")), m.gold, moved(at));
-    parts.footprints.push_back({{at.x, at.z}, {0.5f, 0.5f}, false, 0.5f, 0.6f});
+    parts.footprints.push_back({{at.x, at.z}, {0.5f, 0.5f}, false, 0.6f, 0.8f});
 }
 
 }  // namespace weft::scene::atrium

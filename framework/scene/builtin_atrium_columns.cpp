@@ -82,7 +82,7 @@ void add_columns(Parts& parts) {
     for (const glm::vec2& at : places) {
         place_copy(parts, stone, parts.materials.trim, moved({at.x, kFloor, at.y}, turn));
         place_copy(parts, marble, parts.materials.marble, moved({at.x, kFloor, at.y}, 1.7f * turn));
-        parts.footprints.push_back({at, {0.37f, 0.37f}, false, 0.4f, 0.6f});
+        parts.footprints.push_back({at, {0.37f, 0.37f}, false, 0.45f, 0.75f});
         turn += 0.5f * kPi;
     }
 }

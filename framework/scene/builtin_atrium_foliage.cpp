@@ -162,7 +162,7 @@ Surface lily_pad() {
             texel.alpha = std::clamp(0.5f + inside * 0.5f, 0.0f, 1.0f);
             const float rays = std::abs(std::sin(angle * 9));
             const float rim = smooth_step(96, 116, radius);
-            texel.color_srgb = mix3(rgb(0x305a2c), rgb(0x5f8a3e), 0.3f + 0.4f * std::pow(1 - rays, 4.0f));
+            texel.color_srgb = mix3(rgb(0x4d8038), rgb(0x86b052), 0.3f + 0.4f * std::pow(1 - rays, 4.0f));
             texel.color_srgb = mix3(texel.color_srgb, rgb(0x7a5a3a), rim * 0.6f);
             texel.height_m = 0.002f * rays + 0.006f * rim;
             texel.roughness = 0.65f;

@@ -23,11 +23,11 @@ void add_benches(Parts& parts) {
         for (const float z : sign > 0 ? std::array{7.5f, -1.5f} : std::array{1.5f, -7.5f}) {
             place_copy(parts, bench, parts.materials.trim_shaded,
                        moved({sign * (kWallX - 0.32f), kFloor, z}, sign * -0.5f * kPi));
-            parts.footprints.push_back({{sign * (kWallX - 0.32f), z}, {0.18f, 0.8f}, false, 0.3f, 0.65f});
+            parts.footprints.push_back({{sign * (kWallX - 0.32f), z}, {0.18f, 0.8f}, false, 0.4f, 0.85f});
         }
     }
     place_copy(parts, bench, parts.materials.trim, moved({3.5f, 0, -0.7f}, 0.5f * kPi));
-    parts.footprints.push_back({{3.5f, -0.7f}, {0.18f, 0.8f}, false, 0.35f, 0.65f});
+    parts.footprints.push_back({{3.5f, -0.7f}, {0.18f, 0.8f}, false, 0.45f, 0.85f});
 }
 
 // A box of boards held by corner battens and a frame around each face.
@@ -63,7 +63,7 @@ void add_crates(Parts& parts) {
     place_copy(parts, big, m.planks, moved(corner + glm::vec3(0.05f, 0, 0.78f), -0.2f));
     place_copy(parts, small, m.planks, moved(corner + glm::vec3(0.02f, 0.64f, 0.08f), 0.5f));
     place_copy(parts, small, m.planks, moved(corner + glm::vec3(0.74f, 0, 0.3f), 0.9f));
-    parts.footprints.push_back({{corner.x, corner.z + 0.4f}, {0.34f, 0.72f}, false, 0.4f, 0.7f});
+    parts.footprints.push_back({{corner.x, corner.z + 0.4f}, {0.34f, 0.72f}, false, 0.5f, 0.85f});
     parts.footprints.push_back({{corner.x + 0.74f, corner.z + 0.3f}, {0.3f, 0.3f}, true, 0.3f, 0.7f});
 }
 
@@ -92,7 +92,7 @@ void add_barrels(Parts& parts) {
           glm::vec3(-kWallX + 0.45f, kFloor, -3.55f)}) {
         place_copy(parts, barrel, m.planks, moved(at, at.z));
         place_copy(parts, iron, m.iron, moved(at, at.z));
-        parts.footprints.push_back({{at.x, at.z}, {0.26f, 0.26f}, true, 0.35f, 0.7f});
+        parts.footprints.push_back({{at.x, at.z}, {0.26f, 0.26f}, true, 0.45f, 0.85f});
     }
 }
 
@@ -125,11 +125,11 @@ void add_vases(Parts& parts) {
             const glm::vec3 at{sign * 7.75f, kFloor, -(kCourtHalfZ + kWalkDepth - 0.5f)};
             place_copy(parts, pedestal, m.trim_shaded, moved(at));
             place_copy(parts, vase, m.bronze, moved(at + glm::vec3(0, 0.8f, 0), 0, 1.15f));
-            parts.footprints.push_back({{at.x, at.z}, {0.27f, 0.27f}, false, 0.35f, 0.65f});
+            parts.footprints.push_back({{at.x, at.z}, {0.27f, 0.27f}, false, 0.45f, 0.85f});
         }
         const glm::vec3 standing{sign * 2.35f, 0, -7.6f};
         place_copy(parts, vase, m.bronze, moved(standing, 0.4f * sign, 1.3f));
-        parts.footprints.push_back({{standing.x, standing.z}, {0.16f, 0.16f}, true, 0.4f, 0.7f});
+        parts.footprints.push_back({{standing.x, standing.z}, {0.16f, 0.16f}, true, 0.5f, 0.85f});
     }
 }
 

@@ -28,7 +28,7 @@ PotMeshes make_pots(Parts& parts) {
 void place_pot(Parts& parts, const PotMeshes& pots, glm::vec3 at, float turn, float scale) {
     place_copy(parts, pots.pot, parts.materials.clay, moved(at, turn, scale));
     place_copy(parts, pots.soil, parts.materials.soil, moved(at, turn, scale));
-    parts.footprints.push_back({{at.x, at.z}, glm::vec2(0.22f * scale), true, 0.35f * scale, 0.7f});
+    parts.footprints.push_back({{at.x, at.z}, glm::vec2(0.22f * scale), true, 0.5f * scale, 0.85f});
 }
 
 constexpr glm::vec3 kCrown{0, 1.95f, 0};

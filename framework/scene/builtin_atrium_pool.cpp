@@ -106,7 +106,7 @@ void add_pool(Parts& parts) {
     const glm::vec2 half{x - kRimWidth, z - kRimWidth};
     builder.add_rectangle({-half.x, kWaterLevel, half.y}, {2 * half.x, 0, 0}, {0, 0, -2 * half.y});
     place(parts, builder.finish("pool_water"), m.water);
-    parts.footprints.push_back({{0, 0}, {x, z}, false, 0.5f, 0.5f});
+    parts.footprints.push_back({{0, 0}, {x, z}, false, 0.6f, 0.7f});
     add_lilies(parts);
 }
 

@@ -32,7 +32,7 @@ Surface ashlar(const NoiseBank& bank) {
 Texel dressed_stone(const NoiseAt& n, float joint_m) {
     const float bed = n.grain(2);
     const float face = smooth_step(0.002f, 0.007f, joint_m);
-    glm::vec3 color = mix3(rgb(0xd8c8a8), rgb(0xeee2c8), n.coarse(1));
+    glm::vec3 color = mix3(rgb(0xcbb997), rgb(0xe3d5b8), n.coarse(1));
     color *= 0.9f + 0.16f * n.medium() + 0.08f * (bed - 0.5f);
     const float pit = smooth_step(0.68f, 0.76f, n.fine(1)) * smooth_step(0.5f, 0.65f, n.medium(3));
     color *= 1 - 0.12f * pit;
@@ -96,7 +96,7 @@ Surface column_marble(const NoiseBank& bank) {
     return make_surface(kTextureSize, 1, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
         const float vein = marble_vein(bank, x, y, 3);
-        glm::vec3 color = mix3(rgb(0xd9c6b6), rgb(0xefe6da), n.coarse(2));
+        glm::vec3 color = mix3(rgb(0xcbb6a4), rgb(0xe2d6c6), n.coarse(2));
         color = mix3(color, rgb(0xcdb09c), smooth_step(0.45f, 0.75f, n.medium(7)) * 0.4f);
         color = mix3(color, rgb(0x94786a), vein * 0.5f);
         color *= 0.96f + 0.08f * n.fine();
