@@ -46,5 +46,7 @@ struct JsonDoc {
 // `path` is read through `reader`; a missing file is an error that says so.
 [[nodiscard]] Result<JsonDoc> read_json(const std::string& path, const FileReader& reader);
 [[nodiscard]] const char* json_kind_name(JsonKind kind);
+// RFC 6901 pointer of the value or key written at that place; empty when there is none.
+[[nodiscard]] std::string pointer_at(const JsonDoc& document, uint32_t line, uint32_t column);
 
 }  // namespace weft

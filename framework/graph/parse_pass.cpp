@@ -192,9 +192,17 @@ void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, cons
     }
 }
 
+// A misspelt key was reported as unknown: then the right one isn't missing for another reason.
+bool is_misspelt(const JsonNode& pass, std::string_view key) {
+    return std::any_of(pass.members.begin(), pass.members.end(), [&](const JsonMember& member) {
+        return find_key(member.key) == nullptr && !did_you_mean(member.key, {std::string(key)}).empty();
+    });
+}
+
 void check_required(ParseContext& context, const JsonMember& member, TypeMask mask) {
     for (const RequiredKey& required : kRequiredKeys)
-        if ((required.types & mask) == mask && member.value.find(required.key) == nullptr)
+        if ((required.types & mask) == mask && member.value.find(required.key) == nullptr &&
+            !is_misspelt(member.value, required.key))
             missing_key(context, member.key_loc, article(member.value.find("type")->string), required.key,
                         required.help);
 }

@@ -56,9 +56,21 @@ void suspect_near_names(ResolveState& state, const std::string& name) {
     }
 }
 
+// The import itself was reported: ports that spell its name right have no fault of their own.
+bool means_faulty_import(ResolveState& state, PassId pass, const std::string& name) {
+    for (const std::string& near : did_you_mean(name, state.resource_names())) {
+        const ResourceWork& work = state.resources[state.resource_id(near)];
+        if (work.desc || !work.suspect_shape || !state.input.imports.imports.contains(name)) continue;
+        state.passes[pass].faulty = true;
+        return true;
+    }
+    return false;
+}
+
 ResourceId find_port_resource(ResolveState& state, PassId pass, const RefDesc& ref, bool is_output) {
     const ResourceId id = state.resource_id(ref.name);
     if (id != kNoId) return id;
+    if (means_faulty_import(state, pass, ref.name)) return kNoId;
     const std::string verb = is_output ? " writes " : " reads ";
     const std::string who = pass < state.passes.size() && state.observers.contains(state.pass_name(pass))
                                 ? "the observer" + verb

@@ -37,6 +37,12 @@ std::string place(const std::string& file, uint32_t line, uint32_t column) {
     return file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
 }
 
+// A file under examination must not be able to end the text early or steer a terminal.
+void hide_controls(std::string& text) {
+    const auto is_control = [](char c) { return (c >= '\0' && c < ' ' && c != '\n') || c == '\x7f'; };
+    std::replace_if(text.begin(), text.end(), is_control, '?');
+}
+
 std::string excerpt(const Diagnostic& d) {
     if (d.source_line.empty() || d.line == 0) return "";
     const std::string number = std::to_string(d.line);
@@ -71,6 +77,7 @@ std::string to_text(const Diagnostic& d) {
     for (const std::string& help : d.help) text += "\n  help: " + help;
     for (const Note& note : d.notes)
         text += "\n  note: " + place(note.file, note.line, note.column) + note.message;
+    hide_controls(text);
     return text;
 }
 

@@ -30,6 +30,14 @@ void locate(const GraphDesc& graph, const PassDesc& pass, Diagnostics& faults) {
     }
 }
 
+// Faults of meaning know their place in the text; this adds the place in the document.
+void add_pointers(const JsonDoc& document, Diagnostics& faults) {
+    for (Diagnostic& fault : faults) {
+        const bool here = fault.line > 0 && fault.file == document.sources.files.front().path;
+        if (here && fault.pointer.empty()) fault.pointer = pointer_at(document, fault.line, fault.column);
+    }
+}
+
 ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, Diagnostics& faults) {
     ShaderCatalog catalog;
     for (const auto& [name, pass] : graph.passes) {
@@ -67,6 +75,8 @@ Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
                                            input.params, input.output_extent, input.observed},
                                           warnings);
     if (!graph) append(faults, graph.take_errors());
+    add_pointers(*merged, faults);
+    add_pointers(*merged, warnings);
     if (!faults.empty()) return faults;
     return LoadedGraph{std::move(*desc), std::move(shaders), std::move(*graph)};
 }
