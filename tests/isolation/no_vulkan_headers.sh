@@ -24,7 +24,7 @@ for header in vulkan/vulkan.h volk.h; do
 done
 
 {
-  for header in algorithm filesystem fstream functional map set sstream vector; do echo "#include <$header>"; done
+  for header in algorithm functional map set vector; do echo "#include <$header>"; done
   for header in "$root"/framework/include/weft/*.h; do
     case $header in */light_list.h) ;; *) echo "#include \"weft/${header##*/}\"" ;; esac
   done

@@ -35,7 +35,7 @@ constexpr BadGraph kBadGraphs[] = {
     {"duplicate_key", "W003", "the key \"sky\" is here twice", "remove one of the two"},
     {"wrong_type", "W102", "found number, wanted a list of references", "write a value of that kind"},
     {"number_in_quotes", "W102", "found string, wanted a number", "without quotes"},
-    {"cycle", "W150", "dependency cycle", "pin the version"},
+    {"cycle", "W150", "dependency cycle: echo (reads hdr) -> sky (reads ldr) -> echo", "another version: name@pass"},
     {"unknown_resource", "W103", "reads unknown resource \"hrd\"", "did you mean \"hdr\"?"},
     {"unwritten_read", "W110", "reads \"hdr\", which no pass writes", "write it in the \"out\" of a pass"},
     {"unordered_writers", "W111", "\"sea\" and \"sky\" both write \"hdr\"", "\"after\": [\"sea\"] in \"sky\""},
@@ -51,7 +51,7 @@ constexpr BadGraph kBadGraphs[] = {
      "add it to \"in\""},
     {"wrong_numbers", "W112", "expects float values, but \"hdr\" has format \"rgba16u\"",
      "change the declaration in the shader"},
-    {"unknown_format", "W116", "unknown format \"rgba16g\"", "did you mean \"rgba16f\"", nullptr, 1},
+    {"unknown_format", "W116", "unknown format \"rgba16g\"", "\"rgba16f\"", nullptr, 1},
     {"bad_expression", "W106", "the expression ends where", "expressions know", nullptr, 9},
     {"unknown_name", "W107", "unknown name \"outptu\"", "did you mean \"output\"?", nullptr, 1},
     {"missing_key", "W108", "needs the key \"shader\"", "name the shader"},
@@ -127,7 +127,7 @@ TEST(BadGraph, AllFaultsAreReportedAtOnce) {
   "resources": { "x": "rgba99" },
   "passes": { "p": { "type": "clear", "out": ["x"], "colour": 1 } }
 })");
-    expect_refused(run_weft({"check", scratch / "many.json"}), {"2:61: error[W102]", "3:24: error[W116]", "4:53: error[W101]"});
+    expect_refused(run_weft({"check", scratch / "many.json"}), {"2:73: error[W102]", "3:24: error[W116]", "4:53: error[W101]"});
 }
 
 // What hostile files do to parsers: depth, size, and bytes that are no text.

@@ -2,6 +2,7 @@
 // them. Nothing is compiled but shaders.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -101,9 +102,9 @@ TEST(Documentation, TheGraphPageRuns) {
         nearest = std::min(nearest, texel[0]);
         farthest = std::max(farthest, texel[0]);
     }
-    EXPECT_GT(nearest, 0.02f);
-    EXPECT_LT(nearest, 0.8f) << "the spheres are nearer than 20 m";
-    EXPECT_GT(farthest, 0.99f) << "where nothing is, fog is thick";
+    EXPECT_GT(nearest, 0.1f);
+    EXPECT_GT(farthest, nearest + 0.1f) << "what is farther lies in thicker fog";
+    EXPECT_LE(farthest, 1.0f);
 }
 
 TEST(Documentation, TheExampleGraphRunsAndObservingItChangesNothing) {

@@ -1,5 +1,5 @@
 #version 460
-#include "nowhere.glsl"
+/*here*/#include "nowhere.glsl"
 
 layout(location = 0) out vec4 backbuffer;
 
