@@ -89,7 +89,8 @@ shared::Material gpu_material(const scene::Material& m) {
     gpu.specular = m.specular;
     gpu.metallic = m.metallic;
     gpu.roughness = m.roughness;
-    gpu.normal_scale = m.normal_scale;
+    // 128/255 is not quite the middle: without a normal map the geometry's normal must come through untouched.
+    gpu.normal_scale = m.normal_texture.texture == scene::kNone ? 0.0f : m.normal_scale;
     gpu.occlusion_strength = m.occlusion_strength;
     gpu.base_color_uv = rows(m.base_color_texture.transform);
     gpu.metallic_roughness_uv = rows(m.metallic_roughness_texture.transform);

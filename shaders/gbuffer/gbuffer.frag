@@ -13,7 +13,7 @@ layout(location = 2) in vec2 surface_uv;
 layout(location = 3) in vec4 clip_now;
 layout(location = 4) in vec4 clip_before;
 
-layout(location = 0) out vec4 albedo;    // rgb: base colour (the target encodes sRGB)
+layout(location = 0) out vec4 albedo;    // rgb: √ base colour; drivers differ in how they decode sRGB, roots are exact
 layout(location = 1) out vec2 normal;    // octahedral, world space
 layout(location = 2) out vec4 orm;       // occlusion, perceptual roughness, metalness
 layout(location = 3) out vec4 specular;  // rgb: √F0 of the dielectric, a: specularFactor
@@ -42,7 +42,7 @@ void main() {
     const float ao = texture(occlusion_texture, transformed(material.occlusion_uv, surface_uv)).r;
     const vec3 glow = texture(emissive_texture, transformed(material.emissive_uv, surface_uv)).rgb;
 
-    albedo = vec4(base.rgb, 1.0);
+    albedo = vec4(sqrt(base.rgb), 1.0);
     normal = octahedral_encode(shading_normal());
     orm = vec4(mix(1.0, ao, material.occlusion_strength), material.roughness * mr.g, material.metallic * mr.b, 1.0);
     specular = vec4(sqrt(material.dielectric_f0), material.specular);

@@ -3,6 +3,7 @@
 #version 460
 #include "brdf.glsl"
 #include "frame_set.glsl"
+#include "half_float.glsl"
 #include "lights.glsl"
 #include "octahedral.glsl"
 #include "sky.glsl"
@@ -24,9 +25,10 @@ vec3 lit_surface(ivec2 pixel, vec2 uv, float z) {
     const vec3 position = world_position(uv, z);
     const vec3 v = normalize(view.eye - position);
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
+    const vec3 base_root = texelFetch(albedo, pixel, 0).rgb;
     const vec4 coat = texelFetch(specular, pixel, 0);
     const Surface s = make_surface(octahedral_decode(texelFetch(normal, pixel, 0).xy),
-                                   texelFetch(albedo, pixel, 0).rgb, material.b, material.g, coat.rgb * coat.rgb, coat.a);
+                                   base_root * base_root, material.b, material.g, coat.rgb * coat.rgb, coat.a);
     vec3 radiance = vec3(0.0);
     const uint count = min(frame.light_count, uint(lights.items.length()));
     for (uint i = 0u; i < count; ++i) {
@@ -48,5 +50,5 @@ void main() {
     } else {
         color = sky_radiance(ray_direction(uv)) * frame.pre_exposure;
     }
-    imageStore(hdr, pixel, vec4(min(color, vec3(kMaxStored)), 1.0));
+    imageStore(hdr, pixel, vec4(nearest_half(min(color, vec3(kMaxStored))), 1.0));
 }

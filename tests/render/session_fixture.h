@@ -1,0 +1,85 @@
+// One scene through graphs/deferred.json on a validated device, with the resources a test asks for read back.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "render/session.h"
+#include "render/texels.h"
+#include "weft/registry.h"
+
+namespace weft::test {
+
+inline std::optional<std::string> read_text(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return std::nullopt;
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+struct Rendered {
+    std::map<std::string, std::vector<glm::vec4>> images;  // by reference, decoded
+    shared::ViewConstants view{};
+    std::vector<shared::Light> lights;
+    float pre_exposure = 1;
+};
+
+class SessionTest : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        vk::DeviceOptions options;
+        options.validate = true;
+        Result<std::unique_ptr<vk::Device>> made = vk::Device::create(options);
+        ASSERT_TRUE(made) << to_text(made.errors());
+        device_ = std::move(*made);
+    }
+    void TearDown() override {
+        if (!device_) return;
+        for (const vk::Message& m : device_->messages().messages()) ADD_FAILURE() << m.id << ": " << m.text;
+    }
+
+    // Fails the test and returns nothing when anything goes wrong.
+    Rendered render(const scene::Scene& scene, const scene::Camera& camera, Extent3D size, float exposure_ev,
+                    std::vector<std::string> observed) {
+        const PassCatalog passes = registered_passes();
+        render::SessionInput input;
+        input.graph_path = WEFT_SOURCE_DIR "/graphs/deferred.json";
+        input.reader = read_text;
+        input.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.passes = &passes;
+        input.size = size;
+        input.observed = std::move(observed);
+        input.camera = camera;
+        input.exposure_ev = exposure_ev;
+        input.check_plan = true;
+        Diagnostics warnings;
+        Result<std::unique_ptr<render::Session>> session =
+            render::Session::create(*device_, scene, input, warnings);
+        if (!session) {
+            ADD_FAILURE() << to_text(session.errors());
+            return {};
+        }
+        Status done = (*session)->render_frame(0, 0);
+        if (done) done = (*session)->finish();
+        if (!done) {
+            ADD_FAILURE() << to_text(done.errors());
+            return {};
+        }
+        Rendered result;
+        for (const vk::ReadbackData& data : (*session)->take_readbacks())
+            result.images[data.pass.substr(std::string("observe:").size())] =
+                render::decode_texels(data.format, data.bytes);
+        result.view = (*session)->view();
+        result.lights = (*session)->lights();
+        result.pre_exposure = (*session)->pre_exposure();
+        return result;
+    }
+
+    std::unique_ptr<vk::Device> device_;
+};
+
+}  // namespace weft::test
