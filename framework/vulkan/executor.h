@@ -74,6 +74,7 @@ struct ExecutorInput {
     ImportBindings bindings;
     const DrawSource* draws = nullptr;  // may be null when no pass is a raster pass
     ExecutorHooks hooks;
+    bool timestamps = true;  // off: nothing but the plan is recorded, and all times are negative
 };
 
 class Executor {

@@ -1,0 +1,59 @@
+#include "vulkan/barriers_vk.h"
+
+#include "vulkan/to_vk.h"
+
+namespace weft::vk {
+namespace {
+
+// All logical queues are one Vulkan queue here, so ownership never moves.
+VkImageMemoryBarrier2 image_barrier(const BarrierDecl& barrier, VkImage image) {
+    VkImageMemoryBarrier2 out{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    out.srcStageMask = stages_to_vk(barrier.src.stages);
+    out.srcAccessMask = access_to_vk(barrier.src.access);
+    out.oldLayout = to_vk(barrier.src.layout);
+    out.dstStageMask = stages_to_vk(barrier.dst.stages);
+    out.dstAccessMask = access_to_vk(barrier.dst.access);
+    out.newLayout = to_vk(barrier.dst.layout);
+    out.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    out.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    out.image = image;
+    out.subresourceRange = to_vk(barrier.range);
+    return out;
+}
+
+VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffer) {
+    VkBufferMemoryBarrier2 out{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
+    out.srcStageMask = stages_to_vk(barrier.src.stages);
+    out.srcAccessMask = access_to_vk(barrier.src.access);
+    out.dstStageMask = stages_to_vk(barrier.dst.stages);
+    out.dstAccessMask = access_to_vk(barrier.dst.access);
+    out.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    out.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    out.buffer = buffer;
+    out.size = VK_WHOLE_SIZE;
+    return out;
+}
+
+}  // namespace
+
+void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
+                     const FramePlan& plan, const ResourceTable& resources) {
+    if (barriers.empty()) return;
+    std::vector<VkImageMemoryBarrier2> images;
+    std::vector<VkBufferMemoryBarrier2> buffers;
+    for (const BarrierDecl& barrier : barriers) {
+        const ResourceDecl& decl = plan.graph.resources[barrier.resource];
+        if (decl.kind == ResourceKind::image)
+            images.push_back(image_barrier(barrier, resources.images[barrier.resource]));
+        else
+            buffers.push_back(buffer_barrier(barrier, resources.buffers[barrier.resource]));
+    }
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.imageMemoryBarrierCount = static_cast<uint32_t>(images.size());
+    info.pImageMemoryBarriers = images.data();
+    info.bufferMemoryBarrierCount = static_cast<uint32_t>(buffers.size());
+    info.pBufferMemoryBarriers = buffers.data();
+    device.fn().vkCmdPipelineBarrier2(commands, &info);
+}
+
+}  // namespace weft::vk

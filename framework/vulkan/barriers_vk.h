@@ -1,0 +1,14 @@
+// Purpose: the plan's barriers as Vulkan's: every list is one vkCmdPipelineBarrier2.
+#pragma once
+
+#include <span>
+
+#include "vulkan/resource_table.h"
+
+namespace weft::vk {
+
+// Records nothing for an empty list.
+void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
+                     const FramePlan& plan, const ResourceTable& resources);
+
+}  // namespace weft::vk

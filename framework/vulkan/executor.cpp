@@ -1,0 +1,223 @@
+#include "vulkan/executor.h"
+
+#include <cassert>
+#include <chrono>
+
+#include "vulkan/barriers_vk.h"
+#include "vulkan/executor_errors.h"
+#include "vulkan/frame_slots.h"
+#include "vulkan/record.h"
+
+namespace weft::vk {
+namespace {
+
+class Stopwatch {
+ public:
+    [[nodiscard]] double ms() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+ private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string pass_names(const FramePlan& plan, uint32_t first) {
+    std::string names;
+    for (size_t position = first; position < plan.schedule.order.size(); ++position)
+        names += (names.empty() ? "" : ", ") + plan.graph.passes[plan.schedule.order[position]].name;
+    return names;
+}
+
+void begin_label(const Device& device, VkCommandBuffer commands, const std::string& name) {
+    VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+    label.pLabelName = name.c_str();
+    if (device.instance_fn().vkCmdBeginDebugUtilsLabelEXT != nullptr)
+        device.instance_fn().vkCmdBeginDebugUtilsLabelEXT(commands, &label);
+}
+
+void end_label(const Device& device, VkCommandBuffer commands) {
+    if (device.instance_fn().vkCmdEndDebugUtilsLabelEXT != nullptr)
+        device.instance_fn().vkCmdEndDebugUtilsLabelEXT(commands);
+}
+
+class ReplayExecutor final : public Executor {
+ public:
+    ReplayExecutor(Device& device, std::unique_ptr<PlanObjects> objects, FrameSlots slots,
+                   ExecutorHooks hooks)
+        : device_(device),
+          objects_(std::move(objects)),
+          slots_(std::make_unique<FrameSlots>(std::move(slots))),
+          hooks_(hooks) {}
+    ~ReplayExecutor() override;
+
+    Result<uint32_t> begin_frame() override;
+    Status run(const FrameInput& frame) override;
+    Status finish() override;
+    std::vector<FrameTiming> take_timings() override { return std::exchange(timings_, {}); }
+    std::vector<ReadbackData> take_readbacks() override { return std::exchange(readbacks_, {}); }
+    Result<ReadbackData> read_image(const Image& image) override { return read_image_now(device_, image); }
+    const FramePlan& plan() const override { return objects_->plan; }
+    uint64_t transient_bytes() const override { return objects_->heap.bytes(); }
+
+ private:
+    struct InFlight {
+        uint64_t frame_index = 0;
+        FrameTiming timing;
+    };
+    [[nodiscard]] Status complete(uint32_t slot);
+    [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
+    void prepare_host_data(const FrameInput& frame, uint32_t slot);
+    void record_frame(VkCommandBuffer commands, const FrameInput& frame, uint32_t slot);
+    void record_step(const RecordContext& context, uint32_t position);
+
+    Device& device_;
+    std::unique_ptr<PlanObjects> objects_;
+    std::unique_ptr<FrameSlots> slots_;
+    ExecutorHooks hooks_;
+    std::array<InFlight, kFramesInFlight> in_flight_;
+    uint64_t frames_begun_ = 0;
+    uint32_t slot_ = kNoId;  // of the frame begun and not yet run
+    bool prologue_done_ = false;
+    std::vector<FrameTiming> timings_;
+    std::vector<ReadbackData> readbacks_;
+    Diagnostics lost_;  // after a time-out or a lost device nothing runs any more
+};
+
+ReplayExecutor::~ReplayExecutor() {
+    bool idle = lost_.empty();
+    for (uint32_t slot = 0; slot < kFramesInFlight && idle; ++slot) idle = slots_->wait(slot) == VK_SUCCESS;
+    if (idle) return;
+    // The device may still be at work with these; destroying them under it would be worse than keeping them.
+    static_cast<void>(objects_.release());
+    static_cast<void>(slots_.release());
+}
+
+Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
+    const size_t pass_count = objects_->plan.schedule.order.size();
+    uint32_t first = objects_->timer.first_unfinished(slot);
+    if (first >= pass_count) first = 0;
+    Diagnostic diagnostic =
+        failed_call("V418",
+                    "frame " + std::to_string(in_flight_[slot].frame_index) +
+                        " did not end; passes in flight: " + pass_names(objects_->plan, first),
+                    result);
+    if (diagnostic.help.empty())
+        diagnostic.help.push_back("look for an endless loop in the first of these passes");
+    lost_ = {diagnostic};
+    return diagnostic;
+}
+
+Status ReplayExecutor::complete(uint32_t slot) {
+    if (!lost_.empty()) return lost_;
+    if (!slots_->in_flight(slot)) return Unit{};
+    const VkResult result = slots_->wait(slot);
+    if (result != VK_SUCCESS) return lost_frame(slot, result);
+    InFlight& frame = in_flight_[slot];
+    const std::vector<double> times = objects_->timer.read_ms(slot);
+    for (size_t position = 0; position < times.size(); ++position)
+        frame.timing.passes.push_back(
+            {objects_->plan.graph.passes[objects_->plan.schedule.order[position]].name, times[position]});
+    timings_.push_back(std::move(frame.timing));
+    objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, readbacks_);
+    return Unit{};
+}
+
+Result<uint32_t> ReplayExecutor::begin_frame() {
+    assert(slot_ == kNoId && "begin_frame() twice without run()");
+    const auto slot = static_cast<uint32_t>(frames_begun_ % kFramesInFlight);
+    const Stopwatch watch;
+    if (Status completed = complete(slot); !completed) return completed.take_errors();
+    in_flight_[slot] = {};
+    in_flight_[slot].timing.wait_ms = watch.ms();
+    ++frames_begun_;
+    slot_ = slot;
+    return slot;
+}
+
+Status ReplayExecutor::finish() {
+    for (uint32_t i = 0; i < kFramesInFlight; ++i) {
+        const auto oldest = static_cast<uint32_t>((frames_begun_ + i) % kFramesInFlight);
+        if (Status completed = complete(oldest); !completed) return completed;
+    }
+    return Unit{};
+}
+
+void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
+    const FramePlan& plan = objects_->plan;
+    const HostInputs none;
+    objects_->params.write(plan, frame, slot);
+    for (uint32_t position = 0; position < objects_->passes.size(); ++position) {
+        const PreparedPass& prepared = objects_->passes[position];
+        if (!prepared.type) continue;
+        objects_->uploads.prepare(position, *prepared.type, plan.graph.passes[plan.schedule.order[position]],
+                                  frame.host != nullptr ? *frame.host : none, slot);
+    }
+}
+
+void ReplayExecutor::record_step(const RecordContext& context, uint32_t position) {
+    const FramePlan& plan = objects_->plan;
+    const PassStep& step = plan.barriers.steps[position];
+    const std::string& name = plan.graph.passes[step.pass].name;
+    device_.messages().set_current_pass(name);
+    begin_label(device_, context.commands, name);
+    if (position != hooks_.drop_barriers_of_position)
+        record_barriers(device_, context.commands, step.barriers, plan, objects_->resources);
+    record_pass(context, position);
+    end_label(device_, context.commands);
+    objects_->timer.record_pass_end(context.commands, context.slot, position);
+}
+
+void ReplayExecutor::record_frame(VkCommandBuffer commands, const FrameInput& frame, uint32_t slot) {
+    const FramePlan& plan = objects_->plan;
+    if (!prologue_done_)
+        record_barriers(device_, commands, plan.barriers.prologue, plan, objects_->resources);
+    prologue_done_ = true;
+    objects_->timer.record_start(commands, slot);
+    const RecordContext context{device_, commands, slot, frame, *objects_};
+    for (const Batch& batch : plan.submissions.batches) {
+        for (uint32_t position = batch.first; position < batch.first + batch.count; ++position)
+            record_step(context, position);
+        if (!batch.epilogue) continue;
+        begin_label(device_, commands, "epilogue");
+        record_barriers(device_, commands, plan.barriers.epilogue, plan, objects_->resources);
+        end_label(device_, commands);
+    }
+    objects_->readbacks.record_visibility(device_, commands, slot);
+}
+
+Status ReplayExecutor::run(const FrameInput& frame) {
+    assert(slot_ != kNoId && "run() needs the slot of begin_frame()");
+    const uint32_t slot = std::exchange(slot_, kNoId);
+    if (!lost_.empty()) return lost_;
+    InFlight& in_flight = in_flight_[slot];
+    in_flight.frame_index = frame.frame_index;
+    const Stopwatch record_watch;
+    prepare_host_data(frame, slot);
+    Result<VkCommandBuffer> commands = slots_->begin(slot);
+    if (!commands) return commands.take_errors();
+    record_frame(*commands, frame, slot);
+    in_flight.timing.record_ms = record_watch.ms();
+    device_.messages().set_current_pass(pass_names(objects_->plan, 0));
+    const Stopwatch submit_watch;
+    const VkResult result = slots_->submit(slot);
+    device_.messages().set_current_pass("");
+    in_flight.timing.submit_ms = submit_watch.ms();
+    if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
+    if (result != VK_SUCCESS)
+        return failed_call("V418", "submitting passes " + pass_names(objects_->plan, 0), result);
+    return Unit{};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput input) {
+    const ExecutorHooks hooks = input.hooks;
+    Result<std::unique_ptr<PlanObjects>> objects = make_plan_objects(device, std::move(input));
+    if (!objects) return objects.take_errors();
+    Result<FrameSlots> slots = FrameSlots::create(device);
+    if (!slots) return slots.take_errors();
+    return std::unique_ptr<Executor>(
+        std::make_unique<ReplayExecutor>(device, std::move(*objects), std::move(*slots), hooks));
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,56 @@
+// Purpose: one Vulkan object, owned. Move-only; destroyed through the device's own table, with the device
+// alive.
+#pragma once
+
+#include <utility>
+
+#include "vulkan/device.h"
+
+namespace weft::vk {
+
+// `Destroy` is the member of the device's table that takes (device, object, allocator).
+template <class T, auto Destroy>
+class Handle {
+ public:
+    Handle() = default;
+    Handle(const Device& device, T object) : device_(&device), object_(object) {}
+    ~Handle() { reset(); }
+    Handle(Handle&& other) noexcept
+        : device_(other.device_), object_(std::exchange(other.object_, VK_NULL_HANDLE)) {}
+    Handle& operator=(Handle&& other) noexcept {
+        if (this != &other) {
+            reset();
+            device_ = other.device_;
+            object_ = std::exchange(other.object_, VK_NULL_HANDLE);
+        }
+        return *this;
+    }
+
+    [[nodiscard]] T get() const { return object_; }
+    explicit operator bool() const { return object_ != VK_NULL_HANDLE; }
+    void reset() {
+        if (object_ != VK_NULL_HANDLE) (device_->fn().*Destroy)(device_->handle(), object_, nullptr);
+        object_ = VK_NULL_HANDLE;
+    }
+
+ private:
+    const Device* device_ = nullptr;
+    T object_ = VK_NULL_HANDLE;
+};
+
+using ImageHandle = Handle<VkImage, &VolkDeviceTable::vkDestroyImage>;
+using BufferHandle = Handle<VkBuffer, &VolkDeviceTable::vkDestroyBuffer>;
+using MemoryHandle = Handle<VkDeviceMemory, &VolkDeviceTable::vkFreeMemory>;
+using ImageViewHandle = Handle<VkImageView, &VolkDeviceTable::vkDestroyImageView>;
+using SamplerHandle = Handle<VkSampler, &VolkDeviceTable::vkDestroySampler>;
+using SetLayoutHandle = Handle<VkDescriptorSetLayout, &VolkDeviceTable::vkDestroyDescriptorSetLayout>;
+using PipelineLayoutHandle = Handle<VkPipelineLayout, &VolkDeviceTable::vkDestroyPipelineLayout>;
+using PipelineHandle = Handle<VkPipeline, &VolkDeviceTable::vkDestroyPipeline>;
+using PipelineCacheHandle = Handle<VkPipelineCache, &VolkDeviceTable::vkDestroyPipelineCache>;
+using ShaderModuleHandle = Handle<VkShaderModule, &VolkDeviceTable::vkDestroyShaderModule>;
+using DescriptorPoolHandle = Handle<VkDescriptorPool, &VolkDeviceTable::vkDestroyDescriptorPool>;
+using CommandPoolHandle = Handle<VkCommandPool, &VolkDeviceTable::vkDestroyCommandPool>;
+using FenceHandle = Handle<VkFence, &VolkDeviceTable::vkDestroyFence>;
+using QueryPoolHandle = Handle<VkQueryPool, &VolkDeviceTable::vkDestroyQueryPool>;
+
+}  // namespace weft::vk

@@ -1,0 +1,34 @@
+// Purpose: the pipelines of a pass: one, or for raster passes one for each variant of each draw list.
+// Errors: V412, V416.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "vulkan/handle.h"
+#include "vulkan/pass_layout.h"
+#include "weft/imports.h"
+
+namespace weft::vk {
+
+struct DrawPipeline {
+    std::string list;  // empty for passes without draw lists
+    uint32_t variant = 0;
+    PipelineHandle pipeline;
+};
+
+struct PipelineRequest {
+    const FramePlan& plan;
+    const PassDecl& pass;
+    const ShaderProgram& program;
+    const PassLayout& layout;
+    const ImportCatalog* imports;  // needed by draw lists
+    VkPipelineCache cache;
+};
+
+// In the order in which they are drawn: lists as the pass names them, then variants.
+[[nodiscard]] Result<std::vector<DrawPipeline>> make_pipelines(Device& device,
+                                                               const PipelineRequest& request);
+[[nodiscard]] Result<PipelineCacheHandle> make_pipeline_cache(Device& device);
+
+}  // namespace weft::vk

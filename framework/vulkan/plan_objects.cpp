@@ -1,0 +1,149 @@
+#include "vulkan/plan_objects.h"
+
+#include "vulkan/executor_errors.h"
+
+namespace weft::vk {
+namespace {
+
+bool runs_shader(PassKind kind) {
+    return kind == PassKind::compute || kind == PassKind::fullscreen || kind == PassKind::raster;
+}
+
+// A copy moves all of one range to another of the same shape.
+bool copies_like_to_like(const FramePlan& plan, const PassDecl& pass) {
+    if (pass.uses.size() != 2) return false;
+    return plan.graph.resources[pass.uses[0].resource].kind ==
+           plan.graph.resources[pass.uses[1].resource].kind;
+}
+
+Diagnostics check_passes(const FramePlan& plan, const ExecutorInput& input) {
+    Diagnostics errors;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        const auto fault = [&](const std::string& what) {
+            errors.push_back(pass_error(plan, pass, "V417", what));
+        };
+        if (pass.kind == PassKind::copy && !copies_like_to_like(plan, pass))
+            fault("a copy needs one input and one output, both images or both buffers");
+        if (pass.kind == PassKind::custom && (input.passes == nullptr || !input.passes->contains(pass.type)))
+            fault("no pass type \"" + pass.type + "\" was given");
+        if (pass.kind == PassKind::raster && !pass.draw_lists.empty() && input.draws == nullptr)
+            errors.push_back(pass_error(plan, pass, "V415", "it draws, but no draw source was given"));
+        if (!runs_shader(pass.kind)) continue;
+        const auto program =
+            input.shaders == nullptr ? ShaderCatalog::const_iterator{} : input.shaders->find(pass.shader);
+        if (input.shaders == nullptr || program == input.shaders->end() || program->second.modules.empty())
+            fault("no shader \"" + pass.shader + "\" was given");
+        else if (program->second.interface.has_params &&
+                 program->second.interface.params.size_bytes != pass.params_bytes)
+            fault("its Params have " + std::to_string(pass.params_bytes) + " bytes where the shader has " +
+                  std::to_string(program->second.interface.params.size_bytes));
+    }
+    return errors;
+}
+
+Diagnostics check_plan(const FramePlan& plan, const ExecutorInput& input) {
+    Diagnostics errors = check_passes(plan, input);
+    bool several_queues = plan.schedule.queue_count > 1;
+    for (const Batch& batch : plan.submissions.batches) several_queues |= !batch.waits.empty();
+    if (several_queues) {
+        Diagnostic diagnostic;
+        diagnostic.code = "V417";
+        diagnostic.message = "graph \"" + plan.graph.name + "\" was compiled for several queues";
+        diagnostic.help.push_back("compile it with a device profile that has one queue");
+        errors.push_back(std::move(diagnostic));
+    }
+    return errors;
+}
+
+// Memory, and what only depends on the plan.
+Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& objects) {
+    Result<TransientHeap> heap = TransientHeap::create(device, objects.plan);
+    if (!heap) return heap.take_errors();
+    objects.heap = std::move(*heap);
+    Result<ResourceTable> resources = bind_resources(objects.plan, objects.heap, input.bindings);
+    if (!resources) return resources.take_errors();
+    objects.resources = std::move(*resources);
+    Result<ParamsMemory> params = ParamsMemory::create(device, objects.plan);
+    if (!params) return params.take_errors();
+    objects.params = std::move(*params);
+    Result<UploadMemory> uploads = UploadMemory::create(device, objects.plan);
+    if (!uploads) return uploads.take_errors();
+    objects.uploads = std::move(*uploads);
+    Result<ReadbackMemory> readbacks = ReadbackMemory::create(device, objects.plan);
+    if (!readbacks) return readbacks.take_errors();
+    objects.readbacks = std::move(*readbacks);
+    const auto pass_count = static_cast<uint32_t>(objects.plan.schedule.order.size());
+    Result<PassTimer> timer = PassTimer::create(device, pass_count, input.timestamps);
+    if (!timer) return timer.take_errors();
+    objects.timer = std::move(*timer);
+    return Unit{};
+}
+
+Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjects& objects,
+                           uint32_t position) {
+    const PassDecl& pass = objects.plan.graph.passes[objects.plan.schedule.order[position]];
+    const ShaderProgram& program = input.shaders->find(pass.shader)->second;
+    PreparedPass& prepared = objects.passes[position];
+    Result<PassLayout> layout = make_pass_layout(device, objects.plan, pass, program.interface, input.draws);
+    if (!layout) return layout.take_errors();
+    prepared.layout = std::move(*layout);
+    const DescriptorSources sources{objects.plan,  objects.resources, objects.params,
+                                    objects.views, objects.samplers,  objects.stand_ins};
+    Result<SlotSets> sets =
+        make_port_sets(device, objects.pool.get(), sources, position, program.interface, prepared.layout);
+    if (!sets) return sets.take_errors();
+    prepared.port_sets = *sets;
+    Result<std::vector<DrawPipeline>> pipelines = make_pipelines(
+        device, {objects.plan, pass, program, prepared.layout, input.imports, objects.cache.get()});
+    if (!pipelines) return pipelines.take_errors();
+    prepared.pipelines = std::move(*pipelines);
+    if (pass.kind == PassKind::compute) return Unit{};
+    Result<RenderingScope> scope =
+        make_rendering_scope(objects.plan, objects.plan.barriers.steps[position], objects.views);
+    if (!scope) return scope.take_errors();
+    prepared.scope = std::move(*scope);
+    return Unit{};
+}
+
+Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& objects) {
+    std::vector<const ShaderInterface*> interfaces;
+    for (const PassId id : objects.plan.schedule.order) {
+        const PassDecl& pass = objects.plan.graph.passes[id];
+        if (runs_shader(pass.kind)) interfaces.push_back(&input.shaders->find(pass.shader)->second.interface);
+    }
+    Result<DescriptorPoolHandle> pool = make_descriptor_pool(device, interfaces);
+    if (!pool) return pool.take_errors();
+    objects.pool = std::move(*pool);
+    Result<PipelineCacheHandle> cache = make_pipeline_cache(device);
+    if (!cache) return cache.take_errors();
+    objects.cache = std::move(*cache);
+    return Unit{};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input) {
+    Diagnostics errors = check_plan(input.plan, input);
+    if (!errors.empty()) return errors;
+    auto objects = std::make_unique<PlanObjects>(device, std::move(input.plan));
+    objects->draws = input.draws;
+    if (Status made = make_memory(device, input, *objects); !made) return made.take_errors();
+    if (Status made = make_pool(device, input, *objects); !made) return made.take_errors();
+    const std::vector<PassId>& order = objects->plan.schedule.order;
+    objects->passes.resize(order.size());
+    for (uint32_t position = 0; position < order.size(); ++position) {
+        const PassDecl& pass = objects->plan.graph.passes[order[position]];
+        if (pass.kind == PassKind::custom)
+            objects->passes[position].type = input.passes->find(pass.type)->second;
+        if (!runs_shader(pass.kind)) continue;
+        device.messages().set_current_pass(pass.name);
+        const Status prepared = prepare_shader_pass(device, input, *objects, position);
+        if (!prepared) append(errors, prepared.errors());
+    }
+    device.messages().set_current_pass("");
+    if (!errors.empty()) return errors;
+    return objects;
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,52 @@
+// Purpose: everything a plan needs on the device, made once: heap, views, layouts, descriptor sets,
+// pipelines, and the memory that host and device exchange. Frames only replay it. Errors: V410 to V418, all
+// of a plan's at once.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "vulkan/descriptors.h"
+#include "vulkan/pipelines.h"
+#include "vulkan/readback.h"
+#include "vulkan/rendering_scope.h"
+#include "vulkan/timing.h"
+#include "vulkan/uploads.h"
+
+namespace weft::vk {
+
+// What recording one pass needs beside its declaration; which members are set depends on its kind.
+struct PreparedPass {
+    PassLayout layout;
+    SlotSets port_sets{};
+    std::vector<DrawPipeline> pipelines;
+    RenderingScope scope;
+    std::optional<PassType> type;  // custom passes
+};
+
+// Stays where it was made: its parts refer to each other.
+struct PlanObjects {
+    PlanObjects(Device& device, FramePlan frame_plan)
+        : plan(std::move(frame_plan)), views(device, plan, resources), samplers(device), stand_ins(device) {}
+    PlanObjects(const PlanObjects&) = delete;
+    PlanObjects& operator=(const PlanObjects&) = delete;
+
+    FramePlan plan;
+    TransientHeap heap;
+    ResourceTable resources;
+    ViewCache views;
+    SamplerCache samplers;
+    StandIns stand_ins;
+    ParamsMemory params;
+    UploadMemory uploads;
+    ReadbackMemory readbacks;
+    PassTimer timer;
+    PipelineCacheHandle cache;
+    DescriptorPoolHandle pool;
+    std::vector<PreparedPass> passes;  // by position
+    const DrawSource* draws = nullptr;
+};
+
+[[nodiscard]] Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input);
+
+}  // namespace weft::vk

@@ -1,0 +1,107 @@
+#include "vulkan/transient_heap.h"
+
+#include "vulkan/executor.h"
+#include "vulkan/executor_errors.h"
+
+namespace weft::vk {
+namespace {
+
+MemoryNeed to_need(const VkMemoryRequirements& requirements) {
+    return {requirements.size, requirements.alignment, requirements.memoryTypeBits};
+}
+
+MemoryNeed image_need(Device& device, const ResourceDecl& decl) {
+    const VkImageCreateInfo info = image_create_info(decl);
+    VkDeviceImageMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS};
+    query.pCreateInfo = &info;
+    VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    device.fn().vkGetDeviceImageMemoryRequirements(device.handle(), &query, &answer);
+    return to_need(answer.memoryRequirements);
+}
+
+MemoryNeed buffer_need(Device& device, const ResourceDecl& decl) {
+    const VkBufferCreateInfo info = buffer_create_info(decl);
+    VkDeviceBufferMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS};
+    query.pCreateInfo = &info;
+    VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    device.fn().vkGetDeviceBufferMemoryRequirements(device.handle(), &query, &answer);
+    return to_need(answer.memoryRequirements);
+}
+
+}  // namespace
+
+MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph) {
+    MemoryNeeds needs(graph.resources.size());
+    for (size_t i = 0; i < graph.resources.size(); ++i) {
+        const ResourceDecl& decl = graph.resources[i];
+        // A resource that no pass names has no usage, and Vulkan has no object without one.
+        if (decl.lifetime == ResourceLifetime::imported || decl.usage == 0) continue;
+        needs[i] = decl.kind == ResourceKind::image ? image_need(device, decl) : buffer_need(device, decl);
+    }
+    return needs;
+}
+
+Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
+    for (size_t i = 0; i < memory.heaps.size(); ++i) {
+        const HeapPlan& heap = memory.heaps[i];
+        const std::string what =
+            "transient heap " + std::to_string(i) + " of " + std::to_string(heap.size_bytes) + " bytes";
+        uint32_t type = device.memory_type(heap.type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+        if (type == UINT32_MAX) type = device.memory_type(heap.type_bits, 0);
+        if (type == UINT32_MAX)
+            return failed_call("V411", what + " fits no memory type", VK_ERROR_FEATURE_NOT_PRESENT);
+        VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+        info.allocationSize = heap.size_bytes;
+        info.memoryTypeIndex = type;
+        VkDeviceMemory object = VK_NULL_HANDLE;
+        const VkResult result = device.fn().vkAllocateMemory(device.handle(), &info, nullptr, &object);
+        if (result != VK_SUCCESS) return failed_call("V411", what, result);
+        memory_.emplace_back(device, object);
+        bytes_ += heap.size_bytes;
+    }
+    return Unit{};
+}
+
+Status TransientHeap::place_image(Device& device, const ResourceDecl& decl, const Placement& placement) {
+    const VkImageCreateInfo info = image_create_info(decl);
+    VkImage object = VK_NULL_HANDLE;
+    VkResult result = device.fn().vkCreateImage(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", "image \"" + decl.name + "\"", result);
+    images_[placement.resource] = {device, object};
+    device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(object), decl.name);
+    result = device.fn().vkBindImageMemory(device.handle(), object, memory_[placement.heap].get(),
+                                           placement.offset_bytes);
+    if (result != VK_SUCCESS) return failed_call("V411", "memory of image \"" + decl.name + "\"", result);
+    return Unit{};
+}
+
+Status TransientHeap::place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement) {
+    const VkBufferCreateInfo info = buffer_create_info(decl);
+    VkBuffer object = VK_NULL_HANDLE;
+    VkResult result = device.fn().vkCreateBuffer(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", "buffer \"" + decl.name + "\"", result);
+    buffers_[placement.resource] = {device, object};
+    device.name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(object), decl.name);
+    result = device.fn().vkBindBufferMemory(device.handle(), object, memory_[placement.heap].get(),
+                                            placement.offset_bytes);
+    if (result != VK_SUCCESS) return failed_call("V411", "memory of buffer \"" + decl.name + "\"", result);
+    return Unit{};
+}
+
+Result<TransientHeap> TransientHeap::create(Device& device, const FramePlan& plan) {
+    TransientHeap heap;
+    heap.images_.resize(plan.graph.resources.size());
+    heap.buffers_.resize(plan.graph.resources.size());
+    if (Status status = heap.allocate(device, plan.memory); !status) return status.take_errors();
+    Diagnostics errors;
+    for (const Placement& placement : plan.memory.placements) {
+        const ResourceDecl& decl = plan.graph.resources[placement.resource];
+        Status status = decl.kind == ResourceKind::image ? heap.place_image(device, decl, placement)
+                                                         : heap.place_buffer(device, decl, placement);
+        if (!status) append(errors, status.errors());
+    }
+    if (!errors.empty()) return errors;
+    return heap;
+}
+
+}  // namespace weft::vk
