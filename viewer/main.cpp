@@ -32,7 +32,8 @@ constexpr std::array kFutureRenderFlags{
 constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--sarif", "SARIF"},
                                        FutureFlag{"--run", "graph tests"}};
 constexpr std::array kFuturePlanFlags{FutureFlag{"--tier", "quality tiers"}};
-constexpr std::array<std::string_view, 6> kFutureCommands{"view", "explain", "diff", "schema", "bench", "compare"};
+constexpr std::array<std::string_view, 6> kFutureCommands{"view",   "explain", "diff",
+                                                          "schema", "bench",   "compare"};
 
 [[nodiscard]] int exit_with(ExitCode code) {
     return static_cast<int>(code);
@@ -92,8 +93,8 @@ struct RawTexts {
     double exposure = 0;
 };
 
-// A flag or command of the contract that is not there yet is refused by name, whatever else is wrong. Its values
-// are of no interest.
+// A flag or command of the contract that is not there yet is refused by name, whatever else is wrong. Its
+// values are of no interest.
 template <size_t N>
 [[nodiscard]] bool names_future_flag(const std::vector<std::string>& arguments,
                                      const std::array<FutureFlag, N>& flags) {

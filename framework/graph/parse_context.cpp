@@ -66,7 +66,8 @@ void wrong_type(ParseContext& context, const JsonNode& node, std::string_view wa
     Diagnostic& error =
         context.error(node.loc, "W102",
                       std::string("found ") + json_kind_name(node.kind) + ", wanted " + std::string(wanted));
-    if (node.kind == JsonKind::string && wanted.find(json_kind_name(JsonKind::number)) != std::string_view::npos)
+    if (node.kind == JsonKind::string &&
+        wanted.find(json_kind_name(JsonKind::number)) != std::string_view::npos)
         error.help.emplace_back("write the number without quotes");
     else if (node.kind == JsonKind::string && wanted == json_kind_name(JsonKind::boolean))
         error.help.emplace_back("write true or false without quotes");

@@ -1,5 +1,5 @@
-// Faulty graphs through the `weft` program: exit code 3 within 5 s and 1 GiB, the fault's place, and a remedy. The
-// files are in bad/; "/*here*/" in one of them marks where the message must point.
+// Faulty graphs through the `weft` program: exit code 3 within 5 s and 1 GiB, the fault's place, and a
+// remedy. The files are in bad/; "/*here*/" in one of them marks where the message must point.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,10 +17,10 @@ constexpr const char* kBadFolder = WEFT_SOURCE_DIR "/tests/viewer/bad/";
 struct BadGraph {
     const char* file;
     const char* code;
-    const char* message;      // a part of it
-    const char* help;         // a part of it
+    const char* message;          // a part of it
+    const char* help;             // a part of it
     const char* place = nullptr;  // the file that holds the mark, when it isn't the graph
-    uint32_t offset = 0;      // columns from the mark, for faults inside strings
+    uint32_t offset = 0;          // columns from the mark, for faults inside strings
 };
 
 void PrintTo(const BadGraph& bad, std::ostream* out) {
@@ -35,16 +35,19 @@ constexpr BadGraph kBadGraphs[] = {
     {"duplicate_key", "W003", "the key \"sky\" is here twice", "remove one of the two"},
     {"wrong_type", "W102", "found number, wanted a list of references", "write a value of that kind"},
     {"number_in_quotes", "W102", "found string, wanted a number", "without quotes"},
-    {"cycle", "W150", "dependency cycle: echo (reads hdr) -> sky (reads ldr) -> echo", "another version: name@pass"},
+    {"cycle", "W150", "dependency cycle: echo (reads hdr) -> sky (reads ldr) -> echo",
+     "another version: name@pass"},
     {"unknown_resource", "W103", "reads unknown resource \"hrd\"", "did you mean \"hdr\"?"},
     {"unwritten_read", "W110", "reads \"hdr\", which no pass writes", "write it in the \"out\" of a pass"},
-    {"unordered_writers", "W111", "\"sea\" and \"sky\" both write \"hdr\"", "\"after\": [\"sea\"] in \"sky\""},
+    {"unordered_writers", "W111", "\"sea\" and \"sky\" both write \"hdr\"",
+     "\"after\": [\"sea\"] in \"sky\""},
     {"mip_out_of_range", "W105", "mip 3 of \"hdr\" is out of range", "only mip 0"},
     {"layer_out_of_range", "W105", "layer 1 of \"hdr\" is out of range", "only layer 0"},
     {"missing_shader", "W201", "shader \"tonemap/tonmap.frag\" not found",
      "did you mean \"tonemap/tonemap.frag\"?"},
     {"escaping_shader", "W201", "not found", "looked in"},
-    {"glsl_error", "W202", "'amuont': undeclared identifier", "did you mean \"amount\"?", "shaders/inner.glsl"},
+    {"glsl_error", "W202", "'amuont': undeclared identifier", "did you mean \"amount\"?",
+     "shaders/inner.glsl"},
     {"missing_include", "W203", "nowhere.glsl", "looked for beside the file", "shaders/lonely.frag"},
     {"port_without_binding", "W112", "has nothing called \"hdx\"", "did you mean \"hdr\"?"},
     {"binding_without_port", "W112", "binds \"hdr\", but pass \"tonemap\" has no such port",
@@ -88,12 +91,14 @@ class BadGraphTest : public testing::TestWithParam<BadGraph> {};
 TEST_P(BadGraphTest, IsRefusedAtItsPlaceWithARemedy) {
     const BadGraph& bad = GetParam();
     const std::string graph = std::string(kBadFolder) + bad.file + ".json";
-    const std::string place = marked_place(bad.place ? std::string(kBadFolder) + bad.place : graph, bad.offset);
+    const std::string place =
+        marked_place(bad.place ? std::string(kBadFolder) + bad.place : graph, bad.offset);
     const RunResult run = run_weft({"check", graph});
     expect_refused(run, {place + ": error[" + bad.code + "]: ", bad.message});
     const size_t help = run.err.find("\n  help: ");
     ASSERT_NE(help, std::string::npos) << run.text();
-    EXPECT_NE(run.err.find(bad.help, help), std::string::npos) << "wanted: " << bad.help << "\n" << run.text();
+    EXPECT_NE(run.err.find(bad.help, help), std::string::npos) << "wanted: " << bad.help << "\n"
+                                                               << run.text();
     EXPECT_EQ(run.err.find("error["), run.err.rfind("error[")) << "one cause, one message\n" << run.text();
 }
 
@@ -127,7 +132,8 @@ TEST(BadGraph, AllFaultsAreReportedAtOnce) {
   "resources": { "x": "rgba99" },
   "passes": { "p": { "type": "clear", "out": ["x"], "colour": 1 } }
 })");
-    expect_refused(run_weft({"check", scratch / "many.json"}), {"2:73: error[W102]", "3:24: error[W116]", "4:53: error[W101]"});
+    expect_refused(run_weft({"check", scratch / "many.json"}),
+                   {"2:73: error[W102]", "3:24: error[W116]", "4:53: error[W101]"});
 }
 
 // What hostile files do to parsers: depth, size, and bytes that are no text.
@@ -135,12 +141,15 @@ TEST(BadGraph, HostileFilesAreRefusedQuickly) {
     const ScratchFolder scratch;
     scratch.write("deep.json", std::string(200'000, '['));
     scratch.write("large.json", "{ \"name\": \"" + std::string(9u << 20, 'x') + "\" }");
-    scratch.write("binary.json", std::string("\x7f" "ELF\x02\x01\xff\xfe\0\0", 10));
+    scratch.write("binary.json", std::string("\x7f"
+                                             "ELF\x02\x01\xff\xfe\0\0",
+                                             10));
     scratch.write("empty.json", "");
     expect_refused(run_weft({"check", scratch / "deep.json"}), {"error[W004]", "64 deep", "help: "});
     expect_refused(run_weft({"check", scratch / "large.json"}), {"error[W004]", "8 MiB", "help: "});
     expect_refused(run_weft({"check", scratch / "binary.json"}), {"binary.json:1:", "help: "});
-    expect_refused(run_weft({"check", scratch / "empty.json"}), {"error[W001]", "the file is empty", "help: "});
+    expect_refused(run_weft({"check", scratch / "empty.json"}),
+                   {"error[W001]", "the file is empty", "help: "});
 }
 
 TEST(BadGraph, AParameterThatIsNotThereIsNamed) {

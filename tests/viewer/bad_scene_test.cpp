@@ -1,5 +1,5 @@
-// Faulty and hostile scenes through the `weft` program: exit code 3 within 5 s and 1 GiB, file and JSON pointer, and a
-// remedy. No device is needed: scenes are read first.
+// Faulty and hostile scenes through the `weft` program: exit code 3 within 5 s and 1 GiB, file and JSON
+// pointer, and a remedy. No device is needed: scenes are read first.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -32,24 +32,32 @@ constexpr BadScene kBadScenes[] = {
      "relative URI"},
     {"AnEncodedParentFolder", kData, "\"uri\": \"%2e%2e/secret.bin\", \"rest\": \"", "S103", "/buffers/0/uri",
      "relative URI"},
-    {"AnAbsolutePath", kData, "\"uri\": \"/etc/passwd\", \"rest\": \"", "S103", "/buffers/0/uri", "relative URI"},
-    {"AFileUri", kData, "\"uri\": \"file:///etc/passwd\", \"rest\": \"", "S103", "/buffers/0/uri", "relative URI"},
+    {"AnAbsolutePath", kData, "\"uri\": \"/etc/passwd\", \"rest\": \"", "S103", "/buffers/0/uri",
+     "relative URI"},
+    {"AFileUri", kData, "\"uri\": \"file:///etc/passwd\", \"rest\": \"", "S103", "/buffers/0/uri",
+     "relative URI"},
     {"ANetworkUri", kData, "\"uri\": \"https://example.com/a.bin\", \"rest\": \"", "S103", "/buffers/0/uri",
      "relative URI"},
-    {"ALinkThatLeadsOut", kData, "\"uri\": \"link.bin\", \"rest\": \"", "S103", "/buffers/0/uri", "relative URI"},
+    {"ALinkThatLeadsOut", kData, "\"uri\": \"link.bin\", \"rest\": \"", "S103", "/buffers/0/uri",
+     "relative URI"},
     {"AMissingBuffer", kData, "\"uri\": \"none.bin\", \"rest\": \"", "S101", "/buffers/0/uri",
      "put the file beside the scene"},
     {"ACountPastTheBuffer", "\"count\": 4,", "\"count\": 4000000000,", "S104", "/accessors/0", ""},
     {"ACountOfTheIndices", "\"count\": 6,", "\"count\": 7,", "S104", "/accessors/1", ""},
-    {"AViewPastTheBuffer", "\"byteOffset\": 48, \"byteLength\": 12", "\"byteOffset\": 48, \"byteLength\": 13", "S104",
-     "/bufferViews/1", "shorten the view"},
-    {"ABufferPastItsData", "\"byteLength\": 60", "\"byteLength\": 61", "S104", "/buffers/0/byteLength", "truncated"},
-    {"AnIndexThatPointsAtNothing", "{ \"mesh\": 0 }", "{ \"mesh\": 7 }", "S110", "/nodes/0/mesh", "use an index"},
-    {"ACycleOfNodes", "{ \"mesh\": 0 }", "{ \"mesh\": 0, \"children\": [0] }", "S109", "/nodes/0", "remove the child"},
-    {"ARequiredExtension", "\"scene\": 0,", "\"scene\": 0, \"extensionsRequired\": [\"KHR_draco_mesh_compression\"],",
-     "S105", "/extensionsRequired/0", "export without"},
+    {"AViewPastTheBuffer", "\"byteOffset\": 48, \"byteLength\": 12", "\"byteOffset\": 48, \"byteLength\": 13",
+     "S104", "/bufferViews/1", "shorten the view"},
+    {"ABufferPastItsData", "\"byteLength\": 60", "\"byteLength\": 61", "S104", "/buffers/0/byteLength",
+     "truncated"},
+    {"AnIndexThatPointsAtNothing", "{ \"mesh\": 0 }", "{ \"mesh\": 7 }", "S110", "/nodes/0/mesh",
+     "use an index"},
+    {"ACycleOfNodes", "{ \"mesh\": 0 }", "{ \"mesh\": 0, \"children\": [0] }", "S109", "/nodes/0",
+     "remove the child"},
+    {"ARequiredExtension", "\"scene\": 0,",
+     "\"scene\": 0, \"extensionsRequired\": [\"KHR_draco_mesh_compression\"],", "S105",
+     "/extensionsRequired/0", "export without"},
     {"AValueOfTheWrongType", "\"type\": \"VEC3\"", "\"type\": 3", "S108", "/accessors/0/type", ""},
-    {"AnOldVersion", "\"version\": \"2.0\"", "\"version\": \"1.0\"", "S113", "/asset/version", "export the scene as glTF 2.0"},
+    {"AnOldVersion", "\"version\": \"2.0\"", "\"version\": \"1.0\"", "S113", "/asset/version",
+     "export the scene as glTF 2.0"},
 };
 
 void expect_refused(const RunResult& run, const std::vector<std::string>& wanted) {
@@ -75,8 +83,8 @@ TEST_P(BadSceneTest, IsRefusedByFileAndPointer) {
     scratch.write("scene/scene.gltf", replaced(square_gltf(), bad.from, bad.to));
     std::filesystem::create_symlink(scratch / "secret.bin", scratch.path() / "scene" / "link.bin");
     const RunResult run = render(scratch / "scene/scene.gltf", scratch);
-    expect_refused(run, {std::string("scene.gltf: error[") + bad.code + "]: ", std::string("\n  at ") + bad.pointer,
-                         "\n  help: ", bad.help});
+    expect_refused(run, {std::string("scene.gltf: error[") + bad.code + "]: ",
+                         std::string("\n  at ") + bad.pointer, "\n  help: ", bad.help});
     EXPECT_FALSE(std::filesystem::exists(scratch / "out.png"));
 }
 
@@ -85,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(All, BadSceneTest, testing::ValuesIn(kBadScenes),
 
 TEST(BadScene, AMissingFileIsNamed) {
     const ScratchFolder scratch;
-    expect_refused(render(scratch / "none.gltf", scratch), {"none.gltf: error[S101]", "help: check the path"});
+    expect_refused(render(scratch / "none.gltf", scratch),
+                   {"none.gltf: error[S101]", "help: check the path"});
 }
 
 TEST(BadScene, ATruncatedFileIsRefusedWhereItEnds) {
@@ -108,8 +117,8 @@ TEST(BadScene, DeepNestingIsRefusedQuickly) {
 TEST(BadScene, UnknownNamesAreGuessed) {
     const ScratchFolder scratch;
     expect_refused(render("builtin:atrum", scratch), {"error[S120]", "did you mean \"atrium\"?"});
-    const RunResult run =
-        run_weft({"render", "builtin:spheres", "--size", "16x16", "--camera", "nowhere", "-o", scratch / "a.png"});
+    const RunResult run = run_weft(
+        {"render", "builtin:spheres", "--size", "16x16", "--camera", "nowhere", "-o", scratch / "a.png"});
     expect_refused(run, {"error[S130]", "no camera \"nowhere\"", "help: "});
 }
 

@@ -16,8 +16,8 @@ TEST(Determinism, OneHashForEveryRunAndThreadCount) {
     std::set<std::string> hashes;
     for (const char* threads : {"0", "1", "2"}) {
         for (int i = 0; i < runs; ++i) {
-            const RunResult run = run_weft({"render", "builtin:atrium", "--size", "320x180", "--frames", "4", "-o",
-                                            folder / "a.png", "--stats", folder / "stats.json"},
+            const RunResult run = run_weft({"render", "builtin:atrium", "--size", "320x180", "--frames", "4",
+                                            "-o", folder / "a.png", "--stats", folder / "stats.json"},
                                            {{"LP_NUM_THREADS", threads}});
             ASSERT_EQ(run.exit_code, 0) << run.text();
             const auto stats = nlohmann::json::parse(read_text(folder / "stats.json"));

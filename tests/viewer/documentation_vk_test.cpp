@@ -1,5 +1,5 @@
-// The pages under docs/ do what they say: their files go into a folder, and the program that is already built runs
-// them. Nothing is compiled but shaders.
+// The pages under docs/ do what they say: their files go into a folder, and the program that is already built
+// runs them. Nothing is compiled but shaders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,8 @@ void write_snippets(const std::string& page, const ScratchFolder& folder) {
 
 // Renders in `folder`, as the page says, at an odd size.
 RunResult render(const ScratchFolder& folder, const std::string& graph, std::vector<std::string> more) {
-    std::vector<std::string> arguments{"render", "builtin:spheres", "--graph", graph, "--size", "61x43", "--validate"};
+    std::vector<std::string> arguments{"render", "builtin:spheres", "--graph",   graph,
+                                       "--size", "61x43",           "--validate"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_weft(arguments, {}, folder.path());
 }
@@ -113,9 +114,11 @@ TEST(Documentation, TheExampleGraphRunsAndObservingItChangesNothing) {
     const std::string graph = WEFT_SOURCE_DIR "/docs/examples/ink.json";
     const RunResult plain = render(folder, graph, {"-o", "ink.pfm", "--stats", "plain.json"});
     ASSERT_EQ(plain.exit_code, 0) << plain.text();
-    const RunResult observed = render(folder, graph, {"-o", "lines.pfm", "--resource", "lines", "--stats", "observed.json"});
+    const RunResult observed =
+        render(folder, graph, {"-o", "lines.pfm", "--resource", "lines", "--stats", "observed.json"});
     ASSERT_EQ(observed.exit_code, 0) << observed.text();
-    const Json a = Json::parse(read_text(folder / "plain.json")), b = Json::parse(read_text(folder / "observed.json"));
+    const Json a = Json::parse(read_text(folder / "plain.json")),
+               b = Json::parse(read_text(folder / "observed.json"));
     EXPECT_EQ(a.at("output_sha256"), b.at("output_sha256"));
     const auto ink = read_pfm(folder / "ink.pfm");
     ASSERT_TRUE(ink);

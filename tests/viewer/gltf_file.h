@@ -5,8 +5,8 @@
 
 namespace weft::test {
 
-// A square of 2 m on the ground, in front of a camera, rough red, double-sided, with its buffer in the file. Valid as
-// it is; `replace` makes the faulty ones.
+// A square of 2 m on the ground, in front of a camera, rough red, double-sided, with its buffer in the file.
+// Valid as it is; `replace` makes the faulty ones.
 [[nodiscard]] std::string square_gltf();
 
 // `text` with the first `from` replaced; `from` must be there.

@@ -22,7 +22,8 @@ struct RunResult {
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
 // `environment` adds to that of the test. Killed after two minutes.
-[[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments, const Environment& environment = {},
+[[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments,
+                                 const Environment& environment = {},
                                  const std::filesystem::path& folder = {});
 
 // An empty folder, removed at the end.

@@ -1,5 +1,5 @@
-// The files that a page of the documentation shows: a line "<!-- file: NAME -->" followed by a fence. Tests write
-// them into a folder and run them, so that no page can rot.
+// The files that a page of the documentation shows: a line "<!-- file: NAME -->" followed by a fence. Tests
+// write them into a folder and run them, so that no page can rot.
 #pragma once
 
 #include <map>

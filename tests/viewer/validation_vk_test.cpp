@@ -1,5 +1,5 @@
-// Every scene at every size runs without a word from the validation layer, and the layer was there to speak: with a
-// pass's barriers left out it does.
+// Every scene at every size runs without a word from the validation layer, and the layer was there to speak:
+// with a pass's barriers left out it does.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -49,8 +49,9 @@ TEST_P(ValidationTest, SaysNothing) {
     const ScratchFolder folder;
     folder.write("square.gltf", square_gltf());
     const std::string scene = wanted.scene == std::string(kForeign) ? folder / "square.gltf" : wanted.scene;
-    const RunResult run = run_weft({"render", scene, "--validate", "--size", wanted.size, "--frames",
-                                    extended() ? "10" : "2", "-o", folder / "a.png", "--stats", folder / "stats.json"});
+    const RunResult run =
+        run_weft({"render", scene, "--validate", "--size", wanted.size, "--frames", extended() ? "10" : "2",
+                  "-o", folder / "a.png", "--stats", folder / "stats.json"});
     ASSERT_EQ(run.exit_code, 0) << run.text();
     EXPECT_EQ(run.err.find("validation:"), std::string::npos) << run.text();
     const Json validation = Json::parse(read_text(folder / "stats.json")).at("validation");
@@ -66,8 +67,8 @@ INSTANTIATE_TEST_SUITE_P(All, ValidationTest, testing::ValuesIn(kRuns),
 TEST(Validation, ADroppedBarrierIsExitCode5AndNamesThePass) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
-    const RunResult run = run_weft({"render", "builtin:spheres", "--validate", "--size", "64x36", "--frames", "2", "-o",
-                                    folder / "a.png", "--test-drop-barriers", "lighting"});
+    const RunResult run = run_weft({"render", "builtin:spheres", "--validate", "--size", "64x36", "--frames",
+                                    "2", "-o", folder / "a.png", "--test-drop-barriers", "lighting"});
     EXPECT_EQ(run.exit_code, 5) << run.text();
     EXPECT_NE(run.err.find("pass lighting"), std::string::npos) << run.text();
 }
