@@ -84,11 +84,11 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
 }
 
 // Prints what the layers said, pass by pass.
-bool report_messages(vk::Device& device) {
-    for (const vk::Message& message : device.messages().messages())
+bool report_messages(const std::vector<vk::Message>& messages) {
+    for (const vk::Message& message : messages)
         std::fprintf(stderr, "validation: %s%s%s: %s\n", message.id.c_str(),
                      message.pass.empty() ? "" : ": pass ", message.pass.c_str(), message.text.c_str());
-    return device.messages().count() > 0;
+    return !messages.empty();
 }
 
 }  // namespace
@@ -122,8 +122,10 @@ ExitCode run_render(const RenderOptions& options) {
     if (!session) return fail(session.errors());
     const uint32_t frames = options.frames > 0 ? options.frames : (*session)->frames();
     Result<RunOutcome> outcome = run_frames(**session, options, frames);
-    const bool complained = report_messages(**device);
-    if (!outcome) return fail(outcome.errors());
+    if (!outcome) {
+        report_messages((*device)->messages().messages());
+        return fail(outcome.errors());
+    }
     if (Status s = write_picture(options, **session, *outcome); !s) return fail(s.errors());
     if (!options.stats.empty()) {
         const std::string json =
@@ -131,7 +133,9 @@ ExitCode run_render(const RenderOptions& options) {
         if (Status s = write_file(options.stats, json); !s) return fail(s.errors());
     }
     std::fprintf(stderr, "weft: wrote %s\n", options.output.c_str());
-    return complained ? ExitCode::validation : ExitCode::ok;
+    // Objects that are still alive are heard of only when the device goes.
+    session->reset();
+    return report_messages(vk::destroy_device(std::move(*device))) ? ExitCode::validation : ExitCode::ok;
 }
 
 }  // namespace weft::viewer
