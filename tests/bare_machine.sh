@@ -87,8 +87,8 @@ make_root() {
 share_network() {
   local entry
   for entry in sources.list sources.list.d apt.conf apt.conf.d trusted.gpg trusted.gpg.d keyrings auth.conf auth.conf.d; do
-    [ -e "/etc/apt/$entry" ] || continue
     rm -rf "$bare/etc/apt/$entry"
+    [ -e "/etc/apt/$entry" ] || continue
     cp -aL "/etc/apt/$entry" "$bare/etc/apt/$entry"
   done
   [ ! -d /usr/share/keyrings ] || cp -aL /usr/share/keyrings/. "$bare/usr/share/keyrings/"
@@ -109,6 +109,7 @@ mount_into() {  # TYPE_OR_BIND TARGET
 enter_root() {
   mount_into proc /proc
   mount_into bind /dev
+  [ ! -d /dev/pts ] || mount_into bind /dev/pts
   printf '#!/bin/sh\nexit 101\n' >"$bare/usr/sbin/policy-rc.d"  # no services are started in the root
   chmod +x "$bare/usr/sbin/policy-rc.d"
 }
