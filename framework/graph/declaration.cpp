@@ -42,6 +42,41 @@ std::string range_text(const SubresourceRange& range) {
     return span("mip", range.mip, range.mips) + span("layer", range.layer, range.layers);
 }
 
+UsageMask usage_of(Access a) {
+    switch (a) {
+        case Access::sampled_read:
+            return usage::kSampled;
+        case Access::storage_read:
+        case Access::storage_write:
+        case Access::storage_read_write:
+            return usage::kStorage;
+        case Access::uniform_read:
+            return usage::kUniform;
+        case Access::color_write:
+        case Access::color_read_write:
+            return usage::kColorAttachment;
+        case Access::depth_write:
+        case Access::depth_read_write:
+        case Access::depth_read:
+            return usage::kDepthAttachment;
+        case Access::copy_read:
+        case Access::blit_read:
+            return usage::kTransferSrc;
+        case Access::copy_write:
+        case Access::blit_write:
+        case Access::clear_write:
+            return usage::kTransferDst;
+        case Access::indirect_read:
+            return usage::kIndirect;
+        case Access::index_read:
+            return usage::kIndex;
+        case Access::vertex_read:
+            return usage::kVertex;
+        default:
+            return 0;
+    }
+}
+
 SubresourceRange ResourceDecl::whole() const {
     if (kind == ResourceKind::buffer) return {};
     return {0, mips, 0, layers, aspects};

@@ -8,41 +8,6 @@
 namespace weft {
 namespace {
 
-UsageMask usage_of(Access a) {
-    switch (a) {
-        case Access::sampled_read:
-            return usage::kSampled;
-        case Access::storage_read:
-        case Access::storage_write:
-        case Access::storage_read_write:
-            return usage::kStorage;
-        case Access::uniform_read:
-            return usage::kUniform;
-        case Access::color_write:
-        case Access::color_read_write:
-            return usage::kColorAttachment;
-        case Access::depth_write:
-        case Access::depth_read_write:
-        case Access::depth_read:
-            return usage::kDepthAttachment;
-        case Access::copy_read:
-        case Access::blit_read:
-            return usage::kTransferSrc;
-        case Access::copy_write:
-        case Access::blit_write:
-        case Access::clear_write:
-            return usage::kTransferDst;
-        case Access::indirect_read:
-            return usage::kIndirect;
-        case Access::index_read:
-            return usage::kIndex;
-        case Access::vertex_read:
-            return usage::kVertex;
-        default:
-            return 0;
-    }
-}
-
 // What one resource must be good for, beyond its usages.
 struct Needs {
     bool blend = false;

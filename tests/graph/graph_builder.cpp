@@ -9,35 +9,6 @@
 namespace weft::test {
 namespace {
 
-UsageMask usage_of(Access a, bool image) {
-    switch (a) {
-        case Access::sampled_read:
-            return image ? usage::kSampled : usage::kStorage;
-        case Access::storage_read:
-        case Access::storage_write:
-        case Access::storage_read_write:
-            return usage::kStorage;
-        case Access::color_write:
-        case Access::color_read_write:
-            return usage::kColorAttachment;
-        case Access::depth_write:
-        case Access::depth_read_write:
-        case Access::depth_read:
-            return usage::kDepthAttachment;
-        case Access::copy_read:
-        case Access::blit_read:
-            return usage::kTransferSrc;
-        case Access::copy_write:
-        case Access::blit_write:
-        case Access::clear_write:
-            return usage::kTransferDst;
-        case Access::uniform_read:
-            return usage::kUniform;
-        default:
-            return 0;
-    }
-}
-
 bool is_color(Access a) {
     return a == Access::color_write || a == Access::color_read_write;
 }
@@ -220,7 +191,7 @@ PassDecl& GraphBuilder::pass(std::string name, PassKind kind, const std::vector<
         use.binding = u.binding;
         use.sampler.filter = SamplerFilter::nearest;
         use.sampler.mip_filter = SamplerFilter::nearest;
-        resource.usage |= usage_of(u.access, image);
+        resource.usage |= usage_of(u.access);
         decl.uses.push_back(use);
     }
     add_attachments(graph_, decl);

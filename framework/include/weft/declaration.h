@@ -59,6 +59,9 @@ inline constexpr UsageMask kIndex = 1u << 8;
 inline constexpr UsageMask kIndirect = 1u << 9;
 }  // namespace usage
 
+// The usage that one kind of access needs.
+[[nodiscard]] UsageMask usage_of(Access a);
+
 enum class ResourceLifetime : uint8_t {
     transient,   // lives within a frame; may share memory with others
     persistent,  // keeps its memory and content from frame to frame (history, keep)
