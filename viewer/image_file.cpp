@@ -20,7 +20,7 @@
 #include <fstream>
 #include <vector>
 
-#include "render/texels.h"
+#include "scene/mip_chain.h"
 
 namespace weft::viewer {
 namespace {
@@ -98,7 +98,7 @@ Status write_image(const std::string& path, uint32_t width_px, uint32_t height_p
     for (const glm::vec4& texel : texels) {
         for (int c = 0; c < 3; ++c)
             bytes.push_back(
-                static_cast<std::byte>(render::srgb_encode(glm::clamp(texel[c], 0.0f, 1.0f)) * 255 + .5f));
+                static_cast<std::byte>(scene::linear_to_srgb(glm::clamp(texel[c], 0.0f, 1.0f)) * 255 + .5f));
         bytes.push_back(std::byte{255});
     }
     return write_png(path, width_px, height_px, bytes);

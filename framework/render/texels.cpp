@@ -7,6 +7,8 @@
 #include <glm/gtc/packing.hpp>
 #include <string_view>
 
+#include "scene/mip_chain.h"
+
 namespace weft::render {
 namespace {
 
@@ -86,7 +88,7 @@ glm::vec4 plain_texel(const FormatInfo& info, const std::byte* at) {
             channel_value(at + c * bytes, bytes, channel_of(info), info.numeric == NumericClass::sint);
     if (info.name.starts_with("bgra")) std::swap(texel.r, texel.b);
     if (info.srgb)
-        for (int c = 0; c < 3; ++c) texel[c] = srgb_decode(texel[c]);
+        for (int c = 0; c < 3; ++c) texel[c] = scene::srgb_to_linear(texel[c]);
     return texel;
 }
 
@@ -103,14 +105,6 @@ std::vector<glm::vec4> decode_texels(Format format, std::span<const std::byte> b
                                            : plain_texel(info, at));
     }
     return texels;
-}
-
-float srgb_decode(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
-
-float srgb_encode(float linear) {
-    return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
 }  // namespace weft::render

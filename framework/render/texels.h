@@ -14,8 +14,4 @@ namespace weft::render {
 // `bytes` holds tightly packed texels; what does not fill a whole one is ignored. Depth-stencil gives depth.
 [[nodiscard]] std::vector<glm::vec4> decode_texels(Format format, std::span<const std::byte> bytes);
 
-// IEC 61966-2-1.
-[[nodiscard]] float srgb_decode(float encoded);
-[[nodiscard]] float srgb_encode(float linear);
-
 }  // namespace weft::render
