@@ -19,6 +19,8 @@ void print_machine(const vk::MachineReport& machine) {
         std::printf("device %zu          %s, %s, Vulkan %s%s\n", i, device.name.c_str(),
                     device.driver.c_str(), device.api_version.c_str(),
                     device.timestamps ? "" : ", no timestamps");
+        for (const std::string& feature : device.missing)
+            std::printf("  lacks           %s\n", feature.c_str());
     }
     bool validation = false;
     for (const vk::LayerInfo& layer : machine.layers) {
