@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 
 #include "commands.h"
 #include "files.h"
@@ -124,7 +125,11 @@ ExitCode run_render(const RenderOptions& options) {
     Result<RunOutcome> outcome = run_frames(**session, options, frames);
     if (!outcome) {
         report_messages((*device)->messages().messages());
-        return fail(outcome.errors());
+        const ExitCode code = fail(outcome.errors());
+        // The device may still be at work with our memory: leaving is safe, tearing things down under it is
+        // not.
+        if (code == ExitCode::lost) std::_Exit(static_cast<int>(code));
+        return code;
     }
     if (Status s = write_picture(options, **session, *outcome); !s) return fail(s.errors());
     if (!options.stats.empty()) {

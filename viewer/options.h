@@ -26,7 +26,7 @@ struct RenderOptions {
     bool validate = false;
     std::string stats;
     std::string device;
-    double timeout_s = 10;
+    double timeout_s = 60;
     std::string drop_barriers_before;  // test hook
 };
 

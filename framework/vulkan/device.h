@@ -22,7 +22,8 @@ struct DeviceOptions {
     bool validate = false;  // core and synchronisation validation; any message is collected
     // Index or part of a name. Empty: the first discrete, integrated, virtual, then CPU one that is fit.
     std::string device;
-    uint64_t timeout_ns = 10'000'000'000;  // for every fence
+    // For every fence. Generous: a CPU device compiles its shaders within the first frame, on a machine that may be busy.
+    uint64_t timeout_ns = 60'000'000'000;
 };
 
 struct LayerInfo {

@@ -184,5 +184,17 @@ TEST(NoDevice, AnUnknownDeviceIsOneToo) {
     EXPECT_NE(run.err.find("error[V403]"), std::string::npos) << run.text();
 }
 
+TEST(TimeOut, IsExitCode7NamingThePassesInFlight) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder folder;
+    // No CPU draws a megapixel in a millisecond. On a GPU that does, there is nothing to see.
+    const RunResult run = run_weft({"render", "builtin:spheres", "--size", "1280x720", "--timeout", "0.001",
+                                    "--frames", "3", "-o", folder / "late.png"});
+    if (run.exit_code == 0) GTEST_SKIP() << "this device is too fast";
+    EXPECT_EQ(run.exit_code, 7) << run.text();
+    EXPECT_NE(run.err.find("V407"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("gbuffer"), std::string::npos) << run.text();
+}
+
 }  // namespace
 }  // namespace weft::test
