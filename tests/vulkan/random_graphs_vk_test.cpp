@@ -1,0 +1,67 @@
+// Random frames give the same bytes under the compiler's plan as under a plan that shares no memory and waits
+// for everything, and the validation layers agree with every barrier.
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "check/check_plan.h"
+#include "graph/naive_plan.h"
+#include "graph/random_graph.h"
+#include "vulkan/device_fixture.h"
+#include "vulkan/plan_runner.h"
+#include "weft/compile.h"
+
+namespace weft::vk {
+namespace {
+
+constexpr uint32_t kFirstSeed = 1;
+constexpr uint32_t kSeeds = 50;
+
+using RandomGraphsVk = DeviceTest;
+
+uint32_t hand_over_count(const FramePlan& plan) {
+    uint32_t count = 0;
+    for (const HandOver& hand_over : plan.memory.hand_overs) count += hand_over.from != hand_over.to ? 1 : 0;
+    return count;
+}
+
+// Resources of the graph whose names are in both, in case a plan leaves an import alone.
+void expect_equal(const PlanResult& compiled, const PlanResult& naive) {
+    ASSERT_EQ(compiled.readbacks.size(), naive.readbacks.size());
+    ASSERT_FALSE(naive.readbacks.empty());
+    for (size_t i = 0; i < naive.readbacks.size(); ++i) {
+        EXPECT_EQ(compiled.readbacks[i].frame_index, naive.readbacks[i].frame_index);
+        EXPECT_FALSE(naive.readbacks[i].bytes.empty());
+        EXPECT_TRUE(compiled.readbacks[i].bytes == naive.readbacks[i].bytes)
+            << "frame " << i << " differs from the naive run";
+    }
+    for (const auto& [name, bytes] : naive.imports)
+        EXPECT_TRUE(compiled.imports.at(name) == bytes)
+            << "import \"" << name << "\" ends differently from the naive run";
+}
+
+TEST_F(RandomGraphsVk, RunsBitForBitLikeTheNaivePlan) {
+    TestShaders shaders;
+    uint32_t shared = 0;
+    for (uint32_t seed = kFirstSeed; seed < kFirstSeed + kSeeds; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const ResolvedGraph graph = test::random_graph(seed);
+        const MemoryNeeds needs = query_memory_needs(device(), graph);
+        const FramePlan plan = compile(graph, needs, {});
+        const Diagnostics faults = check_plan(plan);
+        EXPECT_TRUE(faults.empty()) << to_text(faults);
+        shared += hand_over_count(plan) != 0 ? 1 : 0;
+        const auto start = std::chrono::steady_clock::now();
+        expect_equal(run_plan(device(), plan, shaders),
+                     run_plan(device(), test::naive_plan(graph, needs), shaders));
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        std::printf("seed %u: %zu of %zu passes, %u hand-overs, %.2f s\n", seed, plan.schedule.order.size(),
+                    graph.passes.size(), hand_over_count(plan), took.count());
+        EXPECT_EQ(device().messages().count(), 0u);
+        if (HasFailure()) return;
+    }
+    EXPECT_GE(shared, kSeeds / 2) << "too few plans share memory to prove anything";
+}
+
+}  // namespace
+}  // namespace weft::vk
