@@ -34,21 +34,37 @@ VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffe
     return out;
 }
 
+// A hand-over waits for accesses to memory that belonged to another resource: no range of the new one covers
+// them, so this part is a barrier over all memory. Images become visible through their own transition.
+VkMemoryBarrier2 memory_barrier(const BarrierDecl& barrier, bool is_image) {
+    VkMemoryBarrier2 out{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    out.srcStageMask = stages_to_vk(barrier.src.stages);
+    out.srcAccessMask = access_to_vk(barrier.src.access);
+    out.dstStageMask = stages_to_vk(barrier.dst.stages);
+    out.dstAccessMask = is_image ? VK_ACCESS_2_NONE : access_to_vk(barrier.dst.access);
+    return out;
+}
+
 }  // namespace
 
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
                      const FramePlan& plan, const ResourceTable& resources) {
     if (barriers.empty()) return;
+    std::vector<VkMemoryBarrier2> memory;
     std::vector<VkImageMemoryBarrier2> images;
     std::vector<VkBufferMemoryBarrier2> buffers;
     for (const BarrierDecl& barrier : barriers) {
         const ResourceDecl& decl = plan.graph.resources[barrier.resource];
-        if (decl.kind == ResourceKind::image)
+        const bool is_image = decl.kind == ResourceKind::image;
+        if (!barrier.hand_over_from.empty()) memory.push_back(memory_barrier(barrier, is_image));
+        if (is_image)
             images.push_back(image_barrier(barrier, resources.images[barrier.resource]));
-        else
+        else if (barrier.hand_over_from.empty())
             buffers.push_back(buffer_barrier(barrier, resources.buffers[barrier.resource]));
     }
     VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.memoryBarrierCount = static_cast<uint32_t>(memory.size());
+    info.pMemoryBarriers = memory.data();
     info.imageMemoryBarrierCount = static_cast<uint32_t>(images.size());
     info.pImageMemoryBarriers = images.data();
     info.bufferMemoryBarrierCount = static_cast<uint32_t>(buffers.size());

@@ -114,7 +114,9 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
     if (decl.image_kind == ImageKind::cube || decl.image_kind == ImageKind::cube_array) {
         info.flags |= VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
     }
-    if (decl.lifetime == ResourceLifetime::transient) info.flags |= VK_IMAGE_CREATE_ALIAS_BIT;
+    // Never VK_IMAGE_CREATE_ALIAS_BIT: it promises that images sharing memory see each other's texels, and a
+    // hand-over always drops them. (The layer would also take equal images at one place for one image, and
+    // miss the barriers of a third that used the memory in between.)
     info.imageType = image_type_to_vk(decl.image_kind);
     info.format = to_vk(decl.format);
     info.extent = to_vk(decl.extent);
