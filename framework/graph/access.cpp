@@ -106,6 +106,8 @@ AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask asp
     if (aspects == aspect::kNone) {
         state.layout = Layout::undefined;
         if (a == Access::sampled_read) state.access = access::kStorageRead;
+        // Layers and drivers disagree whether filling a buffer is a clear or a copy.
+        if (a == Access::clear_write) state.stages |= stage::kCopy;
     }
     return state;
 }

@@ -50,7 +50,7 @@ TEST(Barriers, WriteAfterReadWaitsWithoutFlushing) {
     EXPECT_EQ(war.reason, BarrierReason::war);
     EXPECT_EQ(war.from, pass_id(plan, "read"));
     expect_state(war.src, {stage::kComputeShader, access::kNone, Layout::undefined});
-    expect_state(war.dst, {stage::kClear, access::kTransferWrite, Layout::undefined});
+    expect_state(war.dst, {stage::kClear | stage::kCopy, access::kTransferWrite, Layout::undefined});
 }
 
 TEST(Barriers, WriteAfterWriteFlushes) {
@@ -63,7 +63,7 @@ TEST(Barriers, WriteAfterWriteFlushes) {
 
     const BarrierDecl waw = barrier_before(plan, "overwrite", "x");
     EXPECT_EQ(waw.reason, BarrierReason::waw);
-    expect_state(waw.src, {stage::kClear, access::kTransferWrite, Layout::undefined});
+    expect_state(waw.src, {stage::kClear | stage::kCopy, access::kTransferWrite, Layout::undefined});
     expect_state(waw.dst, {stage::kComputeShader, access::kStorageWrite, Layout::undefined});
 }
 
