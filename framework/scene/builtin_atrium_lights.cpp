@@ -111,7 +111,7 @@ void add_lights(Parts& parts) {
         light.name = "lantern_" + std::to_string(scene.lights.size());
         light.type = LightType::point;
         light.color = glm::vec3(1, 0.62f, 0.28f);
-        light.intensity = 8000;
+        light.intensity = 22000;
         light.position = at;
         light.range_m = 7;
         scene.lights.push_back(light);
@@ -127,8 +127,8 @@ void add_lights(Parts& parts) {
 
 void add_cameras(Parts& parts) {
     add_camera(parts, "court", {3.9f, 1.75f, 8.1f}, {-1.5f, 2.6f, -3.2f}, 1.08f);
-    add_camera(parts, "gallery", {-7.35f, 1.66f, 8.7f}, {-7.62f, 1.92f, -4.0f}, 1.08f);
-    add_camera(parts, "pool", {-1.9f, 0.95f, 5.4f}, {3.6f, 1.65f, -2.2f}, 1.0f);
+    add_camera(parts, "gallery", {-7.75f, 1.62f, 7.55f}, {-7.3f, 1.95f, -4.0f}, 1.12f);
+    add_camera(parts, "pool", {-2.3f, 0.95f, 5.6f}, {2.6f, 1.7f, -2.6f}, 1.05f);
 }
 
 }  // namespace weft::scene::atrium

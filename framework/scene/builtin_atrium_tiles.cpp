@@ -123,7 +123,7 @@ float caustic(glm::vec2 uv, uint32_t cells, uint32_t seed) {
 
 // Opaque: the tiles on the floor are painted in, bent by the ripples that the normal map shows.
 Surface water(const NoiseBank& bank) {
-    constexpr float kPeriod = 2;
+    constexpr float kPeriod = 4;
     return make_surface(kTextureSize, kPeriod, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
         const glm::vec2 bend = (glm::vec2(n.medium(1), n.medium(2)) - 0.5f) * 30.0f;
@@ -132,13 +132,13 @@ Surface water(const NoiseBank& bank) {
         const Block tile = block_at({16, 16, 0}, bx, by, kTextureSize, kPeriod);
         const glm::vec2 uv = glm::vec2(bx, by) / static_cast<float>(kTextureSize);
         const float light = 0.7f * caustic(uv, 7, 17) + 0.3f * caustic(uv, 12, 29);
-        glm::vec3 color = mix3(rgb(0x0d4c55), zellige_color(tile.id), 0.3f);
-        color *= 0.72f + 0.2f * smooth_step(0.004f, 0.012f, tile.edge_m);
-        color = mix3(color, rgb(0x8fe0cf), light * 0.2f);
+        glm::vec3 color = mix3(rgb(0x0a3f48), zellige_color(tile.id), 0.16f);
+        color *= 0.8f + 0.1f * smooth_step(0.004f, 0.012f, tile.edge_m);
+        color = mix3(color, rgb(0x8fe0cf), light * 0.12f);
         Texel texel;
         texel.color_srgb = color;
-        texel.height_m = 0.010f * n.medium(4) + 0.006f * n.medium(6) + 0.012f * n.coarse(2);
-        texel.roughness = 0.06f;
+        texel.height_m = 0.008f * n.medium(4) + 0.02f * n.coarse(2);
+        texel.roughness = 0.04f;
         return texel;
     });
 }
