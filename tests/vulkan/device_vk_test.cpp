@@ -38,7 +38,7 @@ TEST_F(DeviceVk, comes_up_under_validation_and_says_so) {
     EXPECT_FALSE(device().info().name.empty());
     EXPECT_FALSE(device().info().driver.empty());
     EXPECT_NE(device().queue().handle, VK_NULL_HANDLE);
-    EXPECT_EQ(device().timeout_ns(), 10'000'000'000u);
+    EXPECT_EQ(device().timeout_ns(), DeviceOptions{}.timeout_ns);
 }
 
 TEST_F(DeviceVk, a_message_names_the_label_it_was_recorded_under) {
