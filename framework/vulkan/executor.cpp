@@ -84,8 +84,10 @@ class ReplayExecutor final : public Executor {
 };
 
 ReplayExecutor::~ReplayExecutor() {
-    bool idle = lost_.empty();
-    for (uint32_t slot = 0; slot < kFramesInFlight && idle; ++slot) idle = slots_->wait(slot) == VK_SUCCESS;
+    bool idle = true;
+    for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
+        // After a time-out a second wait would only double it; but a frame may be late and no more.
+        idle &= lost_.empty() ? slots_->wait(slot) == VK_SUCCESS : slots_->is_over(slot);
     if (idle) return;
     // The device may still be at work with these; destroying them under it would be worse than keeping them.
     static_cast<void>(objects_.release());

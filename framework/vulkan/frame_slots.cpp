@@ -43,6 +43,12 @@ VkResult FrameSlots::wait(uint32_t slot) {
     return device_->fn().vkResetFences(device_->handle(), 1, &fence);
 }
 
+bool FrameSlots::is_over(uint32_t slot) const {
+    if (!slots_[slot].in_flight) return true;
+    const VkResult result = device_->fn().vkGetFenceStatus(device_->handle(), slots_[slot].fence.get());
+    return result == VK_SUCCESS || result == VK_ERROR_DEVICE_LOST;
+}
+
 Result<VkCommandBuffer> FrameSlots::begin(uint32_t slot) {
     const Slot& frame = slots_[slot];
     VkResult result = device_->fn().vkResetCommandPool(device_->handle(), frame.pool.get(), 0);

@@ -18,6 +18,8 @@ class FrameSlots {
     [[nodiscard]] bool in_flight(uint32_t slot) const { return slots_[slot].in_flight; }
     // VK_SUCCESS at once when nothing is in flight.
     [[nodiscard]] VkResult wait(uint32_t slot);
+    // Without waiting. On a lost device everything is.
+    [[nodiscard]] bool is_over(uint32_t slot) const;
     // The slot's command buffer, empty and recording.
     [[nodiscard]] Result<VkCommandBuffer> begin(uint32_t slot);
     [[nodiscard]] VkResult submit(uint32_t slot);
