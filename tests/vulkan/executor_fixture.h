@@ -1,0 +1,50 @@
+// Purpose: small frames for tests of the executor: shaders written in the test, graphs by GraphBuilder, plans
+// by compile(), results by readback. A validating device; any message fails the test.
+#pragma once
+
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "graph/graph_builder.h"
+#include "shader/compile_shader.h"
+#include "vulkan/device_fixture.h"
+#include "vulkan/executor.h"
+#include "weft/compile.h"
+
+namespace weft::vk {
+
+class ExecutorTest : public DeviceTest {
+ protected:
+    ExecutorTest();
+    ~ExecutorTest() override;
+
+    // GLSL for one stage, kept under `path`: "fill.comp", "flat/flat.vert".
+    void write_shader(const std::string& path, const std::string& glsl) const;
+    // Compiles a reference and gives it to `pass`: bindings by port name, size of Params.
+    void use_shader(PassDecl& pass, const std::string& reference, ProgramKind kind);
+    [[nodiscard]] ShaderInterface interface_of(const std::string& reference) const;
+
+    [[nodiscard]] FramePlan compile_plan(const test::GraphBuilder& builder);
+    // An input with the plan and all shaders that the test has used.
+    [[nodiscard]] ExecutorInput input_for(FramePlan plan) const;
+    [[nodiscard]] std::unique_ptr<Executor> executor_for(ExecutorInput input);
+    // Runs `frames` frames without waiting in between, then gives all that was read back.
+    [[nodiscard]] static std::vector<ReadbackData> run_frames(Executor& executor, uint32_t frames,
+                                                              const FrameInput& first = {});
+
+    ShaderCatalog shaders_;
+
+ private:
+    std::filesystem::path folder_;
+};
+
+template <class T>
+[[nodiscard]] std::vector<T> values_of(const ReadbackData& data) {
+    std::vector<T> values(data.bytes.size() / sizeof(T));
+    if (!values.empty()) std::memcpy(values.data(), data.bytes.data(), values.size() * sizeof(T));
+    return values;
+}
+
+}  // namespace weft::vk

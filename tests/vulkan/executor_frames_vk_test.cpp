@@ -1,0 +1,164 @@
+// Frames in flight, their times, imports between frames, and what the validation layers hear when a barrier
+// is lost.
+#include <algorithm>
+
+#include "vulkan/executor_fixture.h"
+
+namespace weft::vk {
+namespace {
+
+using test::GraphBuilder;
+using ExecutorFramesVk = ExecutorTest;
+
+constexpr AccessState kRead{stage::kCopy, access::kTransferRead, Layout::transfer_src};
+
+constexpr const char* kCount = R"(
+layout(location = 0) out uint dst;
+layout(push_constant) uniform Params { uint frame; } params;
+void main() { dst = params.frame; })";
+
+constexpr const char* kPassOn = R"(
+uniform usampler2D src;
+layout(location = 0) out uint dst;
+void main() { dst = texelFetch(src, ivec2(gl_FragCoord.xy), 0).r + 1u; })";
+
+class ImportedOutputVk : public ExecutorTest {
+ protected:
+    // "count" draws the frame's number into a transient, "pass_on" that plus one into the imported output.
+    FramePlan make_plan() {
+        write_shader("count.frag", kCount);
+        write_shader("pass_on.frag", kPassOn);
+        GraphBuilder builder;
+        const ResourceId number = builder.image("number", Format::r32u, 4);
+        const ResourceId output = builder.image("output", Format::r32u, 4);
+        builder.import_as(output, {stage::kCopy, access::kTransferRead, Layout::undefined}, kRead);
+        builder.set_output(output);
+        PassDecl& count =
+            builder.pass("count", PassKind::fullscreen, {{"dst", number, Access::color_write, {}, kNoId}});
+        use_shader(count, "count.frag", ProgramKind::fullscreen);
+        ParamWrite frame;
+        frame.member = "frame";
+        frame.scalar = ScalarType::u32;
+        frame.builtin = Builtin::frame_index;
+        count.params = {frame};
+        use_shader(builder.pass("pass_on", PassKind::fullscreen,
+                                {{"src", number, Access::sampled_read, {}, kNoId},
+                                 {"dst", output, Access::color_write, {}, kNoId}}),
+                   "pass_on.frag", ProgramKind::fullscreen);
+        return compile_plan(builder);
+    }
+
+    static Image make_output(Device& device, const FramePlan& plan) {
+        ResourceDecl decl = *find_resource(plan.graph, "output");
+        decl.usage |= usage::kTransferSrc;
+        Result<Image> image = Image::create(device, decl);
+        EXPECT_TRUE(image.ok());
+        return std::move(*image);
+    }
+};
+
+TEST_F(ImportedOutputVk, is_read_in_its_exit_state_after_any_number_of_frames) {
+    FramePlan plan = make_plan();
+    const Image output = make_output(device(), plan);
+    ExecutorInput input = input_for(std::move(plan));
+    input.bindings.images.emplace("output", &output);
+    const auto executor = executor_for(std::move(input));
+    ASSERT_NE(executor, nullptr);
+    for (const uint32_t frames : {1u, 2u, 5u}) {
+        FrameInput first;
+        first.frame_index = 10 * frames;
+        EXPECT_TRUE(run_frames(*executor, frames, first).empty());
+        const Result<ReadbackData> image = executor->read_image(output);
+        ASSERT_TRUE(image.ok()) << to_text(image.errors());
+        EXPECT_EQ(values_of<uint32_t>(*image), std::vector<uint32_t>(16, 10 * frames + frames));
+    }
+}
+
+// Attachment writes that are sampled in another layout are what the layer can see.
+TEST_F(ImportedOutputVk, a_dropped_barrier_is_heard_and_names_its_pass) {
+    {
+        FramePlan plan = make_plan();
+        const Image output = make_output(device(), plan);
+        ExecutorInput input = input_for(std::move(plan));
+        input.bindings.images.emplace("output", &output);
+        input.timestamps = false;
+        const std::vector<PassId>& order = input.plan.schedule.order;
+        for (uint32_t position = 0; position < order.size(); ++position)
+            if (input.plan.graph.passes[order[position]].name == "pass_on")
+                input.hooks.drop_barriers_of_position = position;
+        const auto executor = executor_for(std::move(input));
+        ASSERT_NE(executor, nullptr);
+        static_cast<void>(run_frames(*executor, 2));
+    }
+    const std::vector<Message> messages = destroy_device(take_device());
+    ASSERT_FALSE(messages.empty());
+    EXPECT_TRUE(std::any_of(messages.begin(), messages.end(),
+                            [](const Message& message) { return message.pass == "pass_on"; }));
+}
+
+TEST_F(ImportedOutputVk, slots_alternate_and_every_frame_is_timed_once) {
+    FramePlan plan = make_plan();
+    const Image output = make_output(device(), plan);
+    ExecutorInput input = input_for(std::move(plan));
+    input.bindings.images.emplace("output", &output);
+    const auto executor = executor_for(std::move(input));
+    ASSERT_NE(executor, nullptr);
+    for (uint32_t i = 0; i < 5; ++i) {
+        const Result<uint32_t> slot = executor->begin_frame();
+        ASSERT_TRUE(slot.ok());
+        EXPECT_EQ(*slot, i % kFramesInFlight);
+        ASSERT_TRUE(executor->run({}).ok());
+    }
+    EXPECT_EQ(executor->take_timings().size(), 5 - kFramesInFlight)
+        << "begin_frame() completes a slot's frame";
+    ASSERT_TRUE(executor->finish().ok());
+    const std::vector<FrameTiming> timings = executor->take_timings();
+    ASSERT_EQ(timings.size(), kFramesInFlight);
+    for (const FrameTiming& timing : timings) {
+        ASSERT_EQ(timing.passes.size(), 2u);
+        EXPECT_EQ(timing.passes[0].pass, "count");
+        EXPECT_EQ(timing.passes[1].pass, "pass_on");
+        for (const PassTiming& pass : timing.passes) EXPECT_GE(pass.gpu_ms, 0);
+        EXPECT_GT(timing.record_ms, 0);
+    }
+    EXPECT_TRUE(executor->take_timings().empty());
+}
+
+TEST_F(ExecutorFramesVk, times_land_in_the_pass_that_took_them) {
+    write_shader("spin.comp", R"(
+        layout(local_size_x = 1) in;
+        layout(std430) writeonly buffer Words { uint words[]; } dst;
+        void main() {
+            uint value = gl_GlobalInvocationID.x;
+            for (uint i = 0u; i < 60000u; ++i) value = value * 1664525u + (value >> 3) + i;
+            dst.words[gl_GlobalInvocationID.x % 16u] = value;
+        })");
+    GraphBuilder builder;
+    for (const char* name : {"a_light", "b_heavy", "c_light"}) {
+        const ResourceId words = builder.buffer(std::string("words_") + name, 64);
+        PassDecl& pass = builder.compute(name, {{"dst", words, Access::storage_write, {}, kNoId}});
+        use_shader(pass, "spin.comp", ProgramKind::compute);
+        pass.groups = {std::string(name) == "b_heavy" ? 100u : 1u, 1, 1};
+        builder.pass(std::string("read_") + name, PassKind::readback,
+                     {{"src", words, Access::copy_read, {}, kNoId}});
+    }
+    for (const bool timestamps : {true, false}) {
+        ExecutorInput input = input_for(compile_plan(builder));
+        input.timestamps = timestamps;
+        const auto executor = executor_for(std::move(input));
+        ASSERT_NE(executor, nullptr);
+        static_cast<void>(run_frames(*executor, 2));
+        const std::vector<FrameTiming> timings = executor->take_timings();
+        ASSERT_EQ(timings.size(), 2u);
+        double heavy_ms = 0, others_ms = 0;
+        for (const PassTiming& pass : timings[1].passes)
+            (pass.pass == "b_heavy" ? heavy_ms : others_ms) += pass.gpu_ms;
+        if (timestamps)
+            EXPECT_GT(heavy_ms, 3 * others_ms);
+        else
+            EXPECT_LT(heavy_ms, 0);
+    }
+}
+
+}  // namespace
+}  // namespace weft::vk
