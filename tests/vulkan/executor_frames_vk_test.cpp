@@ -124,41 +124,5 @@ TEST_F(ImportedOutputVk, slots_alternate_and_every_frame_is_timed_once) {
     EXPECT_TRUE(executor->take_timings().empty());
 }
 
-TEST_F(ExecutorFramesVk, times_land_in_the_pass_that_took_them) {
-    write_shader("spin.comp", R"(
-        layout(local_size_x = 1) in;
-        layout(std430) writeonly buffer Words { uint words[]; } dst;
-        void main() {
-            uint value = gl_GlobalInvocationID.x;
-            for (uint i = 0u; i < 60000u; ++i) value = value * 1664525u + (value >> 3) + i;
-            dst.words[gl_GlobalInvocationID.x % 16u] = value;
-        })");
-    GraphBuilder builder;
-    for (const char* name : {"a_light", "b_heavy", "c_light"}) {
-        const ResourceId words = builder.buffer(std::string("words_") + name, 64);
-        PassDecl& pass = builder.compute(name, {{"dst", words, Access::storage_write, {}, kNoId}});
-        use_shader(pass, "spin.comp", ProgramKind::compute);
-        pass.groups = {std::string(name) == "b_heavy" ? 100u : 1u, 1, 1};
-        builder.pass(std::string("read_") + name, PassKind::readback,
-                     {{"src", words, Access::copy_read, {}, kNoId}});
-    }
-    for (const bool timestamps : {true, false}) {
-        ExecutorInput input = input_for(compile_plan(builder));
-        input.timestamps = timestamps;
-        const auto executor = executor_for(std::move(input));
-        ASSERT_NE(executor, nullptr);
-        static_cast<void>(run_frames(*executor, 2));
-        const std::vector<FrameTiming> timings = executor->take_timings();
-        ASSERT_EQ(timings.size(), 2u);
-        double heavy_ms = 0, others_ms = 0;
-        for (const PassTiming& pass : timings[1].passes)
-            (pass.pass == "b_heavy" ? heavy_ms : others_ms) += pass.gpu_ms;
-        if (timestamps)
-            EXPECT_GT(heavy_ms, 3 * others_ms);
-        else
-            EXPECT_LT(heavy_ms, 0);
-    }
-}
-
 }  // namespace
 }  // namespace weft::vk
