@@ -129,7 +129,7 @@ void add_table(Parts& parts) {
     MeshBuilder fruit;
     for (const glm::vec3& p : {glm::vec3(-0.36f, 0.895f, 0.02f), glm::vec3(-0.26f, 0.895f, 0.08f),
                                glm::vec3(-0.27f, 0.895f, -0.04f), glm::vec3(-0.3f, 0.955f, 0.02f)}) {
-        fruit.add_sphere(p, 0.05f, 9, 5);
+        fruit.add_sphere(p, 0.05f, 12, 7);
     }
     place_copy(parts, add_mesh(parts, fruit.finish("table_fruit")), m.orange, at);
     parts.footprints.push_back({{floor.x, floor.z}, {0.36f, 0.8f}, false, 0.3f, 0.5f});

@@ -68,9 +68,9 @@ Hold around_column(float a, float b) {
 // Spills over the gallery's parapet: broad above, drawn to a point below. In the side's frame.
 Hold over_parapet(float a, float b) {
     const float drop = 1.35f * b;
-    const float x = (a - 0.5f) * 1.9f * (1 - 0.7f * b) + 0.1f * std::sin(5 * b);
+    const float x = (a - 0.5f) * 1.5f * (1 - 0.6f * b) + 0.1f * std::sin(5 * b);
     const float out = 0.17f + 0.12f * std::min(1.0f, drop * 3) + 0.28f * std::max(0.0f, drop - 0.85f);
-    return {{x, 6.0f - drop, out}, glm::normalize(glm::vec3(0, 0.6f * (1 - b), 1))};
+    return {{x, 6.14f - drop, out}, glm::normalize(glm::vec3(0, 0.6f * (1 - b), 1))};
 }
 
 // Up a corner pier for the first part of `a`, then in a bow over the neighbouring arch.
@@ -87,6 +87,43 @@ Hold over_arch(float a, float b) {
             {0, 0, 1}};
 }
 
+// The woody stems that carry the leaves: the carrier followed along `b` (or `a`) from root to tip.
+Mesh stems(const std::vector<std::vector<Hold>>& vines, float radius_m) {
+    MeshBuilder builder;
+    for (const std::vector<Hold>& vine : vines) {
+        std::vector<glm::vec3> path;
+        for (const Hold& hold : vine) path.push_back(hold.position + hold.outward * (0.5f * radius_m));
+        builder.add_tube(path, {radius_m, 0.4f * radius_m, 3});
+    }
+    return builder.finish("climber_stems");
+}
+
+std::vector<std::vector<Hold>> hanging_vines() {
+    std::vector<std::vector<Hold>> vines;
+    for (const float a : {0.2f, 0.5f, 0.8f}) {
+        vines.push_back({{{(a - 0.5f) * 1.5f, 6.05f, 0.0f}, {0, 0, 1}}});
+        for (const float b : {0.0f, 0.3f, 0.65f, 1.0f}) vines.back().push_back(over_parapet(a, b));
+    }
+    return vines;
+}
+
+std::vector<std::vector<Hold>> arch_vines() {
+    std::vector<std::vector<Hold>> vines;
+    for (const float b : {0.3f, 0.5f, 0.75f}) {
+        vines.push_back({{{(b - 0.5f) * 0.25f, 0, 0.12f}, {0, 0, 1}}});
+        for (const float a : {0.1f, 0.25f, 0.4f, 0.5f, 0.62f, 0.76f, 0.9f})
+            vines.back().push_back(over_arch(a, b + 0.16f * std::sin(14 * a + 9 * b)));
+    }
+    return vines;
+}
+
+// Boxed in by the parapet's top: what the hanging ivy grows from.
+Mesh trough() {
+    MeshBuilder builder;
+    builder.add_box({-0.58f, 5.98f, -0.1f}, {0.58f, 6.16f, 0.16f});
+    return builder.finish("ivy_trough");
+}
+
 }  // namespace
 
 void add_climbers(Parts& parts) {
@@ -99,14 +136,22 @@ void add_climbers(Parts& parts) {
     const uint32_t spill = add_mesh(parts, climber(120, 0.18f, 52, over_parapet));
     const glm::mat4 left = moved({0, 0, 0}, 0.5f * kPi);
     const glm::mat4 right = moved({0, 0, 0}, -0.5f * kPi);
-    place_copy(parts, spill, m.ivy, left * moved({3.4f, 0, -kCourtHalfX}));
-    place_copy(parts, spill, m.ivy, right * moved({-2.4f, 0, -kCourtHalfX}));
-    place_copy(parts, spill, m.ivy, right * moved({4.2f, 0, -kCourtHalfX}));
+    const uint32_t hanging = add_mesh(parts, stems(hanging_vines(), 0.014f));
+    const uint32_t box = add_mesh(parts, trough());
+    // Between two of the gallery's posts, which stand 1.5 m apart.
+    for (const glm::mat4& at :
+         {left * moved({3.75f, 0, -kCourtHalfX}), right * moved({-2.25f, 0, -kCourtHalfX}),
+          right * moved({3.75f, 0, -kCourtHalfX})}) {
+        place_copy(parts, spill, m.ivy, at);
+        place_copy(parts, hanging, m.bark, at);
+        place_copy(parts, box, m.clay, at);
+    }
     const uint32_t greens = add_mesh(parts, climber(150, 0.19f, 54, over_arch));
     const uint32_t flowers = add_mesh(parts, climber(160, 0.19f, 53, over_arch));
     const glm::vec3 corner{-kCourtHalfX + 0.33f, 0, -kCourtHalfZ + 0.3f};
     place_copy(parts, greens, m.ivy, moved(corner));
     place_copy(parts, flowers, m.blossom, moved(corner + glm::vec3(0, 0, 0.06f)));
+    place_copy(parts, add_mesh(parts, stems(arch_vines(), 0.03f)), m.bark, moved(corner));
 }
 
 }  // namespace weft::scene::atrium

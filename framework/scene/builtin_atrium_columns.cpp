@@ -20,7 +20,7 @@ Profile base_profile() {
 // One leaf of the capital: rises along the bell, then curls outwards.
 void add_capital_leaf(MeshBuilder& builder, float angle, float low, float high, float width) {
     constexpr uint32_t kCols = 3;
-    constexpr uint32_t kRows = 4;
+    constexpr uint32_t kRows = 3;
     const glm::vec3 outward{std::sin(angle), 0, std::cos(angle)};
     const glm::vec3 side{outward.z, 0, -outward.x};
     builder.add_grid(kCols, kRows, [&](uint32_t i, uint32_t j) {

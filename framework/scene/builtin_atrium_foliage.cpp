@@ -156,8 +156,8 @@ Surface lily_pad() {
             const glm::vec2 p = glm::vec2(x, y) - 127.5f;
             const float radius = glm::length(p);
             const float angle = std::atan2(p.y, p.x);
-            const float notch = std::abs(angle) * radius - 7;
-            const float inside = std::min(118 - radius, radius > 18 ? notch : 118 - radius);
+            const float notch = (std::abs(angle) - 0.2f) * radius - 2;
+            const float inside = std::min(117 - radius, radius > 12 ? notch : 117 - radius);
             Texel& texel = surface.at(x, y);
             texel.alpha = std::clamp(0.5f + inside * 0.5f, 0.0f, 1.0f);
             const float rays = std::abs(std::sin(angle * 9));

@@ -8,8 +8,9 @@ namespace weft::scene::atrium {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kLanternY = 3.05f;      // middle of the glass
-constexpr float kLanternAcross = 1.7f;  // behind the arcade's middle line
+constexpr float kLanternY = 3.05f;  // middle of the glass
+constexpr float kLanternAcross =
+    2.35f;  // behind the arcade's middle line: near enough to the wall to light it
 
 // Six panes in an iron cage under a pointed hood, on a chain from the ceiling.
 Mesh lantern_frame() {
@@ -127,7 +128,7 @@ void add_lights(Parts& parts) {
 
 void add_cameras(Parts& parts) {
     add_camera(parts, "court", {3.9f, 1.75f, 8.1f}, {-1.5f, 2.6f, -3.2f}, 1.08f);
-    add_camera(parts, "gallery", {-7.75f, 1.62f, 7.55f}, {-7.3f, 1.95f, -4.0f}, 1.12f);
+    add_camera(parts, "gallery", {-7.55f, 1.62f, 7.55f}, {-7.3f, 1.95f, -4.0f}, 1.12f);
     add_camera(parts, "pool", {-2.3f, 0.95f, 5.6f}, {2.6f, 1.7f, -2.6f}, 1.05f);
 }
 

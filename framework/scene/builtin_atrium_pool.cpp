@@ -1,5 +1,6 @@
 // The pool in the court's middle and the fountain in it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scene/builtin_atrium_parts.h"
@@ -10,15 +11,16 @@ namespace {
 constexpr float kPi = 3.14159265f;
 constexpr float kRimWidth = 0.36f;
 constexpr float kWaterLevel = 0.3f;
+constexpr float kPadRadius = 0.2f;
 
 // Two drifts of floating leaves that don't lie on one another. Returns x, z and radius of each.
 std::vector<glm::vec3> scatter_pads(Random& random) {
     std::vector<glm::vec3> pads;
-    for (int attempt = 0; attempt < 400 && pads.size() < 22; ++attempt) {
+    for (int attempt = 0; attempt < 400 && pads.size() < 14; ++attempt) {
         const glm::vec2 home = pads.size() % 3 == 0 ? glm::vec2(-0.8f, -2.7f) : glm::vec2(0.55f, 2.35f);
         const float angle = random.range(0, 2 * kPi);
         const float reach = std::sqrt(random.unit());
-        const float radius = random.range(0.1f, 0.19f);
+        const float radius = random.range(0.11f, 0.23f);
         const glm::vec3 pad{home.x + 0.5f * reach * std::cos(angle), home.y + 0.95f * reach * std::sin(angle),
                             radius};
         const bool free = std::none_of(pads.begin(), pads.end(), [&](const glm::vec3& other) {
@@ -29,16 +31,27 @@ std::vector<glm::vec3> scatter_pads(Random& random) {
     return pads;
 }
 
+// A shallow dish with a turned-up rim; the texture's mask cuts the round outline and the notch.
+void add_pad(MeshBuilder& builder) {
+    constexpr uint32_t kSides = 8;
+    constexpr std::array<glm::vec2, 3> kProfile{{{0.015f, 0}, {0.145f, 0.002f}, {kPadRadius, 0.03f}}};
+    builder.add_grid(kSides + 1, kProfile.size(), [&](uint32_t col, uint32_t row) {
+        const float turn = static_cast<float>(col) / kSides * 2 * kPi;
+        const glm::vec2 out = kProfile[row].x * glm::vec2(std::cos(turn), std::sin(turn));
+        return GridPoint{{out.x, kProfile[row].y, out.y}, 0.5f + out / (2 * kPadRadius)};
+    });
+}
+
 void add_lilies(Parts& parts) {
     MeshBuilder builder;
-    builder.add_card({{0, 0, 0}, {0.19f, 0, 0}, {0, 0, -0.19f}, {0, 0, 0}, false, {0, 0}, {1, 1}});
+    add_pad(builder);
     const uint32_t mesh = add_mesh(parts, builder.finish("lily_pad"));
     Random random(77);
     const std::vector<glm::vec3> pads = scatter_pads(random);
     for (size_t i = 0; i < pads.size(); ++i) {
         const float lift = 0.004f + 0.001f * static_cast<float>(i % 3);
         const glm::vec3 at{pads[i].x, kWaterLevel + lift, pads[i].y};
-        place_copy(parts, mesh, parts.materials.lily, moved(at, random.range(0, 6), pads[i].z / 0.19f));
+        place_copy(parts, mesh, parts.materials.lily, moved(at, random.range(0, 6), pads[i].z / kPadRadius));
     }
 }
 

@@ -38,17 +38,17 @@ Surface inlay_border(const NoiseBank& bank) {
         const float big = diamond_distance(center, 0.44f);
         const float small = diamond_distance(center, 0.2f);
         const float fillet = std::abs(std::abs(p.y - 0.5f) - 0.36f);
-        glm::vec3 color = rgb(0x8a3f2c);
+        glm::vec3 color = rgb(0x9a5a34);
         if (big < 0) color = rgb(0xe0cfa9);
-        if (small < 0) color = rgb(0x2b4a55);
-        if (std::abs(p.y - 0.5f) > 0.36f) color = rgb(0x2c3833);
+        if (small < 0) color = rgb(0x3d4a36);
+        if (std::abs(p.y - 0.5f) > 0.36f) color = rgb(0x3a3a2c);
         if (fillet < 0.025f) color = rgb(0xd9b667);
         const float joint = std::min({std::abs(big), std::abs(small), std::abs(fillet - 0.025f)});
         const float face = smooth_step(0.002f, 0.012f, joint);
         Texel texel;
         texel.color_srgb = color * (0.85f + 0.28f * n.medium(1)) * (0.7f + 0.3f * face);
         texel.height_m = 0.0006f * face;
-        texel.roughness = 0.18f + 0.12f * n.medium(2);
+        texel.roughness = 0.45f + 0.15f * n.medium(2);
         return texel;
     });
 }
@@ -150,6 +150,7 @@ void make_tile_materials(Parts& parts) {
     const NoiseBank& bank = parts.noise;
     m.checker = add_material(parts, "checker_marble", checker_floor(bank));
     m.inlay = add_material(parts, "inlaid_border", inlay_border(bank));
+    shade_by_height(parts, m.inlay, {0.5f, 0.5f}, 0, 1);  // a roof covers half of its sky
     m.azulejo = add_material(parts, "azulejo_tiles", azulejos(bank));
 
     shade_by_height(parts, m.azulejo, {0.25f, 0.38f, 0.42f, 0.42f}, kFloor, kFloor + 1.2f);
