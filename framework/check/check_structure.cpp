@@ -170,8 +170,7 @@ void check_submissions(const FramePlan& plan, FaultList& faults) {
     uint32_t next = 0;
     bool ok = !plan.submissions.batches.empty() || plan.schedule.order.empty();
     for (const Batch& batch : plan.submissions.batches) {
-        ok = ok && batch.queue == 0 && batch.first == next;
-        next = batch.first + batch.count;
+        for (const uint32_t position : batch.positions) ok = ok && batch.queue == 0 && position == next++;
     }
     ok = ok && next == plan.schedule.order.size();
     if (!ok)

@@ -66,7 +66,7 @@ Replay::Replay(const FramePlan& plan, FaultList& faults)
 }
 
 void Replay::run(uint32_t frames) {
-    barriers(plan_.barriers.prologue, kNoId);
+    barriers(plan_.barriers.prologue.before, kNoId);
     for (frame_ = 0; frame_ < frames; ++frame_) {
         enter_frame();
         for (const PassStep& s : plan_.barriers.steps) step(s);

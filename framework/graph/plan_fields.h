@@ -23,7 +23,7 @@ void visit_fields(V& v, const AccessState& x) {
 }
 template <class V>
 void visit_fields(V& v, const ImportState& x) {
-    v("entry", x.entry), v("exit", x.exit), v("family", x.family);
+    v("entry", x.entry), v("exit", x.exit), v("family", x.family), v("concurrent", x.concurrent);
 }
 template <class V>
 void visit_fields(V& v, const ResourceDecl& x) {
@@ -32,7 +32,8 @@ void visit_fields(V& v, const ResourceDecl& x) {
         v("samples", x.samples);
     v("aspects", x.aspects), v("sizeBytes", x.size_bytes), v("strideBytes", x.stride_bytes),
         v("usage", x.usage);
-    v("history", x.history), v("preExposed", x.pre_exposed), v("import", x.import), v("clear", x.clear);
+    v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
+    v("onResize", x.on_resize), v("preExposed", x.pre_exposed), v("import", x.import), v("clear", x.clear);
 }
 template <class V>
 void visit_fields(V& v, const VersionSource& x) {
@@ -87,7 +88,7 @@ template <class V>
 void visit_fields(V& v, const ParamWrite& x) {
     v("member", x.member), v("offsetBytes", x.offset_bytes), v("scalar", x.scalar),
         v("components", x.components);
-    v("builtin", x.builtin), v("value", x.value);
+    v("builtin", x.builtin), v("resource", x.resource), v("value", x.value);
 }
 template <class V>
 void visit_fields(V& v, const SpecValue& x) {
@@ -124,9 +125,13 @@ void visit_fields(V& v, const ScheduleCandidate& x) {
     v("queueSwitches", x.queue_switches);
 }
 template <class V>
+void visit_fields(V& v, const LogicalQueue& x) {
+    v("kind", x.kind), v("family", x.family);
+}
+template <class V>
 void visit_fields(V& v, const Schedule& x) {
     v("order", x.order), v("position", x.position), v("queue", x.queue), v("clocks", x.clocks);
-    v("candidates", x.candidates), v("chosen", x.chosen), v("queueCount", x.queue_count);
+    v("candidates", x.candidates), v("chosen", x.chosen), v("queues", x.queues);
 }
 template <class V>
 void visit_fields(V& v, const LifetimeSpan& x) {
@@ -168,25 +173,32 @@ void visit_fields(V& v, const BarrierDecl& x) {
 }
 template <class V>
 void visit_fields(V& v, const PassStep& x) {
-    v("pass", x.pass), v("barriers", x.barriers), v("attachments", x.attachments);
+    v("pass", x.pass), v("barriers", x.barriers), v("after", x.after), v("attachments", x.attachments);
+}
+template <class V>
+void visit_fields(V& v, const ProloguePlan& x) {
+    v("before", x.before), v("cleared", x.cleared), v("after", x.after);
 }
 template <class V>
 void visit_fields(V& v, const BarrierPlan& x) {
-    v("steps", x.steps), v("epilogue", x.epilogue), v("prologue", x.prologue), v("emitted", x.emitted);
+    v("steps", x.steps), v("epilogue", x.epilogue), v("prologue", x.prologue), v("concurrent", x.concurrent);
+    v("emitted", x.emitted);
+}
+template <class V>
+void visit_fields(V& v, const QueueDependency& x) {
+    v("from", x.from), v("to", x.to), v("previousFrame", x.previous_frame), v("resource", x.resource);
 }
 template <class V>
 void visit_fields(V& v, const QueueWait& x) {
-    v("queue", x.queue), v("batch", x.batch), v("stages", x.stages), v("previousFrame", x.previous_frame);
+    v("batch", x.batch), v("previousFrame", x.previous_frame), v("dependency", x.dependency);
 }
 template <class V>
 void visit_fields(V& v, const Batch& x) {
-    v("queue", x.queue), v("first", x.first), v("count", x.count), v("waits", x.waits),
-        v("signals", x.signals);
-    v("epilogue", x.epilogue);
+    v("queue", x.queue), v("positions", x.positions), v("waits", x.waits), v("epilogue", x.epilogue);
 }
 template <class V>
 void visit_fields(V& v, const SubmissionPlan& x) {
-    v("batches", x.batches);
+    v("batches", x.batches), v("dependencies", x.dependencies);
 }
 template <class V>
 void visit_fields(V& v, const BoundaryState& x) {

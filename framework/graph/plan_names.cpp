@@ -52,7 +52,12 @@ const char* enum_name(StoreOp value) {
 
 const char* enum_name(BarrierReason value) {
     return pick(value,
-                std::array{"raw", "war", "waw", "layout", "hand_over", "acquire_import", "release_import"});
+                std::array{"raw", "war", "waw", "layout", "hand_over", "acquire_import", "release_import",
+                           "release_queue", "acquire_queue", "prologue"});
+}
+
+const char* enum_name(OnResize value) {
+    return pick(value, std::array{"clear", "resample", "refill"});
 }
 
 const char* enum_name(SamplerFilter value) {
@@ -101,7 +106,7 @@ const char* enum_name(StencilOp value) {
 
 const char* enum_name(Builtin value) {
     return pick(value, std::array{"none", "frame_index", "time_s", "delta_time_s", "pre_exposure",
-                                  "prev_pre_exposure"});
+                                  "prev_pre_exposure", "valid"});
 }
 
 const char* enum_name(ScalarType value) {

@@ -1,3 +1,5 @@
+#include <numeric>
+
 #include "graph/stages.h"
 
 namespace weft {
@@ -5,9 +7,10 @@ namespace weft {
 SubmissionPlan submissions(const ResolvedGraph&, const Schedule& order, const BarrierPlan&) {
     // With one queue nothing is waited for: pipeline barriers order work across submissions too.
     Batch batch;
-    batch.count = static_cast<uint32_t>(order.order.size());
+    batch.positions.resize(order.order.size());
+    std::iota(batch.positions.begin(), batch.positions.end(), 0u);
     batch.epilogue = true;
-    return SubmissionPlan{{batch}};
+    return SubmissionPlan{{batch}, {}};
 }
 
 }  // namespace weft

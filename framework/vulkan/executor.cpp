@@ -172,13 +172,12 @@ void ReplayExecutor::record_step(const RecordContext& context, uint32_t position
 void ReplayExecutor::record_frame(VkCommandBuffer commands, const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     if (!prologue_done_)
-        record_barriers(device_, commands, plan.barriers.prologue, plan, objects_->resources);
+        record_barriers(device_, commands, plan.barriers.prologue.before, plan, objects_->resources);
     prologue_done_ = true;
     objects_->timer.record_start(commands, slot);
     const RecordContext context{device_, commands, slot, frame, *objects_};
     for (const Batch& batch : plan.submissions.batches) {
-        for (uint32_t position = batch.first; position < batch.first + batch.count; ++position)
-            record_step(context, position);
+        for (const uint32_t position : batch.positions) record_step(context, position);
         if (!batch.epilogue) continue;
         begin_label(device_, commands, "epilogue");
         record_barriers(device_, commands, plan.barriers.epilogue, plan, objects_->resources);

@@ -13,6 +13,7 @@ constexpr uint64_t kUniformAlignmentBytes = 256;
 double builtin_value(Builtin builtin, const FrameInput& frame) {
     switch (builtin) {
         case Builtin::none:
+        case Builtin::valid:
             return 0;
         case Builtin::frame_index:
             return static_cast<double>(frame.frame_index);

@@ -44,7 +44,7 @@ Diagnostics check_passes(const FramePlan& plan, const ExecutorInput& input) {
 
 Diagnostics check_plan(const FramePlan& plan, const ExecutorInput& input) {
     Diagnostics errors = check_passes(plan, input);
-    bool several_queues = plan.schedule.queue_count > 1;
+    bool several_queues = plan.schedule.queues.size() > 1;
     for (const Batch& batch : plan.submissions.batches) several_queues |= !batch.waits.empty();
     if (several_queues) {
         Diagnostic diagnostic;

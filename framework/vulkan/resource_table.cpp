@@ -46,7 +46,7 @@ std::vector<uint8_t> used_resources(const FramePlan& plan) {
     for (const PassId pass : plan.schedule.order)
         for (const UseDecl& use : plan.graph.passes[pass].uses) used[use.resource] = 1;
     for (const BarrierDecl& barrier : plan.barriers.epilogue) used[barrier.resource] = 1;
-    for (const BarrierDecl& barrier : plan.barriers.prologue) used[barrier.resource] = 1;
+    for (const BarrierDecl& barrier : plan.barriers.prologue.before) used[barrier.resource] = 1;
     return used;
 }
 

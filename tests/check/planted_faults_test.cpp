@@ -217,7 +217,7 @@ TEST_F(PlantedFault, PassOrderSwapped) {
 TEST_F(PlantedFault, PassForgotten) {
     plan.schedule.order.pop_back();
     plan.barriers.steps.pop_back();
-    plan.submissions.batches.back().count -= 1;
+    plan.submissions.batches.back().positions.pop_back();
     EXPECT_FALSE(check_plan(plan).empty());
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <set>
 
 namespace weft::test {
@@ -161,7 +162,8 @@ FramePlan naive_plan(const ResolvedGraph& graph, const MemoryNeeds& needs) {
     plan_barriers(plan);
     plan_attachments(plan);
     Batch batch;
-    batch.count = static_cast<uint32_t>(plan.schedule.order.size());
+    batch.positions.resize(plan.schedule.order.size());
+    std::iota(batch.positions.begin(), batch.positions.end(), 0u);
     batch.epilogue = true;
     plan.submissions.batches.push_back(batch);
     plan.hash = "naive";

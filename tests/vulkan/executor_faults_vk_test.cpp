@@ -84,7 +84,7 @@ TEST_F(ExecutorFaultsVk, what_a_plan_needs_and_is_not_given_is_named) {
     EXPECT_TRUE(mentions(fault, "\"fill\"") && mentions(fault, "fill.comp")) << fault.message;
 
     input = input_for(plan);
-    input.plan.schedule.queue_count = 2;
+    input.plan.schedule.queues.resize(2);
     EXPECT_EQ(fault_of(std::move(input)).code, "V417");
 
     GraphBuilder custom;

@@ -27,6 +27,7 @@ inline constexpr StageMask kResolve = 1u << 10;
 inline constexpr StageMask kClear = 1u << 11;
 inline constexpr StageMask kHost = 1u << 12;
 inline constexpr int kCount = 13;
+inline constexpr StageMask kAll = (1u << kCount) - 1;  // of whatever queue records it
 }  // namespace stage
 
 using AccessMask = uint32_t;
@@ -48,6 +49,7 @@ inline constexpr AccessMask kTransferWrite = 1u << 12;
 inline constexpr AccessMask kHostRead = 1u << 13;
 inline constexpr AccessMask kHostWrite = 1u << 14;
 inline constexpr int kCount = 15;
+inline constexpr AccessMask kAll = (1u << kCount) - 1;
 inline constexpr AccessMask kAllWrites =
     kStorageWrite | kColorWrite | kDepthStencilWrite | kTransferWrite | kHostWrite;
 }  // namespace access

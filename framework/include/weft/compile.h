@@ -11,10 +11,15 @@ namespace weft {
 struct CompileOptions {
     bool keep_all_passes = false;  // no culling
     uint64_t granularity_bytes = 64;
+    std::vector<LogicalQueue> queues{LogicalQueue{}};  // the first one is a graphics queue
 };
 
-// Runs cull to link. The checker shares no code with these stages and is not called here: callers prove the plan with
-// check_plan() (framework/check/check_plan.h), as every test and every debug build does.
+// `count` logical queues for a device: graphics, then compute, transfer and a second compute queue, each in
+// the family that can do the least besides. Families that the device lacks fall back to more capable ones.
+[[nodiscard]] std::vector<LogicalQueue> logical_queues(const DeviceProfile& profile, uint32_t count);
+
+// Runs cull to link. The checker shares no code with these stages and is not called here: callers prove the
+// plan with check_plan() (framework/check/check_plan.h), as every test and every debug build does.
 [[nodiscard]] FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs,
                                 const CompileOptions& options);
 

@@ -74,9 +74,14 @@ enum class ResourceLifetime : uint8_t {
 struct ImportState {
     AccessState entry;  // layout undefined: the content is of no interest
     AccessState exit;
-    uint32_t family = 0;  // index into DeviceProfile::queue_families
+    uint32_t family = 0;      // index into DeviceProfile::queue_families
+    bool concurrent = false;  // made for all families; else only passes on `family`'s queues may use it
     bool operator==(const ImportState&) const = default;
 };
+
+// What a persistent resource holds once its size has changed: its first-frame value again, its old content
+// stretched to the new size, or nothing until its writer has run again.
+enum class OnResize : uint8_t { clear, resample, refill };
 
 struct ResourceDecl {
     std::string name;
@@ -94,8 +99,16 @@ struct ResourceDecl {
     uint64_t size_bytes = 0;
     uint32_t stride_bytes = 0;
     // both
-    UsageMask usage = 0;   // the union over all passes, live or not
-    uint32_t history = 0;  // copies kept of earlier frames
+    UsageMask usage = 0;  // the union over all passes, live or not
+    // A persistent resource is a ring of history + 1 roles, each a ResourceDecl of its own: "color" is this
+    // frame's, "color[-1]" what it held one frame ago. From frame to frame the memory moves on: role a of
+    // frame f lives in the copy that role (f - a) mod (history + 1) had in frame 0. A ring of one keeps its
+    // content.
+    uint32_t history = 0;     // copies kept of earlier frames
+    ResourceId ring = kNoId;  // the role of age 0; kNoId when not persistent
+    uint32_t age = 0;
+    std::array<float, 4> first_frame{0, 0, 0, 0};  // what every copy holds before anybody wrote it
+    OnResize on_resize = OnResize::clear;
     bool pre_exposed = false;
     std::optional<ImportState> import;
     std::optional<std::array<float, 4>> clear;  // what a first raster write clears to
@@ -234,7 +247,17 @@ struct AttachmentDecl {
 };
 
 // Per-frame values that only the executor's caller knows.
-enum class Builtin : uint8_t { none, frame_index, time_s, delta_time_s, pre_exposure, prev_pre_exposure };
+// `valid`: 1 once the content that ParamWrite::resource, a role of a ring, stands for has been written, else
+// 0.
+enum class Builtin : uint8_t {
+    none,
+    frame_index,
+    time_s,
+    delta_time_s,
+    pre_exposure,
+    prev_pre_exposure,
+    valid,
+};
 
 // One member of a pass's `Params` block: a literal, or a per-frame builtin.
 struct ParamWrite {
@@ -243,6 +266,7 @@ struct ParamWrite {
     ScalarType scalar = ScalarType::f32;
     uint8_t components = 1;
     Builtin builtin = Builtin::none;
+    ResourceId resource = kNoId;  // of Builtin::valid
     std::array<double, 4> value{0, 0, 0, 0};
 };
 

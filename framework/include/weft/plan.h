@@ -12,6 +12,14 @@ namespace weft {
 
 using QueueIndex = uint32_t;
 
+// A queue as plans see it. The executor gives each one of the device's queues of its family; several may
+// share one.
+struct LogicalQueue {
+    QueueKind kind = QueueKind::graphics;  // the most capable thing it can do
+    uint32_t family = 0;                   // index into DeviceProfile::queue_families
+    bool operator==(const LogicalQueue&) const = default;
+};
+
 enum class CullReason : uint8_t { live, unused_output, upstream_culled };
 
 struct LiveGraph {
@@ -33,11 +41,11 @@ struct Schedule {
     std::vector<PassId> order;       // live passes only
     std::vector<uint32_t> position;  // by PassId; kNoId when culled
     std::vector<QueueIndex> queue;   // by position
-    std::vector<std::vector<uint32_t>>
-        clocks;  // by position: per queue, 1 + the latest position known to precede
+    // By position: per queue, 1 + the latest position of that queue known to precede it in this frame.
+    std::vector<std::vector<uint32_t>> clocks;
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;
-    uint32_t queue_count = 1;
+    std::vector<LogicalQueue> queues{LogicalQueue{}};
 };
 
 // First and last schedule position that touches a transient. Not live: first > last.
@@ -100,9 +108,22 @@ struct AttachmentOps {
     StoreOp store = StoreOp::store;
 };
 
-enum class BarrierReason : uint8_t { raw, war, waw, layout, hand_over, acquire_import, release_import };
+enum class BarrierReason : uint8_t {
+    raw,
+    war,
+    waw,
+    layout,
+    hand_over,
+    acquire_import,
+    release_import,
+    release_queue,  // the first half of a transfer between queue families, after the last use on the old one
+    acquire_queue,  // its second half, before the first use on the new one
+    prologue,
+};
 
-// One dependency. Images: a transition of `range`; buffers: a memory dependency.
+// One dependency. Images: a transition of `range`; buffers: a memory dependency. Stages are those of the
+// queue that records it; accesses on other queues are waited for by semaphores, which make all memory
+// available and visible, and then only the layout or the owner is left to change.
 struct BarrierDecl {
     ResourceId resource = kNoId;
     SubresourceRange range;
@@ -120,34 +141,55 @@ struct BarrierDecl {
 struct PassStep {
     PassId pass = kNoId;
     std::vector<BarrierDecl> barriers;       // one vkCmdPipelineBarrier2 before the pass
+    std::vector<BarrierDecl> after;          // one after it: releases, and transitions for several queues
     std::vector<AttachmentOps> attachments;  // colours by location, then depth
+};
+
+// Run once, on queue 0, before the first frame: all copies of all persistent resources get their first-frame
+// values.
+struct ProloguePlan {
+    std::vector<BarrierDecl> before;  // out of undefined
+    std::vector<ResourceId> cleared;  // to ResourceDecl::first_frame, whole
+    std::vector<BarrierDecl> after;   // into the state in which the first frame's role expects it
 };
 
 struct BarrierPlan {
     std::vector<PassStep> steps;        // by position
-    std::vector<BarrierDecl> epilogue;  // imports into their exit states
-    std::vector<BarrierDecl> prologue;  // run once: persistent resources into their boundary states
-    uint32_t emitted = 0;
+    std::vector<BarrierDecl> epilogue;  // imports into their exit states, at the end of queue 0's last batch
+    ProloguePlan prologue;
+    std::vector<uint8_t> concurrent;  // by ResourceId: used by several families without ownership
+    uint32_t emitted = 0;             // of a frame
 };
 
-struct QueueWait {
-    QueueIndex queue = 0;
-    uint32_t batch = 0;  // wait for this batch of that queue
-    StageMask stages = 0;
+// `to` must not start before `from` is over, and they are on different queues. With `previous_frame`, `from`
+// is a position of the frame before.
+struct QueueDependency {
+    uint32_t from = 0;
+    uint32_t to = 0;
     bool previous_frame = false;
+    ResourceId resource = kNoId;  // why; kNoId for `after`
+    bool operator==(const QueueDependency&) const = default;
 };
 
+// Before its first command a batch waits for another to be over, with all memory it wrote.
+struct QueueWait {
+    uint32_t batch = 0;  // index into SubmissionPlan::batches, on another queue
+    bool previous_frame = false;
+    uint32_t dependency = kNoId;  // the dependency that asked for it, in SubmissionPlan::dependencies
+};
+
+// Everything between two waits or signals of a queue. When it is over, the timeline semaphore of its queue
+// has the value frame × (batches of that queue) + 1 + (its rank among them), counting frames from 0.
 struct Batch {
     QueueIndex queue = 0;
-    uint32_t first = 0;  // positions [first, first + count) in schedule order, all on `queue`
-    uint32_t count = 0;
+    std::vector<uint32_t> positions;  // in schedule order, all on `queue`
     std::vector<QueueWait> waits;
-    bool signals = true;
     bool epilogue = false;  // records BarrierPlan::epilogue after its passes
 };
 
 struct SubmissionPlan {
-    std::vector<Batch> batches;
+    std::vector<Batch> batches;  // by first position, which is an order they can be submitted in
+    std::vector<QueueDependency> dependencies;  // what the waits are there for
 };
 
 // How every persistent or imported resource is left between two frames, per range.
