@@ -92,6 +92,14 @@ bool report_messages(const std::vector<vk::Message>& messages) {
     return !messages.empty();
 }
 
+// After a time-out the device may still be at work with our memory: leaving is safe, tearing things down
+// under it, the driver among them, is not.
+ExitCode fail_on_device(const Diagnostics& errors) {
+    const ExitCode code = fail(errors);
+    if (code == ExitCode::lost) std::_Exit(static_cast<int>(code));
+    return code;
+}
+
 }  // namespace
 
 ExitCode run_render(const RenderOptions& options) {
@@ -120,18 +128,14 @@ ExitCode run_render(const RenderOptions& options) {
     Result<std::unique_ptr<render::Session>> session =
         render::Session::create(**device, *scene, session_input(options, *scene, *camera, passes), warnings);
     report(warnings);
-    if (!session) return fail(session.errors());
+    if (!session) return fail_on_device(session.errors());
     const uint32_t frames = options.frames > 0 ? options.frames : (*session)->frames();
     Result<RunOutcome> outcome = run_frames(**session, options, frames);
     if (!outcome) {
         report_messages((*device)->messages().messages());
-        const ExitCode code = fail(outcome.errors());
-        // The device may still be at work with our memory: leaving is safe, tearing things down under it is
-        // not.
-        if (code == ExitCode::lost) std::_Exit(static_cast<int>(code));
-        return code;
+        return fail_on_device(outcome.errors());
     }
-    if (Status s = write_picture(options, **session, *outcome); !s) return fail(s.errors());
+    if (Status s = write_picture(options, **session, *outcome); !s) return fail_on_device(s.errors());
     if (!options.stats.empty()) {
         const std::string json =
             stats_json({**device, (*session)->plan(), outcome->output, outcome->timings, frames});

@@ -9,7 +9,7 @@ Device::~Device() {
 }
 
 void Device::tear_down() {
-    if (!owned_) return;
+    if (!owned_ || abandoned_) return;
     owned_ = false;
     // The messenger goes after the device, so that it hears of objects left alive.
     if (device_ != VK_NULL_HANDLE) functions_.vkDestroyDevice(device_, nullptr);

@@ -22,7 +22,8 @@ struct DeviceOptions {
     bool validate = false;  // core and synchronisation validation; any message is collected
     // Index or part of a name. Empty: the first discrete, integrated, virtual, then CPU one that is fit.
     std::string device;
-    // For every fence. Generous: a CPU device compiles its shaders within the first frame, on a machine that may be busy.
+    // For every fence. Generous: a CPU device compiles its shaders within the first frame, on a machine that
+    // may be busy.
     uint64_t timeout_ns = 60'000'000'000;
 };
 
@@ -71,6 +72,10 @@ class Device {
     [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     [[nodiscard]] MessageCollector& messages() { return messages_; }
     [[nodiscard]] uint64_t timeout_ns() const { return timeout_ns_; }
+    // After a time-out the device may still be at work with anything: from now on nothing is destroyed, which
+    // is better than destroying it under the device.
+    void abandon() { abandoned_ = true; }
+    [[nodiscard]] bool abandoned() const { return abandoned_; }
     [[nodiscard]] bool validating() const { return messenger_ != VK_NULL_HANDLE; }
 
     [[nodiscard]] const OptionalFeatures& optional() const { return optional_; }  // the enabled ones
@@ -93,6 +98,7 @@ class Device {
     Queue queue_;
     bool owned_ = false;
     bool debug_utils_ = false;
+    bool abandoned_ = false;
     InstanceFunctions instance_functions_{};
     DeviceFunctions functions_{};
     DeviceInfo info_;

@@ -88,10 +88,7 @@ ReplayExecutor::~ReplayExecutor() {
     for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
         // After a time-out a second wait would only double it; but a frame may be late and no more.
         idle &= lost_.empty() ? slots_->wait(slot) == VK_SUCCESS : slots_->is_over(slot);
-    if (idle) return;
-    // The device may still be at work with these; destroying them under it would be worse than keeping them.
-    static_cast<void>(objects_.release());
-    static_cast<void>(slots_.release());
+    if (!idle) device_.abandon();
 }
 
 Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {

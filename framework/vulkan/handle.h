@@ -29,7 +29,8 @@ class Handle {
     [[nodiscard]] T get() const { return object_; }
     explicit operator bool() const { return object_ != VK_NULL_HANDLE; }
     void reset() {
-        if (object_ != VK_NULL_HANDLE) (device_->fn().*Destroy)(device_->handle(), object_, nullptr);
+        if (object_ != VK_NULL_HANDLE && !device_->abandoned())
+            (device_->fn().*Destroy)(device_->handle(), object_, nullptr);
         object_ = VK_NULL_HANDLE;
     }
 

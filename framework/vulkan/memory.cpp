@@ -165,7 +165,7 @@ Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsage
 }
 
 Buffer::~Buffer() {
-    if (device_ == nullptr) return;
+    if (device_ == nullptr || device_->abandoned()) return;
     device_->fn().vkDestroyBuffer(device_->handle(), buffer_, nullptr);
     device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);  // unmaps
 }
@@ -211,7 +211,7 @@ Result<Image> Image::create(Device& device, const ResourceDecl& decl) {
 }
 
 Image::~Image() {
-    if (device_ == nullptr) return;
+    if (device_ == nullptr || device_->abandoned()) return;
     device_->fn().vkDestroyImageView(device_->handle(), view_, nullptr);
     device_->fn().vkDestroyImage(device_->handle(), image_, nullptr);
     device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);

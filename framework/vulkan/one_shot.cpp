@@ -52,15 +52,14 @@ VkResult submit_and_wait(Device& device, OneShot& shot) {
 
 Status submit_once(Device& device, const std::string& what,
                    const std::function<void(VkCommandBuffer)>& record) {
-    // On the heap so that it can be abandoned: after a time-out the device may still be at work with it.
-    auto shot = std::make_unique<OneShot>();
-    VkResult result = open(device, *shot);
+    OneShot shot;
+    VkResult result = open(device, shot);
     if (result == VK_SUCCESS) {
-        record(shot->commands);
-        result = device.fn().vkEndCommandBuffer(shot->commands);
+        record(shot.commands);
+        result = device.fn().vkEndCommandBuffer(shot.commands);
     }
-    if (result == VK_SUCCESS) result = submit_and_wait(device, *shot);
-    if (result == VK_TIMEOUT) static_cast<void>(shot.release());
+    if (result == VK_SUCCESS) result = submit_and_wait(device, shot);
+    if (result == VK_TIMEOUT) device.abandon();
     if (result != VK_SUCCESS) return failed_call("V418", what, result);
     return Unit{};
 }

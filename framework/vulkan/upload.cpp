@@ -117,15 +117,11 @@ void record_buffer_copy(const DeviceFunctions& fn, VkCommandBuffer commands, con
 Status copy_from_staging(Device& device, const std::string& what, uint64_t size_bytes,
                          const std::function<void(std::span<std::byte>)>& fill,
                          const std::function<void(VkCommandBuffer, const Buffer&)>& record) {
-    Result<Buffer> made =
+    Result<Buffer> staging =
         Buffer::create(device, size_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Buffer::Memory::upload, what);
-    if (!made) return made.take_errors();
-    auto staging = std::make_unique<Buffer>(std::move(*made));
+    if (!staging) return staging.take_errors();
     fill(staging->mapped());
-    Status status = submit_once(device, what, [&](VkCommandBuffer commands) { record(commands, *staging); });
-    // After a time-out the device may still read it.
-    if (!status && status.errors().front().code == "V407") static_cast<void>(staging.release());
-    return status;
+    return submit_once(device, what, [&](VkCommandBuffer commands) { record(commands, *staging); });
 }
 
 }  // namespace
