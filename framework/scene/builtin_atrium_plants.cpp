@@ -70,7 +70,7 @@ void add_citrus_trees(Parts& parts, const PotMeshes& pots) {
     const uint32_t leaves = add_mesh(parts, citrus_crown(random));
     const uint32_t wood = add_mesh(parts, citrus_trunk());
     MeshBuilder oranges;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 4; ++i) {
         oranges.add_sphere(kCrown + on_sphere(random) * glm::vec3(0.66f, 0.58f, 0.66f), 0.047f, 7, 4);
     }
     const uint32_t fruit = add_mesh(parts, oranges.finish("citrus_fruit"));

@@ -16,7 +16,7 @@ constexpr float kPadRadius = 0.2f;
 // Two drifts of floating leaves that don't lie on one another. Returns x, z and radius of each.
 std::vector<glm::vec3> scatter_pads(Random& random) {
     std::vector<glm::vec3> pads;
-    for (int attempt = 0; attempt < 400 && pads.size() < 14; ++attempt) {
+    for (int attempt = 0; attempt < 400 && pads.size() < 12; ++attempt) {
         const glm::vec2 home = pads.size() % 3 == 0 ? glm::vec2(-0.8f, -2.7f) : glm::vec2(0.55f, 2.35f);
         const float angle = random.range(0, 2 * kPi);
         const float reach = std::sqrt(random.unit());
@@ -33,8 +33,8 @@ std::vector<glm::vec3> scatter_pads(Random& random) {
 
 // A shallow dish with a turned-up rim; the texture's mask cuts the round outline and the notch.
 void add_pad(MeshBuilder& builder) {
-    constexpr uint32_t kSides = 8;
-    constexpr std::array<glm::vec2, 3> kProfile{{{0.015f, 0}, {0.145f, 0.002f}, {kPadRadius, 0.03f}}};
+    constexpr uint32_t kSides = 10;
+    constexpr std::array<glm::vec2, 3> kProfile{{{0.015f, 0}, {0.145f, 0.002f}, {kPadRadius, 0.02f}}};
     builder.add_grid(kSides + 1, kProfile.size(), [&](uint32_t col, uint32_t row) {
         const float turn = static_cast<float>(col) / kSides * 2 * kPi;
         const glm::vec2 out = kProfile[row].x * glm::vec2(std::cos(turn), std::sin(turn));
