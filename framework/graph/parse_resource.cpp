@@ -2,6 +2,7 @@
 
 #include "graph/located_text.h"
 #include "graph/parse_context.h"
+#include "graph/reference.h"
 #include "weft/format.h"
 
 namespace weft {
@@ -35,6 +36,27 @@ void read_layers(ParseContext& context, const JsonNode& node, ResourceDesc& reso
     if (read_expression(context, node, resource.layers)) resource.image_kind = ImageKind::d2_array;
 }
 
+constexpr std::array kOnResizes{Choice<OnResize>{"clear", OnResize::clear},
+                                Choice<OnResize>{"resample", OnResize::resample},
+                                Choice<OnResize>{"refill", OnResize::refill}};
+
+void read_history(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    int64_t frames = 0;
+    if (read_integer(context, node, 0, kMaxHistory, frames)) resource.history = static_cast<uint32_t>(frames);
+}
+
+void read_keep(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    if (node.kind == JsonKind::boolean) {
+        resource.keep = node.boolean ? KeepMode::frames : KeepMode::none;
+    } else if (node.kind != JsonKind::string) {
+        wrong_type(context, node, "true, false or \"shared\"");
+    } else if (node.string == "shared") {
+        resource.keep = KeepMode::shared;
+    } else {
+        bad_choice(context, node, node.string, {"shared"});
+    }
+}
+
 void read_element(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
     resource.is_buffer = true;
     if (read_string(context, node, resource.element))
@@ -54,6 +76,12 @@ constexpr std::array kResourceKeys{
         "clear", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_color(c, n, r.clear); }},
     KeyRule<ResourceDesc>{"preExposed", [](ParseContext& c, const JsonNode& n,
                                            ResourceDesc& r) { read_bool(c, n, r.pre_exposed); }},
+    KeyRule<ResourceDesc>{"history", read_history},
+    KeyRule<ResourceDesc>{"keep", read_keep},
+    KeyRule<ResourceDesc>{"firstFrame", [](ParseContext& c, const JsonNode& n,
+                                           ResourceDesc& r) { read_color(c, n, r.first_frame); }},
+    KeyRule<ResourceDesc>{"onResize", [](ParseContext& c, const JsonNode& n,
+                                         ResourceDesc& r) { read_choice(c, n, kOnResizes, r.on_resize); }},
 };
 
 void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
@@ -63,7 +91,8 @@ void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
             if (member.key != key) continue;
             const PointerScope scope(context, key);
             context.error(member.key_loc, "W101", std::string(what) + " has no \"" + member.key + "\"",
-                          "remove it: buffers have \"buffer\" and \"count\", images all the other keys");
+                          "remove it: \"count\" belongs to buffers, \"format\", \"size\" and what describes "
+                          "texels to images");
         }
     }
 }
@@ -85,6 +114,25 @@ void check_kind(ParseContext& context, const JsonMember& member) {
                     "an image needs \"format\", a buffer \"buffer\" and \"count\"");
 }
 
+// What a resource means to later frames.
+void check_persistence(ParseContext& context, const JsonNode& node, const ResourceDesc& resource) {
+    const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
+        const PointerScope scope(context, key);
+        context.error(node.find(key)->loc, "W109", message, help);
+    };
+    if (resource.history > 0 && resource.keep != KeepMode::none)
+        complain(
+            "keep", "a resource has \"history\" or \"keep\", not both",
+            "\"history\" makes a new copy each frame, \"keep\" goes on with the one there is: remove one");
+    const bool lasting = resource.is_persistent() || node.find("history") != nullptr;
+    for (const std::string_view key : {"firstFrame", "onResize"})
+        if (!lasting && node.find(key) != nullptr)
+            complain(key, "\"" + std::string(key) + "\" has no meaning for what lives within one frame",
+                     "add \"history\": 1 (last frame's content too) or \"keep\": true, or remove it");
+    if (resource.is_buffer && resource.on_resize == OnResize::resample)
+        complain("onResize", "a buffer can't be resampled", "choose \"clear\" or \"refill\"");
+}
+
 }  // namespace
 
 void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
@@ -94,6 +142,7 @@ void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& gra
         resource.loc = member.key_loc;
         if (!read_object(context, member.value, "a resource", kResourceKeys, resource)) return;
         check_kind(context, member);
+        check_persistence(context, member.value, resource);
         graph.resources.emplace(member.key, std::move(resource));
     });
 }

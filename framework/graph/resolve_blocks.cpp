@@ -20,6 +20,7 @@ constexpr std::array kBuiltins{
     BuiltinName{"time", Builtin::time_s},
 };
 constexpr std::string_view kSizeSuffix = "Size";
+constexpr std::string_view kValidSuffix = "Valid";
 
 class BlockStep {
  public:
@@ -115,14 +116,33 @@ class BlockStep {
             store(member, write, {0}, shader_loc());
             return true;
         }
-        return from_port_size(member, write);
+        return from_port_size(member, write) || from_port_valid(member, write);
+    }
+
+    // The port that "<port><suffix>" speaks of; null: none.
+    const UseDecl* port_before(std::string_view name, std::string_view suffix) const {
+        if (!name.ends_with(suffix)) return nullptr;
+        name.remove_suffix(suffix.size());
+        const auto use = std::ranges::find(decl_.uses, name, &UseDecl::port);
+        return use == decl_.uses.end() ? nullptr : &*use;
+    }
+
+    // Whether what a port shows was ever written: always, unless it is of an earlier frame.
+    bool from_port_valid(const BlockMember& member, ParamWrite& write) {
+        const UseDecl* use = port_before(member.name, kValidSuffix);
+        if (!use) return work_.faulty && member.name.ends_with(kValidSuffix);
+        if (use->history > 0) {
+            write.builtin = Builtin::valid;
+            write.resource = use->resource;
+        }
+        store(member, write, {use->history > 0 ? 0.0 : 1.0}, shader_loc());
+        return true;
     }
 
     bool from_port_size(const BlockMember& member, ParamWrite& write) {
         if (!member.name.ends_with(kSizeSuffix)) return false;
-        const std::string port = member.name.substr(0, member.name.size() - kSizeSuffix.size());
-        const auto use = std::ranges::find(decl_.uses, port, &UseDecl::port);
-        if (use == decl_.uses.end() || state_.graph.resources[use->resource].kind == ResourceKind::buffer) {
+        const UseDecl* use = port_before(member.name, kSizeSuffix);
+        if (!use || state_.graph.resources[use->resource].kind == ResourceKind::buffer) {
             // A port of a faulty pass may be missing for a reason that was reported.
             return work_.faulty;
         }
@@ -153,6 +173,7 @@ class BlockStep {
         for (const UseDecl& use : decl_.uses) {
             if (state_.graph.resources[use.resource].kind == ResourceKind::image)
                 known.push_back(use.port + "Size");
+            known.push_back(use.port + "Valid");
         }
         error(shader_loc(),
               "nothing gives Params." + member.name + " of shader " + quoted(work_.desc->shader) +

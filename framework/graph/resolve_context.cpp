@@ -81,7 +81,9 @@ PassId ResolveState::pass_id(std::string_view name) const {
 
 std::vector<std::string> ResolveState::resource_names() const {
     std::vector<std::string> known;
-    for (const ResourceDecl& resource : graph.resources) known.push_back(resource.name);
+    for (const ResourceDecl& resource : graph.resources) {
+        if (resource.age == 0) known.push_back(resource.name);
+    }
     return known;
 }
 

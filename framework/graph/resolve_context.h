@@ -42,7 +42,7 @@ struct PassWork {
 
 struct ResourceWork {
     const ResourceDesc* desc = nullptr;  // null for imports
-    bool has_content = false;            // imports: something was there before the frame
+    bool has_content = false;            // something was there before the frame: imports, history, keep
     bool suspect_shape = false;          // extent, mips or format are unknown because of a fault
     bool suspect_writers = false;        // a faulty pass may write it
 };
@@ -104,6 +104,12 @@ void resolve_resources(ResolveState& state);  // imports too
 // Adds one resource; both kinds go through the name table in the order of their names.
 void resolve_import(ResolveState& state, const ImportDesc& desc, ResourceDecl& decl, ResourceWork& work);
 void check_draw_list_imports(ResolveState& state);
+// All roles of a ring get what its role of age 0 has: shape, format, usage.
+void spread_over_rings(ResolveState& state);
+[[nodiscard]] std::string role_name(const std::string& name, uint32_t age);
+// The role that a reference to `resource` means; kNoId: reported.
+[[nodiscard]] ResourceId find_role(ResolveState& state, PassId pass, const RefDesc& ref, ResourceId resource,
+                                   bool is_output);
 void declare_passes(ResolveState& state);
 void bind_ports(ResolveState& state);
 // What a port means to the shader or pass type behind it; false: reported.

@@ -85,11 +85,15 @@ void check_custom_passes(ResolveState& state) {
 void warn_unused(ResolveState& state) {
     std::vector<uint8_t> used(state.resources.size(), 0);
     for (const PassDecl& pass : state.graph.passes) {
-        for (const UseDecl& use : pass.uses) used[use.resource] = 1;
+        for (const UseDecl& use : pass.uses) {
+            used[use.resource] = 1;
+            const ResourceId ring = state.graph.resources[use.resource].ring;
+            if (ring != kNoId) used[ring] = 1;
+        }
     }
     for (ResourceId id = 0; id < used.size(); ++id) {
         const ResourceDecl& resource = state.graph.resources[id];
-        if (used[id] || !state.resources[id].desc) continue;
+        if (used[id] || !state.resources[id].desc || resource.age > 0) continue;
         state.warn(resource.loc, "W130", "no pass uses resource " + quoted(resource.name),
                    "remove it, or use it");
     }

@@ -66,14 +66,28 @@ bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
            (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
 
+// The memory of a ring serves all its roles in turn, so all their needs are one.
+ResourceId base_of(const ResolveState& state, ResourceId id) {
+    const ResourceId ring = state.graph.resources[id].ring;
+    return ring == kNoId ? id : ring;
+}
+
+// What was there before the first frame is a clear.
+void need_first_clear(ResolveState& state) {
+    for (ResourceDecl& resource : state.graph.resources) {
+        if (resource.lifetime == ResourceLifetime::persistent) resource.usage |= usage::kTransferDst;
+    }
+}
+
 std::vector<Needs> gather_needs(ResolveState& state) {
     std::vector<Needs> needs(state.resources.size());
     for (PassId id = 0; id < state.passes.size(); ++id) {
         const PassWork& work = state.passes[id];
         const std::vector<UseDecl>& uses = state.graph.passes[id].uses;
         for (size_t i = 0; i < uses.size(); ++i) {
-            Needs& need = needs[uses[i].resource];
-            state.graph.resources[uses[i].resource].usage |= usage_of(uses[i].access);
+            const ResourceId base = base_of(state, uses[i].resource);
+            Needs& need = needs[base];
+            state.graph.resources[base].usage |= usage_of(uses[i].access);
             if (work.ports[i].color_output && blend_of(*work.desc, uses[i].port).enabled) need.blend = true;
             if (uses[i].access != Access::sampled_read) continue;
             const std::optional<SamplerDecl>& sampler = work.ports[i].desc->sampler;
@@ -151,13 +165,15 @@ void complete_use(const ResolveState& state, UseDecl& use, const PortWork& port)
 }  // namespace
 
 void choose_formats(ResolveState& state) {
+    need_first_clear(state);
     const std::vector<Needs> needs = gather_needs(state);
     for (ResourceId id = 0; id < state.resources.size(); ++id) {
         const ResourceDesc* desc = state.resources[id].desc;
-        if (!desc || desc->is_buffer) continue;
+        if (!desc || desc->is_buffer || state.graph.resources[id].age > 0) continue;
         if (!choose_format(state, state.graph.resources[id], *desc, needs[id]))
             state.resources[id].suspect_shape = true;
     }
+    spread_over_rings(state);
     for (PassId id = 0; id < state.passes.size(); ++id) {
         PassDecl& pass = state.graph.passes[id];
         for (size_t i = 0; i < pass.uses.size(); ++i)

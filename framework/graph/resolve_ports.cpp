@@ -132,17 +132,12 @@ struct BoundPort {
 void add_port(ResolveState& state, PassId pass, const PortDesc& port, bool is_output,
               std::vector<BoundPort>& ports) {
     const RefDesc& ref = port.ref;
-    const ResourceId resource = find_port_resource(state, pass, ref, is_output);
+    const ResourceId named = find_port_resource(state, pass, ref, is_output);
+    if (named == kNoId) return;
+    const ResourceId resource = find_role(state, pass, ref, named, is_output);
     if (resource == kNoId) return;
     BoundPort bound;
     bound.work.desc = &port;
-    if (ref.history > 0) {
-        Diagnostic& d = state.pass_error(
-            pass, ref.loc, "W121",
-            quoted(ref.text) + " asks for an earlier frame, but " + quoted(ref.name) + " keeps no history");
-        add_help(d, "leave out [-" + std::to_string(ref.history) + "]");
-        return;
-    }
     if (!find_pin(state, pass, ref, bound.work) || state.resources[resource].suspect_shape) {
         // An output is still known to write this resource, though not where.
         state.passes[pass].faulty = true;
@@ -157,6 +152,7 @@ void add_port(ResolveState& state, PassId pass, const PortDesc& port, bool is_ou
     bound.use.port = port.port;
     bound.use.resource = resource;
     bound.use.range = *range;
+    bound.use.history = ref.history;
     bound.use.is_output = is_output;
     bound.use.loc = ref.loc;
     if (port.sampler) bound.use.sampler = *port.sampler;

@@ -176,25 +176,47 @@ bool becomes_resource(const ImportDesc& import) {
     return import.kind != import_kind_name(ImportKind::draw_list);
 }
 
+// Once all have their ids.
+void tie_rings(ResolveState& state) {
+    for (ResourceId id = 0; id < state.resources.size(); ++id) {
+        const ResourceDesc* desc = state.resources[id].desc;
+        if (!desc || !desc->is_persistent()) continue;
+        ResourceDecl& decl = state.graph.resources[id];
+        decl.lifetime = ResourceLifetime::persistent;
+        decl.history = desc->history;
+        decl.ring = state.resource_id(desc->name);
+        decl.first_frame = desc->first_frame.value_or(std::array<float, 4>{0, 0, 0, 0});
+        decl.on_resize = desc->on_resize;
+        state.resources[id].has_content = decl.age > 0 || desc->history == 0;
+    }
+}
+
 void name_resources(ResolveState& state) {
-    std::map<std::string, const ResourceDesc*> names;  // null: an import
+    struct Role {
+        const ResourceDesc* desc = nullptr;  // null: an import
+        uint32_t age = 0;
+    };
+    std::map<std::string, Role> names;
     for (const auto& [name, import] : state.input.graph.imports) {
-        if (becomes_resource(import)) names[name] = nullptr;
+        if (becomes_resource(import)) names[name] = {};
     }
     for (const auto& [name, desc] : state.input.graph.resources) {
         if (state.input.graph.imports.contains(name)) {
             Diagnostic& d = state.error(desc.loc, "W118", quoted(name) + " is both an import and a resource");
             add_help(d, "rename one of them");
         }
-        names[name] = &desc;
+        names[name] = {&desc, 0};
+        for (uint32_t age = 1; age <= desc.history; ++age) names[role_name(name, age)] = {&desc, age};
     }
-    for (const auto& [name, desc] : names) {
+    for (const auto& [name, role] : names) {
         ResourceDecl decl;
         decl.name = name;
-        decl.loc = desc ? desc->loc : state.input.graph.imports.at(name).loc;
+        decl.age = role.age;
+        decl.loc = role.desc ? role.desc->loc : state.input.graph.imports.at(name).loc;
         state.graph.resources.push_back(std::move(decl));
-        state.resources.push_back({.desc = desc});
+        state.resources.push_back({.desc = role.desc});
     }
+    tie_rings(state);
 }
 
 }  // namespace
@@ -215,9 +237,11 @@ void resolve_resources(ResolveState& state) {
     for (const bool second : {false, true}) {
         for (ResourceId id = 0; id < count; ++id) {
             const ResourceDesc* desc = state.resources[id].desc;
-            if (desc && uses_mips_of(*desc) == second) ResourceStep(state, id, *desc).run();
+            if (!desc || state.graph.resources[id].age > 0) continue;
+            if (uses_mips_of(*desc) == second) ResourceStep(state, id, *desc).run();
         }
     }
+    spread_over_rings(state);
     const auto output = std::ranges::find_if(state.input.graph.imports, [](const auto& import) {
         return import.second.kind == import_kind_name(ImportKind::output);
     });

@@ -116,7 +116,14 @@ class VersionConnector {
     bool must_find_content(const CellUse& u) {
         const Access a = use(u).access;
         if (!writes(a)) return true;
-        return port(u).reads_own_port || (state_.passes[u.pass].custom && reads(a));
+        return port(u).reads_own_port || (state_.passes[u.pass].custom && reads(a)) || wants_last_frame(u);
+    }
+
+    // Going on where nothing is in this frame's copy of a history: its author means the last one.
+    bool wants_last_frame(const CellUse& u) {
+        if (state_.graph.resources[use(u).resource].history == 0) return false;
+        const WriteRank rank = port(u).rank;
+        return rank == WriteRank::in_place || (rank == WriteRank::resumes && use(u).binding != kNoId);
     }
 
     void check_content(const CellUse& u) {
@@ -132,12 +139,17 @@ class VersionConnector {
             u.pass, use(u).loc, "W110",
             who + " reads " + quoted(range_of(resource, missing.front().range)) +
                 (writes_it_too ? " before any other pass writes it" : ", which no pass writes before it"));
+        if (resource.history > 0) {
+            const std::string last = role_name(resource.name, 1);
+            add_help(d, "every frame begins with an empty copy; what the last one left is " + quoted(last) +
+                            ": read that, and write " + quoted(resource.name));
+        }
         if (written_at_all(use(u).resource, u.pass)) {
             add_help(
                 d, "other parts or later versions of it are written: check the mips and layers, and the pin");
         } else if (resource.lifetime == ResourceLifetime::imported) {
             add_help(d, "the import has no content when the frame begins: write it first");
-        } else {
+        } else if (resource.history == 0) {
             add_help(d, "write it in the \"out\" of a pass, or import it");
         }
     }

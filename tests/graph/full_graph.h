@@ -13,6 +13,8 @@ inline constexpr const char* kFullGraph = R"json({
     "albedo": "rgba8_srgb", "depth": "d32f", "normal": "rg16_snorm|rgba16f",
     "hdr": { "format": "rgba16f", "size": "render", "mips": "full", "layers": 6, "clear": [0, 0, 0, 1],
              "preExposed": true },
+    "acc": { "format": "rgba16f", "history": 2, "firstFrame": [0, 0, 0, 1], "onResize": "resample" },
+    "probes": { "buffer": "vec4", "count": 9, "keep": "shared", "firstFrame": 1 },
     "lights": { "buffer": "Light", "count": "tile * tile" }
   },
   "passes": {

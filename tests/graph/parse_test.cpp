@@ -28,6 +28,10 @@ TEST(Parse, ValuesAndResources) {
     EXPECT_EQ(hdr.clear->at(3), 1.0f);
     EXPECT_TRUE(graph.resources.at("lights").is_buffer);
     EXPECT_EQ(graph.resources.at("lights").count.text, "tile * tile");
+    EXPECT_EQ(graph.resources.at("acc").history, 2u);
+    EXPECT_EQ(graph.resources.at("acc").first_frame->at(3), 1.0f);
+    EXPECT_EQ(graph.resources.at("acc").on_resize, OnResize::resample);
+    EXPECT_EQ(graph.resources.at("probes").keep, KeepMode::shared);
     EXPECT_EQ(graph.sources.files.size(), 1u);
     EXPECT_EQ(graph.sources.describe(hdr.loc), "graph.json:9:5");
 }

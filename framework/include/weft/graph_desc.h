@@ -89,6 +89,10 @@ struct ImportDesc {
     SourceLoc loc;
 };
 
+// What lives on from frame to frame without a copy of its own: nothing, the resource while its plan lives, or
+// the resource across plans (tiers, reloads) as well.
+enum class KeepMode : uint8_t { none, frames, shared };
+
 struct ResourceDesc {
     std::string name;
     bool is_buffer = false;
@@ -103,7 +107,13 @@ struct ResourceDesc {
     Expr count;
     bool pre_exposed = false;
     std::optional<std::array<float, 4>> clear;
+    uint32_t history = 0;  // copies kept of earlier frames
+    KeepMode keep = KeepMode::none;
+    std::optional<std::array<float, 4>> first_frame;  // of resources with history or keep; absent: 0
+    OnResize on_resize = OnResize::clear;
     SourceLoc loc;
+
+    [[nodiscard]] bool is_persistent() const { return history > 0 || keep != KeepMode::none; }
 };
 
 struct ParamValueDesc {
