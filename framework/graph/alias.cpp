@@ -67,42 +67,82 @@ bool has_both_kinds(const ResolvedGraph& graph, const std::vector<ResourceId>& g
            !std::all_of(group.begin(), group.end(), is_buffer);
 }
 
-void place_group(const std::vector<ResourceId>& group, const Lifetimes& spans, const MemoryNeeds& needs,
-                 uint64_t page_bytes, HeapKey key, MemoryPlan& plan) {
+// Whether every use of `a` is over before the first one of `b`, by the clocks of all queues.
+bool over_before(const Schedule& order, const LifetimeSpan& a, const LifetimeSpan& b) {
+    return std::all_of(b.queues.begin(), b.queues.end(), [&](const QueueSpan& later) {
+        return std::all_of(a.queues.begin(), a.queues.end(), [&](const QueueSpan& earlier) {
+            return order.clocks[later.first][earlier.queue] > earlier.last;
+        });
+    });
+}
+
+Unordered unordered_in(const std::vector<ResourceId>& group, const Schedule& order, const Lifetimes& spans) {
+    if (order.queues.size() == 1) return {};
+    return [&](uint32_t a, uint32_t b) {
+        const LifetimeSpan &s = spans.spans[group[a]], &t = spans.spans[group[b]];
+        return !over_before(order, s, t) && !over_before(order, t, s);
+    };
+}
+
+void place_group(const std::vector<ResourceId>& group, const Schedule& order, const Lifetimes& spans,
+                 const MemoryNeeds& needs, uint64_t page_bytes, HeapKey key, MemoryPlan& plan) {
     std::vector<PackItem> items;
     for (const ResourceId id : group)
         items.push_back({rounded_up(needs[id].size_bytes, page_bytes),
                          rounded_up(std::max<uint64_t>(needs[id].alignment_bytes, 1), page_bytes),
                          spans.spans[id].first, spans.spans[id].last});
-    const Packing packing = pack(items, find_peak(group, spans, needs).bytes);
+    const Packing packing =
+        pack(items, find_peak(group, spans, needs).bytes, unordered_in(group, order, spans));
     const auto heap = static_cast<uint32_t>(plan.heaps.size());
-    plan.heaps.push_back({packing.height_bytes, key.type_bits, key.buffers});
+    plan.heaps.push_back({packing.height_bytes, key.type_bits, key.buffers, false});
     for (size_t i = 0; i < group.size(); ++i)
         plan.placements.push_back({group[i], heap, packing.offsets_bytes[i], needs[group[i]].size_bytes});
     plan.heap_bytes += packing.height_bytes;
 }
 
+// What outlives the frame lies side by side: every byte has one owner for good.
+void place_persistent(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
+                      uint64_t granularity_bytes, MemoryPlan& plan) {
+    std::map<HeapKey, uint32_t> heaps;
+    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+        const bool wanted = graph.resources[id].lifetime == ResourceLifetime::persistent &&
+                            live.live_resources[id] && needs[id].size_bytes != 0;
+        if (!wanted) continue;
+        const HeapKey key{false, needs[id].type_bits};
+        const auto [it, fresh] = heaps.try_emplace(key, static_cast<uint32_t>(plan.heaps.size()));
+        if (fresh) plan.heaps.push_back({0, key.type_bits, key.buffers, true});
+        HeapPlan& heap = plan.heaps[it->second];
+        const uint64_t alignment = std::max({needs[id].alignment_bytes, granularity_bytes, uint64_t{1}});
+        const uint64_t offset = rounded_up(heap.size_bytes, alignment);
+        plan.placements.push_back({id, it->second, offset, needs[id].size_bytes});
+        heap.size_bytes = offset + needs[id].size_bytes;
+    }
+    for (const HeapPlan& heap : plan.heaps)
+        if (heap.persistent) plan.persistent_bytes += heap.size_bytes;
+}
+
 }  // namespace
 
-MemoryPlan alias(const ResolvedGraph& graph, const Schedule&, const Lifetimes& spans,
-                 const MemoryNeeds& needs, uint64_t granularity_bytes) {
+MemoryPlan alias(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order,
+                 const Lifetimes& spans, const MemoryNeeds& needs, uint64_t granularity_bytes) {
     MemoryPlan plan;
     const Groups groups = group_by_heap(graph, spans, needs, granularity_bytes > kMaxPadding);
     std::vector<ResourceId> placed;
     for (const auto& [key, group] : groups) {
         const uint64_t page_bytes =
             has_both_kinds(graph, group) ? std::max<uint64_t>(granularity_bytes, 1) : 1;
-        place_group(group, spans, needs, page_bytes, key, plan);
+        place_group(group, order, spans, needs, page_bytes, key, plan);
         placed.insert(placed.end(), group.begin(), group.end());
     }
     for (const ResourceId id : placed) plan.sum_bytes += needs[id].size_bytes;
     const Peak peak = find_peak(placed, spans, needs);
     plan.peak_live_bytes = peak.bytes;
     plan.peak_position = peak.position;
+    plan.hand_overs = hand_overs(plan.placements, spans);
+    place_persistent(graph, live, needs, granularity_bytes, plan);
     std::sort(plan.placements.begin(), plan.placements.end(), [](const Placement& a, const Placement& b) {
         return std::tie(a.heap, a.offset_bytes, a.resource) < std::tie(b.heap, b.offset_bytes, b.resource);
     });
-    plan.hand_overs = hand_overs(plan.placements, spans);
     return plan;
 }
 

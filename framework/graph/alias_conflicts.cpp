@@ -33,7 +33,12 @@ uint64_t overlapping_pairs(const std::vector<PackItem>& items) {
 
 }  // namespace
 
-Conflicts::Conflicts(const std::vector<PackItem>& items) : items_(items) {
+Conflicts::Conflicts(const std::vector<PackItem>& items, const Unordered& unordered) : items_(items) {
+    if (unordered) {
+        find_neighbours(unordered);
+        clear();
+        return;
+    }
     dense_ = overlapping_pairs(items) * 2 * kDenseFactor > static_cast<uint64_t>(items.size()) * items.size();
     if (!dense_) find_neighbours();
     clear();
@@ -49,6 +54,18 @@ void Conflicts::find_neighbours() {
             neighbours_[other].push_back(i);
         }
         active.push_back(i);
+    }
+}
+
+void Conflicts::find_neighbours(const Unordered& unordered) {
+    neighbours_.resize(items_.size());
+    for (uint32_t a = 0; a < items_.size(); ++a) {
+        for (uint32_t b = 0; b < a; ++b) {
+            const bool overlap = items_[a].first <= items_[b].last && items_[b].first <= items_[a].last;
+            if (!overlap && !unordered(a, b)) continue;
+            neighbours_[a].push_back(b);
+            neighbours_[b].push_back(a);
+        }
     }
 }
 

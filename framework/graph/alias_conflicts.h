@@ -17,7 +17,7 @@ struct ByteSpan {
 
 class Conflicts {
  public:
-    explicit Conflicts(const std::vector<PackItem>& items);
+    explicit Conflicts(const std::vector<PackItem>& items, const Unordered& unordered = {});
 
     void clear();
     void place(uint32_t item, uint64_t offset_bytes);
@@ -32,6 +32,7 @@ class Conflicts {
     };
 
     void find_neighbours();
+    void find_neighbours(const Unordered& unordered);
 
     const std::vector<PackItem>& items_;
     bool dense_ = false;

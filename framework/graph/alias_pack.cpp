@@ -82,10 +82,12 @@ Packing pack_size_descending(const std::vector<PackItem>& items) {
     return pack_in_order(items, size_descending_order(items), conflicts);
 }
 
-Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes) {
-    Packing best = pack_sweep(items);
+Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, const Unordered& unordered) {
+    Packing best;
+    best.height_bytes = UINT64_MAX;
+    if (!unordered) best = pack_sweep(items);
     if (best.height_bytes <= lower_bound_bytes) return best;
-    Conflicts conflicts(items);
+    Conflicts conflicts(items, unordered);
     if (conflicts.dense() && items.size() > kMaxDenseItems) return best;
     const std::vector<uint32_t> order = size_descending_order(items);
     Packing by_size = pack_in_order(items, order, conflicts);

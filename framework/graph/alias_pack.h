@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace weft {
@@ -22,11 +23,17 @@ struct Packing {
     uint64_t height_bytes = 0;
 };
 
+// Whether two items, by index, may be in use at the same time although their positions do not overlap: on
+// several queues a later position need not come later. Empty: positions say it all.
+using Unordered = std::function<bool(uint32_t, uint32_t)>;
+
 // Largest first, each into the tightest gap left by the items it lives beside.
 [[nodiscard]] Packing pack_size_descending(const std::vector<PackItem>& items);
 // By time: what ends gives its bytes back, what starts takes the tightest hole.
 [[nodiscard]] Packing pack_sweep(const std::vector<PackItem>& items);
-// The lowest of both and of a bounded search, given that nothing can be lower than `lower_bound_bytes`.
-[[nodiscard]] Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes);
+// The lowest of both and of a bounded search, given that nothing can be lower than `lower_bound_bytes`. The
+// sweep goes by positions alone, and is left out where they do not say it all.
+[[nodiscard]] Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes,
+                           const Unordered& unordered = {});
 
 }  // namespace weft

@@ -1,20 +1,17 @@
 #include "graph/barrier_state.h"
 
 namespace weft {
-namespace {
 
-// One state for the first read and all that follow in its layout, up to the next write.
 AccessState merged_reads(std::span<const Touch> touches) {
     AccessState state = touches.front().state;
     for (const Touch& touch : touches) {
         if (touch.writes || touch.state.layout != state.layout) break;
+        if (touch.queue != touches.front().queue) continue;
         state.stages |= touch.state.stages;
         state.access |= touch.state.access;
     }
     return state;
 }
-
-}  // namespace
 
 SubresourceState::SubresourceState(const AccessState& entry)
     : taken_over_(false), entered_(true), layout_(entry.layout) {
@@ -46,21 +43,37 @@ BarrierReason SubresourceState::reason(const Touch& touch) const {
     return touch.writes ? BarrierReason::war : BarrierReason::layout;
 }
 
-std::optional<CellBarrier> SubresourceState::advance(std::span<const Touch> touches) {
+void SubresourceState::advance(std::span<const Touch> touches, CellEvents& events) {
     const Touch& touch = touches.front();
-    std::optional<CellBarrier> barrier;
     if (needs_barrier(touch)) {
-        const Pending before = pending();
-        barrier = CellBarrier{.position = touch.position,
-                              .cell = 0,
-                              .src = {before.stages, before.writes, before.layout},
-                              .dst = touch.writes ? touch.state : merged_reads(touches),
-                              .reason = reason(touch),
-                              .from = before.pass};
-        apply_barrier(*barrier);
+        events.barriers.push_back({.position = touch.position,
+                                   .src = {pending_stages(), unflushed_, layout_},
+                                   .dst = touch.writes ? touch.state : merged_reads(touches),
+                                   .reason = reason(touch),
+                                   .from = pass_,
+                                   .previous_frame = previous_frame_});
+        apply_barrier(events.barriers.back());
     }
     apply_touch(touch);
-    return barrier;
+}
+
+void SubresourceState::release(const AccessState& exit, CellEvents& events) {
+    const bool overwritten_next = touched_ && (exit.access & access::kAllWrites) != 0;
+    if (!written_ && !overwritten_next && layout_ == exit.layout) return;
+    events.barriers.push_back({.position = kEpiloguePosition,
+                               .src = {pending_stages(), unflushed_, layout_},
+                               .dst = exit,
+                               .reason = BarrierReason::release_import,
+                               .from = pass_});
+}
+
+void SubresourceState::discard() {
+    layout_ = Layout::undefined;
+    visible_.fill(access::kNone);
+}
+
+void SubresourceState::add_last_uses(std::vector<LastUse>& all) const {
+    if (touched_) all.push_back({queue_, position_, pending_stages(), unflushed_, pass_});
 }
 
 void SubresourceState::apply_barrier(const CellBarrier& barrier) {
@@ -79,6 +92,10 @@ void SubresourceState::apply_barrier(const CellBarrier& barrier) {
 
 void SubresourceState::apply_touch(const Touch& touch) {
     note_pass(touch.pass);
+    touched_ = true;
+    previous_frame_ = false;
+    queue_ = touch.queue;
+    position_ = touch.position;
     if (!touch.writes) {
         reader_stages_ |= touch.state.stages;
         return;
@@ -95,10 +112,6 @@ void SubresourceState::note_pass(PassId pass) {
     several_ = several_ || waits_for_outside || (pass_ != kNoId && pass_ != pass);
     pass_ = several_ ? kNoId : pass;
     entered_ = false;
-}
-
-Pending SubresourceState::pending() const {
-    return {reader_stages_ != 0 ? reader_stages_ : writer_stages_, unflushed_, layout_, pass_, written_};
 }
 
 }  // namespace weft

@@ -6,43 +6,10 @@
 #include <tuple>
 #include <utility>
 
-#include "graph/barrier_history.h"
 #include "graph/stages.h"
 
 namespace weft {
 namespace {
-
-// Load and store operations touch an attachment too; DONT_CARE counts as a write.
-void add_attachment_access(const AttachmentOps& ops, const UseDecl& use, Touch& touch) {
-    const bool depth = (use.range.aspects & (aspect::kDepth | aspect::kStencil)) != 0;
-    const AccessMask read = depth ? access::kDepthStencilRead : access::kColorRead;
-    const AccessMask write = depth ? access::kDepthStencilWrite : access::kColorWrite;
-    if (ops.load == LoadOp::load) touch.state.access |= read;
-    const bool discards = ops.load == LoadOp::dont_care || ops.store == StoreOp::dont_care;
-    const bool stores = ops.load == LoadOp::clear || ops.store == StoreOp::store;
-    if (!discards && !stores) return;
-    touch.state.access |= write;
-    touch.writes = true;
-}
-
-// By resource, in order of position.
-std::vector<std::vector<RangeTouch>> collect_touches(
-    const ResolvedGraph& graph, const Schedule& order,
-    const std::vector<std::vector<AttachmentOps>>& attachments) {
-    std::vector<std::vector<RangeTouch>> touches(graph.resources.size());
-    for (uint32_t position = 0; position < order.order.size(); ++position) {
-        const PassId id = order.order[position];
-        const PassDecl& pass = graph.passes[id];
-        for (uint32_t u = 0; u < pass.uses.size(); ++u) {
-            const UseDecl& use = pass.uses[u];
-            Touch touch{position, id, use.state, writes(use.access), reads(use.access)};
-            for (const AttachmentOps& ops : attachments[position])
-                if (ops.use == u) add_attachment_access(ops, use, touch);
-            touches[use.resource].push_back({use.range, touch});
-        }
-    }
-    return touches;
-}
 
 struct HandOverRows {
     const std::vector<HandOver>& all;
@@ -57,20 +24,31 @@ struct HandOverRows {
     }
 };
 
-void take_over(const std::vector<ResourceHistory>& histories, const std::vector<HandOver>& owners,
-               BarrierDecl& barrier) {
+// Waits for whoever used the memory last: by a barrier on the same queue, by a semaphore on another. Within a
+// frame memory is shared only where the order of the queues is known already.
+void take_over(const SyncTable& sync, const std::vector<HandOver>& owners, QueueIndex queue,
+               PlacedBarrier& placed, std::vector<QueueDependency>& dependencies) {
+    BarrierDecl& barrier = placed.barrier;
     barrier.from_previous_frame = true;
-    bool first = true;
+    bool first = true, elsewhere = false;
     for (const HandOver& owner : owners) {
-        const Pending& last = histories[owner.from].last;
-        barrier.from = first || barrier.from == last.pass ? last.pass : kNoId;
-        first = false;
-        barrier.src.stages |= last.stages;
-        barrier.src.access |= last.writes;
+        for (const LastUse& last : sync.histories[owner.from].last_uses) {
+            barrier.from = first || barrier.from == last.pass ? last.pass : kNoId;
+            first = false;
+            if (last.queue != queue) {
+                elsewhere = true;
+                if (owner.wrap)
+                    dependencies.push_back({last.position, placed.position, true, barrier.resource});
+                continue;
+            }
+            barrier.src.stages |= last.stages;
+            barrier.src.access |= last.writes;
+        }
         barrier.from_previous_frame = barrier.from_previous_frame && owner.wrap;
         if (barrier.hand_over_from.empty() || barrier.hand_over_from.back() != owner.from)
             barrier.hand_over_from.push_back(owner.from);
     }
+    if (elsewhere) barrier.src.stages |= barrier.dst.stages;
 }
 
 void put(PlacedBarrier placed, const Schedule& order, BarrierPlan& plan) {
@@ -78,20 +56,48 @@ void put(PlacedBarrier placed, const Schedule& order, BarrierPlan& plan) {
         plan.epilogue.push_back(std::move(placed.barrier));
         return;
     }
-    placed.barrier.to = order.order[placed.position];
-    plan.steps[placed.position].barriers.push_back(std::move(placed.barrier));
+    PassStep& step = plan.steps[placed.position];
+    if (!placed.after) placed.barrier.to = order.order[placed.position];
+    (placed.after ? step.after : step.barriers).push_back(std::move(placed.barrier));
+}
+
+// Every copy of a persistent resource: out of undefined, cleared, into the state that the first frame
+// expects.
+void add_to_prologue(const ResolvedGraph& graph, ResourceId id, const ResourceHistory& history,
+                     ProloguePlan& prologue) {
+    constexpr AccessMask kHostAccess = access::kHostRead | access::kHostWrite;
+    const ResourceDecl& resource = graph.resources[id];
+    const AccessState cleared = access_state(Access::clear_write, 0, resource.aspects);
+    BarrierDecl barrier;
+    barrier.resource = id;
+    barrier.reason = BarrierReason::prologue;
+    barrier.range = resource.whole();
+    barrier.dst = cleared;
+    if (resource.kind == ResourceKind::image) prologue.before.push_back(barrier);
+    prologue.cleared.push_back(id);
+    barrier.src = cleared;
+    for (const BoundaryState& entry : history.entry) {
+        barrier.range = entry.range;
+        barrier.dst = {stage::kAll & ~stage::kHost, access::kAll & ~kHostAccess, entry.state.layout};
+        // What nobody uses stays as the clear left it.
+        const bool used = resource.kind == ResourceKind::buffer || entry.state.layout != Layout::undefined;
+        if (used) prologue.after.push_back(barrier);
+    }
+}
+
+uint32_t count_emitted(const BarrierPlan& plan) {
+    size_t count = plan.epilogue.size();
+    for (const PassStep& step : plan.steps) count += step.barriers.size() + step.after.size();
+    return static_cast<uint32_t>(count);
 }
 
 }  // namespace
 
-BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const Lifetimes&,
-                     const MemoryPlan& memory, std::vector<std::vector<AttachmentOps>> attachments) {
-    const std::vector<std::vector<RangeTouch>> touches = collect_touches(graph, order, attachments);
-    std::vector<ResourceHistory> histories(graph.resources.size());
-    for (ResourceId id = 0; id < graph.resources.size(); ++id)
-        if (!touches[id].empty()) histories[id] = resource_history(graph.resources[id], touches[id]);
-
+BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
+                     const MemoryPlan& memory, std::vector<std::vector<AttachmentOps>> attachments,
+                     std::vector<QueueDependency>& dependencies) {
     BarrierPlan plan;
+    plan.concurrent = sync.concurrent;
     plan.steps.resize(order.order.size());
     for (uint32_t position = 0; position < order.order.size(); ++position) {
         plan.steps[position].pass = order.order[position];
@@ -100,15 +106,15 @@ BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const Li
     const HandOverRows rows{memory.hand_overs};
     for (ResourceId id = 0; id < graph.resources.size(); ++id) {
         const std::vector<HandOver> owners = rows.into(id);
-        for (const PlacedBarrier& placed : histories[id].barriers) {
-            PlacedBarrier own = placed;
-            own.barrier.resource = id;
-            if (own.barrier.reason == BarrierReason::hand_over) take_over(histories, owners, own.barrier);
-            put(std::move(own), order, plan);
+        for (PlacedBarrier placed : sync.histories[id].barriers) {
+            placed.barrier.resource = id;
+            if (placed.barrier.reason == BarrierReason::hand_over)
+                take_over(sync, owners, order.queue[placed.position], placed, dependencies);
+            put(std::move(placed), order, plan);
         }
+        if (!sync.histories[id].entry.empty()) add_to_prologue(graph, id, sync.histories[id], plan.prologue);
     }
-    plan.emitted = static_cast<uint32_t>(plan.epilogue.size());
-    for (const PassStep& step : plan.steps) plan.emitted += static_cast<uint32_t>(step.barriers.size());
+    plan.emitted = count_emitted(plan);
     return plan;
 }
 

@@ -8,13 +8,16 @@ namespace weft {
 
 FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const CompileOptions& options) {
     LiveGraph live = cull(graph, options.keep_all_passes);
-    Schedule order = schedule(graph, live, needs);
-    Lifetimes spans = lifetimes(graph, live, order);
-    MemoryPlan memory = alias(graph, order, spans, needs, options.granularity_bytes);
+    Schedule order = schedule(graph, live, needs, options.queues);
     std::vector<std::vector<AttachmentOps>> attachments = attachment_ops(graph, live, order);
-    BarrierPlan barrier_plan = barriers(graph, order, spans, memory, std::move(attachments));
-    SubmissionPlan submission_plan = submissions(graph, order, barrier_plan);
-    return link(graph, std::move(live), std::move(order), std::move(spans), std::move(memory),
+    const SyncTable sync = synchronize(graph, order, attachments);
+    order = add_clocks(std::move(order), sync.dependencies);
+    Lifetimes spans = lifetimes(graph, live, order);
+    MemoryPlan memory = alias(graph, live, order, spans, needs, options.granularity_bytes);
+    std::vector<QueueDependency> dependencies = sync.dependencies;
+    BarrierPlan barrier_plan = barriers(graph, order, sync, memory, std::move(attachments), dependencies);
+    SubmissionPlan submission_plan = submissions(order, dependencies);
+    return link(graph, std::move(live), std::move(order), sync, std::move(spans), std::move(memory),
                 std::move(barrier_plan), std::move(submission_plan));
 }
 

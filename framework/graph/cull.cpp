@@ -20,7 +20,27 @@ void keep(PassId pass, LiveGraph& live, std::vector<PassId>& pending) {
     pending.push_back(pass);
 }
 
+// By resource: who writes it.
+std::vector<std::vector<PassId>> writers_by_resource(const ResolvedGraph& graph) {
+    std::vector<std::vector<PassId>> writers(graph.resources.size());
+    for (PassId id = 0; id < graph.passes.size(); ++id)
+        for (const UseDecl& use : graph.passes[id].uses)
+            if (writes(use.access)) writers[use.resource].push_back(id);
+    return writers;
+}
+
+// The copies of a ring change places from frame to frame: one of them in use keeps all.
+void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
+    std::vector<uint8_t> used(graph.resources.size(), 0);
+    for (ResourceId id = 0; id < graph.resources.size(); ++id)
+        if (graph.resources[id].ring != kNoId && live.live_resources[id]) used[graph.resources[id].ring] = 1;
+    for (ResourceId id = 0; id < graph.resources.size(); ++id)
+        if (graph.resources[id].ring != kNoId) live.live_resources[id] = used[graph.resources[id].ring];
+}
+
+// What was there before the frame was made by the frame before: who reads it keeps its writers.
 void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
+    const std::vector<std::vector<PassId>> writers = writers_by_resource(graph);
     std::vector<PassId> pending;
     for (PassId id = 0; id < graph.passes.size(); ++id)
         if (keep_all || is_root(graph, graph.passes[id])) keep(id, live, pending);
@@ -29,8 +49,13 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
         pending.pop_back();
         for (const UseDecl& use : pass.uses) {
             live.live_resources[use.resource] = 1;
-            for (const VersionSource& source : use.sources)
-                if (source.producer != kNoId) keep(source.producer, live, pending);
+            for (const VersionSource& source : use.sources) {
+                if (source.producer != kNoId)
+                    keep(source.producer, live, pending);
+                else if (graph.resources[use.resource].ring != kNoId)
+                    for (const PassId writer : writers[graph.resources[use.resource].ring])
+                        keep(writer, live, pending);
+            }
         }
     }
 }
@@ -89,6 +114,7 @@ LiveGraph cull(const ResolvedGraph& graph, bool keep_all) {
     live.reasons.assign(graph.passes.size(), CullReason::live);
     live.details.assign(graph.passes.size(), {});
     mark_live(graph, keep_all, live);
+    mark_rings(graph, live);
     explain(graph, live);
     return live;
 }

@@ -3,6 +3,18 @@
 #include "graph/stages.h"
 
 namespace weft {
+namespace {
+
+void add_to_queue(LifetimeSpan& span, QueueIndex queue, uint32_t position) {
+    const auto own = std::find_if(span.queues.begin(), span.queues.end(),
+                                  [queue](const QueueSpan& s) { return s.queue == queue; });
+    if (own == span.queues.end())
+        span.queues.push_back({queue, position, position});
+    else
+        own->last = position;
+}
+
+}  // namespace
 
 Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order) {
     Lifetimes result;
@@ -15,6 +27,7 @@ Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Sch
             LifetimeSpan& span = result.spans[use.resource];
             if (span.first > span.last) span.first = position;
             span.last = position;
+            add_to_queue(span, order.queue[position], position);
         }
     }
     return result;

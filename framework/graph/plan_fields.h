@@ -134,8 +134,12 @@ void visit_fields(V& v, const Schedule& x) {
     v("candidates", x.candidates), v("chosen", x.chosen), v("queues", x.queues);
 }
 template <class V>
+void visit_fields(V& v, const QueueSpan& x) {
+    v("queue", x.queue), v("first", x.first), v("last", x.last);
+}
+template <class V>
 void visit_fields(V& v, const LifetimeSpan& x) {
-    v("first", x.first), v("last", x.last);
+    v("first", x.first), v("last", x.last), v("queues", x.queues);
 }
 template <class V>
 void visit_fields(V& v, const Lifetimes& x) {
@@ -152,13 +156,14 @@ void visit_fields(V& v, const HandOver& x) {
 }
 template <class V>
 void visit_fields(V& v, const HeapPlan& x) {
-    v("sizeBytes", x.size_bytes), v("typeBits", x.type_bits), v("buffers", x.buffers);
+    v("sizeBytes", x.size_bytes), v("typeBits", x.type_bits), v("buffers", x.buffers), v("persistent", x.persistent);
 }
 template <class V>
 void visit_fields(V& v, const MemoryPlan& x) {
     v("heaps", x.heaps), v("placements", x.placements), v("handOvers", x.hand_overs),
         v("sumBytes", x.sum_bytes);
     v("peakLiveBytes", x.peak_live_bytes), v("peakPosition", x.peak_position), v("heapBytes", x.heap_bytes);
+    v("persistentBytes", x.persistent_bytes);
 }
 template <class V>
 void visit_fields(V& v, const AttachmentOps& x) {

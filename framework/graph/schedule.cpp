@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "graph/queue_assign.h"
 #include "graph/schedule_candidates.h"
 #include "graph/stages.h"
 
@@ -22,7 +23,8 @@ bool better(const ScheduleCandidate& a, const ScheduleCandidate& b) {
 
 }  // namespace
 
-Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs) {
+Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
+                  const std::vector<LogicalQueue>& queues) {
     const ScheduleProblem problem = schedule_problem(graph, live, needs);
     NamedOrder candidates[] = {{"program", program_order(problem)},
                                {"forward", forward_greedy_order(problem)},
@@ -39,11 +41,9 @@ Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const Memor
     result.chosen = candidates[best].name;
     result.order = std::move(candidates[best].order);
     result.position.assign(graph.passes.size(), kNoId);
-    for (uint32_t p = 0; p < result.order.size(); ++p) {
-        result.position[result.order[p]] = p;
-        result.queue.push_back(0);
-        result.clocks.push_back({p});
-    }
+    for (uint32_t p = 0; p < result.order.size(); ++p) result.position[result.order[p]] = p;
+    result.queues = queues;
+    result.queue = assign_queues(graph, result.order, queues);
     return result;
 }
 

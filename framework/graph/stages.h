@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/barrier_history.h"
 #include "graph/json_doc.h"
 #include "weft/declaration.h"
 #include "weft/device_profile.h"
@@ -43,20 +44,37 @@ struct ResolveInput {
 // ----------------------------------------------------------------
 [[nodiscard]] LiveGraph cull(const ResolvedGraph& graph, bool keep_all = false);
 // `needs` weighs the candidates' memory. W150 on a cycle is resolve()'s: here the edges are acyclic.
-[[nodiscard]] Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs);
-[[nodiscard]] Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order);
-[[nodiscard]] MemoryPlan alias(const ResolvedGraph& graph, const Schedule& order, const Lifetimes& spans,
-                               const MemoryNeeds& needs, uint64_t granularity_bytes);
+[[nodiscard]] Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
+                                const std::vector<LogicalQueue>& queues = {LogicalQueue{}});
 // Load and store operations come first: they count as accesses.
 [[nodiscard]] std::vector<std::vector<AttachmentOps>> attachment_ops(const ResolvedGraph& graph,
                                                                      const LiveGraph& live,
                                                                      const Schedule& order);
-[[nodiscard]] BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const Lifetimes& spans,
+// What synchronisation follows from the accesses alone, before memory is shared.
+struct SyncTable {
+    std::vector<ResourceHistory> histories;  // by ResourceId
+    std::vector<QueueDependency> dependencies;
+    std::vector<uint8_t> concurrent;  // by ResourceId
+};
+[[nodiscard]] SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
+                                    const std::vector<std::vector<AttachmentOps>>& attachments);
+// The schedule with its clocks, by what the queues wait for.
+[[nodiscard]] Schedule add_clocks(Schedule order, const std::vector<QueueDependency>& dependencies);
+[[nodiscard]] Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order);
+[[nodiscard]] MemoryPlan alias(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order,
+                               const Lifetimes& spans, const MemoryNeeds& needs, uint64_t granularity_bytes);
+
+// --- what has to be waited for, and who submits what
+// -----------------------------------------------------------
+// Memory that is handed over from another queue adds to `dependencies`.
+[[nodiscard]] BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
                                    const MemoryPlan& memory,
-                                   std::vector<std::vector<AttachmentOps>> attachments);
-[[nodiscard]] SubmissionPlan submissions(const ResolvedGraph& graph, const Schedule& order,
-                                         const BarrierPlan& barriers);
-[[nodiscard]] FramePlan link(ResolvedGraph graph, LiveGraph live, Schedule order, Lifetimes spans,
-                             MemoryPlan memory, BarrierPlan barriers, SubmissionPlan submissions);
+                                   std::vector<std::vector<AttachmentOps>> attachments,
+                                   std::vector<QueueDependency>& dependencies);
+[[nodiscard]] SubmissionPlan submissions(const Schedule& order,
+                                         const std::vector<QueueDependency>& dependencies);
+[[nodiscard]] FramePlan link(ResolvedGraph graph, LiveGraph live, Schedule order, const SyncTable& sync,
+                             Lifetimes spans, MemoryPlan memory, BarrierPlan barriers,
+                             SubmissionPlan submissions);
 
 }  // namespace weft

@@ -48,10 +48,17 @@ struct Schedule {
     std::vector<LogicalQueue> queues{LogicalQueue{}};
 };
 
+struct QueueSpan {
+    QueueIndex queue = 0;
+    uint32_t first = 0;
+    uint32_t last = 0;
+};
+
 // First and last schedule position that touches a transient. Not live: first > last.
 struct LifetimeSpan {
     uint32_t first = 1;
     uint32_t last = 0;
+    std::vector<QueueSpan> queues;  // the same for each queue that touches it, in order of first touch
 };
 
 struct Lifetimes {
@@ -85,7 +92,8 @@ struct HandOver {
 struct HeapPlan {
     uint64_t size_bytes = 0;
     uint32_t type_bits = UINT32_MAX;
-    bool buffers = false;  // granularity keeps buffers and images apart where it must
+    bool buffers = false;     // granularity keeps buffers and images apart where it must
+    bool persistent = false;  // for what outlives the frame: nothing shares memory here
 };
 
 struct MemoryPlan {
@@ -96,7 +104,8 @@ struct MemoryPlan {
     uint64_t sum_bytes = 0;            // if nothing were shared
     uint64_t peak_live_bytes = 0;
     uint32_t peak_position = 0;
-    uint64_t heap_bytes = 0;
+    uint64_t heap_bytes = 0;        // of the transients' heaps
+    uint64_t persistent_bytes = 0;  // of the others
 };
 
 enum class LoadOp : uint8_t { load, clear, dont_care, none };
@@ -192,7 +201,8 @@ struct SubmissionPlan {
     std::vector<QueueDependency> dependencies;  // what the waits are there for
 };
 
-// How every persistent or imported resource is left between two frames, per range.
+// How every persistent or imported resource is found at the start of a frame, per range. Of persistent ones,
+// which only the frame itself touches, the layout says it all.
 struct BoundaryState {
     ResourceId resource = kNoId;
     SubresourceRange range;

@@ -1,0 +1,31 @@
+// Purpose: what the passes of a schedule do to every resource, in order: the raw material of dependencies,
+// lifetimes and barriers. Load and store operations count as accesses.
+#pragma once
+
+#include <vector>
+
+#include "weft/plan.h"
+
+namespace weft {
+
+// All that one pass does to one subresource; several ports of a pass are one touch.
+struct Touch {
+    uint32_t position = 0;
+    PassId pass = kNoId;
+    QueueIndex queue = 0;
+    AccessState state;
+    bool writes = false;
+    bool reads = false;
+};
+
+struct RangeTouch {
+    SubresourceRange range;
+    Touch touch;
+};
+
+// By resource, in order of position.
+using TouchTable = std::vector<std::vector<RangeTouch>>;
+[[nodiscard]] TouchTable collect_touches(const ResolvedGraph& graph, const Schedule& order,
+                                         const std::vector<std::vector<AttachmentOps>>& attachments);
+
+}  // namespace weft
