@@ -1,5 +1,7 @@
 #include "check/check_plan.h"
 
+#include <algorithm>
+
 #include "check/check_structure.h"
 #include "check/replay.h"
 
@@ -7,9 +9,12 @@ namespace weft {
 
 Diagnostics check_plan(const FramePlan& plan) {
     check::FaultList faults(plan);
+    if (!check::check_structure(plan, faults)) return faults.take();
     // Three frames: the second has a frame before it, the third shows that the second left things as it found
-    // them.
-    if (check::check_structure(plan, faults)) check::Replay(plan, faults).run(3);
+    // them. A history has to be filled first.
+    uint32_t history = 0;
+    for (const ResourceDecl& resource : plan.graph.resources) history = std::max(history, resource.history);
+    check::Replay(plan, faults).run(3 + history);
     return faults.take();
 }
 

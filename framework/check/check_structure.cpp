@@ -93,6 +93,10 @@ std::string users(const FramePlan& plan, FaultList& faults, ResourceId resource)
            faults.pass_name(plan.schedule.order[span.last]);
 }
 
+bool outlives_the_frame(const FramePlan& plan, ResourceId resource) {
+    return plan.graph.resources[resource].lifetime == ResourceLifetime::persistent;
+}
+
 bool share_memory(const Placement& a, const Placement& b) {
     return a.heap == b.heap && a.offset_bytes < b.offset_bytes + b.size_bytes &&
            b.offset_bytes < a.offset_bytes + a.size_bytes;
@@ -111,7 +115,9 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
         for (size_t j = i + 1; j < all.size(); ++j) {
             const Placement& b = all[j];
             const LifetimeSpan &s = plan.lifetimes.spans[a.resource], &t = plan.lifetimes.spans[b.resource];
-            const bool together = s.first <= t.last && t.first <= s.last;
+            const bool together = outlives_the_frame(plan, a.resource) ||
+                                  outlives_the_frame(plan, b.resource) ||
+                                  (s.first <= t.last && t.first <= s.last);
             if (!together || !share_memory(a, b)) continue;
             faults.add("C340", plan.graph.resources[a.resource].loc,
                        faults.resource_name(a.resource) + " (" + users(plan, faults, a.resource) + ") and " +
@@ -123,7 +129,9 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
     for (ResourceId id = 0; id < placed.size(); ++id) {
         const LifetimeSpan& span = plan.lifetimes.spans[id];
         const bool needed =
-            plan.graph.resources[id].lifetime != ResourceLifetime::imported && span.first <= span.last;
+            outlives_the_frame(plan, id)
+                ? plan.live.live_resources[id] != 0
+                : plan.graph.resources[id].lifetime != ResourceLifetime::imported && span.first <= span.last;
         if (needed && !placed[id])
             faults.add("C343", plan.graph.resources[id].loc,
                        faults.resource_name(id) + " has no place in memory", kCompilerFault);
@@ -167,15 +175,53 @@ void check_hand_overs(const FramePlan& plan, FaultList& faults) {
 }
 
 void check_submissions(const FramePlan& plan, FaultList& faults) {
-    uint32_t next = 0;
-    bool ok = !plan.submissions.batches.empty() || plan.schedule.order.empty();
+    const size_t count = plan.schedule.order.size();
+    std::vector<uint32_t> times(count, 0);
+    std::vector<uint32_t> last(plan.schedule.queues.size(), 0);
+    uint32_t epilogues = 0;
+    bool ok = plan.schedule.queue.size() == count && !plan.schedule.queues.empty();
     for (const Batch& batch : plan.submissions.batches) {
-        for (const uint32_t position : batch.positions) ok = ok && batch.queue == 0 && position == next++;
+        ok = ok && batch.queue < plan.schedule.queues.size();
+        epilogues += batch.epilogue ? 1 : 0;
+        for (const uint32_t position : batch.positions) {
+            ok = ok && position < count && plan.schedule.queue[position] == batch.queue &&
+                 position + 1 > last[batch.queue];
+            if (!ok) break;
+            ++times[position];
+            last[batch.queue] = position + 1;
+        }
+        ok = ok && (!batch.epilogue || batch.queue == 0);
     }
-    ok = ok && next == plan.schedule.order.size();
+    ok = ok && epilogues == 1 && std::all_of(times.begin(), times.end(), [](uint32_t n) { return n == 1; });
     if (!ok)
-        faults.add("C303", {}, "the submissions do not hold every pass once, in order, on one queue",
+        faults.add("C303", {},
+                   "the submissions do not hold every pass once, in order, on its own queue, and the end of "
+                   "the frame on the first queue",
                    kCompilerFault);
+}
+
+constexpr StageMask kTransferStages = stage::kCopy | stage::kHost;
+constexpr StageMask kComputeStages =
+    kTransferStages | stage::kClear | stage::kDrawIndirect | stage::kComputeShader;
+
+// A queue can neither run nor wait for stages that it does not have.
+void check_stages(const FramePlan& plan, FaultList& faults) {
+    for (size_t position = 0; position < plan.barriers.steps.size(); ++position) {
+        const QueueKind kind = plan.schedule.queues[plan.schedule.queue[position]].kind;
+        if (kind == QueueKind::graphics) continue;
+        const StageMask offered = kind == QueueKind::compute ? kComputeStages : kTransferStages;
+        const PassStep& step = plan.barriers.steps[position];
+        StageMask used = 0;
+        for (const std::vector<BarrierDecl>* list : {&step.barriers, &step.after})
+            for (const BarrierDecl& barrier : *list) used |= barrier.src.stages | barrier.dst.stages;
+        for (const UseDecl& use : plan.graph.passes[step.pass].uses) used |= use.state.stages;
+        if ((used & ~offered) == 0) continue;
+        faults.add("C304", plan.graph.passes[step.pass].loc,
+                   "pass " + faults.pass_name(step.pass) + " needs " + stages_text(used & ~offered) +
+                       " on queue " + std::to_string(plan.schedule.queue[position]) +
+                       ", which does not offer it",
+                   kCompilerFault);
+    }
 }
 
 void check_boundary(const FramePlan& plan, FaultList& faults) {
@@ -198,8 +244,10 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_lifetimes(plan, faults);
     check_placements(plan, faults);
     check_hand_overs(plan, faults);
-    check_submissions(plan, faults);
     check_boundary(plan, faults);
+    check_submissions(plan, faults);
+    if (faults.any("C303")) return false;
+    check_stages(plan, faults);
     return true;
 }
 

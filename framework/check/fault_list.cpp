@@ -1,5 +1,7 @@
 #include "check/fault_list.h"
 
+#include <algorithm>
+
 namespace weft::check {
 
 void FaultList::add(const char* code, SourceLoc loc, const std::string& message, const std::string& help) {
@@ -7,6 +9,10 @@ void FaultList::add(const char* code, SourceLoc loc, const std::string& message,
     Diagnostic fault = plan_.graph.sources.error(loc, code, message);
     fault.help = {help};
     faults_.push_back(std::move(fault));
+}
+
+bool FaultList::any(const char* code) const {
+    return std::any_of(faults_.begin(), faults_.end(), [&](const Diagnostic& d) { return d.code == code; });
 }
 
 std::string FaultList::pass_name(PassId pass) const {

@@ -15,6 +15,8 @@ struct Actor {
     PassId pass = kNoId;  // kNoId: the program around the graph
     uint32_t frame = 0;
     bool transition = false;  // a layout transition before that pass
+    QueueIndex queue = 0;
+    uint32_t batch_count = 0;  // of its queue, up to and with its own batch; 0: before all frames
 };
 
 class FaultList {
@@ -23,6 +25,7 @@ class FaultList {
 
     // `loc` is where the use at fault was written.
     void add(const char* code, SourceLoc loc, const std::string& message, const std::string& help);
+    [[nodiscard]] bool any(const char* code) const;
     [[nodiscard]] std::string pass_name(PassId pass) const;              // quoted
     [[nodiscard]] std::string resource_name(ResourceId resource) const;  // quoted
     [[nodiscard]] std::string actor_text(const Actor& actor, uint32_t current_frame) const;

@@ -36,8 +36,18 @@ std::vector<std::vector<ResourceId>> memory_neighbours(const FramePlan& plan) {
     return neighbours;
 }
 
-bool drops_content(const BarrierDecl& barrier) {
-    return barrier.src.layout == Layout::undefined;
+std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
+    std::vector<std::vector<ResourceId>> rings(graph.resources.size());
+    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+        const ResourceDecl& resource = graph.resources[id];
+        if (resource.ring >= rings.size()) continue;
+        std::vector<ResourceId>& ring = rings[resource.ring];
+        if (ring.size() <= resource.age) ring.resize(resource.age + size_t{1}, kNoId);
+        ring[resource.age] = id;
+    }
+    for (std::vector<ResourceId>& ring : rings)
+        if (std::find(ring.begin(), ring.end(), kNoId) != ring.end()) ring.clear();  // C301 says so
+    return rings;
 }
 
 }  // namespace
@@ -60,107 +70,104 @@ AccessState effective_state(const UseDecl& use, const AttachmentOps* ops) {
 }
 
 Replay::Replay(const FramePlan& plan, FaultList& faults)
-    : plan_(plan), faults_(faults), neighbours_(memory_neighbours(plan)) {
+    : plan_(plan),
+      faults_(faults),
+      clock_(plan),
+      neighbours_(memory_neighbours(plan)),
+      rings_(rings_of(plan.graph)) {
     cells_.reserve(plan.graph.resources.size());
     for (const ResourceDecl& resource : plan.graph.resources) cells_.push_back(cells_of(resource));
 }
 
 void Replay::run(uint32_t frames) {
-    barriers(plan_.barriers.prologue.before, kNoId);
+    prologue();
     for (frame_ = 0; frame_ < frames; ++frame_) {
-        enter_frame();
-        for (const PassStep& s : plan_.barriers.steps) step(s);
-        barriers(plan_.barriers.epilogue, kNoId);
-        leave_frame();
+        clock_.begin_frame();
+        if (frame_ > 0) rotate_rings();
+        check_boundary();
+        enter_imports();
+        for (uint32_t i = 0; i < plan_.submissions.batches.size(); ++i) batch(i);
+        clock_.look_from(0);
+        leave_imports();
+        seal_rings();
     }
 }
 
-void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
-    if (batch.empty()) return;
-    std::vector<Scopes> scopes;
-    scopes.reserve(batch.size());
-    for (const BarrierDecl& barrier : batch) scopes.push_back(scopes_of(barrier));
-    // What the batch waits for is judged by what came before the batch, so transitions are checked first,
-    // then everything outstanding is carried through, then the transitions take effect.
-    for (size_t i = 0; i < batch.size(); ++i) transition(batch[i], scopes[i], before);
-    carry(batch, scopes);
-    for (size_t i = 0; i < batch.size(); ++i) {
-        const BarrierDecl& barrier = batch[i];
-        const bool image = plan_.graph.resources[barrier.resource].kind == ResourceKind::image;
-        if (!image || barrier.src.layout == barrier.dst.layout) continue;
-        for (Cell& cell : cells_[barrier.resource]) {
-            if (!overlaps(cell.range, barrier.range)) continue;
-            cell.layout = barrier.dst.layout;
-            if (drops_content(barrier)) cell.content = {};
-            cell.has_write = true;
-            cell.write = AccessRecord::transition({before, frame_, true}, scopes[i]);
-            cell.reads.clear();
-        }
-        if (drops_content(barrier)) overwrite_neighbours(before, barrier.resource);
-    }
-}
-
-void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before) {
-    const ResourceDecl& resource = plan_.graph.resources[barrier.resource];
-    if (resource.kind == ResourceKind::buffer || barrier.src.layout == barrier.dst.layout) return;
-    const Actor actor{before, frame_, true};
-    const auto unordered = [&](const AccessRecord& record) {
-        if (record.ordered_before(scopes) &&
-            (!record.is_write() || record.available() ||
-             ((record.stages() & ~scopes.src_memory) == 0 &&
-              (record.access() & access::kAllWrites & ~scopes.src_access) == 0)))
-            return;
-        faults_.add("C313", resource.loc,
-                    faults_.actor_text(actor, frame_) + " changes " +
-                        faults_.resource_name(barrier.resource) + range_text(barrier.range) + " to " +
-                        layout_text(barrier.dst.layout) + " without waiting for " +
-                        faults_.actor_text(record.actor(), frame_),
-                    "the barrier's source needs " + stages_text(record.stages()) + " and " +
-                        access_text(record.access() & access::kAllWrites));
-    };
-    for (const Cell& cell : cells_[barrier.resource]) {
-        if (!overlaps(cell.range, barrier.range)) continue;
-        if (barrier.src.layout != Layout::undefined && barrier.src.layout != cell.layout)
-            faults_.add("C320", resource.loc,
-                        "the barrier before " + faults_.actor_text({before, frame_}, frame_) + " takes " +
-                            faults_.resource_name(barrier.resource) + range_text(cell.range) + " from " +
-                            layout_text(barrier.src.layout) + ", but " +
-                            faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
-                            " left it in " + layout_text(cell.layout),
-                        "the old layout must be the one the range is in, or undefined");
-        if (cell.has_write) unordered(cell.write);
-        for (const AccessRecord& record : cell.reads) unordered(record);
-    }
-    if (drops_content(barrier)) expect_free_memory(actor, barrier.resource, resource.loc, 0, &scopes);
-}
-
-void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes) {
-    std::vector<Scopes> on_memory;
-    for (ResourceId id = 0; id < cells_.size(); ++id) {
+void Replay::prologue() {
+    const ProloguePlan& prologue = plan_.barriers.prologue;
+    barriers(prologue.before, kNoId);
+    for (const ResourceId id : prologue.cleared) {
+        const AccessState cleared = access_state(Access::clear_write, 0, plan_.graph.resources[id].aspects);
         for (Cell& cell : cells_[id]) {
-            if (!cell.has_write && cell.reads.empty()) continue;
-            on_memory.clear();
-            for (size_t i = 0; i < batch.size(); ++i) {
-                const std::vector<ResourceId>& from = batch[i].hand_over_from;
-                const bool own = batch[i].resource == id && overlaps(batch[i].range, cell.range);
-                if (own || std::find(from.begin(), from.end(), id) != from.end())
-                    on_memory.push_back(scopes[i]);
-            }
-            if (cell.has_write) cell.write.pass_barriers(scopes, on_memory);
-            for (AccessRecord& record : cell.reads) record.pass_barriers(scopes, on_memory);
+            cell.has_write = true;
+            cell.write = AccessRecord({}, cleared.stages, cleared.access, true);
+            cell.reads.clear();
+            cell.content = {Content::Kind::initial, kNoId, 0, kNoId};
+            cell.owner = family();
         }
     }
+    barriers(prologue.after, kNoId);
+}
+
+// What was this frame's becomes what was a frame ago, and the oldest copy is free.
+void Replay::rotate_rings() {
+    for (const std::vector<ResourceId>& ring : rings_) {
+        if (ring.size() < 2) continue;
+        std::vector<Cell> oldest = std::move(cells_[ring.back()]);
+        for (size_t age = ring.size() - 1; age > 0; --age)
+            cells_[ring[age]] = std::move(cells_[ring[age - 1]]);
+        for (Cell& cell : oldest) cell.content = {};
+        cells_[ring.front()] = std::move(oldest);
+    }
+}
+
+void Replay::seal_rings() {
+    for (const std::vector<ResourceId>& ring : rings_) {
+        if (ring.empty()) continue;
+        const bool kept = ring.size() == 1;
+        for (Cell& cell : cells_[ring.front()])
+            if (kept || cell.content.kind == Content::Kind::written)
+                cell.content = {Content::Kind::carried, cell.content.pass, frame_, kNoId};
+    }
+}
+
+void Replay::check_boundary() {
+    for (const BoundaryState& boundary : plan_.boundary) {
+        const ResourceDecl& resource = plan_.graph.resources[boundary.resource];
+        if (resource.import || boundary.state.layout == Layout::undefined) continue;
+        for (const Cell& cell : cells_[boundary.resource]) {
+            if (!overlaps(cell.range, boundary.range) || cell.layout == boundary.state.layout) continue;
+            faults_.add("C350", resource.loc,
+                        "a frame finds " + faults_.resource_name(boundary.resource) + range_text(cell.range) +
+                            " in " + layout_text(cell.layout) + ", but the plan says " +
+                            layout_text(boundary.state.layout),
+                        "the prologue or the frame before must leave it there");
+        }
+    }
+}
+
+void Replay::batch(uint32_t index) {
+    const Batch& batch = plan_.submissions.batches[index];
+    clock_.begin_batch(index, faults_);
+    for (const uint32_t position : batch.positions) step(plan_.barriers.steps[position]);
+    if (batch.epilogue) barriers(plan_.barriers.epilogue, kNoId);
+    clock_.end_batch(index);
 }
 
 void Replay::step(const PassStep& step) {
     barriers(step.barriers, step.pass);
+    uses(step);
+    barriers(step.after, step.pass);
+}
+
+void Replay::uses(const PassStep& step) {
     const PassDecl& pass = plan_.graph.passes[step.pass];
     for (uint32_t u = 0; u < pass.uses.size(); ++u) {
         const UseDecl& use = pass.uses[u];
         const AttachmentOps* ops = ops_of(step, u);
         const AccessState state = effective_state(use, ops);
         if (reads(use.access)) {
-            read(pass, step.pass, use, state);
+            read(step.pass, use, state);
             if (ops && ops->load != LoadOp::load)
                 faults_.add(
                     "C331", use.loc,
@@ -181,56 +188,41 @@ void Replay::step(const PassStep& step) {
         const AttachmentOps* ops = ops_of(step, u);
         const AccessState state = effective_state(use, ops);
         if (writes(use.access) || (ops && ops->store != StoreOp::none))
-            write(pass, step.pass, use, state, !ops || ops->store == StoreOp::store);
+            write(step.pass, use, state, !ops || ops->store == StoreOp::store);
     }
 }
 
-void Replay::read(const PassDecl&, PassId id, const UseDecl& use, const AccessState& state) {
-    const Actor actor{id, frame_};
+void Replay::read(PassId id, const UseDecl& use, const AccessState& state) {
     for (Cell& cell : cells_[use.resource]) {
         if (!overlaps(cell.range, use.range)) continue;
-        expect_order(actor, use, cell, state, false);
+        expect_owner(actor(id), use, cell);
+        expect_order(actor(id), use, cell, state, false);
         expect_content(id, use, cell);
-        cell.reads.emplace_back(actor, state.stages, state.access, false);
+        cell.reads.emplace_back(actor(id), state.stages, state.access, false);
     }
 }
 
-void Replay::write(const PassDecl&, PassId id, const UseDecl& use, const AccessState& state, bool kept) {
-    const Actor actor{id, frame_};
-    if (plan_.graph.resources[use.resource].lifetime == ResourceLifetime::transient)
-        expect_free_memory(actor, use.resource, use.loc, state.stages, nullptr);
+void Replay::write(PassId id, const UseDecl& use, const AccessState& state, bool kept) {
+    const ResourceDecl& resource = plan_.graph.resources[use.resource];
+    if (resource.lifetime == ResourceLifetime::transient)
+        expect_free_memory(actor(id), use.resource, use.loc, state.stages, nullptr);
     for (Cell& cell : cells_[use.resource]) {
         if (!overlaps(cell.range, use.range)) continue;
+        // Whoever drops a buffer's content needs no ownership from before; an image has its transition for
+        // that.
+        if (resource.kind == ResourceKind::buffer && !reads(use.access)) cell.owner = family();
+        expect_owner(actor(id), use, cell);
         // A use that also reads was put into the list of reads by read(): it does not wait for itself.
         std::erase_if(cell.reads, [&](const AccessRecord& r) {
             return r.actor().pass == id && r.actor().frame == frame_;
         });
-        expect_order(actor, use, cell, state, true);
+        expect_order(actor(id), use, cell, state, true);
         cell.reads.clear();
         cell.has_write = true;
-        cell.write = AccessRecord(actor, state.stages, state.access, true);
+        cell.write = AccessRecord(actor(id), state.stages, state.access, true);
         cell.content = kept ? Content{Content::Kind::written, id, frame_, kNoId} : Content{};
     }
     overwrite_neighbours(id, use.resource);
-}
-
-void Replay::enter_frame() {
-    for (ResourceId id = 0; id < cells_.size(); ++id) {
-        const ResourceDecl& resource = plan_.graph.resources[id];
-        if (!resource.import) continue;
-        const AccessState& entry = resource.import->entry;
-        const bool pending = (entry.access & access::kAllWrites) != 0;
-        for (Cell& cell : cells_[id]) {
-            const AccessRecord outside({kNoId, frame_}, entry.stages, entry.access, pending);
-            cell.reads.clear();
-            cell.has_write = pending;
-            if (pending) cell.write = outside;
-            if (!pending && entry.stages != 0) cell.reads.push_back(outside);
-            const bool dropped = resource.kind == ResourceKind::image && entry.layout == Layout::undefined;
-            cell.content = dropped ? Content{} : Content{Content::Kind::outside, kNoId, frame_, kNoId};
-            if (!dropped) cell.layout = entry.layout;
-        }
-    }
 }
 
 }  // namespace weft::check

@@ -1,9 +1,11 @@
 // Purpose: plays a plan over consecutive frames and watches every subresource: its layout, whose content it
-// holds, and which accesses are still to be waited for.
+// holds, which queue family owns it, and which accesses are still to be waited for.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "check/batch_clock.h"
 #include "check/fault_list.h"
 #include "check/ordering.h"
 #include "weft/plan.h"
@@ -12,11 +14,20 @@ namespace weft::check {
 
 // Whose values a subresource holds.
 struct Content {
-    enum class Kind : uint8_t { undefined, outside, written, overwritten } kind = Kind::undefined;
-    PassId pass = kNoId;  // written: by whom; overwritten: by whom, through `through`
+    enum class Kind : uint8_t {
+        undefined,
+        outside,      // an import's
+        initial,      // a persistent resource's first-frame value
+        carried,      // what a persistent resource held at the end of `frame`
+        written,      // by `pass`
+        overwritten,  // by `pass`, through `through`
+    } kind = Kind::undefined;
+    PassId pass = kNoId;
     uint32_t frame = 0;
     ResourceId through = kNoId;
 };
+
+inline constexpr uint32_t kNoFamily = UINT32_MAX;
 
 // One mip and layer of one aspect, or a buffer.
 struct Cell {
@@ -24,8 +35,11 @@ struct Cell {
     Layout layout = Layout::undefined;
     Content content;
     bool has_write = false;
-    AccessRecord write;               // the last write or transition
-    std::vector<AccessRecord> reads;  // since then
+    AccessRecord write;                      // the last write or transition
+    std::vector<AccessRecord> reads;         // since then
+    uint32_t owner = kNoFamily;              // the family that may use it; kNoFamily: the next one to do so
+    uint32_t released_to = kNoFamily;        // on its way to that family, and
+    Layout released_in = Layout::undefined;  // into that layout
 };
 
 class Replay {
@@ -34,26 +48,59 @@ class Replay {
     void run(uint32_t frames);
 
  private:
+    void prologue();
+    void rotate_rings();
+    void check_boundary();
+    void seal_rings();
+    void enter_imports();
+    void leave_imports();
+    void batch(uint32_t index);
+    void step(const PassStep& step);
+    void uses(const PassStep& step);
+
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
     void carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes);
-    void step(const PassStep& step);
-    void read(const PassDecl& pass, PassId id, const UseDecl& use, const AccessState& state);
-    void write(const PassDecl& pass, PassId id, const UseDecl& use, const AccessState& state, bool kept);
+    void apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
+    void transfer(const BarrierDecl& barrier, PassId before);
+
+    void read(PassId id, const UseDecl& use, const AccessState& state);
+    void write(PassId id, const UseDecl& use, const AccessState& state, bool kept);
+
+    // What other queues did is over when a semaphore says so; what this queue did, when barriers do.
+    [[nodiscard]] bool ordered(const AccessRecord& record, StageMask stages) const;
+    [[nodiscard]] bool ordered(const AccessRecord& record, const Scopes& scopes) const;
+    [[nodiscard]] bool flushed(const AccessRecord& record, const Scopes* scopes) const;
+    [[nodiscard]] bool visible(const AccessRecord& record, const AccessState& state) const;
+    [[nodiscard]] bool changes_image(const BarrierDecl& barrier) const;
+    [[nodiscard]] Actor actor(PassId pass, bool transition = false) const {
+        return {pass, frame_, transition, clock_.queue(), clock_.batch_count()};
+    }
+    [[nodiscard]] uint32_t family() const { return plan_.schedule.queues[clock_.queue()].family; }
+    // The program around the graph is known to the first queue only by barriers.
+    [[nodiscard]] bool covered(const AccessRecord& record) const {
+        const Actor& by = record.actor();
+        const bool outside = by.pass == kNoId && !by.transition;
+        return !(outside && clock_.queue() == by.queue) && clock_.covers(by);
+    }
+    [[nodiscard]] std::string missing(const AccessRecord& record, const std::string& barrier) const;
+
     void expect_content(PassId id, const UseDecl& use, const Cell& cell);
-    void expect_order(const Actor& actor, const UseDecl& use, const Cell& cell, const AccessState& state,
+    [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Content& found, PassId wanted) const;
+    void expect_order(const Actor& by, const UseDecl& use, const Cell& cell, const AccessState& state,
                       bool writes);
-    void expect_free_memory(const Actor& actor, ResourceId resource, SourceLoc loc, StageMask stages,
+    void expect_owner(const Actor& by, const UseDecl& use, Cell& cell);
+    void expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                             const Scopes* transition);
     void overwrite_neighbours(PassId by, ResourceId resource);
-    void enter_frame();
-    void leave_frame();
 
     const FramePlan& plan_;
     FaultList& faults_;
+    BatchClock clock_;
     uint32_t frame_ = 0;
     std::vector<std::vector<Cell>> cells_;             // by resource
     std::vector<std::vector<ResourceId>> neighbours_;  // by resource: whose memory overlaps
+    std::vector<std::vector<ResourceId>> rings_;       // by resource that leads a ring: its roles by age
 };
 
 // The stages and accesses that a use has once the load and store operations of its attachment are counted in.

@@ -6,10 +6,39 @@
 
 namespace weft::check {
 
-void Replay::expect_order(const Actor& actor, const UseDecl& use, const Cell& cell, const AccessState& state,
+bool Replay::ordered(const AccessRecord& record, StageMask stages) const {
+    if (covered(record)) return true;
+    return record.actor().queue == clock_.queue() && record.ordered_before(stages);
+}
+
+// A barrier that relies on a semaphore must chain with its wait, which holds back all stages but no command
+// without any.
+bool Replay::ordered(const AccessRecord& record, const Scopes& scopes) const {
+    if (covered(record)) return scopes.src_execution != 0;
+    return record.actor().queue == clock_.queue() && record.ordered_before(scopes);
+}
+
+bool Replay::flushed(const AccessRecord& record, const Scopes* scopes) const {
+    if (!record.is_write() || record.available() || covered(record)) return true;
+    return scopes != nullptr && record.actor().queue == clock_.queue() &&
+           (record.stages() & ~scopes->src_memory) == 0 &&
+           (record.access() & access::kAllWrites & ~scopes->src_access) == 0;
+}
+
+bool Replay::visible(const AccessRecord& record, const AccessState& state) const {
+    return covered(record) || (record.available() && record.visible_to(state.stages, state.access));
+}
+
+std::string Replay::missing(const AccessRecord& record, const std::string& barrier) const {
+    if (record.actor().queue == clock_.queue()) return barrier;
+    return "queue " + std::to_string(clock_.queue()) + " must wait for queue " +
+           std::to_string(record.actor().queue) + " after that";
+}
+
+void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell, const AccessState& state,
                           bool is_write) {
     const bool judged_as_read = is_write && reads(use.access);
-    const std::string who = faults_.actor_text(actor, frame_);
+    const std::string who = faults_.actor_text(by, frame_);
     const std::string what = faults_.resource_name(use.resource) + range_text(cell.range);
     const bool image = plan_.graph.resources[use.resource].kind == ResourceKind::image;
     if (image && !judged_as_read && cell.layout != state.layout)
@@ -19,24 +48,52 @@ void Replay::expect_order(const Actor& actor, const UseDecl& use, const Cell& ce
                         " left it in " + layout_text(cell.layout),
                     "a barrier before " + who + " must change the layout");
     if (cell.has_write && !judged_as_read &&
-        (!cell.write.ordered_before(state.stages) || !cell.write.available() ||
-         !cell.write.visible_to(state.stages, state.access))) {
-        faults_.add(is_write ? "C312" : "C310", use.loc,
-                    who + (is_write ? " writes " : " reads ") + what + " (" + access_text(state.access) +
-                        " in " + stages_text(state.stages) + "), but what " +
-                        faults_.actor_text(cell.write.actor(), frame_) + " wrote (" +
-                        access_text(cell.write.access()) + " in " + stages_text(cell.write.stages()) +
-                        ") is not made visible to it",
-                    "a barrier between them is missing, or its stages or accesses are too weak");
+        (!ordered(cell.write, state.stages) || !visible(cell.write, state))) {
+        faults_.add(
+            is_write ? "C312" : "C310", use.loc,
+            who + (is_write ? " writes " : " reads ") + what + " (" + access_text(state.access) + " in " +
+                stages_text(state.stages) + "), but what " + faults_.actor_text(cell.write.actor(), frame_) +
+                " wrote (" + access_text(cell.write.access()) + " in " + stages_text(cell.write.stages()) +
+                ") is not made visible to it",
+            missing(cell.write, "a barrier between them is missing, or its stages or accesses are too weak"));
     }
     if (!is_write) return;
     for (const AccessRecord& record : cell.reads) {
-        if (record.ordered_before(state.stages)) continue;
-        faults_.add("C311", use.loc,
-                    who + " writes " + what + " while " + faults_.actor_text(record.actor(), frame_) +
-                        " may still read it (" + stages_text(record.stages()) + ")",
-                    "a barrier from the reading to the writing stages is missing or too weak");
+        if (ordered(record, state.stages)) continue;
+        faults_.add(
+            "C311", use.loc,
+            who + " writes " + what + " while " + faults_.actor_text(record.actor(), frame_) +
+                " may still read it (" + stages_text(record.stages()) + ")",
+            missing(record, "a barrier from the reading to the writing stages is missing or too weak"));
     }
+}
+
+// Of `age` frames ago, or the first-frame value while there was no such frame.
+bool Replay::is_wanted_content(const UseDecl& use, const Content& found, PassId wanted) const {
+    if (wanted != kNoId)
+        return found.kind == Content::Kind::written && found.pass == wanted && found.frame == frame_;
+    const ResourceDecl& resource = plan_.graph.resources[use.resource];
+    if (resource.ring == kNoId) return found.kind == Content::Kind::outside;
+    const uint32_t age = std::max(resource.age, 1u);  // a ring of one keeps what the frame before left
+    if (frame_ < age) return found.kind == Content::Kind::initial;
+    return found.kind == Content::Kind::carried && found.frame == frame_ - age;
+}
+
+void Replay::expect_owner(const Actor& by, const UseDecl& use, Cell& cell) {
+    const ResourceDecl& resource = plan_.graph.resources[use.resource];
+    const std::vector<uint8_t>& concurrent = plan_.barriers.concurrent;
+    const bool shared = use.resource < concurrent.size() && concurrent[use.resource] != 0;
+    if (shared && (!resource.import || resource.import->concurrent)) return;
+    if (cell.owner == kNoFamily) cell.owner = family();
+    if (cell.owner == family() && cell.released_to == kNoFamily) return;
+    faults_.add("C361", use.loc,
+                faults_.actor_text(by, frame_) + " uses " + faults_.resource_name(use.resource) +
+                    range_text(cell.range) + " on a queue of family " + std::to_string(family()) +
+                    ", but since " +
+                    faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
+                    " it belongs to family " +
+                    std::to_string(cell.released_to == kNoFamily ? cell.owner : cell.released_to),
+                "it must be released and acquired in between, or be made concurrent");
 }
 
 void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell) {
@@ -44,14 +101,14 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell) {
                                      [&](const VersionSource& s) { return contains(s.range, cell.range); });
     const PassId wanted = source == use.sources.end() ? kNoId : source->producer;
     const Content& found = cell.content;
-    const bool right = wanted == kNoId ? found.kind == Content::Kind::outside
-                                       : found.kind == Content::Kind::written && found.pass == wanted &&
-                                             found.frame == frame_;
-    if (right) return;
+    if (is_wanted_content(use, found, wanted)) return;
     std::string holds = "holds nothing";
     if (found.kind == Content::Kind::written)
         holds = "holds what " + faults_.actor_text({found.pass, found.frame}, frame_) + " wrote";
     if (found.kind == Content::Kind::outside) holds = "still holds what was there before the frame";
+    if (found.kind == Content::Kind::initial) holds = "holds its first-frame value";
+    if (found.kind == Content::Kind::carried)
+        holds = "holds what it held " + std::to_string(frame_ - found.frame) + " frames ago";
     if (found.kind == Content::Kind::overwritten)
         holds = "was overwritten by " + faults_.actor_text({found.pass, found.frame}, frame_) + " through " +
                 faults_.resource_name(found.through) + ", which shares its memory";
@@ -66,22 +123,20 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell) {
 
 // `resource` is about to be written: whoever else uses its memory must be done. `transition` is the barrier
 // that writes first, or null when the pass itself does, in `stages`.
-void Replay::expect_free_memory(const Actor& actor, ResourceId resource, SourceLoc loc, StageMask stages,
+void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                                 const Scopes* transition) {
     const auto expect_over = [&](ResourceId owner, const AccessRecord& record) {
-        const bool ordered = transition ? record.ordered_before(*transition) : record.ordered_before(stages);
-        const bool flushed = !record.is_write() || record.available() ||
-                             (transition && (record.stages() & ~transition->src_memory) == 0 &&
-                              (record.access() & access::kAllWrites & ~transition->src_access) == 0);
-        if (ordered && flushed) return;
-        faults_.add(
-            "C341", loc,
-            faults_.actor_text(actor, frame_) + " takes over memory for " + faults_.resource_name(resource) +
-                " that " + faults_.actor_text(record.actor(), frame_) + " may still use through " +
-                faults_.resource_name(owner),
-            "the hand-over from " + faults_.resource_name(owner) + " to " + faults_.resource_name(resource) +
-                " needs a barrier whose source is " + stages_text(record.stages()) + " and " +
-                access_text(record.access() & access::kAllWrites));
+        const bool over = transition ? ordered(record, *transition) : ordered(record, stages);
+        if (over && flushed(record, transition)) return;
+        faults_.add("C341", loc,
+                    faults_.actor_text(by, frame_) + " takes over memory for " +
+                        faults_.resource_name(resource) + " that " +
+                        faults_.actor_text(record.actor(), frame_) + " may still use through " +
+                        faults_.resource_name(owner),
+                    missing(record, "the hand-over from " + faults_.resource_name(owner) + " to " +
+                                        faults_.resource_name(resource) +
+                                        " needs a barrier whose source is " + stages_text(record.stages()) +
+                                        " and " + access_text(record.access() & access::kAllWrites)));
     };
     for (const ResourceId owner : neighbours_[resource]) {
         for (const Cell& cell : cells_[owner]) {
@@ -97,22 +152,6 @@ void Replay::overwrite_neighbours(PassId by, ResourceId resource) {
             if (cell.content.kind == Content::Kind::written)
                 cell.content = {Content::Kind::overwritten, by, frame_, resource};
             cell.layout = Layout::undefined;
-        }
-    }
-}
-
-void Replay::leave_frame() {
-    for (ResourceId id = 0; id < cells_.size(); ++id) {
-        const ResourceDecl& resource = plan_.graph.resources[id];
-        if (!resource.import) continue;
-        UseDecl outside;
-        outside.resource = id;
-        outside.loc = resource.loc;
-        const AccessState& exit = resource.import->exit;
-        for (const Cell& cell : cells_[id]) {
-            const bool touched =
-                cell.content.kind == Content::Kind::written || cell.layout != Layout::undefined;
-            if (touched) expect_order({kNoId, frame_}, outside, cell, exit, false);
         }
     }
 }

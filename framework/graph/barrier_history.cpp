@@ -103,8 +103,10 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellTouches>
     for (const QueueIndex queue : queues) families.insert(input.order->queues[queue].family);
     const ResourceDecl& decl = *input.roles.front().decl;
     QueueUsage usage;
-    // An import begins and ends every frame on the first queue.
+    // An import begins and ends every frame on the first queue, and the prologue runs there.
     if (decl.import && !queues.empty()) queues.insert(0);
+    if (decl.lifetime == ResourceLifetime::persistent && !queues.empty())
+        families.insert(input.order->queues.front().family);
     usage.several_queues = queues.size() > 1;
     usage.several_families = families.size() > 1;
     usage.exclusive = usage.several_families && in_turn && decl.kind == ResourceKind::image &&

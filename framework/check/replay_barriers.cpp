@@ -1,0 +1,142 @@
+// What barriers do to the replay: what they wait for, what they carry on, which layouts and owners they
+// change.
+#include <algorithm>
+
+#include "check/replay.h"
+
+namespace weft::check {
+namespace {
+
+bool drops_content(const BarrierDecl& barrier) {
+    return barrier.src.layout == Layout::undefined;
+}
+
+bool moves(const BarrierDecl& barrier) {
+    return barrier.src_family != barrier.dst_family;
+}
+
+}  // namespace
+
+bool Replay::changes_image(const BarrierDecl& barrier) const {
+    return plan_.graph.resources[barrier.resource].kind == ResourceKind::image &&
+           barrier.src.layout != barrier.dst.layout;
+}
+
+void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
+    if (batch.empty()) return;
+    std::vector<Scopes> scopes;
+    scopes.reserve(batch.size());
+    for (const BarrierDecl& barrier : batch) scopes.push_back(scopes_of(barrier));
+    // What the batch waits for is judged by what came before the batch, so transitions are checked first,
+    // then everything outstanding is carried through, then the transitions take effect.
+    for (size_t i = 0; i < batch.size(); ++i)
+        if (moves(batch[i]) || changes_image(batch[i])) transition(batch[i], scopes[i], before);
+    carry(batch, scopes);
+    for (size_t i = 0; i < batch.size(); ++i) {
+        if (moves(batch[i]))
+            transfer(batch[i], before);
+        else if (changes_image(batch[i]))
+            apply(batch[i], scopes[i], before);
+    }
+}
+
+void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before) {
+    for (Cell& cell : cells_[barrier.resource]) {
+        if (!overlaps(cell.range, barrier.range)) continue;
+        cell.layout = barrier.dst.layout;
+        if (drops_content(barrier)) {
+            cell.content = {};
+            cell.owner = family();
+            cell.released_to = kNoFamily;
+        }
+        cell.has_write = true;
+        cell.write = AccessRecord::transition(actor(before, true), scopes);
+        cell.reads.clear();
+    }
+    if (drops_content(barrier)) overwrite_neighbours(before, barrier.resource);
+}
+
+// One half of a transfer: released on the family that had it, then acquired by the one that gets it.
+void Replay::transfer(const BarrierDecl& barrier, PassId before) {
+    const ResourceDecl& resource = plan_.graph.resources[barrier.resource];
+    const Scopes scopes = scopes_of(barrier);
+    const std::string what = faults_.resource_name(barrier.resource) + range_text(barrier.range);
+    const bool releases = family() == barrier.src_family;
+    if (!releases && family() != barrier.dst_family)
+        faults_.add("C360", resource.loc,
+                    "pass " + faults_.pass_name(before) + " hands " + what +
+                        " over between two queue families, but runs on a third",
+                    "a transfer is recorded on the queues of its two families");
+    for (Cell& cell : cells_[barrier.resource]) {
+        if (!overlaps(cell.range, barrier.range)) continue;
+        if (releases) {
+            cell.released_to = barrier.dst_family;
+            cell.released_in = barrier.dst.layout;
+        } else {
+            if (cell.released_to != barrier.dst_family || cell.released_in != barrier.dst.layout)
+                faults_.add("C360", resource.loc,
+                            "pass " + faults_.pass_name(before) + " acquires " + what +
+                                ", which was not released to its queue family: its last user is " +
+                                faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_),
+                            "after that pass a matching release is missing");
+            cell.released_to = kNoFamily;
+            cell.owner = barrier.dst_family;
+            cell.layout = barrier.dst.layout;
+        }
+        cell.has_write = true;
+        cell.write = AccessRecord::transition(actor(before, true), scopes);
+        cell.reads.clear();
+    }
+}
+
+void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before) {
+    const ResourceDecl& resource = plan_.graph.resources[barrier.resource];
+    const Actor by = actor(before, true);
+    const auto expect_over = [&](const AccessRecord& record) {
+        if (ordered(record, scopes) && flushed(record, &scopes)) return;
+        faults_.add("C313", resource.loc,
+                    faults_.actor_text(by, frame_) + " changes " + faults_.resource_name(barrier.resource) +
+                        range_text(barrier.range) + " to " + layout_text(barrier.dst.layout) +
+                        " without waiting for " + faults_.actor_text(record.actor(), frame_),
+                    missing(record, "the barrier's source needs " + stages_text(record.stages()) + " and " +
+                                        access_text(record.access() & access::kAllWrites)));
+    };
+    for (const Cell& cell : cells_[barrier.resource]) {
+        if (!overlaps(cell.range, barrier.range)) continue;
+        if (barrier.src.layout != Layout::undefined && barrier.src.layout != cell.layout)
+            faults_.add("C320", resource.loc,
+                        "the barrier before " + faults_.actor_text({before, frame_}, frame_) + " takes " +
+                            faults_.resource_name(barrier.resource) + range_text(cell.range) + " from " +
+                            layout_text(barrier.src.layout) + ", but " +
+                            faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
+                            " left it in " + layout_text(cell.layout),
+                        "the old layout must be the one the range is in, or undefined");
+        if (cell.has_write) expect_over(cell.write);
+        for (const AccessRecord& record : cell.reads) expect_over(record);
+    }
+    if (drops_content(barrier)) expect_free_memory(by, barrier.resource, resource.loc, 0, &scopes);
+}
+
+// Barriers order only what their own queue did.
+void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes) {
+    std::vector<Scopes> on_memory;
+    const auto pass_through = [&](AccessRecord& record) {
+        if (record.actor().queue == clock_.queue()) record.pass_barriers(scopes, on_memory);
+    };
+    for (ResourceId id = 0; id < cells_.size(); ++id) {
+        for (Cell& cell : cells_[id]) {
+            if (!cell.has_write && cell.reads.empty()) continue;
+            on_memory.clear();
+            for (size_t i = 0; i < batch.size(); ++i) {
+                const std::vector<ResourceId>& from = batch[i].hand_over_from;
+                const bool own = batch[i].resource == id && overlaps(batch[i].range, cell.range);
+                if (own || std::find(from.begin(), from.end(), id) != from.end())
+                    on_memory.push_back(scopes[i]);
+            }
+            if (cell.has_write) pass_through(cell.write);
+            for (AccessRecord& record : cell.reads) pass_through(record);
+        }
+    }
+}
+
+}  // namespace weft::check

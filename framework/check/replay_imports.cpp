@@ -1,0 +1,44 @@
+// Imports are left to the program around the graph between two frames, and it to them.
+#include "check/replay.h"
+
+namespace weft::check {
+
+void Replay::enter_imports() {
+    for (ResourceId id = 0; id < cells_.size(); ++id) {
+        const ResourceDecl& resource = plan_.graph.resources[id];
+        if (!resource.import) continue;
+        const AccessState& entry = resource.import->entry;
+        const bool pending = (entry.access & access::kAllWrites) != 0;
+        // The program comes after all that the first queue did in the frame before.
+        const Actor outside{kNoId, frame_, false, 0, clock_.batches_begun(0)};
+        for (Cell& cell : cells_[id]) {
+            const AccessRecord record(outside, entry.stages, entry.access, pending);
+            cell.reads.clear();
+            cell.has_write = pending;
+            if (pending) cell.write = record;
+            if (!pending && entry.stages != 0) cell.reads.push_back(record);
+            const bool dropped = resource.kind == ResourceKind::image && entry.layout == Layout::undefined;
+            cell.content = dropped ? Content{} : Content{Content::Kind::outside, kNoId, frame_, kNoId};
+            if (!dropped) cell.layout = entry.layout;
+            cell.owner = resource.import->family;
+        }
+    }
+}
+
+void Replay::leave_imports() {
+    for (ResourceId id = 0; id < cells_.size(); ++id) {
+        const ResourceDecl& resource = plan_.graph.resources[id];
+        if (!resource.import) continue;
+        UseDecl outside;
+        outside.resource = id;
+        outside.loc = resource.loc;
+        const AccessState& exit = resource.import->exit;
+        for (const Cell& cell : cells_[id]) {
+            const bool touched =
+                cell.content.kind == Content::Kind::written || cell.layout != Layout::undefined;
+            if (touched) expect_order(actor(kNoId), outside, cell, exit, false);
+        }
+    }
+}
+
+}  // namespace weft::check
