@@ -105,6 +105,7 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellTouches>
     QueueUsage usage;
     // An import begins and ends every frame on the first queue, and the prologue runs there.
     if (decl.import && !queues.empty()) queues.insert(0);
+    if (decl.import) families.insert(decl.import->family);
     if (decl.lifetime == ResourceLifetime::persistent && !queues.empty())
         families.insert(input.order->queues.front().family);
     usage.several_queues = queues.size() > 1;

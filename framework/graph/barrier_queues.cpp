@@ -117,10 +117,10 @@ std::optional<QueueWalk::Past> QueueWalk::common_past(std::span<const Touch> tou
 }
 
 void QueueWalk::begin(std::span<const Touch> touches, CellEvents& events) {
-    if (const std::optional<Past> past = common_past(touches)) return share(*past, touches, events);
-    const bool moves =
-        rules_->exclusive && touched_ && !taken_over_ && family(touches.front().queue) != owner_family_;
+    const bool moves = rules_->exclusive && touched_ && !taken_over_ &&
+                       family(touches.front().queue) != owner_family_;
     if (moves) return transfer(touches, events);
+    if (const std::optional<Past> past = common_past(touches)) return share(*past, touches, events);
     change(touches, events);
 }
 
