@@ -1,0 +1,60 @@
+// Purpose: the cells of resources: one mip of one layer of one aspect of an image, or a buffer. They are
+// counted by aspect, then layer, then mip.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "weft/declaration.h"
+
+namespace weft::null {
+
+inline uint32_t aspect_count(AspectMask aspects) {
+    return static_cast<uint32_t>(std::popcount(static_cast<unsigned>(aspects)));
+}
+
+inline uint32_t cell_count(const ResourceDecl& resource) {
+    if (resource.kind == ResourceKind::buffer) return 1;
+    return aspect_count(resource.aspects) * resource.layers * resource.mips;
+}
+
+// Calls visit(index, range of that one cell) for every cell of `range`.
+template <class F>
+void for_each_cell(const ResourceDecl& resource, const SubresourceRange& range, F visit) {
+    if (resource.kind == ResourceKind::buffer) return visit(0u, SubresourceRange{});
+    uint32_t plane = 0;
+    for (unsigned bit = 1; bit <= resource.aspects; bit <<= 1) {
+        if (!(resource.aspects & bit)) continue;
+        const uint32_t base = plane++ * resource.layers;
+        if (!(range.aspects & bit)) continue;
+        for (uint32_t layer = range.layer; layer < range.layer + range.layers; ++layer)
+            for (uint32_t mip = range.mip; mip < range.mip + range.mips; ++mip)
+                visit((base + layer) * resource.mips + mip,
+                      SubresourceRange{mip, 1, layer, 1, static_cast<AspectMask>(bit)});
+    }
+}
+
+template <class F>
+void for_each_cell(const ResourceDecl& resource, F visit) {
+    for_each_cell(resource, resource.whole(), visit);
+}
+
+// Who wrote what `use` sees in one cell: kNoId for what was there before the frame.
+inline PassId source_of(const UseDecl& use, const SubresourceRange& cell) {
+    for (const VersionSource& source : use.sources)
+        if (overlaps(source.range, cell)) return source.producer;
+    return kNoId;
+}
+
+// Does the pass see what was in the range? A copy or clear of a part keeps the rest, though its access reads
+// nothing.
+inline bool sees_content(const UseDecl& use) {
+    return reads(use.access) || (writes(use.access) && !use.sources.empty());
+}
+
+// A transient has no content from before the frame: nobody can rely on what is read there.
+inline bool defined_before_frame(const ResourceDecl& resource) {
+    return resource.lifetime != ResourceLifetime::transient;
+}
+
+}  // namespace weft::null

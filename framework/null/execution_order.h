@@ -1,0 +1,14 @@
+// Purpose: one of the orders that a timeline allows.
+#pragma once
+
+#include <vector>
+
+#include "null/null_executor.h"
+#include "null/timeline.h"
+
+namespace weft::null {
+
+// Every node once, none before what it waits for.
+[[nodiscard]] std::vector<uint32_t> execution_order(const Timeline& timeline, NullOrder order, uint64_t seed);
+
+}  // namespace weft::null

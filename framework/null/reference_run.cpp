@@ -1,0 +1,164 @@
+// The graph's own meaning: passes one by one, each resource in memory of its own, each read seeing the
+// version that its declaration names.
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "null/cells.h"
+#include "null/null_executor.h"
+#include "null/observed_cells.h"
+#include "null/pass_values.h"
+
+namespace weft {
+namespace null {
+namespace {
+
+std::vector<PassId> program_order(const ResolvedGraph& graph, const LiveGraph& live) {
+    std::vector<uint32_t> waiting(graph.passes.size(), 0);
+    std::vector<std::vector<PassId>> next(graph.passes.size());
+    for (const EdgeDecl& edge : graph.edges) {
+        ++waiting[edge.to];
+        next[edge.from].push_back(edge.to);
+    }
+    std::set<std::pair<uint32_t, PassId>> ready;
+    for (PassId id = 0; id < waiting.size(); ++id)
+        if (waiting[id] == 0) ready.emplace(graph.passes[id].order_key, id);
+    std::vector<PassId> order;
+    while (!ready.empty()) {
+        const PassId pass = ready.begin()->second;
+        ready.erase(ready.begin());
+        if (live.live_passes[pass]) order.push_back(pass);
+        for (const PassId to : next[pass])
+            if (--waiting[to] == 0) ready.emplace(graph.passes[to].order_key, to);
+    }
+    return order;
+}
+
+// One cell in one frame: what was there before it, and every version since.
+struct Versions {
+    CellValue before = kUndefinedValue;
+    std::vector<std::pair<PassId, CellValue>> written;
+
+    [[nodiscard]] CellValue by(PassId pass) const {
+        for (const auto& [writer, value] : written)
+            if (writer == pass) return value;
+        return pass == kNoId ? before : kUndefinedValue;
+    }
+    [[nodiscard]] CellValue last() const { return written.empty() ? before : written.back().second; }
+};
+
+class Reference {
+ public:
+    Reference(const ResolvedGraph& graph, const LiveGraph& live)
+        : graph_(graph),
+          live_(live),
+          used_(used_resources(graph, live)),
+          written_(graph.resources.size(), 0) {
+        for (PassId id = 0; id < graph.passes.size(); ++id)
+            for (const UseDecl& use : graph.passes[id].uses)
+                if (live.live_passes[id] && writes(use.access)) written_[use.resource] = 1;
+        for (const ResourceDecl& decl : graph.resources) {
+            cells_.emplace_back(cell_count(decl));
+            for_each_cell(decl, [&](uint32_t cell, const SubresourceRange& range) {
+                Versions& v = cells_.back()[cell];
+                if (decl.import) v.before = import_value(decl, range);
+                if (decl.lifetime == ResourceLifetime::persistent) v.before = first_frame_value(decl);
+            });
+        }
+    }
+
+    NullRun run(uint32_t frames) {
+        const std::vector<PassId> order = program_order(graph_, live_);
+        for (frame_ = 0; frame_ < frames; ++frame_) {
+            begin_frame();
+            for (const PassId pass : order) execute(pass);
+            for (ResourceId id = 0; id < cells_.size(); ++id) {
+                const ResourceLifetime lifetime = graph_.resources[id].lifetime;
+                const bool last = frame_ + 1 == frames;
+                const bool seen = lifetime == ResourceLifetime::imported ||
+                                  (lifetime == ResourceLifetime::persistent && last);
+                if (seen && used_[id]) observe_after_frame(id);
+            }
+        }
+        settle(run_.observed);
+        return std::move(run_);
+    }
+
+ private:
+    // Role a of a ring finds what role a - 1 was left with; role 0 finds nothing that it may rely on.
+    void begin_frame() {
+        std::vector<std::vector<CellValue>> left(cells_.size());
+        for (ResourceId id = 0; id < cells_.size(); ++id)
+            for (const Versions& v : cells_[id]) left[id].push_back(v.last());
+        for (ResourceId id = 0; id < cells_.size(); ++id) {
+            const ResourceDecl& decl = graph_.resources[id];
+            const bool dropped = decl.import && decl.kind == ResourceKind::image &&
+                                 decl.import->entry.layout == Layout::undefined;
+            ResourceId from = id;
+            if (frame_ > 0 && decl.history > 0) from = role(decl.ring, decl.age - 1);
+            for (uint32_t c = 0; c < cells_[id].size(); ++c) {
+                Versions& v = cells_[id][c];
+                v.before = from == kNoId || dropped ? kUndefinedValue : left[from][c];
+                v.written.clear();
+                if (decl.lifetime == ResourceLifetime::transient) v.before = kUndefinedValue;
+            }
+        }
+    }
+
+    // The role of that age; none before age 0, unless nobody ever writes the ring and all copies are alike.
+    ResourceId role(ResourceId ring, uint32_t age) const {
+        if (age == UINT32_MAX) return written_[ring] ? kNoId : ring;
+        for (ResourceId id = 0; id < graph_.resources.size(); ++id)
+            if (graph_.resources[id].ring == ring && graph_.resources[id].age == age) return id;
+        return kNoId;
+    }
+
+    void execute(PassId id) {
+        const PassDecl& pass = graph_.passes[id];
+        ValueHash hash = pass_values(graph_, live_, id, frame_);
+        bool defined = true;
+        for (uint32_t u = 0; u < pass.uses.size(); ++u) {
+            const UseDecl& use = pass.uses[u];
+            if (!sees_content(use)) continue;
+            const ResourceDecl& decl = graph_.resources[use.resource];
+            for_each_cell(decl, use.range, [&](uint32_t cell, const SubresourceRange& range) {
+                const PassId source = source_of(use, range);
+                const CellValue value = cells_[use.resource][cell].by(source);
+                const bool nobody_wrote = source == kNoId && !defined_before_frame(decl);
+                defined = defined && (value != kUndefinedValue || nobody_wrote);
+                hash.add(value);
+                if (pass.side_effect) run_.observed.push_back({frame_, id, u, use.resource, range, value});
+            });
+        }
+        for (const UseDecl& use : pass.uses) {
+            if (!writes(use.access)) continue;
+            for_each_cell(
+                graph_.resources[use.resource], use.range, [&](uint32_t cell, const SubresourceRange& range) {
+                    const CellValue value = defined ? written_value(hash, use, range) : kUndefinedValue;
+                    cells_[use.resource][cell].written.emplace_back(id, value);
+                });
+        }
+    }
+
+    void observe_after_frame(ResourceId id) {
+        for_each_cell(graph_.resources[id], [&](uint32_t cell, const SubresourceRange& range) {
+            run_.observed.push_back({frame_, kNoId, 0, id, range, cells_[id][cell].last()});
+        });
+    }
+
+    const ResolvedGraph& graph_;
+    const LiveGraph& live_;
+    std::vector<uint8_t> used_, written_;       // by ResourceId, by live passes
+    std::vector<std::vector<Versions>> cells_;  // by resource, then cell
+    uint32_t frame_ = 0;
+    NullRun run_;
+};
+
+}  // namespace
+}  // namespace null
+
+NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames) {
+    return null::Reference(graph, live).run(frames);
+}
+
+}  // namespace weft

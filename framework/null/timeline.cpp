@@ -1,0 +1,276 @@
+#include "null/timeline.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "null/cells.h"
+#include "null/effective_use.h"
+
+namespace weft::null {
+namespace {
+
+// Stages of one pipeline, in the order in which a command goes through them. The others stand alone.
+constexpr std::array kDrawing{stage::kDrawIndirect,       stage::kVertexInput,    stage::kVertexShader,
+                              stage::kEarlyFragmentTests, stage::kFragmentShader, stage::kLateFragmentTests,
+                              stage::kColorOutput};
+constexpr std::array kDispatching{stage::kDrawIndirect, stage::kComputeShader};
+
+// A source names what is logically earlier too, a destination what is later.
+template <size_t N>
+StageMask along(const std::array<StageMask, N>& pipeline, StageMask stages, bool earlier) {
+    StageMask result = stages;
+    for (size_t i = 0; i < N; ++i)
+        for (size_t j = 0; j < N; ++j)
+            if ((stages & pipeline[i]) && (earlier ? j < i : j > i)) result |= pipeline[j];
+    return result;
+}
+StageMask source_scope(StageMask stages) {
+    return along(kDrawing, stages, true) | along(kDispatching, stages, true);
+}
+StageMask destination_scope(StageMask stages) {
+    return along(kDrawing, stages, false) | along(kDispatching, stages, false);
+}
+
+template <class F>
+void for_each_stage(StageMask stages, F visit) {
+    for (size_t s = 0; s < stage::kCount; ++s)
+        if (stages & (1u << s)) visit(s);
+}
+
+// Per stage of one queue.
+struct QueueProgress {
+    std::array<NodeSet, stage::kCount> required;  // what the next command's part in that stage waits for
+    std::array<NodeSet, stage::kCount> reached;   // what a barrier with that stage as source waits for
+    NodeSet everything;
+};
+
+class Unroller {
+ public:
+    Unroller(const FramePlan& plan, uint64_t choice)
+        : plan_(plan),
+          choice_(choice),
+          queues_(plan.schedule.queues.size()),
+          entered_(plan.graph.resources.size(), kNoNode),
+          uses_of_import_(plan.graph.resources.size()) {
+        for (const PassId pass : plan.schedule.order)
+            for (const UseDecl& use : plan.graph.passes[pass].uses)
+                if (plan.graph.resources[use.resource].import) imports_.push_back(use.resource);
+        std::sort(imports_.begin(), imports_.end());
+        imports_.erase(std::unique(imports_.begin(), imports_.end()), imports_.end());
+    }
+
+    Timeline run(uint32_t frames) {
+        prologue();
+        for (frame_ = 0; frame_ < frames; ++frame_) {
+            for (const ResourceId import : imports_) enter(import);
+            previous_signals_ = std::move(signals_);
+            signals_.assign(plan_.submissions.batches.size(), kNoNode);
+            for (uint32_t b = 0; b < plan_.submissions.batches.size(); ++b) batch(b);
+            for (const ResourceId import : imports_) leave(import);
+        }
+        return std::move(timeline_);
+    }
+
+ private:
+    uint32_t add(Node node, NodeSet before) {
+        node.frame = frame_;
+        const auto id = static_cast<uint32_t>(timeline_.nodes.size());
+        timeline_.nodes.push_back(node);
+        timeline_.before.push_back(std::move(before));
+        timeline_.outside_before.emplace_back();
+        return id;
+    }
+
+    // Whoever touches an import does so between its owner's turns.
+    void touch_import(uint32_t node, ResourceId id) {
+        if (entered_[id] == kNoNode) return;
+        timeline_.outside_before[node].push_back(entered_[id]);
+        uses_of_import_[id].push_back(node);
+    }
+
+    void include(NodeSet& set, uint32_t node) const {
+        set.merge(timeline_.before[node]);
+        set.insert(node);
+    }
+
+    // A command's part in one stage.
+    uint32_t add_work(Node node, NodeSet before) {
+        QueueProgress& queue = queues_[node.queue];
+        const uint32_t id = add(node, std::move(before));
+        for_each_stage(node.stage, [&](size_t s) { include(queue.reached[s], id); });
+        include(queue.everything, id);
+        return id;
+    }
+
+    NodeSet required(QueueIndex queue, StageMask stages) const {
+        NodeSet before;
+        for_each_stage(stages, [&](size_t s) { before.merge(queues_[queue].required[s]); });
+        return before;
+    }
+
+    // Barriers of one batch do not chain with each other.
+    void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& batch) {
+        QueueProgress& queue = queues_[queue_index];
+        std::vector<uint32_t> added;
+        for (const BarrierDecl& barrier : batch) {
+            NodeSet before;
+            for_each_stage(source_scope(barrier.src.stages),
+                           [&](size_t s) { before.merge(queue.reached[s]); });
+            Node node;
+            node.kind = NodeKind::barrier;
+            node.queue = queue_index;
+            node.barrier = &barrier;
+            added.push_back(add(node, std::move(before)));
+            touch_import(added.back(), barrier.resource);
+        }
+        for (size_t i = 0; i < batch.size(); ++i) {
+            for_each_stage(destination_scope(batch[i].dst.stages), [&](size_t s) {
+                include(queue.required[s], added[i]);
+                include(queue.reached[s], added[i]);
+            });
+            include(queue.everything, added[i]);
+        }
+    }
+
+    void prologue() {
+        const ProloguePlan& prologue = plan_.barriers.prologue;
+        barriers(0, prologue.before);
+        for (const ResourceId id : prologue.cleared) {
+            const ResourceDecl& decl = plan_.graph.resources[id];
+            const bool image = decl.kind == ResourceKind::image;
+            const AccessState state =
+                access_state(Access::clear_write, 0, image ? decl.aspects : aspect::kNone);
+            Node node;
+            node.kind = NodeKind::clear;
+            node.stage = drawn_stage(state.stages, choice_ + id);
+            node.resource = id;
+            add_work(node, required(0, node.stage));
+        }
+        barriers(0, prologue.after);
+    }
+
+    void batch(uint32_t index) {
+        const Batch& batch = plan_.submissions.batches[index];
+        for (const QueueWait& wait : batch.waits) {
+            const std::vector<uint32_t>& signals = wait.previous_frame ? previous_signals_ : signals_;
+            if (wait.batch < signals.size() && signals[wait.batch] != kNoNode)
+                add_wait(batch.queue, signals[wait.batch]);
+        }
+        for (const uint32_t position : batch.positions) {
+            const PassStep& step = plan_.barriers.steps[position];
+            barriers(batch.queue, step.barriers);
+            pass(batch.queue, position, step);
+            barriers(batch.queue, step.after);
+        }
+        if (batch.epilogue) barriers(batch.queue, plan_.barriers.epilogue);
+        Node node;
+        node.kind = NodeKind::signal;
+        node.queue = batch.queue;
+        signals_[index] = add(node, queues_[batch.queue].everything);
+    }
+
+    void add_wait(QueueIndex queue_index, uint32_t signal) {
+        QueueProgress& queue = queues_[queue_index];
+        Node node;
+        node.kind = NodeKind::wait;
+        node.queue = queue_index;
+        NodeSet before;
+        include(before, signal);
+        const uint32_t id = add(node, std::move(before));
+        for (NodeSet& set : queue.required) include(set, id);
+        for (NodeSet& set : queue.reached) include(set, id);
+        include(queue.everything, id);
+    }
+
+    void pass(QueueIndex queue, uint32_t position, const PassStep& step) {
+        const PassDecl& pass = plan_.graph.passes[step.pass];
+        Node node;
+        node.queue = queue;
+        node.instance = static_cast<uint32_t>(timeline_.instances.size());
+        timeline_.instances.push_back({frame_, position});
+        StageMask reading = 0, writing = 0;
+        for (uint32_t u = 0; u < pass.uses.size(); ++u) {
+            const EffectiveUse use = effective_use(pass, step, u);
+            if (use.reads) reading |= use.stages;
+            if (use.writes) writing |= write_stage(use, position, u, choice_);
+        }
+        // Nothing is written before everything that goes into it is read.
+        NodeSet all_read;
+        std::vector<uint32_t> added;
+        node.kind = NodeKind::pass_read;
+        for_each_stage(reading, [&](size_t s) {
+            node.stage = 1u << s;
+            added.push_back(add_work(node, required(queue, node.stage)));
+            include(all_read, added.back());
+        });
+        node.kind = NodeKind::pass_write;
+        for_each_stage(writing, [&](size_t s) {
+            node.stage = 1u << s;
+            NodeSet before = required(queue, node.stage);
+            before.merge(all_read);
+            added.push_back(add_work(node, std::move(before)));
+        });
+        for (const UseDecl& use : pass.uses)
+            for (const uint32_t id : added) touch_import(id, use.resource);
+    }
+
+    QueueIndex home_of(const ImportState& import) const {
+        for (QueueIndex q = 0; q < plan_.schedule.queues.size(); ++q)
+            if (plan_.schedule.queues[q].family == import.family) return q;
+        return 0;
+    }
+
+    // The owner of an import waits for everything that the frame before did with it.
+    void enter(ResourceId id) {
+        const ImportState& import = *plan_.graph.resources[id].import;
+        Node node;
+        node.kind = NodeKind::import_enter;
+        node.queue = home_of(import);
+        node.resource = id;
+        entered_[id] = add(node, {});
+        timeline_.outside_before[entered_[id]] = std::move(uses_of_import_[id]);
+        uses_of_import_[id] = {entered_[id]};
+        if (import.entry.stages == stage::kNone) return;
+        node.kind = NodeKind::import_access;
+        node.stage = drawn_stage(import.entry.stages, choice_ + id);
+        touch_import(add_work(node, {}), id);
+    }
+
+    void leave(ResourceId id) {
+        const ImportState& import = *plan_.graph.resources[id].import;
+        Node node;
+        node.kind = NodeKind::import_leave;
+        node.queue = home_of(import);
+        node.resource = id;
+        const std::vector<uint32_t> uses = uses_of_import_[id];
+        const auto look = [&](uint32_t look_node) {
+            timeline_.outside_before[look_node] = uses;
+            uses_of_import_[id].push_back(look_node);
+        };
+        // Without stages a semaphore carries the frame over, to a display for example.
+        if (import.exit.stages == stage::kNone) look(add(node, queues_[node.queue].everything));
+        for_each_stage(import.exit.stages, [&](size_t s) {
+            node.stage = 1u << s;
+            look(add_work(node, required(node.queue, node.stage)));
+        });
+    }
+
+    const FramePlan& plan_;
+    uint64_t choice_;
+    uint32_t frame_ = 0;
+    Timeline timeline_;
+    std::vector<QueueProgress> queues_;
+    std::vector<ResourceId> imports_;                    // used by some pass
+    std::vector<uint32_t> entered_;                      // by ResourceId: in this frame
+    std::vector<std::vector<uint32_t>> uses_of_import_;  // by ResourceId: since then
+    std::vector<uint32_t> signals_, previous_signals_;   // by batch
+};
+
+}  // namespace
+
+Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice) {
+    return Unroller(plan, choice).run(frames);
+}
+
+}  // namespace weft::null
