@@ -97,7 +97,10 @@ void Replay::prologue() {
     const ProloguePlan& prologue = plan_.barriers.prologue;
     barriers(prologue.before, kNoId);
     for (const ResourceId id : prologue.cleared) {
-        const AccessState cleared = access_state(Access::clear_write, 0, plan_.graph.resources[id].aspects);
+        const ResourceDecl& resource = plan_.graph.resources[id];
+        const bool image = resource.kind == ResourceKind::image;
+        const AccessState cleared =
+            access_state(Access::clear_write, 0, image ? resource.aspects : aspect::kNone);
         for (Cell& cell : cells_[id]) {
             cell.has_write = true;
             cell.write = AccessRecord({}, cleared.stages, cleared.access, true);

@@ -67,21 +67,22 @@ void add_to_prologue(const ResolvedGraph& graph, ResourceId id, const ResourceHi
                      ProloguePlan& prologue) {
     constexpr AccessMask kHostAccess = access::kHostRead | access::kHostWrite;
     const ResourceDecl& resource = graph.resources[id];
-    const AccessState cleared = access_state(Access::clear_write, 0, resource.aspects);
+    const bool image = resource.kind == ResourceKind::image;
+    const AccessState cleared =
+        access_state(Access::clear_write, 0, image ? resource.aspects : aspect::kNone);
     BarrierDecl barrier;
     barrier.resource = id;
     barrier.reason = BarrierReason::prologue;
     barrier.range = resource.whole();
     barrier.dst = cleared;
-    if (resource.kind == ResourceKind::image) prologue.before.push_back(barrier);
+    if (image) prologue.before.push_back(barrier);
     prologue.cleared.push_back(id);
     barrier.src = cleared;
     for (const BoundaryState& entry : history.entry) {
         barrier.range = entry.range;
         barrier.dst = {stage::kAll & ~stage::kHost, access::kAll & ~kHostAccess, entry.state.layout};
         // What nobody uses stays as the clear left it.
-        const bool used = resource.kind == ResourceKind::buffer || entry.state.layout != Layout::undefined;
-        if (used) prologue.after.push_back(barrier);
+        if (!image || entry.state.layout != Layout::undefined) prologue.after.push_back(barrier);
     }
 }
 
