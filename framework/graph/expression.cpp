@@ -232,8 +232,10 @@ Result<Expr> parse_from(const LocatedText& text, size_t& position, const SourceM
     position = parser.position();
     Expr expression;
     expression.postfix = parser.take_nodes();
-    expression.text = std::string(text.text.substr(begin, position - begin));
-    expression.loc = text.at(begin, position - begin);
+    size_t end = position;
+    while (end > begin && text.text[end - 1] == ' ') --end;
+    expression.text = std::string(text.text.substr(begin, end - begin));
+    expression.loc = text.at(begin, end - begin);
     return expression;
 }
 

@@ -127,6 +127,7 @@ Result<GraphDesc> parse(const JsonDoc& document) {
         if (root.find("passes") == nullptr)
             missing_key(context, root.loc, "a graph", "passes", "write \"passes\": { … }");
         check_shared_names(context, root, kExpressionNames, true);
+        check_indices(context, graph);
         check_shared_names(context, root, kReferenceNames, false);
     }
     if (context.has_errors()) return context.take_errors();

@@ -12,9 +12,8 @@ namespace {
 constexpr size_t kShortList = 16;
 
 // Keys of the format that this version does not have: more helpful than "unknown".
-constexpr std::array<std::string_view, 12> kLaterKeys{"tiers",  "include", "debug",   "tests",
-                                                      "repeat", "if",      "else",    "perFrame",
-                                                      "cube",   "samples", "resolve", "optional"};
+constexpr std::array<std::string_view, 8> kLaterKeys{"tiers",    "include", "debug",   "tests",
+                                                     "perFrame", "cube",    "samples", "resolve"};
 
 }  // namespace
 

@@ -86,6 +86,8 @@ bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double>
 void read_color(ParseContext& context, const JsonNode& node, std::optional<std::array<float, 4>>& out);
 // A number or an expression in a string.
 bool read_expression(ParseContext& context, const JsonNode& node, Expr& out);
+// The same, or true and false for 1 and 0.
+bool read_switch(ParseContext& context, const JsonNode& node, Expr& out);
 // A size or number: an expression, a number, or [width, height] of them.
 bool read_size(ParseContext& context, const JsonNode& node, Expr& out);
 // An array of names, and where each was written.
@@ -172,6 +174,10 @@ void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph)
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
+// The indices of repeats against each other and everything else that expressions may name.
+void check_indices(ParseContext& context, const GraphDesc& graph);
 void parse_pass_params(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass);
 // The colour attachments' blending and write masks, of which either may be absent. Reads pass.out.

@@ -93,7 +93,23 @@ void read_param_value(ParseContext& context, const JsonNode& node, ParamValueDes
     }
 }
 
+void read_values(ParseContext& context, const JsonNode& node, std::string_view what,
+                 std::vector<ParamValueDesc>& out) {
+    read_named(context, node, what, [&](const JsonMember& member) {
+        ParamValueDesc param{member.key, {}, member.key_loc};
+        read_param_value(context, member.value, param);
+        out.push_back(std::move(param));
+    });
+}
+
 }  // namespace
+
+bool read_switch(ParseContext& context, const JsonNode& node, Expr& out) {
+    ParamValueDesc value;
+    if (!read_component(context, node, value)) return false;
+    out = std::move(value.components.front());
+    return true;
+}
 
 void parse_params(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a parameter", [&](const JsonMember& member) {
@@ -112,11 +128,17 @@ void parse_params(ParseContext& context, const JsonNode& node, GraphDesc& graph)
 }
 
 void parse_pass_params(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_named(context, node, "a parameter", [&](const JsonMember& member) {
-        ParamValueDesc param{member.key, {}, member.key_loc};
-        read_param_value(context, member.value, param);
-        pass.params.push_back(std::move(param));
-    });
+    read_values(context, node, "a parameter", pass.params);
+}
+
+void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_values(context, node, "a specialisation constant", pass.constants);
+    for (const ParamValueDesc& constant : pass.constants) {
+        if (constant.components.size() == 1) continue;
+        const PointerScope scope(context, constant.name);
+        context.error(constant.loc, "W109", "a specialisation constant is one number",
+                      "write a number, an expression, true or false");
+    }
 }
 
 }  // namespace weft

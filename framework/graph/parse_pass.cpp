@@ -94,6 +94,10 @@ void read_cost(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_object(context, node, "a cost", kKeys, pass);
 }
 
+void read_if(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_switch(context, node, pass.condition);
+}
+
 struct PassKey {
     std::string_view key;
     TypeMask types;
@@ -110,6 +114,9 @@ constexpr std::array kPassKeys{
     PassKey{"draws", kRaster, read_draws},
     PassKey{"view", kShaded, read_view},
     PassKey{"params", kShaded | kCustom, parse_pass_params},
+    PassKey{"constants", kShaded, parse_constants},
+    PassKey{"if", kAll, read_if},
+    PassKey{"repeat", kAll, parse_repeat},
     PassKey{"groups", kCompute, read_groups},
     PassKey{"threads", kCompute, read_threads},
     PassKey{"state", kDrawing, parse_state},

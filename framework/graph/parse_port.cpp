@@ -40,6 +40,19 @@ void read_ref(ParseContext& context, const JsonNode& node, PortDraft& draft) {
         context.add(ref.take_errors());
 }
 
+void read_else(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    if (!expect(context, node, JsonKind::string)) return;
+    Result<RefDesc> ref = parse_reference({node.string, node.loc}, context.sources());
+    if (ref)
+        draft.port.otherwise = std::move(*ref);
+    else
+        context.add(ref.take_errors());
+}
+
+void read_optional(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    read_bool(context, node, draft.port.optional);
+}
+
 void read_sampler(ParseContext& context, const JsonNode& node, PortDraft& draft) {
     read_object(context, node, "a sampler", kSamplerKeys, draft.port.sampler.emplace());
 }
@@ -48,7 +61,8 @@ void read_clear(ParseContext& context, const JsonNode& node, PortDraft& draft) {
     read_color(context, node, draft.clear);
 }
 
-constexpr std::array kInputKeys{KeyRule<PortDraft>{"ref", read_ref},
+constexpr std::array kInputKeys{KeyRule<PortDraft>{"ref", read_ref}, KeyRule<PortDraft>{"else", read_else},
+                                KeyRule<PortDraft>{"optional", read_optional},
                                 KeyRule<PortDraft>{"sampler", read_sampler}};
 constexpr std::array kOutputKeys{KeyRule<PortDraft>{"ref", read_ref},
                                  KeyRule<PortDraft>{"clear", read_clear}};

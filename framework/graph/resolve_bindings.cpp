@@ -31,7 +31,6 @@ class ShaderBinder {
         merge_ports_named_twice();
         for (size_t i = 0; i < decl_.uses.size(); ++i) bind(decl_.uses[i], work_.ports[i]);
         report_bindings_without_port();
-        set_optional_switches();
     }
 
  private:
@@ -67,7 +66,7 @@ class ShaderBinder {
                     "different names");
             }
             PortWork& work = work_.ports[out_index];
-            if (work.pin == kNoId) work.pin = work_.ports[in].pin;
+            if (!work.pinned()) work.pins = work_.ports[in].pins;
             work.reads_own_port = true;
             decl_.uses.erase(decl_.uses.begin() + static_cast<std::ptrdiff_t>(in));
             work_.ports.erase(work_.ports.begin() + static_cast<std::ptrdiff_t>(in));
@@ -94,8 +93,7 @@ class ShaderBinder {
         port.color_output = &*found;
         const BlendState blend = blend_of(desc(), use.port);
         const bool cleared = clears(use.port);
-        const bool keeps_part =
-            blend.enabled || blend.write_mask != 0xF || desc().partial || port.pin != kNoId;
+        const bool keeps_part = blend.enabled || blend.write_mask != 0xF || desc().partial || port.pinned();
         // A fullscreen triangle writes every texel unless a fragment may be dropped.
         const bool covered = desc().covers || fullscreen_covers();
         use.access = Access::color_write;
@@ -138,7 +136,7 @@ class ShaderBinder {
         }
         use.access = Access::depth_write;
         port.rank = WriteRank::resumes;
-        if (desc().partial || port.pin != kNoId) port.rank = WriteRank::in_place;
+        if (desc().partial || port.pinned()) port.rank = WriteRank::in_place;
         if (desc().clear_ports.contains(use.port)) port.rank = WriteRank::fresh;
     }
 
@@ -180,7 +178,7 @@ class ShaderBinder {
         if (binding.kind == BindingKind::sampled_image) return Access::sampled_read;
         if (binding.kind == BindingKind::uniform_buffer) return Access::uniform_read;
         if (!use.is_output) return Access::storage_read;
-        const bool in_place = port.reads_own_port || desc().partial || port.pin != kNoId;
+        const bool in_place = port.reads_own_port || desc().partial || port.pinned();
         port.rank = in_place ? WriteRank::in_place : binding.reads ? WriteRank::resumes : WriteRank::fresh;
         return Access::storage_write;
     }
@@ -247,14 +245,6 @@ class ShaderBinder {
         }
         add_help(d, did_you_mean_text(name, unmatched));
         add_help(d, "add it to " + quoted(direction) + ": { " + quoted(name) + ": \"resource\" }");
-    }
-
-    void set_optional_switches() {
-        for (const SpecConstant& constant : work_.shader->spec_constants) {
-            if (constant.type != ScalarType::boolean || !constant.name.starts_with("HAS_")) continue;
-            const bool bound = names_port(constant.name.substr(4));
-            decl_.spec_values.push_back({constant.id, ScalarType::boolean, bound ? 1u : 0u});
-        }
     }
 
     ResolveState& state_;

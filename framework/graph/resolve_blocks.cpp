@@ -101,7 +101,8 @@ class BlockStep {
     }
 
     bool from_graph(const BlockMember& member, ParamWrite& write) {
-        const bool named = state_.input.graph.params.contains(member.name) ||
+        const bool named = work_.indices.contains(member.name) ||
+                           state_.input.graph.params.contains(member.name) ||
                            state_.input.graph.consts.contains(member.name);
         const std::optional<ExprValue> value = state_.names.value(member.name);
         if (!named || !value) return false;
@@ -127,8 +128,19 @@ class BlockStep {
         return use == decl_.uses.end() ? nullptr : &*use;
     }
 
+    // An optional port that is bound to nothing: its shader doesn't look, but the block has room for it.
+    bool stands_for_absent(std::string_view name, std::string_view suffix) const {
+        if (!name.ends_with(suffix)) return false;
+        name.remove_suffix(suffix.size());
+        return std::ranges::find(work_.absent, name) != work_.absent.end();
+    }
+
     // Whether what a port shows was ever written: always, unless it is of an earlier frame.
     bool from_port_valid(const BlockMember& member, ParamWrite& write) {
+        if (stands_for_absent(member.name, kValidSuffix)) {
+            store(member, write, {0}, shader_loc());
+            return true;
+        }
         const UseDecl* use = port_before(member.name, kValidSuffix);
         if (!use) return work_.faulty && member.name.ends_with(kValidSuffix);
         if (use->history > 0) {
@@ -141,6 +153,10 @@ class BlockStep {
 
     bool from_port_size(const BlockMember& member, ParamWrite& write) {
         if (!member.name.ends_with(kSizeSuffix)) return false;
+        if (stands_for_absent(member.name, kSizeSuffix)) {
+            store(member, write, {0, 0}, shader_loc());
+            return true;
+        }
         const UseDecl* use = port_before(member.name, kSizeSuffix);
         if (!use || state_.graph.resources[use->resource].kind == ResourceKind::buffer) {
             // A port of a faulty pass may be missing for a reason that was reported.
@@ -169,6 +185,7 @@ class BlockStep {
         std::vector<std::string> known;
         for (const auto& [name, unused] : state_.input.graph.params) known.push_back(name);
         for (const auto& [name, unused] : state_.input.graph.consts) known.push_back(name);
+        for (const auto& [name, unused] : work_.indices) known.push_back(name);
         for (const BuiltinName& builtin : kBuiltins) known.emplace_back(builtin.name);
         for (const UseDecl& use : decl_.uses) {
             if (state_.graph.resources[use.resource].kind == ResourceKind::image)
@@ -192,6 +209,7 @@ class BlockStep {
 
 void resolve_blocks(ResolveState& state) {
     for (PassId pass = 0; pass < state.passes.size(); ++pass) {
+        const IndexScope scope(state, pass);
         if (state.passes[pass].shader) BlockStep(state, pass).run();
     }
 }

@@ -23,6 +23,10 @@ std::vector<std::string> keys_of(const std::map<std::string, T>& map) {
 }  // namespace
 
 std::optional<ExprValue> ResolveNames::value(const std::string& name) const {
+    if (indices) {
+        const auto index = indices->find(name);
+        if (index != indices->end()) return number_value(index->second);
+    }
     const auto it = values.find(name);
     if (it == values.end()) return std::nullopt;
     return it->second;
@@ -35,7 +39,11 @@ std::optional<uint32_t> ResolveNames::mips(const std::string& resource) const {
 }
 
 std::vector<std::string> ResolveNames::known_names() const {
-    return keys_of(values);
+    std::vector<std::string> known = keys_of(values);
+    if (indices) {
+        for (const auto& [name, unused] : *indices) known.push_back(name);
+    }
+    return known;
 }
 
 std::vector<std::string> ResolveNames::known_resources() const {
@@ -48,7 +56,9 @@ Diagnostic& ResolveState::error(SourceLoc loc, std::string code, std::string mes
 
 Diagnostic& ResolveState::pass_error(PassId pass, SourceLoc loc, std::string code, std::string message) {
     passes[pass].faulty = true;
-    return error(loc, std::move(code), std::move(message));
+    Diagnostic fault = input.graph.sources.error(loc, std::move(code), std::move(message));
+    if (passes[pass].instance > 0 && is_known(fault)) return muted = std::move(fault);
+    return errors.emplace_back(std::move(fault));
 }
 
 void ResolveState::warn(SourceLoc loc, std::string code, std::string message, std::string help) {
@@ -67,16 +77,21 @@ std::optional<ExprValue> ResolveState::evaluate_here(const Expr& expression) {
     }
     Result<ExprValue> value = evaluate(expression, names, input.graph.sources);
     if (value) return *value;
-    for (Diagnostic& d : value.take_errors()) errors.push_back(std::move(d));
+    for (Diagnostic& d : value.take_errors()) {
+        if (!repeats_itself || !is_known(d)) errors.push_back(std::move(d));
+    }
     return std::nullopt;
+}
+
+bool ResolveState::is_known(const Diagnostic& fault) const {
+    return std::ranges::any_of(errors, [&](const Diagnostic& d) {
+        return d.code == fault.code && d.file == fault.file && d.line == fault.line &&
+               d.column == fault.column;
+    });
 }
 
 ResourceId ResolveState::resource_id(std::string_view name) const {
     return index_by_name(graph.resources, name);
-}
-
-PassId ResolveState::pass_id(std::string_view name) const {
-    return index_by_name(graph.passes, name);
 }
 
 std::vector<std::string> ResolveState::resource_names() const {

@@ -5,6 +5,8 @@
 
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,18 +28,23 @@ struct PortWork {
     const PortDesc* desc = nullptr;
     const ShaderBinding* binding = nullptr;       // in set 1
     const StageVariable* color_output = nullptr;  // colour attachments
-    PassId pin = kNoId;
+    std::vector<PassId> pins;  // `@pass`: all passes of that name, in the order of their repeat
     WriteRank rank = WriteRank::fresh;
     bool is_depth_port = false;
     bool reads_own_port = false;  // "in" and "out" both name this port: one binding, in place
+
+    [[nodiscard]] bool pinned() const { return !pins.empty(); }
 };
 
 struct PassWork {
     const PassDesc* desc = nullptr;
+    std::map<std::string, double> indices = {};  // of its repeat
+    uint32_t instance = 0;                       // which one of its repeat, in order
     const ShaderInterface* shader = nullptr;
     const PassType* custom = nullptr;
-    std::vector<PortWork> ports;
-    bool faulty = false;  // reported already; some of its uses may be missing
+    std::vector<PortWork> ports = {};
+    std::vector<std::string> absent = {};  // optional ports that are bound to nothing
+    bool faulty = false;                   // reported already; some of its uses may be missing
 };
 
 struct ResourceWork {
@@ -52,6 +59,7 @@ class ResolveNames final : public ExprNames {
  public:
     std::map<std::string, ExprValue> values;
     std::map<std::string, uint32_t> mip_counts;
+    const std::map<std::string, double>* indices = nullptr;  // of the pass at hand; see IndexScope
 
     [[nodiscard]] std::optional<ExprValue> value(const std::string& name) const override;
     [[nodiscard]] std::optional<uint32_t> mips(const std::string& resource) const override;
@@ -69,21 +77,47 @@ struct ResolveState {
     std::vector<ResourceWork> resources = {};     // by ResourceId
     std::vector<PassWork> passes = {};            // by PassId
     std::map<std::string, PassDesc> observers = {};
+    // By the name that the author gave: a repeat makes several passes, or none.
+    std::map<std::string, std::vector<PassId>, std::less<>> instances = {};
+    std::map<std::string, const PassDesc*, std::less<>> dropped = {};  // left out by `if` or an empty repeat
+    std::set<std::string, std::less<>> faulty_passes = {};             // reported: nobody knows if they run
+    bool repeats_itself = false;  // a pass that is no repeat's first: its first one found the same faults
+    Diagnostic muted = {};
 
     Diagnostic& error(SourceLoc loc, std::string code, std::string message);
     // The same, and the pass is faulty from now on.
     Diagnostic& pass_error(PassId pass, SourceLoc loc, std::string code, std::string message);
+    // The same fault at the same place was reported.
+    [[nodiscard]] bool is_known(const Diagnostic& fault) const;
     void warn(SourceLoc loc, std::string code, std::string message, std::string help);
     // Reports and returns nullopt when the expression is wrong; quiet when it only names what was reported
     // already.
     std::optional<ExprValue> evaluate_here(const Expr& expression);
 
     [[nodiscard]] ResourceId resource_id(std::string_view name) const;  // kNoId: none
-    [[nodiscard]] PassId pass_id(std::string_view name) const;
     [[nodiscard]] std::vector<std::string> resource_names() const;
     [[nodiscard]] std::vector<std::string> pass_names() const;  // without observers
+    [[nodiscard]] const std::string& author_name(PassId pass) const { return passes[pass].desc->name; }
     [[nodiscard]] const std::string& pass_name(PassId pass) const { return graph.passes[pass].name; }
     [[nodiscard]] const std::string& resource_name(ResourceId r) const { return graph.resources[r].name; }
+};
+
+// While it lives, expressions know the indices of a pass's repeat.
+class IndexScope {
+ public:
+    IndexScope(ResolveState& state, PassId pass) : state_(state) {
+        state.names.indices = &state.passes[pass].indices;
+        state.repeats_itself = state.passes[pass].instance > 0;
+    }
+    ~IndexScope() {
+        state_.names.indices = nullptr;
+        state_.repeats_itself = false;
+    }
+    IndexScope(const IndexScope&) = delete;
+    IndexScope& operator=(const IndexScope&) = delete;
+
+ private:
+    ResolveState& state_;
 };
 
 // A range as its author would write it: only what is less than the whole resource.
@@ -111,11 +145,20 @@ void spread_over_rings(ResolveState& state);
 [[nodiscard]] ResourceId find_role(ResolveState& state, PassId pass, const RefDesc& ref, ResourceId resource,
                                    bool is_output);
 void declare_passes(ResolveState& state);
+// The passes that one description stands for: none when `if` is false.
+struct PassInstance {
+    std::string name;
+    std::map<std::string, double> indices;
+};
+[[nodiscard]] std::vector<PassInstance> pass_instances(ResolveState& state, const PassDesc& desc);
 void bind_ports(ResolveState& state);
+// Those of the pins whose versions a pass may see: of its own repeat only the earlier ones.
+[[nodiscard]] std::span<const PassId> visible_pins(const PortWork& port, PassId pass);
 // What a port means to the shader or pass type behind it; false: reported.
 void bind_shader_pass(ResolveState& state, PassId pass);
 void bind_fixed_pass(ResolveState& state, PassId pass);  // clear, copy, readback
 void bind_custom_pass(ResolveState& state, PassId pass);
+void set_constants(ResolveState& state, PassId pass);  // specialisation constants
 void check_draws(ResolveState& state, PassId pass);
 void choose_formats(ResolveState& state);
 void check_interfaces(ResolveState& state);

@@ -76,6 +76,7 @@ void run_type_check(ResolveState& state, PassId pass) {
 
 void check_custom_passes(ResolveState& state) {
     for (PassId pass = 0; pass < state.passes.size(); ++pass) {
+        const IndexScope scope(state, pass);
         if (!state.passes[pass].custom) continue;
         resolve_custom_params(state, pass);
         run_type_check(state, pass);

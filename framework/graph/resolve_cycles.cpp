@@ -133,7 +133,7 @@ class CycleReport {
                 for (size_t i = 0; i < uses.size(); ++i) {
                     if (uses[i].resource == resource && writes(uses[i].access) &&
                         state_.passes[pass].ports[i].rank == rank) {
-                        return state_.pass_name(pass);
+                        return state_.author_name(pass);
                     }
                 }
             }

@@ -162,6 +162,7 @@ void check_copy(ResolveState& state, PassId pass) {
 
 void resolve_dispatches(ResolveState& state) {
     for (PassId pass = 0; pass < state.passes.size(); ++pass) {
+        const IndexScope scope(state, pass);
         const bool compute = state.graph.passes[pass].kind == PassKind::compute;
         if (compute && state.passes[pass].shader) DispatchStep(state, pass).run();
         check_copy(state, pass);

@@ -39,7 +39,7 @@ void check_port_counts(ResolveState& state, PassId pass) {
 }
 
 WriteRank fixed_rank(const PassDesc& desc, const PortWork& port, Access access) {
-    if (desc.partial || port.pin != kNoId) return WriteRank::in_place;
+    if (desc.partial || port.pinned()) return WriteRank::in_place;
     return reads(access) ? WriteRank::resumes : WriteRank::fresh;
 }
 

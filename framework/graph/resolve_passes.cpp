@@ -89,6 +89,38 @@ void find_shader(ResolveState& state, PassId id) {
     add_help(d, decl.kind == PassKind::compute ? "it needs a .comp shader" : "it needs a fragment stage");
 }
 
+PassDecl declare(const PassDesc& desc, std::string name) {
+    PassDecl decl;
+    decl.name = std::move(name);
+    decl.type = desc.type;
+    decl.queue = desc.queue;
+    decl.shader = desc.shader;
+    decl.state = desc.state;
+    decl.order_key = desc.order_key;
+    decl.loc = desc.loc;
+    return decl;
+}
+
+// Ids follow the names.
+void name_passes(ResolveState& state) {
+    std::map<std::string, PassWork> by_name;
+    const auto add = [&](const PassDesc& desc) {
+        std::vector<PassInstance> instances = pass_instances(state, desc);
+        state.instances[desc.name].assign(instances.size(), kNoId);
+        for (uint32_t i = 0; i < instances.size(); ++i) {
+            by_name[instances[i].name] = {
+                .desc = &desc, .indices = std::move(instances[i].indices), .instance = i};
+        }
+    };
+    for (const auto& [name, desc] : state.input.graph.passes) add(desc);
+    for (const auto& [name, desc] : state.observers) add(desc);
+    for (auto& [name, work] : by_name) {
+        state.instances[work.desc->name][work.instance] = static_cast<PassId>(state.passes.size());
+        state.graph.passes.push_back(declare(*work.desc, name));
+        state.passes.push_back(std::move(work));
+    }
+}
+
 }  // namespace
 
 bool has_shader(PassKind kind) {
@@ -97,22 +129,9 @@ bool has_shader(PassKind kind) {
 
 void declare_passes(ResolveState& state) {
     declare_observers(state);
-    std::map<std::string_view, const PassDesc*> by_name;
-    for (const auto& [name, desc] : state.input.graph.passes) by_name[name] = &desc;
-    for (const auto& [name, desc] : state.observers) by_name[name] = &desc;
-    for (const auto& [name, desc] : by_name) {
-        PassDecl decl;
-        decl.name = name;
-        decl.type = desc->type;
-        decl.queue = desc->queue;
-        decl.shader = desc->shader;
-        decl.state = desc->state;
-        decl.order_key = desc->order_key;
-        decl.loc = desc->loc;
-        state.graph.passes.push_back(std::move(decl));
-        state.passes.push_back({.desc = desc});
-    }
+    name_passes(state);
     for (PassId id = 0; id < state.passes.size(); ++id) {
+        const IndexScope scope(state, id);
         find_kind(state, id);
         find_shader(state, id);
         PassDecl& decl = state.graph.passes[id];

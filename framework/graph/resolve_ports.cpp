@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graph/resolve_context.h"
+#include "graph/resolve_presence.h"
 
 namespace weft {
 namespace {
@@ -88,17 +88,20 @@ ResourceId find_port_resource(ResolveState& state, PassId pass, const RefDesc& r
     return kNoId;
 }
 
-bool find_pin(ResolveState& state, PassId pass, const RefDesc& ref, PortWork& port) {
-    if (ref.pass.empty()) return true;
-    port.pin = state.pass_id(ref.pass);
-    if (port.pin == pass) {
+// False: reported.
+bool check_pin(ResolveState& state, PassId pass, const RefDesc& ref) {
+    if (ref.pass == state.author_name(pass) && state.passes[pass].desc->repeat.empty()) {
         Diagnostic& d = state.pass_error(
             pass, ref.loc, "W104",
             "pass " + quoted(ref.pass) + " can't pin its own version of " + quoted(ref.name));
         add_help(d, "name the pass whose version it should see");
         return false;
     }
-    if (port.pin != kNoId) return true;
+    if (state.faulty_passes.contains(ref.pass)) {
+        state.passes[pass].faulty = true;
+        return false;
+    }
+    if (ref.pass.empty() || state.instances.contains(ref.pass)) return true;
     Diagnostic& d =
         state.pass_error(pass, ref.loc, "W104", quoted(ref.text) + " names unknown pass " + quoted(ref.pass));
     const std::string near = did_you_mean_text(ref.pass, state.pass_names());
@@ -124,31 +127,26 @@ std::optional<SubresourceRange> find_range(ResolveState& state, PassId pass, con
     return SubresourceRange{mips->first, mips->count, layers->first, layers->count, ref.aspects};
 }
 
-struct BoundPort {
-    UseDecl use;
-    PortWork work;
-};
-
-void add_port(ResolveState& state, PassId pass, const PortDesc& port, bool is_output,
-              std::vector<BoundPort>& ports) {
-    const RefDesc& ref = port.ref;
+// Nothing: reported. `ref` is the port's own or its "else".
+std::optional<BoundPort> bind_reference(ResolveState& state, PassId pass, const PortDesc& port,
+                                        const RefDesc& ref, bool is_output) {
     const ResourceId named = find_port_resource(state, pass, ref, is_output);
-    if (named == kNoId) return;
+    if (named == kNoId) return std::nullopt;
     const ResourceId resource = find_role(state, pass, ref, named, is_output);
-    if (resource == kNoId) return;
-    BoundPort bound;
-    bound.work.desc = &port;
-    if (!find_pin(state, pass, ref, bound.work) || state.resources[resource].suspect_shape) {
+    if (resource == kNoId) return std::nullopt;
+    if (!check_pin(state, pass, ref) || state.resources[resource].suspect_shape) {
         // An output is still known to write this resource, though not where.
         state.passes[pass].faulty = true;
         if (is_output) state.resources[resource].suspect_writers = true;
-        return;
+        return std::nullopt;
     }
     const std::optional<SubresourceRange> range = find_range(state, pass, ref, resource);
     if (!range) {
         if (is_output) state.resources[resource].suspect_writers = true;
-        return;
+        return std::nullopt;
     }
+    BoundPort bound;
+    bound.work.desc = &port;
     bound.use.port = port.port;
     bound.use.resource = resource;
     bound.use.range = *range;
@@ -156,25 +154,91 @@ void add_port(ResolveState& state, PassId pass, const PortDesc& port, bool is_ou
     bound.use.is_output = is_output;
     bound.use.loc = ref.loc;
     if (port.sampler) bound.use.sampler = *port.sampler;
-    ports.push_back(std::move(bound));
+    return bound;
+}
+
+std::vector<BoundPort> collect_outputs(ResolveState& state, PassId id) {
+    const IndexScope scope(state, id);
+    const PassDesc& desc = *state.passes[id].desc;
+    std::vector<BoundPort> ports;
+    for (const PortDesc& port : desc.out) {
+        if (std::optional<BoundPort> bound = bind_reference(state, id, port, port.ref, true))
+            ports.push_back(std::move(*bound));
+    }
+    if (!desc.depth) return ports;
+    if (std::optional<BoundPort> bound = bind_reference(state, id, *desc.depth, desc.depth->ref, true)) {
+        bound->work.is_depth_port = true;
+        ports.push_back(std::move(*bound));
+    }
+    return ports;
+}
+
+// What the port names, or what it takes instead, or nothing.
+void add_input(ResolveState& state, PassId pass, const PortDesc& port, const BoundPorts& outputs,
+               std::vector<BoundPort>& ports) {
+    for (const RefDesc* ref : {&port.ref, port.otherwise ? &*port.otherwise : nullptr}) {
+        if (!ref) break;
+        std::optional<BoundPort> bound = bind_reference(state, pass, port, *ref, false);
+        if (!bound) return;
+        if (!ref->pass.empty()) resolve_pins(state, pass, *ref, outputs, *bound);
+        if (!is_present(state, pass, *bound, outputs)) continue;
+        ports.push_back(std::move(*bound));
+        return;
+    }
+    if (port.optional) {
+        state.passes[pass].absent.push_back(port.port);
+    } else {
+        report_absent(state, pass, port);
+    }
 }
 
 // Inputs first, then outputs, each in the order of their names.
-void collect_ports(ResolveState& state, PassId id) {
-    PassWork& work = state.passes[id];
-    std::vector<BoundPort> ports;
-    for (const PortDesc& port : work.desc->in) add_port(state, id, port, false, ports);
-    for (const PortDesc& port : work.desc->out) add_port(state, id, port, true, ports);
-    if (work.desc->depth) {
-        const size_t before = ports.size();
-        add_port(state, id, *work.desc->depth, true, ports);
-        if (ports.size() > before) ports.back().work.is_depth_port = true;
-    }
+void store_ports(ResolveState& state, PassId id, std::vector<BoundPort> ports) {
     std::ranges::stable_sort(ports, {},
                              [](const BoundPort& p) { return std::pair(p.use.is_output, p.use.port); });
     for (BoundPort& port : ports) {
         state.graph.passes[id].uses.push_back(std::move(port.use));
-        work.ports.push_back(port.work);
+        state.passes[id].ports.push_back(std::move(port.work));
+    }
+}
+
+void collect_ports(ResolveState& state) {
+    BoundPorts outputs;
+    for (PassId id = 0; id < state.passes.size(); ++id) outputs.push_back(collect_outputs(state, id));
+    for (PassId id = 0; id < state.passes.size(); ++id) {
+        for (BoundPort& output : outputs[id]) {
+            const RefDesc& ref = output.work.desc->ref;
+            if (!ref.pass.empty()) resolve_pins(state, id, ref, outputs, output);
+        }
+    }
+    for (PassId id = 0; id < state.passes.size(); ++id) {
+        const IndexScope scope(state, id);
+        std::vector<BoundPort> ports;
+        for (const PortDesc& port : state.passes[id].desc->in) add_input(state, id, port, outputs, ports);
+        ports.insert(ports.end(), outputs[id].begin(), outputs[id].end());
+        store_ports(state, id, std::move(ports));
+    }
+}
+
+// Leaving a binding empty takes a shader that knows what to do without it.
+void check_optional_ports(ResolveState& state, PassId pass) {
+    const PassWork& work = state.passes[pass];
+    for (const PortDesc& port : work.desc->in) {
+        if (!port.optional) continue;
+        const std::string constant = "HAS_" + port.port;
+        const bool known =
+            work.shader && std::ranges::any_of(work.shader->spec_constants, [&](const auto& c) {
+                return c.type == ScalarType::boolean && c.name == constant;
+            });
+        if (known || (has_shader(state.graph.passes[pass].kind) && !work.shader)) continue;
+        const std::string who = work.shader
+                                    ? "shader " + quoted(work.desc->shader) + " does not know " + constant
+                                    : state.graph.passes[pass].type + " passes have no shader to ask";
+        Diagnostic& d = state.pass_error(pass, port.loc, "W112",
+                                         "port " + quoted(port.port) + " of pass " +
+                                             quoted(state.pass_name(pass)) + " can't be optional: " + who);
+        add_help(d, work.shader ? "declare it: layout(constant_id = 0) const bool " + constant + " = false;"
+                                : "give it an \"else\"");
     }
 }
 
@@ -188,19 +252,23 @@ void suspect_outputs(ResolveState& state, PassId id) {
 }  // namespace
 
 void bind_ports(ResolveState& state) {
+    collect_ports(state);
     for (PassId id = 0; id < state.passes.size(); ++id) {
-        collect_ports(state, id);
+        const IndexScope scope(state, id);
         const PassKind kind = state.graph.passes[id].kind;
         if (kind == PassKind::raster) check_draws(state, id);
+        check_optional_ports(state, id);
         if (has_shader(kind)) {
-            if (state.passes[id].shader) bind_shader_pass(state, id);
+            if (!state.passes[id].shader) continue;
+            bind_shader_pass(state, id);
+            set_constants(state, id);
         } else if (kind == PassKind::custom) {
             if (state.passes[id].custom) bind_custom_pass(state, id);
         } else {
             bind_fixed_pass(state, id);
         }
-        suspect_outputs(state, id);
     }
+    for (PassId id = 0; id < state.passes.size(); ++id) suspect_outputs(state, id);
 }
 
 }  // namespace weft

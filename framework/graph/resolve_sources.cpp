@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "graph/resolve_presence.h"
+
 namespace weft {
 namespace {
 
@@ -144,7 +146,9 @@ class VersionConnector {
             add_help(d, "every frame begins with an empty copy; what the last one left is " + quoted(last) +
                             ": read that, and write " + quoted(resource.name));
         }
-        if (written_at_all(use(u).resource, u.pass)) {
+        if (const PassDesc* dropped = dropped_writer(state_, resource.name)) {
+            add_help(d, "pass " + quoted(dropped->name) + ", which would write it, is left out");
+        } else if (written_at_all(use(u).resource, u.pass)) {
             add_help(
                 d, "other parts or later versions of it are written: check the mips and layers, and the pin");
         } else if (resource.lifetime == ResourceLifetime::imported) {
@@ -185,13 +189,18 @@ class VersionConnector {
 
 }  // namespace
 
+std::span<const PassId> visible_pins(const PortWork& port, PassId pass) {
+    const auto own = std::ranges::find(port.pins, pass);
+    return {port.pins.begin(), own};
+}
+
 int version_seen(const ResolveState& state, const Cell& cell, const CellUse& reader) {
-    const PassId pin = state.passes[reader.pass].ports[reader.use].pin;
+    const PortWork& port = state.passes[reader.pass].ports[reader.use];
     const int own = cell.writer_index(reader.pass);
-    if (pin == kNoId) return own >= 0 ? own - 1 : static_cast<int>(cell.writers.size()) - 1;
-    const int pinned = cell.writer_index(pin);
-    if (pinned >= 0) return pinned;
+    if (!port.pinned()) return own >= 0 ? own - 1 : static_cast<int>(cell.writers.size()) - 1;
     int last = -1;
+    for (const PassId pin : visible_pins(port, reader.pass)) last = std::max(last, cell.writer_index(pin));
+    if (last >= 0) return last;
     const auto before = cell.foreign_pins.find(reader);
     if (before == cell.foreign_pins.end()) return last;
     for (const PassId writer : before->second) last = std::max(last, cell.writer_index(writer));

@@ -27,7 +27,7 @@ class VersionOrder {
     }
 
     void report_unordered() {
-        std::set<std::pair<PassId, PassId>> reported;
+        std::set<std::pair<const PassDesc*, const PassDesc*>> reported;
         for (Cell& cell : cells_) {
             if (cell.ordered || state_.resources[cell.resource].suspect_writers) continue;
             sort_by_position(cell);
@@ -35,7 +35,7 @@ class VersionOrder {
                 const PassId a = cell.writers[i - 1].pass;
                 const PassId b = cell.writers[i].pass;
                 if (order_.reaches(a, b)) continue;
-                if (reported.insert(std::minmax(a, b)).second)
+                if (reported.insert(std::minmax(state_.passes[a].desc, state_.passes[b].desc)).second)
                     report_pair(cell, cell.writers[i - 1], cell.writers[i]);
             }
         }
@@ -62,18 +62,21 @@ class VersionOrder {
     }
 
     void add_after(PassId pass, const std::string& name, SourceLoc loc) {
-        const PassId from = state_.pass_id(name);
-        if (from != kNoId && from != pass) {
-            order_.add({from, pass, EdgeKind::after, kNoId, loc});
-            state_.graph.edges.push_back({from, pass, EdgeKind::after, kNoId, loc});
+        const auto found = state_.instances.find(name);
+        const bool itself = name == state_.author_name(pass);
+        if (found != state_.instances.end() && !itself) {
+            for (const PassId from : found->second) {
+                order_.add({from, pass, EdgeKind::after, kNoId, loc});
+                state_.graph.edges.push_back({from, pass, EdgeKind::after, kNoId, loc});
+            }
             return;
         }
         const std::string who = "pass " + quoted(state_.pass_name(pass));
-        Diagnostic& d = state_.pass_error(pass, loc, "W104",
-                                          from == pass ? who + " can't run after itself"
-                                                       : who + " runs after unknown pass " + quoted(name));
-        add_help(d, from == pass ? "leave it out" : did_you_mean_text(name, state_.pass_names()));
-        add_help(d, from == pass ? "" : "passes are " + joined(state_.pass_names()));
+        Diagnostic& d = state_.pass_error(
+            pass, loc, "W104",
+            itself ? who + " can't run after itself" : who + " runs after unknown pass " + quoted(name));
+        add_help(d, itself ? "leave it out" : did_you_mean_text(name, state_.pass_names()));
+        add_help(d, itself ? "" : "passes are " + joined(state_.pass_names()));
     }
 
     void add_read(const Cell& cell, PassId writer, const CellUse& reader, bool pinnable) {
@@ -82,7 +85,7 @@ class VersionOrder {
 
     void add_known(Cell& cell) {
         for (const CellUse& reader : cell.readers) {
-            if (port(reader).pin != kNoId) {
+            if (port(reader).pinned()) {
                 add_pin(cell, reader);
             } else if (cell.writer_index(reader.pass) < 0) {
                 const bool several = cell.writers.size() > 1;
@@ -90,18 +93,37 @@ class VersionOrder {
             }
         }
         for (const CellUse& writer : cell.writers) {
-            if (port(writer).pin != kNoId) add_pin(cell, writer);
+            if (port(writer).pinned()) add_pin(cell, writer);
         }
+        add_repeats(cell);
         add_base(cell);
         cell.ordered = cell.writers.size() <= 1;
     }
 
     void add_pin(Cell& cell, const CellUse& reader) {
-        const PassId pin = port(reader).pin;
-        if (cell.writer_index(pin) >= 0) {
+        bool writes_cell = false;
+        for (const PassId pin : visible_pins(port(reader), reader.pass)) {
+            if (cell.writer_index(pin) < 0) continue;
             add_read(cell, pin, reader, false);
-        } else {
-            cell.foreign_pins[reader];
+            writes_cell = true;
+        }
+        if (!writes_cell) cell.foreign_pins[reader];
+    }
+
+    // The passes of one repeat write one after the other.
+    void add_repeats(const Cell& cell) {
+        std::map<const PassDesc*, std::map<uint32_t, CellUse>> repeats;
+        for (const CellUse& writer : cell.writers) {
+            const PassWork& work = state_.passes[writer.pass];
+            if (!work.indices.empty()) repeats[work.desc][work.instance] = writer;
+        }
+        for (const auto& [desc, writers] : repeats) {
+            const CellUse* before = nullptr;
+            for (const auto& [instance, writer] : writers) {
+                if (before)
+                    order_.add({before->pass, writer.pass, EdgeKind::waw, cell.resource, use(writer).loc});
+                before = &writer;
+            }
         }
     }
 
@@ -124,12 +146,15 @@ class VersionOrder {
         bool any = false;
         for (Cell& cell : cells_) {
             for (auto& [reader, before] : cell.foreign_pins) {
-                const PassId pin = port(reader).pin;
-                auto found = reached.find(pin);
-                if (found == reached.end()) found = reached.emplace(pin, order_.reached_from(pin)).first;
+                const std::vector<PassId>& pins = port(reader).pins;
+                for (const PassId pin : pins) {
+                    if (!reached.contains(pin)) reached.emplace(pin, order_.reached_from(pin));
+                }
                 for (const CellUse& writer : cell.writers) {
-                    if (writer.pass != reader.pass && !found->second[writer.pass])
-                        before.push_back(writer.pass);
+                    const bool later = std::ranges::any_of(pins, [&](const PassId pin) {
+                        return pin == writer.pass || reached.at(pin)[writer.pass];
+                    });
+                    if (writer.pass != reader.pass && !later) before.push_back(writer.pass);
                 }
                 any = true;
             }
@@ -184,15 +209,15 @@ class VersionOrder {
         };
         for (const CellUse& reader : cell.readers) add(reader);
         for (const CellUse& writer : cell.writers) {
-            if (port(writer).pin != kNoId) add(writer);
+            if (port(writer).pinned()) add(writer);
         }
         return added;
     }
 
     void report_pair(const Cell& cell, const CellUse& a, const CellUse& b) {
         const std::string range = quoted(range_of(state_.graph.resources[cell.resource], cell.range));
-        const std::string& name_a = state_.pass_name(std::min(a.pass, b.pass));
-        const std::string& name_b = state_.pass_name(std::max(a.pass, b.pass));
+        const std::string& name_a = state_.author_name(std::min(a.pass, b.pass));
+        const std::string& name_b = state_.author_name(std::max(a.pass, b.pass));
         const CellUse& later = a.pass > b.pass ? a : b;
         const CellUse& earlier = a.pass > b.pass ? b : a;
         Diagnostic& d = state_.error(use(later).loc, "W111",

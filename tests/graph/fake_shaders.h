@@ -84,6 +84,15 @@ inline ShaderProgram with_params(ShaderProgram p, std::initializer_list<BlockMem
     return p;
 }
 
+inline ShaderProgram with_constants(ShaderProgram p,
+                                    std::initializer_list<std::pair<const char*, ScalarType>> constants) {
+    for (const auto& [name, type] : constants) {
+        const auto id = static_cast<uint32_t>(p.interface.spec_constants.size());
+        p.interface.spec_constants.push_back({name, id, type, 0});
+    }
+    return p;
+}
+
 // A fragment program whose outputs get locations in the order given.
 inline ShaderProgram fragment(std::initializer_list<const char*> outputs,
                               std::initializer_list<ShaderBinding> bindings = {}) {

@@ -73,6 +73,16 @@ TEST(Parse, ComputeAndCustomPasses) {
     EXPECT_EQ(light.params.at(2).components.at(0).postfix.at(0).number, 1);
     EXPECT_EQ(light.after, (std::vector<std::string>{"gbuffer"}));
     EXPECT_FALSE(light.flops.empty());
+    EXPECT_EQ(light.condition.text, "on");
+    ASSERT_EQ(light.repeat.size(), 2u);
+    EXPECT_EQ(light.repeat[0].index, "i");
+    EXPECT_TRUE(light.repeat[0].step.empty());
+    EXPECT_EQ(light.repeat[1].first.text, "tile-1");
+    EXPECT_EQ(light.repeat[1].last.text, "0");
+    EXPECT_EQ(light.repeat[1].step.text, "-1");
+    EXPECT_EQ(light.constants.at(1).components.at(0).postfix.at(0).number, 1);
+    EXPECT_TRUE(light.in.at(0).optional);
+    EXPECT_EQ(light.in.at(0).otherwise->name, "hdr");
     EXPECT_EQ(graph.passes.at("upload").type, "light_upload");
     EXPECT_EQ(graph.passes.at("wipe").clear->at(2), 1.0f);
 }

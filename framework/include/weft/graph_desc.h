@@ -67,6 +67,8 @@ struct RefDesc {
 struct PortDesc {
     std::string port;
     RefDesc ref;
+    std::optional<RefDesc> otherwise;  // "else": read where `if` leaves nobody who writes `ref`
+    bool optional = false;             // may be left out: the shader has HAS_<port>
     std::optional<SamplerDecl> sampler;
     SourceLoc loc;  // of the port's name
 };
@@ -122,6 +124,15 @@ struct ParamValueDesc {
     SourceLoc loc;
 };
 
+// "i": "a..b by s": one pass for each value of the index.
+struct RepeatDesc {
+    std::string index;
+    Expr first, last;
+    Expr step;            // absent: 1
+    SourceLoc loc;        // of the index's name
+    SourceLoc range_loc;  // of the range
+};
+
 struct PassDesc {
     std::string name;
     std::string type;
@@ -135,8 +146,11 @@ struct PassDesc {
     std::vector<SourceLoc> draw_locs;
     std::string view;
     std::vector<ParamValueDesc> params;
-    std::vector<Expr> groups;   // workgroups, one or three (or one of two components)
-    std::vector<Expr> threads;  // invocations
+    std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name
+    Expr condition;                         // "if"; absent: always
+    std::vector<RepeatDesc> repeat;         // outermost first
+    std::vector<Expr> groups;               // workgroups, one or three (or one of two components)
+    std::vector<Expr> threads;              // invocations
     RasterState state;
     std::map<std::string, BlendState> blend;                  // by output port; "" = all
     std::map<std::string, std::array<float, 4>> clear_ports;  // by output port
