@@ -145,14 +145,25 @@ Walked walk(State state, const std::vector<CellTouches>& roles, uint32_t cell, c
     return walked;
 }
 
+// Whether a frame does more to an import than to read it as it is.
+bool changes(const ImportState& import, const std::vector<Touch>& touches) {
+    const bool pending = ((import.entry.access | import.exit.access) & access::kAllWrites) != 0;
+    return pending || import.entry.layout != import.exit.layout ||
+           std::any_of(touches.begin(), touches.end(), [&](const Touch& touch) {
+               return touch.writes || touch.state.layout != import.entry.layout;
+           });
+}
+
 Walked walk_cell(const HistoryInput& input, const QueueUsage& usage, const QueueRules& rules,
                  const std::vector<CellTouches>& roles, uint32_t cell) {
     const ResourceDecl& decl = *input.roles.front().decl;
     const auto start = decl.lifetime == ResourceLifetime::persistent ? SubresourceState::Start::known
                                                                      : SubresourceState::Start::taken_over;
     if (usage.several_queues)
-        return walk(decl.import ? QueueWalk(rules, decl.import->entry) : QueueWalk(rules, start), roles, cell,
-                    decl);
+        return walk(decl.import
+                        ? QueueWalk(rules, decl.import->entry, changes(*decl.import, roles.front()[cell]))
+                        : QueueWalk(rules, start),
+                    roles, cell, decl);
     return walk(decl.import ? SubresourceState(decl.import->entry) : SubresourceState(start), roles, cell,
                 decl);
 }

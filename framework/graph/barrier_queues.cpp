@@ -33,9 +33,9 @@ AccessState state_on(std::span<const Touch> group, QueueIndex queue) {
 
 }  // namespace
 
-QueueWalk::QueueWalk(const QueueRules& rules, const AccessState& entry)
+QueueWalk::QueueWalk(const QueueRules& rules, const AccessState& entry, bool changes)
     : rules_(&rules), entered_(true), layout_(entry.layout) {
-    source_ = Past{rules.epilogue, 0, entry.stages, kNoId, true};
+    if (changes) source_ = Past{rules.epilogue, 0, entry.stages, kNoId, true};
     unflushed_ = entry.access & access::kAllWrites;
     if (unflushed_ == 0) visible_.fill(~access::kNone);
 }

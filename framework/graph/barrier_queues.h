@@ -22,8 +22,9 @@ class QueueWalk {
  public:
     QueueWalk(const QueueRules& rules, SubresourceState::Start start)
         : rules_(&rules), taken_over_(start == SubresourceState::Start::taken_over) {}
-    // An import, as queue 0 left it at the end of the frame before.
-    QueueWalk(const QueueRules& rules, const AccessState& entry);
+    // An import, as queue 0 left it at the end of the frame before; or as it always is, where the frame changes
+    // neither its content nor its layout.
+    QueueWalk(const QueueRules& rules, const AccessState& entry, bool changes);
 
     // As SubresourceState's.
     void advance(std::span<const Touch> touches, CellEvents& events);
