@@ -48,7 +48,7 @@ VkMemoryBarrier2 memory_barrier(const BarrierDecl& barrier, bool is_image) {
 }  // namespace
 
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
-                     const FramePlan& plan, const ResourceTable& resources) {
+                     const FramePlan& plan, const FrameResources& resources) {
     if (barriers.empty()) return;
     std::vector<VkMemoryBarrier2> memory;
     std::vector<VkImageMemoryBarrier2> images;
@@ -58,9 +58,9 @@ void record_barriers(const Device& device, VkCommandBuffer commands, std::span<c
         const bool is_image = decl.kind == ResourceKind::image;
         if (!barrier.hand_over_from.empty()) memory.push_back(memory_barrier(barrier, is_image));
         if (is_image)
-            images.push_back(image_barrier(barrier, resources.images[barrier.resource]));
+            images.push_back(image_barrier(barrier, resources.image(barrier.resource)));
         else if (barrier.hand_over_from.empty())
-            buffers.push_back(buffer_barrier(barrier, resources.buffers[barrier.resource]));
+            buffers.push_back(buffer_barrier(barrier, resources.buffer(barrier.resource)));
     }
     VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     info.memoryBarrierCount = static_cast<uint32_t>(memory.size());

@@ -9,6 +9,6 @@ namespace weft::vk {
 
 // Records nothing for an empty list.
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
-                     const FramePlan& plan, const ResourceTable& resources);
+                     const FramePlan& plan, const FrameResources& resources);
 
 }  // namespace weft::vk

@@ -31,7 +31,7 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
                                          const ShaderBinding& binding) {
     VkDescriptorImageInfo info{};
     if (use != nullptr) {
-        Result<VkImageView> view = sources.views.shader_view(*use, binding);
+        Result<VkImageView> view = sources.views.shader_view(*use, binding, sources.resources.frame());
         if (!view) return view.take_errors();
         info = {VK_NULL_HANDLE, *view, to_vk(use->state.layout)};
     } else {
@@ -55,7 +55,7 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
 Result<VkDescriptorBufferInfo> buffer_info(DescriptorSources& sources, const UseDecl* use,
                                            const ShaderBinding& binding) {
     if (use != nullptr)
-        return VkDescriptorBufferInfo{sources.resources.buffers[use->resource], 0,
+        return VkDescriptorBufferInfo{sources.resources.buffer(use->resource), 0,
                                       sources.plan.graph.resources[use->resource].size_bytes};
     Result<VkBuffer> stand_in = sources.stand_ins.buffer(binding.block_bytes);
     if (!stand_in) return stand_in.take_errors();
@@ -116,16 +116,15 @@ Result<SlotSets> allocate_sets(Device& device, VkDescriptorPool pool, const Fram
 
 }  // namespace
 
-Result<DescriptorPoolHandle> make_descriptor_pool(Device& device,
-                                                  const std::vector<const ShaderInterface*>& interfaces) {
+Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const std::vector<SetDemand>& demands) {
     std::map<VkDescriptorType, uint32_t> counts;
     uint32_t sets = 0;
-    for (const ShaderInterface* interface : interfaces) {
-        if (interface == nullptr) continue;
-        sets += kFramesInFlight;
-        for (const ShaderBinding& binding : interface->bindings)
-            if (binding.set == kPortSet) counts[to_vk(binding.kind)] += binding.count * kFramesInFlight;
-        if (params_in_buffer(*interface)) counts[VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER] += kFramesInFlight;
+    for (const SetDemand& demand : demands) {
+        const uint32_t pass_sets = demand.turns * kFramesInFlight;
+        sets += pass_sets;
+        for (const ShaderBinding& binding : demand.interface->bindings)
+            if (binding.set == kPortSet) counts[to_vk(binding.kind)] += binding.count * pass_sets;
+        if (params_in_buffer(*demand.interface)) counts[VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER] += pass_sets;
     }
     if (counts.empty()) return DescriptorPoolHandle{};
     std::vector<VkDescriptorPoolSize> sizes;

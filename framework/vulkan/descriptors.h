@@ -1,6 +1,7 @@
 // Purpose: the descriptor sets of the passes' ports (set 1). What a pass binds never changes while a plan
-// lives, so every set is written once: one for each frame slot, which differ only in the memory of their
-// Params. Errors: V411, V413.
+// lives, but for the copies of resources with history, which take turns. So every set is written once: one
+// for each turn and frame slot; those of the slots differ only in the memory of their Params.
+// Errors: V411, V413.
 #pragma once
 
 #include <array>
@@ -18,18 +19,22 @@ using SlotSets = std::array<VkDescriptorSet, kFramesInFlight>;
 // What descriptors are made of; all of it lives as long as the sets.
 struct DescriptorSources {
     const FramePlan& plan;
-    const ResourceTable& resources;
+    FrameResources resources;
     const ParamsMemory& params;
     ViewCache& views;
     SamplerCache& samplers;
     StandIns& stand_ins;
 };
 
-// Room for the set 1 of every pass that has one, in every frame slot. `interfaces` are by position; null
-// entries have no shader.
-[[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(
-    Device& device, const std::vector<const ShaderInterface*>& interfaces);
+// How many sets of one pass the pool must hold.
+struct SetDemand {
+    const ShaderInterface* interface = nullptr;
+    uint32_t turns = 1;  // the sets of all slots count as one turn
+};
+[[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device,
+                                                                const std::vector<SetDemand>& demands);
 
+// The sets of one turn: those of the frame that `sources` is about.
 [[nodiscard]] Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool,
                                               DescriptorSources sources, uint32_t position,
                                               const ShaderInterface& interface, const PassLayout& layout);

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "vulkan/barriers_vk.h"
+#include "vulkan/clears.h"
 #include "vulkan/executor_errors.h"
 #include "vulkan/frame_slots.h"
 #include "vulkan/record.h"
@@ -76,8 +77,8 @@ class ReplayExecutor final : public Executor {
     ExecutorHooks hooks_;
     std::array<InFlight, kFramesInFlight> in_flight_;
     uint64_t frames_begun_ = 0;
-    uint32_t slot_ = kNoId;  // of the frame begun and not yet run
-    bool prologue_done_ = false;
+    uint32_t slot_ = kNoId;    // of the frame begun and not yet run
+    uint64_t frames_run_ = 0;  // without those that could not be submitted
     std::vector<FrameTiming> timings_;
     std::vector<ReadbackData> readbacks_;
     Diagnostics lost_;  // after a time-out or a lost device nothing runs any more
@@ -144,7 +145,7 @@ Status ReplayExecutor::finish() {
 void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     const HostInputs none;
-    objects_->params.write(plan, frame, slot);
+    objects_->params.write(plan, frame, {objects_->resources, frames_run_}, slot);
     for (uint32_t position = 0; position < objects_->passes.size(); ++position) {
         const PreparedPass& prepared = objects_->passes[position];
         if (!prepared.type) continue;
@@ -160,24 +161,24 @@ void ReplayExecutor::record_step(const RecordContext& context, uint32_t position
     device_.messages().set_current_pass(name);
     begin_label(device_, context.commands, name);
     if (position != hooks_.drop_barriers_of_position)
-        record_barriers(device_, context.commands, step.barriers, plan, objects_->resources);
+        record_barriers(device_, context.commands, step.barriers, plan, context.resources);
     record_pass(context, position);
+    record_barriers(device_, context.commands, step.after, plan, context.resources);
     end_label(device_, context.commands);
     objects_->timer.record_pass_end(context.commands, context.slot, position);
 }
 
 void ReplayExecutor::record_frame(VkCommandBuffer commands, const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
-    if (!prologue_done_)
-        record_barriers(device_, commands, plan.barriers.prologue.before, plan, objects_->resources);
-    prologue_done_ = true;
+    if (frames_run_ == 0) record_prologue(device_, commands, plan, objects_->resources);
     objects_->timer.record_start(commands, slot);
-    const RecordContext context{device_, commands, slot, frame, *objects_};
+    const RecordContext context{device_, commands,  slot,
+                                frame,   *objects_, {objects_->resources, frames_run_}};
     for (const Batch& batch : plan.submissions.batches) {
         for (const uint32_t position : batch.positions) record_step(context, position);
         if (!batch.epilogue) continue;
         begin_label(device_, commands, "epilogue");
-        record_barriers(device_, commands, plan.barriers.epilogue, plan, objects_->resources);
+        record_barriers(device_, commands, plan.barriers.epilogue, plan, context.resources);
         end_label(device_, commands);
     }
     objects_->readbacks.record_visibility(device_, commands, slot);
@@ -203,6 +204,7 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
     if (result != VK_SUCCESS)
         return failed_call("V418", "submitting passes " + pass_names(objects_->plan, 0), result);
+    ++frames_run_;
     return Unit{};
 }
 

@@ -77,6 +77,11 @@ Status check_supported(const Device& device, const VkImageCreateInfo& info, cons
     return error;
 }
 
+// What is kept from frame to frame is cleared before the first one.
+UsageMask before_first_frame(const ResourceDecl& decl) {
+    return decl.lifetime == ResourceLifetime::persistent ? usage::kTransferDst : 0;
+}
+
 // Usages that allow a view.
 constexpr UsageMask kViewUsages =
     usage::kSampled | usage::kStorage | usage::kColorAttachment | usage::kDepthAttachment;
@@ -102,7 +107,7 @@ VkBufferCreateInfo buffer_create_info(const ResourceDecl& decl) {
     VkBufferCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
     info.size = decl.size_bytes;
-    info.usage = buffer_usage_to_vk(decl.usage);
+    info.usage = buffer_usage_to_vk(decl.usage | before_first_frame(decl));
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     return info;
 }
@@ -124,7 +129,7 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
     info.arrayLayers = decl.layers;
     info.samples = samples_to_vk(decl.samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = image_usage_to_vk(decl.usage);
+    info.usage = image_usage_to_vk(decl.usage | before_first_frame(decl));
     // Sampled depth lies in the read-only depth layout, which needs the attachment usage.
     if ((decl.aspects & aspect::kColor) == 0) info.usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;

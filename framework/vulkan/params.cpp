@@ -10,11 +10,12 @@ namespace {
 // The largest minUniformBufferOffsetAlignment that Vulkan allows a device to ask for.
 constexpr uint64_t kUniformAlignmentBytes = 256;
 
-double builtin_value(Builtin builtin, const FrameInput& frame) {
-    switch (builtin) {
+double builtin_value(const ParamWrite& write, const FrameInput& frame, const FrameResources& resources) {
+    switch (write.builtin) {
         case Builtin::none:
-        case Builtin::valid:
             return 0;
+        case Builtin::valid:
+            return resources.rings().valid(write.resource, resources.frame()) ? 1 : 0;
         case Builtin::frame_index:
             return static_cast<double>(frame.frame_index);
         case Builtin::time_s:
@@ -50,12 +51,13 @@ uint32_t bits_of(ScalarType scalar, double value) {
 
 }  // namespace
 
-void write_params(const PassDecl& pass, const FrameInput& frame, std::span<std::byte> bytes) {
+void write_params(const PassDecl& pass, const FrameInput& frame, const FrameResources& resources,
+                  std::span<std::byte> bytes) {
     std::fill(bytes.begin(), bytes.end(), std::byte{0});
     for (const ParamWrite& write : pass.params) {
         for (uint32_t i = 0; i < write.components; ++i) {
             const double value =
-                write.builtin == Builtin::none ? write.value[i] : builtin_value(write.builtin, frame);
+                write.builtin == Builtin::none ? write.value[i] : builtin_value(write, frame, resources);
             const uint32_t bits = bits_of(write.scalar, value);
             const size_t offset = write.offset_bytes + size_t{i} * sizeof bits;
             assert(offset + sizeof bits <= bytes.size());
@@ -91,11 +93,12 @@ VkDescriptorBufferInfo ParamsMemory::descriptor(uint32_t position, uint32_t slot
     return {memory_[slot].handle(), blocks_[position].offset_bytes, blocks_[position].size_bytes};
 }
 
-void ParamsMemory::write(const FramePlan& plan, const FrameInput& frame, uint32_t slot) {
+void ParamsMemory::write(const FramePlan& plan, const FrameInput& frame, const FrameResources& resources,
+                         uint32_t slot) {
     for (size_t position = 0; position < blocks_.size(); ++position) {
         const Block& block = blocks_[position];
         if (block.size_bytes == 0) continue;
-        write_params(plan.graph.passes[plan.schedule.order[position]], frame,
+        write_params(plan.graph.passes[plan.schedule.order[position]], frame, resources,
                      memory_[slot].mapped().subspan(block.offset_bytes, block.size_bytes));
     }
 }

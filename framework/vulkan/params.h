@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "vulkan/executor.h"
+#include "vulkan/resource_table.h"
 
 namespace weft::vk {
 
 // Unnamed bytes are zero. `bytes` holds PassDecl::params_bytes.
-void write_params(const PassDecl& pass, const FrameInput& frame, std::span<std::byte> bytes);
+void write_params(const PassDecl& pass, const FrameInput& frame, const FrameResources& resources,
+                  std::span<std::byte> bytes);
 
 class ParamsMemory {
  public:
@@ -22,7 +24,8 @@ class ParamsMemory {
     // By schedule position; only for passes whose Params are a uniform buffer.
     [[nodiscard]] VkDescriptorBufferInfo descriptor(uint32_t position, uint32_t slot) const;
     // Writes the blocks of all passes into this slot's memory, before the frame is submitted.
-    void write(const FramePlan& plan, const FrameInput& frame, uint32_t slot);
+    void write(const FramePlan& plan, const FrameInput& frame, const FrameResources& resources,
+               uint32_t slot);
 
  private:
     struct Block {

@@ -5,6 +5,9 @@
 namespace weft::vk {
 namespace {
 
+// A pass needs descriptor sets for each turn of the histories it sees. All lengths up to eight fit together.
+constexpr uint64_t kMaxTurns = 840;
+
 bool runs_shader(PassKind kind) {
     return kind == PassKind::compute || kind == PassKind::fullscreen || kind == PassKind::raster;
 }
@@ -18,11 +21,17 @@ bool copies_like_to_like(const FramePlan& plan, const PassDecl& pass) {
 
 Diagnostics check_passes(const FramePlan& plan, const ExecutorInput& input) {
     Diagnostics errors;
+    const Rings rings(plan);
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
         const auto fault = [&](const std::string& what) {
             errors.push_back(pass_error(plan, pass, "V417", what));
         };
+        if (rings.period(pass) > kMaxTurns)
+            fault(
+                "its resources keep histories of so many lengths that they are back in their places only "
+                "after " +
+                std::to_string(rings.period(pass)) + " frames");
         if (pass.kind == PassKind::copy && !copies_like_to_like(plan, pass))
             fault("a copy needs one input and one output, both images or both buffers");
         if (pass.kind == PassKind::custom && (input.passes == nullptr || !input.passes->contains(pass.type)))
@@ -80,6 +89,24 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
     return Unit{};
 }
 
+// What the pass at `position` binds in `frame`, and in every frame a whole period later.
+Status prepare_turn(Device& device, PlanObjects& objects, uint32_t position, const ShaderInterface& interface,
+                    uint64_t frame) {
+    PreparedPass& prepared = objects.passes[position];
+    const DescriptorSources sources{objects.plan,  {objects.resources, frame}, objects.params,
+                                    objects.views, objects.samplers,           objects.stand_ins};
+    Result<SlotSets> sets =
+        make_port_sets(device, objects.pool.get(), sources, position, interface, prepared.layout);
+    if (!sets) return sets.take_errors();
+    prepared.port_sets.push_back(*sets);
+    const PassStep& step = objects.plan.barriers.steps[position];
+    if (objects.plan.graph.passes[step.pass].kind == PassKind::compute) return Unit{};
+    Result<RenderingScope> scope = make_rendering_scope(objects.plan, step, objects.views, frame);
+    if (!scope) return scope.take_errors();
+    prepared.scopes.push_back(std::move(*scope));
+    return Unit{};
+}
+
 Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjects& objects,
                            uint32_t position) {
     const PassDecl& pass = objects.plan.graph.passes[objects.plan.schedule.order[position]];
@@ -88,31 +115,26 @@ Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjec
     Result<PassLayout> layout = make_pass_layout(device, objects.plan, pass, program.interface, input.draws);
     if (!layout) return layout.take_errors();
     prepared.layout = std::move(*layout);
-    const DescriptorSources sources{objects.plan,  objects.resources, objects.params,
-                                    objects.views, objects.samplers,  objects.stand_ins};
-    Result<SlotSets> sets =
-        make_port_sets(device, objects.pool.get(), sources, position, program.interface, prepared.layout);
-    if (!sets) return sets.take_errors();
-    prepared.port_sets = *sets;
+    for (uint64_t frame = 0; frame < objects.resources.rings.period(pass); ++frame) {
+        const Status turn = prepare_turn(device, objects, position, program.interface, frame);
+        if (!turn) return turn;
+    }
     Result<std::vector<DrawPipeline>> pipelines = make_pipelines(
         device, {objects.plan, pass, program, prepared.layout, input.imports, objects.cache.get()});
     if (!pipelines) return pipelines.take_errors();
     prepared.pipelines = std::move(*pipelines);
-    if (pass.kind == PassKind::compute) return Unit{};
-    Result<RenderingScope> scope =
-        make_rendering_scope(objects.plan, objects.plan.barriers.steps[position], objects.views);
-    if (!scope) return scope.take_errors();
-    prepared.scope = std::move(*scope);
     return Unit{};
 }
 
 Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& objects) {
-    std::vector<const ShaderInterface*> interfaces;
+    std::vector<SetDemand> demands;
     for (const PassId id : objects.plan.schedule.order) {
         const PassDecl& pass = objects.plan.graph.passes[id];
-        if (runs_shader(pass.kind)) interfaces.push_back(&input.shaders->find(pass.shader)->second.interface);
+        if (!runs_shader(pass.kind)) continue;
+        demands.push_back({&input.shaders->find(pass.shader)->second.interface,
+                           static_cast<uint32_t>(objects.resources.rings.period(pass))});
     }
-    Result<DescriptorPoolHandle> pool = make_descriptor_pool(device, interfaces);
+    Result<DescriptorPoolHandle> pool = make_descriptor_pool(device, demands);
     if (!pool) return pool.take_errors();
     objects.pool = std::move(*pool);
     Result<PipelineCacheHandle> cache = make_pipeline_cache(device);

@@ -18,10 +18,16 @@ namespace weft::vk {
 // What recording one pass needs beside its declaration; which members are set depends on its kind.
 struct PreparedPass {
     PassLayout layout;
-    SlotSets port_sets{};
+    // Both by the frame's turn: what a pass sees of resources with history comes back after so many frames.
+    std::vector<SlotSets> port_sets;
+    std::vector<RenderingScope> scopes;
     std::vector<DrawPipeline> pipelines;
-    RenderingScope scope;
     std::optional<PassType> type;  // custom passes
+
+    [[nodiscard]] const RenderingScope& scope(uint64_t frame) const { return scopes[frame % scopes.size()]; }
+    [[nodiscard]] const VkDescriptorSet& port_set(uint64_t frame, uint32_t slot) const {
+        return port_sets[frame % port_sets.size()][slot];
+    }
 };
 
 // Stays where it was made: its parts refer to each other.

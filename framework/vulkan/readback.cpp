@@ -56,18 +56,18 @@ Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& p
 }
 
 void ReadbackMemory::record(const Device& device, VkCommandBuffer commands, uint32_t position, uint32_t slot,
-                            const FramePlan& plan, const ResourceTable& resources) const {
+                            const FramePlan& plan, const FrameResources& resources) const {
     const UseDecl& use = plan.graph.passes[plan.schedule.order[position]].uses[0];
     for (const Place& place : places_) {
         if (place.position != position) continue;
         if (place.buffer_bytes != 0) {
             const VkBufferCopy copy{0, place.offset_bytes, place.buffer_bytes};
-            device.fn().vkCmdCopyBuffer(commands, resources.buffers[use.resource], memory_[slot].handle(), 1,
+            device.fn().vkCmdCopyBuffer(commands, resources.buffer(use.resource), memory_[slot].handle(), 1,
                                         &copy);
             continue;
         }
         device.fn().vkCmdCopyImageToBuffer(
-            commands, resources.images[use.resource], to_vk(use.state.layout), memory_[slot].handle(),
+            commands, resources.image(use.resource), to_vk(use.state.layout), memory_[slot].handle(),
             static_cast<uint32_t>(place.regions.copies.size()), place.regions.copies.data());
     }
 }

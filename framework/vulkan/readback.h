@@ -17,7 +17,7 @@ class ReadbackMemory {
 
     // Records the copy of the readback pass at `position`.
     void record(const Device& device, VkCommandBuffer commands, uint32_t position, uint32_t slot,
-                const FramePlan& plan, const ResourceTable& resources) const;
+                const FramePlan& plan, const FrameResources& resources) const;
     // Makes the copies of a frame visible to the host: the last thing a frame records.
     void record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot) const;
     // One entry for each readback pass in schedule order, after the slot's fence.

@@ -17,10 +17,10 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
     }
     if (prepared.layout.has_ports())
         fn.vkCmdBindDescriptorSets(context.commands, point, layout, kPortSet, 1,
-                                   &prepared.port_sets[context.slot], 0, nullptr);
+                                   &prepared.port_set(context.resources.frame(), context.slot), 0, nullptr);
     if (prepared.layout.push_stages == 0 || pass.params_bytes == 0) return;
     std::vector<std::byte> bytes(pass.params_bytes);
-    write_params(pass, context.frame, bytes);
+    write_params(pass, context.frame, context.resources, bytes);
     fn.vkCmdPushConstants(context.commands, layout, prepared.layout.push_stages, 0, pass.params_bytes,
                           bytes.data());
 }
@@ -37,7 +37,7 @@ void record_compute(const RecordContext& context, const PassDecl& pass, const Pr
 
 void record_fullscreen(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
     const DeviceFunctions& fn = context.device.fn();
-    begin_rendering(context.device, context.commands, prepared.scope, pass.state);
+    begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                          prepared.pipelines[0].pipeline.get());
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
@@ -47,7 +47,7 @@ void record_fullscreen(const RecordContext& context, const PassDecl& pass, const
 
 void record_raster(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
     const DeviceFunctions& fn = context.device.fn();
-    begin_rendering(context.device, context.commands, prepared.scope, pass.state);
+    begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
     for (const DrawPipeline& draw : prepared.pipelines) {
         fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
         // All variants share one layout, but the draws before may have bound sets of their own.
@@ -84,10 +84,10 @@ void record_pass(const RecordContext& context, uint32_t position) {
             return record_copy(context, pass);
         case PassKind::readback:
             return objects.readbacks.record(context.device, context.commands, position, context.slot,
-                                            objects.plan, objects.resources);
+                                            objects.plan, context.resources);
         case PassKind::custom:
             return objects.uploads.record(context.device, context.commands, position, *prepared.type, pass,
-                                          context.slot, objects.resources);
+                                          context.slot, context.resources);
     }
 }
 

@@ -11,6 +11,7 @@ struct RecordContext {
     uint32_t slot = 0;
     const FrameInput& frame;
     const PlanObjects& objects;
+    FrameResources resources;
 };
 
 // The pass at `position`, without its barriers.

@@ -1,26 +1,12 @@
 // Clear and copy passes.
 #include <algorithm>
 
+#include "vulkan/clears.h"
 #include "vulkan/record.h"
 #include "vulkan/to_vk.h"
 
 namespace weft::vk {
 namespace {
-
-void clear_image(const RecordContext& context, const PassDecl& pass, const UseDecl& use) {
-    const ResourceDecl& decl = context.objects.plan.graph.resources[use.resource];
-    const VkImage image = context.objects.resources.images[use.resource];
-    const VkImageLayout layout = to_vk(use.state.layout);
-    const VkImageSubresourceRange range = to_vk(use.range);
-    const DeviceFunctions& fn = context.device.fn();
-    if (use.range.aspects & aspect::kColor) {
-        const VkClearColorValue value = clear_color(decl.format, pass.clear);
-        fn.vkCmdClearColorImage(context.commands, image, layout, &value, 1, &range);
-        return;
-    }
-    const VkClearDepthStencilValue value{pass.clear[0], static_cast<uint32_t>(pass.clear[1])};
-    fn.vkCmdClearDepthStencilImage(context.commands, image, layout, &value, 1, &range);
-}
 
 void copy_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
     const FramePlan& plan = context.objects.plan;
@@ -35,25 +21,18 @@ void copy_images(const RecordContext& context, const UseDecl& from, const UseDec
         copy.extent = to_vk(mip_extent(source_extent, from.range.mip + i));
         copies.push_back(copy);
     }
-    context.device.fn().vkCmdCopyImage(context.commands, context.objects.resources.images[from.resource],
-                                       to_vk(from.state.layout),
-                                       context.objects.resources.images[to.resource], to_vk(to.state.layout),
-                                       static_cast<uint32_t>(copies.size()), copies.data());
+    context.device.fn().vkCmdCopyImage(context.commands, context.resources.image(from.resource),
+                                       to_vk(from.state.layout), context.resources.image(to.resource),
+                                       to_vk(to.state.layout), static_cast<uint32_t>(copies.size()),
+                                       copies.data());
 }
 
 }  // namespace
 
 void record_clear(const RecordContext& context, const PassDecl& pass) {
-    for (const UseDecl& use : pass.uses) {
-        const VkBuffer buffer = context.objects.resources.buffers[use.resource];
-        if (buffer == VK_NULL_HANDLE) {
-            clear_image(context, pass, use);
-            continue;
-        }
-        // Buffers are words: a clear value of 7 is the integer 7.
-        const auto word = static_cast<uint32_t>(static_cast<int64_t>(pass.clear[0]));
-        context.device.fn().vkCmdFillBuffer(context.commands, buffer, 0, VK_WHOLE_SIZE, word);
-    }
+    for (const UseDecl& use : pass.uses)
+        record_clear_of(context.device, context.commands, context.objects.plan, context.resources,
+                        {use.resource, use.range, use.state.layout, pass.clear});
 }
 
 void record_copy(const RecordContext& context, const PassDecl& pass) {
@@ -65,8 +44,8 @@ void record_copy(const RecordContext& context, const PassDecl& pass) {
     const VkBufferCopy copy{0, 0,
                             std::min(plan.graph.resources[from.resource].size_bytes,
                                      plan.graph.resources[to.resource].size_bytes)};
-    context.device.fn().vkCmdCopyBuffer(context.commands, context.objects.resources.buffers[from.resource],
-                                        context.objects.resources.buffers[to.resource], 1, &copy);
+    context.device.fn().vkCmdCopyBuffer(context.commands, context.resources.buffer(from.resource),
+                                        context.resources.buffer(to.resource), 1, &copy);
 }
 
 }  // namespace weft::vk

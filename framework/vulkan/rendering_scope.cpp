@@ -15,9 +15,9 @@ AttachmentOps ops_of(const PassStep& step, uint32_t use) {
 }
 
 Result<VkRenderingAttachmentInfo> attachment(const PassDecl& pass, const AttachmentDecl& decl,
-                                             const PassStep& step, ViewCache& views) {
+                                             const PassStep& step, ViewCache& views, uint64_t frame) {
     const UseDecl& use = pass.uses[decl.use];
-    Result<VkImageView> view = views.attachment_view(use);
+    Result<VkImageView> view = views.attachment_view(use, frame);
     if (!view) return view.take_errors();
     const AttachmentOps ops = ops_of(step, decl.use);
     VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
@@ -49,13 +49,14 @@ VkClearColorValue clear_color(Format format, const std::array<float, 4>& value) 
     return out;
 }
 
-Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassStep& step, ViewCache& views) {
+Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassStep& step, ViewCache& views,
+                                            uint64_t frame) {
     const PassDecl& pass = plan.graph.passes[step.pass];
     RenderingScope scope;
     scope.area.extent = {pass.render_extent.width, pass.render_extent.height};
     for (const AttachmentDecl& color : pass.colors) {
         const UseDecl& use = pass.uses[color.use];
-        Result<VkRenderingAttachmentInfo> info = attachment(pass, color, step, views);
+        Result<VkRenderingAttachmentInfo> info = attachment(pass, color, step, views, frame);
         if (!info) return info.take_errors();
         info->clearValue.color = clear_color(plan.graph.resources[use.resource].format, color.clear);
         if (scope.colors.size() <= color.location)
@@ -65,7 +66,7 @@ Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassSte
     }
     if (!pass.depth) return scope;
     const UseDecl& use = pass.uses[pass.depth->use];
-    Result<VkRenderingAttachmentInfo> info = attachment(pass, *pass.depth, step, views);
+    Result<VkRenderingAttachmentInfo> info = attachment(pass, *pass.depth, step, views, frame);
     if (!info) return info.take_errors();
     info->clearValue.depthStencil = {pass.depth->clear[0], static_cast<uint32_t>(pass.depth->clear[1])};
     const FormatInfo& format = format_info(plan.graph.resources[use.resource].format);

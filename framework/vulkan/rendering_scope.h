@@ -17,7 +17,7 @@ struct RenderingScope {
 };
 
 [[nodiscard]] Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassStep& step,
-                                                          ViewCache& views);
+                                                          ViewCache& views, uint64_t frame);
 
 // Begins the scope and sets the dynamic state from the pass: viewport, scissor, cull mode, front face.
 void begin_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,

@@ -57,7 +57,7 @@ Result<ResourceTable> bind_resources(const FramePlan& plan, const TransientHeap&
     const size_t count = plan.graph.resources.size();
     const std::vector<uint8_t> used = used_resources(plan);
     ResourceTable table{std::vector<VkImage>(count, VK_NULL_HANDLE),
-                        std::vector<VkBuffer>(count, VK_NULL_HANDLE)};
+                        std::vector<VkBuffer>(count, VK_NULL_HANDLE), Rings(plan)};
     Diagnostics errors;
     for (ResourceId id = 0; id < count; ++id) {
         table.images[id] = heap.image(id);

@@ -45,7 +45,7 @@ Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
     for (size_t i = 0; i < memory.heaps.size(); ++i) {
         const HeapPlan& heap = memory.heaps[i];
         const std::string what =
-            "transient heap " + std::to_string(i) + " of " + std::to_string(heap.size_bytes) + " bytes";
+            "heap " + std::to_string(i) + " of " + std::to_string(heap.size_bytes) + " bytes";
         uint32_t type = device.memory_type(heap.type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
         if (type == UINT32_MAX) type = device.memory_type(heap.type_bits, 0);
         if (type == UINT32_MAX)
@@ -57,7 +57,7 @@ Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
         const VkResult result = device.fn().vkAllocateMemory(device.handle(), &info, nullptr, &object);
         if (result != VK_SUCCESS) return failed_call("V411", what, result);
         memory_.emplace_back(device, object);
-        bytes_ += heap.size_bytes;
+        if (!heap.persistent) bytes_ += heap.size_bytes;
     }
     return Unit{};
 }

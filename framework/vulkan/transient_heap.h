@@ -19,6 +19,7 @@ class TransientHeap {
     // VK_NULL_HANDLE for what the plan doesn't place.
     [[nodiscard]] VkImage image(ResourceId resource) const { return images_[resource].get(); }
     [[nodiscard]] VkBuffer buffer(ResourceId resource) const { return buffers_[resource].get(); }
+    // Without what outlives the frame.
     [[nodiscard]] uint64_t bytes() const { return bytes_; }
 
  private:

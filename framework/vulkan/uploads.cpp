@@ -46,7 +46,7 @@ class CommandRecorder final : public Recorder {
         const Device& device;
         VkCommandBuffer commands;
         const PassDecl& pass;
-        const ResourceTable& resources;
+        const FrameResources& resources;
         const std::vector<UploadPlace>& places;
         const std::vector<uint64_t>& filled_bytes;
         VkBuffer memory;
@@ -62,17 +62,17 @@ class CommandRecorder final : public Recorder {
         const DeviceFunctions& fn = target_.device.fn();
         if (place->regions.copies.empty()) {
             const VkBufferCopy copy{place->offset_bytes, 0, bytes};
-            fn.vkCmdCopyBuffer(target_.commands, target_.memory, target_.resources.buffers[use.resource], 1,
+            fn.vkCmdCopyBuffer(target_.commands, target_.memory, target_.resources.buffer(use.resource), 1,
                                &copy);
             return;
         }
         fn.vkCmdCopyBufferToImage(
-            target_.commands, target_.memory, target_.resources.images[use.resource], to_vk(use.state.layout),
+            target_.commands, target_.memory, target_.resources.image(use.resource), to_vk(use.state.layout),
             static_cast<uint32_t>(place->regions.copies.size()), place->regions.copies.data());
     }
     void fill_buffer(std::string_view port, uint32_t word) override {
         for (const UseDecl& use : target_.pass.uses) {
-            const VkBuffer buffer = target_.resources.buffers[use.resource];
+            const VkBuffer buffer = target_.resources.buffer(use.resource);
             if (use.port == port && use.is_output && buffer != VK_NULL_HANDLE)
                 target_.device.fn().vkCmdFillBuffer(target_.commands, buffer, 0, VK_WHOLE_SIZE, word);
         }
@@ -133,7 +133,7 @@ void UploadMemory::prepare(uint32_t position, const PassType& type, const PassDe
 
 void UploadMemory::record(const Device& device, VkCommandBuffer commands, uint32_t position,
                           const PassType& type, const PassDecl& pass, uint32_t slot,
-                          const ResourceTable& resources) const {
+                          const FrameResources& resources) const {
     CommandRecorder recorder({device, commands, pass, resources, places_[position],
                               filled_bytes_[slot][position], memory_[slot].handle()});
     if (type.record != nullptr) type.record(PassContext{pass.custom_params}, recorder);

@@ -30,7 +30,7 @@ class UploadMemory {
                  uint32_t slot);
     // Runs `record` of the pass at `position`.
     void record(const Device& device, VkCommandBuffer commands, uint32_t position, const PassType& type,
-                const PassDecl& pass, uint32_t slot, const ResourceTable& resources) const;
+                const PassDecl& pass, uint32_t slot, const FrameResources& resources) const;
 
  private:
     std::vector<std::vector<UploadPlace>> places_;  // by position

@@ -26,25 +26,25 @@ AspectMask shader_aspects(AspectMask aspects, NumericClass numeric) {
     return aspect::kDepth;
 }
 
-Result<VkImageView> ViewCache::shader_view(const UseDecl& use, const ShaderBinding& binding) {
+Result<VkImageView> ViewCache::shader_view(const UseDecl& use, const ShaderBinding& binding, uint64_t frame) {
     SubresourceRange range = use.range;
     range.aspects = shader_aspects(range.aspects, binding.numeric);
-    return get(use.resource, range, view_type(binding.dim, binding.arrayed));
+    return get(resources_->rings.copy(use.resource, frame), range, view_type(binding.dim, binding.arrayed));
 }
 
-Result<VkImageView> ViewCache::attachment_view(const UseDecl& use) {
+Result<VkImageView> ViewCache::attachment_view(const UseDecl& use, uint64_t frame) {
     // An attachment's view has all aspects of its format, whichever of them the pass touches.
     SubresourceRange range = use.range;
     range.aspects = plan_->graph.resources[use.resource].aspects;
-    return get(use.resource, range, view_type(ImageDim::d2, range.layers > 1));
+    return get(resources_->rings.copy(use.resource, frame), range, view_type(ImageDim::d2, range.layers > 1));
 }
 
-Result<VkImageView> ViewCache::get(ResourceId resource, const SubresourceRange& range, VkImageViewType type) {
-    const Key key{resource, range, type};
+Result<VkImageView> ViewCache::get(ResourceId copy, const SubresourceRange& range, VkImageViewType type) {
+    const Key key{copy, range, type};
     if (const auto it = views_.find(key); it != views_.end()) return it->second.get();
-    const ResourceDecl& decl = plan_->graph.resources[resource];
+    const ResourceDecl& decl = plan_->graph.resources[copy];
     VkImageViewCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-    info.image = resources_->images[resource];
+    info.image = resources_->images[copy];
     info.viewType = type;
     info.format = to_vk(decl.format);
     info.subresourceRange = to_vk(range);

@@ -15,14 +15,16 @@ class ViewCache {
     ViewCache(Device& device, const FramePlan& plan, const ResourceTable& resources)
         : device_(&device), plan_(&plan), resources_(&resources) {}
 
-    // As a shader sees it through `binding`.
-    [[nodiscard]] Result<VkImageView> shader_view(const UseDecl& use, const ShaderBinding& binding);
+    // As a shader sees it through `binding` in this frame.
+    [[nodiscard]] Result<VkImageView> shader_view(const UseDecl& use, const ShaderBinding& binding,
+                                                  uint64_t frame);
     // As an attachment: one mip; more layers than one make it an array.
-    [[nodiscard]] Result<VkImageView> attachment_view(const UseDecl& use);
+    [[nodiscard]] Result<VkImageView> attachment_view(const UseDecl& use, uint64_t frame);
 
  private:
     using Key = std::tuple<ResourceId, SubresourceRange, VkImageViewType>;
-    [[nodiscard]] Result<VkImageView> get(ResourceId resource, const SubresourceRange& range,
+    // `copy`: where the memory was placed.
+    [[nodiscard]] Result<VkImageView> get(ResourceId copy, const SubresourceRange& range,
                                           VkImageViewType type);
 
     Device* device_;

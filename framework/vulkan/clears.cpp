@@ -1,0 +1,43 @@
+#include "vulkan/clears.h"
+
+#include "vulkan/barriers_vk.h"
+#include "vulkan/rendering_scope.h"
+#include "vulkan/to_vk.h"
+
+namespace weft::vk {
+
+void record_clear_of(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
+                     const FrameResources& resources, const ClearTarget& target) {
+    const DeviceFunctions& fn = device.fn();
+    const ResourceDecl& decl = plan.graph.resources[target.resource];
+    if (decl.kind == ResourceKind::buffer) {
+        const auto word = static_cast<uint32_t>(static_cast<int64_t>(target.value[0]));
+        fn.vkCmdFillBuffer(commands, resources.buffer(target.resource), 0, VK_WHOLE_SIZE, word);
+        return;
+    }
+    const VkImage image = resources.image(target.resource);
+    const VkImageLayout layout = to_vk(target.layout);
+    const VkImageSubresourceRange range = to_vk(target.range);
+    if (target.range.aspects & aspect::kColor) {
+        const VkClearColorValue value = clear_color(decl.format, target.value);
+        fn.vkCmdClearColorImage(commands, image, layout, &value, 1, &range);
+        return;
+    }
+    const VkClearDepthStencilValue value{target.value[0], static_cast<uint32_t>(target.value[1])};
+    fn.vkCmdClearDepthStencilImage(commands, image, layout, &value, 1, &range);
+}
+
+void record_prologue(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
+                     const ResourceTable& resources) {
+    const ProloguePlan& prologue = plan.barriers.prologue;
+    const FrameResources first(resources, 0);
+    record_barriers(device, commands, prologue.before, plan, first);
+    for (const ResourceId id : prologue.cleared) {
+        const ResourceDecl& decl = plan.graph.resources[id];
+        record_clear_of(device, commands, plan, first,
+                        {id, decl.whole(), Layout::transfer_dst, decl.first_frame});
+    }
+    record_barriers(device, commands, prologue.after, plan, first);
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,51 @@
+#include "vulkan/rings.h"
+
+#include <cassert>
+#include <numeric>
+
+namespace weft::vk {
+
+Rings::Rings(const FramePlan& plan) {
+    const std::vector<ResourceDecl>& resources = plan.graph.resources;
+    all_.resize(resources.size());
+    roles_.resize(resources.size());
+    written_.resize(resources.size());
+    for (ResourceId id = 0; id < resources.size(); ++id) {
+        const ResourceDecl& decl = resources[id];
+        if (decl.ring == kNoId) continue;
+        all_[id] = {decl.ring, decl.age};
+        std::vector<ResourceId>& roles = roles_[decl.ring];
+        roles.resize(decl.history + 1, kNoId);
+        assert(decl.age < roles.size());
+        roles[decl.age] = id;
+    }
+    for (const PassId pass : plan.schedule.order)
+        for (const UseDecl& use : plan.graph.passes[pass].uses)
+            if (writes(use.access)) written_[use.resource] = 1;
+}
+
+ResourceId Rings::copy(ResourceId resource, uint64_t frame) const {
+    const Role& role = all_[resource];
+    if (role.ring == kNoId) return resource;
+    const std::vector<ResourceId>& roles = roles_[role.ring];
+    return roles[(frame + roles.size() - role.age) % roles.size()];
+}
+
+std::vector<ResourceId> Rings::roles(ResourceId resource) const {
+    if (all_[resource].ring == kNoId) return {resource};
+    return roles_[all_[resource].ring];
+}
+
+uint64_t Rings::period(const PassDecl& pass) const {
+    uint64_t period = 1;
+    for (const UseDecl& use : pass.uses)
+        if (all_[use.resource].ring != kNoId)
+            period = std::lcm(period, uint64_t{roles_[all_[use.resource].ring].size()});
+    return period;
+}
+
+bool Rings::valid(ResourceId role, uint64_t frame) const {
+    return all_[role].ring != kNoId && written_[all_[role].ring] != 0 && frame >= all_[role].age;
+}
+
+}  // namespace weft::vk
