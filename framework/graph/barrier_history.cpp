@@ -184,7 +184,11 @@ void add_last_uses(const std::vector<LastUse>& cell, std::vector<LastUse>& all) 
     }
 }
 
-void add_entry(const SubresourceGrid& grid, const std::vector<Layout>& layouts, ResourceHistory& history) {
+// What no pass touches stays as the prologue's clear left it.
+void add_entry(const SubresourceGrid& grid, ResourceKind kind, std::vector<Layout> layouts,
+               ResourceHistory& history) {
+    if (kind == ResourceKind::image)
+        std::replace(layouts.begin(), layouts.end(), Layout::undefined, Layout::transfer_dst);
     for (const Layout layout : std::set<Layout>(layouts.begin(), layouts.end())) {
         std::vector<uint32_t> cells;
         for (uint32_t cell = 0; cell < layouts.size(); ++cell)
@@ -232,7 +236,8 @@ RingHistory resource_history(const HistoryInput& input) {
     const bool persistent = input.roles.front().decl->lifetime == ResourceLifetime::persistent;
     for (size_t age = 0; age < roles.size(); ++age) {
         ring.roles[age].barriers = merged(grid, std::move(barriers[age]));
-        if (persistent) add_entry(grid, entries[age], ring.roles[age]);
+        if (persistent)
+            add_entry(grid, input.roles.front().decl->kind, std::move(entries[age]), ring.roles[age]);
     }
     return ring;
 }

@@ -81,8 +81,7 @@ void add_to_prologue(const ResolvedGraph& graph, ResourceId id, const ResourceHi
     for (const BoundaryState& entry : history.entry) {
         barrier.range = entry.range;
         barrier.dst = {stage::kAll & ~stage::kHost, access::kAll & ~kHostAccess, entry.state.layout};
-        // What nobody uses stays as the clear left it.
-        if (!image || entry.state.layout != Layout::undefined) prologue.after.push_back(barrier);
+        prologue.after.push_back(barrier);
     }
 }
 

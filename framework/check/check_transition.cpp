@@ -1,0 +1,138 @@
+#include "check/check_transition.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "check/fault_list.h"
+
+namespace weft {
+namespace {
+
+using check::FaultList;
+
+constexpr StageMask kEveryStage = stage::kAll & ~stage::kHost;
+
+// Whether the barriers on `resource` cover `range` wholly, each of them satisfying `right`.
+template <class Right>
+bool covered_by(const std::vector<BarrierDecl>& barriers, ResourceId resource, const SubresourceRange& range,
+                Right right) {
+    for (uint32_t mip = range.mip; mip < range.mip + range.mips; ++mip) {
+        for (uint32_t layer = range.layer; layer < range.layer + range.layers; ++layer) {
+            const SubresourceRange one{mip, 1, layer, 1, range.aspects};
+            const bool found = std::any_of(barriers.begin(), barriers.end(), [&](const BarrierDecl& b) {
+                return b.resource == resource && contains(b.range, one) && right(b);
+            });
+            if (!found) return false;
+        }
+    }
+    return true;
+}
+
+class TransitionCheck {
+ public:
+    TransitionCheck(const FramePlan& old_plan, const FramePlan& new_plan, const TransitionPlan& transition)
+        : old_(old_plan), new_(new_plan), transition_(transition), faults_(new_plan) {}
+
+    Diagnostics run() {
+        for (ResourceId id = 0; id < new_.graph.resources.size(); ++id) {
+            const ResourceDecl& decl = new_.graph.resources[id];
+            if (decl.lifetime == ResourceLifetime::persistent && new_.live.live_resources[id])
+                check_filled(id);
+        }
+        for (const CarryOver& carry : transition_.carried) check_carried(carry);
+        return faults_.take();
+    }
+
+ private:
+    void add(const char* code, ResourceId id, const std::string& message, const std::string& help) {
+        faults_.add(code, new_.graph.resources[id].loc, faults_.resource_name(id) + " " + message, help);
+    }
+
+    void check_filled(ResourceId id) {
+        const auto times = std::count(transition_.cleared.begin(), transition_.cleared.end(), id) +
+                           std::count_if(transition_.carried.begin(), transition_.carried.end(),
+                                         [&](const CarryOver& c) { return c.to == id; });
+        if (times != 1)
+            add("C370", id, "gets its content " + std::to_string(times) + " times",
+                "every copy is either carried over or cleared");
+        const bool image = new_.graph.resources[id].kind == ResourceKind::image;
+        const AccessState writing = writing_state(id);
+        const auto opens = [&](const BarrierDecl& b) {
+            return b.dst.layout == writing.layout && (writing.stages & ~b.dst.stages) == 0 &&
+                   (writing.access & ~b.dst.access) == 0;
+        };
+        if (image && !covered_by(transition_.before, id, new_.graph.resources[id].whole(), opens))
+            add("C371", id, "is written in a layout that it was not brought into",
+                "a barrier out of undefined must come before");
+        for (const BoundaryState& boundary : new_.boundary) {
+            if (boundary.resource != id) continue;
+            const auto closes = [&](const BarrierDecl& b) {
+                return b.src.layout == writing.layout && (writing.stages & ~b.src.stages) == 0 &&
+                       (writing.access & ~b.src.access) == 0 && (kEveryStage & ~b.dst.stages) == 0 &&
+                       b.dst.layout == boundary.state.layout;
+            };
+            if (!covered_by(transition_.after, id, boundary.range, closes))
+                add("C371", id,
+                    "is not left in " + layout_text(boundary.state.layout) +
+                        ", in which the first frame expects it",
+                    "a barrier from the writing stage to all stages must come after");
+        }
+    }
+
+    [[nodiscard]] AccessState writing_state(ResourceId id) const {
+        const ResourceDecl& decl = new_.graph.resources[id];
+        Access access = Access::clear_write;
+        for (const CarryOver& carry : transition_.carried)
+            if (carry.to == id) access = carry.resample ? Access::blit_write : Access::copy_write;
+        return access_state(access, 0, decl.kind == ResourceKind::image ? decl.aspects : aspect::kNone);
+    }
+
+    void check_carried(const CarryOver& carry) {
+        const ResourceDecl& decl = new_.graph.resources[carry.to];
+        if (carry.from >= old_.graph.resources.size() || !old_.live.live_resources[carry.from]) {
+            add("C370", carry.to, "is carried over from what the old plan does not keep",
+                "clear it, or carry its namesake over");
+            return;
+        }
+        const ResourceDecl& from = old_.graph.resources[carry.from];
+        if (from.name != decl.name || from.age != decl.age || from.format != decl.format ||
+            from.lifetime != ResourceLifetime::persistent)
+            add("C370", carry.to, "is carried over from \"" + from.name + "\"",
+                "only a namesake of the same format and age holds its content");
+        const bool same = from.extent == decl.extent && from.mips == decl.mips &&
+                          from.layers == decl.layers && from.size_bytes == decl.size_bytes;
+        if (carry.resample ? decl.on_resize != OnResize::resample : !same)
+            add("C370", carry.to, "has another size than the copy it is carried over from",
+                "onResize decides what becomes of its content");
+        const AccessState reading =
+            access_state(carry.resample ? Access::blit_read : Access::copy_read, 0,
+                         from.kind == ResourceKind::image ? from.aspects : aspect::kNone);
+        for (const BoundaryState& boundary : old_.boundary) {
+            if (boundary.resource != carry.from) continue;
+            const auto leaves = [&](const BarrierDecl& b) {
+                return b.src.layout == boundary.state.layout && (kEveryStage & ~b.src.stages) == 0 &&
+                       b.dst.layout == reading.layout && (reading.stages & ~b.dst.stages) == 0 &&
+                       (reading.access & ~b.dst.access) == 0;
+            };
+            if (!covered_by(transition_.before_old, carry.from, boundary.range, leaves))
+                add("C371", carry.to, "is carried over from a copy that the old frames may still use",
+                    "a barrier from all stages out of " + layout_text(boundary.state.layout) +
+                        " must come before");
+        }
+    }
+
+    const FramePlan& old_;
+    const FramePlan& new_;
+    const TransitionPlan& transition_;
+    FaultList faults_;
+};
+
+}  // namespace
+
+Diagnostics check_transition(const FramePlan& old_plan, const FramePlan& new_plan,
+                             const TransitionPlan& transition) {
+    return TransitionCheck(old_plan, new_plan, transition).run();
+}
+
+}  // namespace weft

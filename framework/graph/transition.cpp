@@ -1,0 +1,111 @@
+#include "weft/transition.h"
+
+#include <string>
+
+#include "weft/format.h"
+
+namespace weft {
+namespace {
+
+enum class Fate : uint8_t { clear, copy, resample };
+
+bool same_shape(const ResourceDecl& a, const ResourceDecl& b) {
+    return a.extent == b.extent && a.mips == b.mips && a.layers == b.layers && a.size_bytes == b.size_bytes;
+}
+
+// What a resource of the new plan makes of its namesake's content.
+Fate fate_of(const ResourceDecl& old_decl, const ResourceDecl& decl) {
+    const bool same_kind = old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
+                           old_decl.format == decl.format && old_decl.image_kind == decl.image_kind &&
+                           old_decl.samples == decl.samples;
+    if (!same_kind) return Fate::clear;
+    if (same_shape(old_decl, decl)) return Fate::copy;
+    // Only what a filter can blend is stretched: a buffer has no size to speak of, and depth no mean.
+    const bool blends = decl.kind == ResourceKind::image && decl.layers == old_decl.layers &&
+                        decl.mips == old_decl.mips && decl.samples == 1 &&
+                        (decl.aspects & aspect::kColor) != 0;
+    return decl.on_resize == OnResize::resample && blends ? Fate::resample : Fate::clear;
+}
+
+AccessState transfer_state(const ResourceDecl& decl, Access access) {
+    return access_state(access, 0, decl.kind == ResourceKind::image ? decl.aspects : aspect::kNone);
+}
+
+AccessState everything(Layout layout) {
+    constexpr AccessMask kHostAccess = access::kHostRead | access::kHostWrite;
+    return {stage::kAll & ~stage::kHost, access::kAll & ~kHostAccess, layout};
+}
+
+class Builder {
+ public:
+    Builder(const FramePlan& old_plan, const FramePlan& new_plan) : old_(old_plan), new_(new_plan) {
+        plan_.keeps_validity.assign(new_plan.graph.resources.size(), 0);
+    }
+
+    TransitionPlan build() {
+        for (const ResourceId id : new_.barriers.prologue.cleared) add(id);
+        return std::move(plan_);
+    }
+
+ private:
+    void add(ResourceId id) {
+        const ResourceDecl& decl = new_.graph.resources[id];
+        const ResourceDecl* namesake = find_resource(old_.graph, decl.name);
+        const auto from =
+            namesake == nullptr ? kNoId : static_cast<ResourceId>(namesake - old_.graph.resources.data());
+        const bool lived = from != kNoId && old_.live.live_resources[from] != 0;
+        const Fate fate = lived ? fate_of(*namesake, decl) : Fate::clear;
+        // The newest role of a ring is about to be overwritten: nothing is lost with it.
+        const bool forgotten = decl.history > 0 && decl.age == 0;
+        AccessState written = transfer_state(decl, Access::clear_write);
+        if (fate == Fate::clear || forgotten) {
+            plan_.cleared.push_back(id);
+        } else {
+            written = transfer_state(decl, fate == Fate::copy ? Access::copy_write : Access::blit_write);
+            plan_.carried.push_back({from, id, fate == Fate::resample});
+            leave_old(from, transfer_state(decl, fate == Fate::copy ? Access::copy_read : Access::blit_read));
+        }
+        if (fate != Fate::clear && decl.ring != kNoId) plan_.keeps_validity[decl.ring] = 1;
+        enter_new(id, written);
+    }
+
+    void leave_old(ResourceId from, const AccessState& read) {
+        for (const BoundaryState& state : old_.boundary) {
+            if (state.resource != from) continue;
+            BarrierDecl barrier;
+            barrier.resource = from;
+            barrier.range = state.range;
+            barrier.src = everything(state.state.layout);
+            barrier.dst = read;
+            barrier.reason = BarrierReason::prologue;
+            plan_.before_old.push_back(barrier);
+        }
+    }
+
+    void enter_new(ResourceId id, const AccessState& written) {
+        const ResourceDecl& decl = new_.graph.resources[id];
+        BarrierDecl barrier;
+        barrier.resource = id;
+        barrier.range = decl.whole();
+        barrier.dst = written;
+        barrier.reason = BarrierReason::prologue;
+        if (decl.kind == ResourceKind::image) plan_.before.push_back(barrier);
+        for (BarrierDecl after : new_.barriers.prologue.after) {
+            if (after.resource != id) continue;
+            after.src = written;
+            plan_.after.push_back(after);
+        }
+    }
+
+    const FramePlan& old_;
+    const FramePlan& new_;
+    TransitionPlan plan_;
+};
+
+}  // namespace
+
+TransitionPlan transition(const FramePlan& old_plan, const FramePlan& new_plan) {
+    return Builder(old_plan, new_plan).build();
+}
+
+}  // namespace weft
