@@ -80,10 +80,12 @@ void Memory::transition(ResourceId object, uint32_t index, uint32_t node, const 
     const char* why = why_not_moved(object, cell, node, barrier);
     const char* taken = take_from_neighbours(object, node);
     if (why == nullptr) why = taken;
-    if (why != nullptr)
+    if (why != nullptr) {
         cell.value = poison(why, node, object, index);
-    else if (barrier.src.layout == Layout::undefined)
+        cell.conflict_frame = timeline_.nodes[node].frame;
+    } else if (barrier.src.layout == Layout::undefined) {
         cell.value = ValueHash().add("dropped").add(seed_).add(uint64_t{node}).add(uint64_t{index}).value();
+    }
     cell.layout = barrier.dst.layout;
     if (exclusive(object)) cell.family = family_of(node);
     cell.transfer.reset();

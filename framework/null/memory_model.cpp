@@ -80,7 +80,9 @@ bool Memory::exclusive(ResourceId object) const {
 }
 
 uint32_t Memory::family_of(uint32_t node) const {
-    return plan_.schedule.queues[timeline_.nodes[node].queue].family;
+    const Node& at = timeline_.nodes[node];
+    if (at.kind == NodeKind::import_leave) return plan_.graph.resources[at.resource].import->family;
+    return plan_.schedule.queues[at.queue].family;
 }
 
 // Null when the cell may be touched: right owner, right layout.
@@ -145,6 +147,8 @@ void Memory::write(ResourceId object, uint32_t index, const Accessor& accessor, 
     const char* taken = take_from_neighbours(object, accessor.node);
     if (why == nullptr) why = taken;
     const Node& node = timeline_.nodes[accessor.node];
+    if (why == nullptr && cell.conflict_frame == node.frame) why = "its memory was taken without order";
+    if (why != nullptr) cell.conflict_frame = node.frame;
     cell.value = why == nullptr ? value : poison(why, accessor.node, object, index);
     cell.layout = accessor.layout;
     if (exclusive(object)) cell.family = family_of(accessor.node);

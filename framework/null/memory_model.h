@@ -46,6 +46,9 @@ struct MemoryCell {
     std::optional<Transfer> transfer;
     WriteRecord write;
     std::vector<uint32_t> readers;  // since that write
+    // A conflict without order may fall out well, now or for whoever lost it: so that it shows in any order,
+    // all that is written here stays poison for the rest of that frame.
+    uint32_t conflict_frame = kNoId;
 };
 
 // Who touches a cell, and how.

@@ -63,7 +63,7 @@ class Unroller {
     Timeline run(uint32_t frames) {
         prologue();
         for (frame_ = 0; frame_ < frames; ++frame_) {
-            for (const ResourceId import : imports_) enter(import);
+            enter_imports();
             previous_signals_ = std::move(signals_);
             signals_.assign(plan_.submissions.batches.size(), kNoNode);
             for (uint32_t b = 0; b < plan_.submissions.batches.size(); ++b) batch(b);
@@ -148,6 +148,11 @@ class Unroller {
             add_work(node, required(0, node.stage));
         }
         barriers(0, prologue.after);
+        // It is over before the first frame begins on another queue; on its own queue barriers tell.
+        Node node;
+        node.kind = NodeKind::signal;
+        const uint32_t signal = add(node, queues_[0].everything);
+        for (QueueIndex q = 1; q < queues_.size(); ++q) add_wait(q, signal);
     }
 
     void batch(uint32_t index) {
@@ -156,6 +161,8 @@ class Unroller {
             const std::vector<uint32_t>& signals = wait.previous_frame ? previous_signals_ : signals_;
             if (wait.batch < signals.size() && signals[wait.batch] != kNoNode)
                 add_wait(batch.queue, signals[wait.batch]);
+            if (wait.previous_frame && plan_.submissions.batches[wait.batch].epilogue)
+                add_wait(batch.queue, owners_signal_);
         }
         for (const uint32_t position : batch.positions) {
             const PassStep& step = plan_.barriers.steps[position];
@@ -215,33 +222,41 @@ class Unroller {
             for (const uint32_t id : added) touch_import(id, use.resource);
     }
 
-    QueueIndex home_of(const ImportState& import) const {
-        for (QueueIndex q = 0; q < plan_.schedule.queues.size(); ++q)
-            if (plan_.schedule.queues[q].family == import.family) return q;
-        return 0;
+    // Owners have their turn between two frames, on the first queue. Who waits for the end of the frame
+    // before waits for them too, and before the first frame everybody does.
+    void enter_imports() {
+        Node node;
+        node.kind = NodeKind::signal;
+        NodeSet before;
+        for (const ResourceId import : imports_) {
+            const uint32_t access = enter(import);
+            if (access != kNoNode) include(before, access);
+        }
+        owners_signal_ = add(node, std::move(before));
+        for (QueueIndex q = 1; frame_ == 0 && q < queues_.size(); ++q) add_wait(q, owners_signal_);
     }
 
     // The owner of an import waits for everything that the frame before did with it.
-    void enter(ResourceId id) {
+    uint32_t enter(ResourceId id) {
         const ImportState& import = *plan_.graph.resources[id].import;
         Node node;
         node.kind = NodeKind::import_enter;
-        node.queue = home_of(import);
         node.resource = id;
         entered_[id] = add(node, {});
         timeline_.outside_before[entered_[id]] = std::move(uses_of_import_[id]);
         uses_of_import_[id] = {entered_[id]};
-        if (import.entry.stages == stage::kNone) return;
+        if (import.entry.stages == stage::kNone) return kNoNode;
         node.kind = NodeKind::import_access;
         node.stage = drawn_stage(import.entry.stages, choice_ + id);
-        touch_import(add_work(node, {}), id);
+        const uint32_t access = add_work(node, {});
+        touch_import(access, id);
+        return access;
     }
 
     void leave(ResourceId id) {
         const ImportState& import = *plan_.graph.resources[id].import;
         Node node;
         node.kind = NodeKind::import_leave;
-        node.queue = home_of(import);
         node.resource = id;
         const std::vector<uint32_t> uses = uses_of_import_[id];
         const auto look = [&](uint32_t look_node) {
@@ -261,7 +276,8 @@ class Unroller {
     uint32_t frame_ = 0;
     Timeline timeline_;
     std::vector<QueueProgress> queues_;
-    std::vector<ResourceId> imports_;                    // used by some pass
+    std::vector<ResourceId> imports_;  // used by some pass
+    uint32_t owners_signal_ = kNoNode;
     std::vector<uint32_t> entered_;                      // by ResourceId: in this frame
     std::vector<std::vector<uint32_t>> uses_of_import_;  // by ResourceId: since then
     std::vector<uint32_t> signals_, previous_signals_;   // by batch

@@ -1,6 +1,8 @@
 // Random frames give under the compiler's plans, in the worst orders that these allow, what they mean.
 #include <gtest/gtest.h>
 
+#include <iostream>
+
 #include "graph/naive_plan.h"
 #include "graph/random_graph.h"
 #include "null/null_executor.h"
@@ -25,6 +27,25 @@ void expect_reference(const FramePlan& plan) {
     }
 }
 
+std::vector<LogicalQueue> queues_of(uint32_t count, bool one_family) {
+    DeviceProfile profile;
+    if (!one_family)
+        profile.queue_families = {
+            {QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
+    return logical_queues(profile, count);
+}
+
+// Deterministic hints: a third of what could go elsewhere asks for each other queue.
+ResolvedGraph with_hints(ResolvedGraph graph, uint32_t seed) {
+    for (PassId id = 0; id < graph.passes.size(); ++id) {
+        const uint32_t turn = (id * 2654435761u ^ seed * 40503u) >> 7;
+        graph.passes[id].queue = static_cast<QueueKind>(turn % 3);
+    }
+    for (ResourceDecl& resource : graph.resources)
+        if (resource.import) resource.import->concurrent = true;
+    return graph;
+}
+
 TEST(RandomPlans, GiveWhatTheGraphMeans) {
     for (uint32_t seed = 0; seed < kGraphs; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -32,6 +53,17 @@ TEST(RandomPlans, GiveWhatTheGraphMeans) {
         expect_reference(compile(graph, content_needs(graph), {}));
         expect_reference(naive_plan(graph));
         if (HasFailure()) return;
+    }
+}
+
+TEST(RandomPlans, GiveTheSameOnSeveralQueues) {
+    for (uint32_t seed = 0; seed < kGraphs; ++seed) {
+        const uint32_t count = 1 + seed % 4;
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const ResolvedGraph graph = with_hints(random_graph(seed), seed);
+        CompileOptions options;
+        options.queues = queues_of(count, seed % 8 == 7);
+        expect_reference(compile(graph, content_needs(graph), options));
     }
 }
 
