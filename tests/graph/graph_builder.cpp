@@ -91,12 +91,16 @@ std::vector<uint32_t> sort_by_name(std::vector<T>& items) {
 void sort_everything(ResolvedGraph& graph) {
     const std::vector<uint32_t> passes = sort_by_name(graph.passes);
     const std::vector<uint32_t> resources = sort_by_name(graph.resources);
+    for (ResourceDecl& resource : graph.resources)
+        if (resource.ring != kNoId) resource.ring = resources[resource.ring];
     for (PassDecl& pass : graph.passes) {
         for (UseDecl& use : pass.uses) {
             use.resource = resources[use.resource];
             for (VersionSource& source : use.sources)
                 if (source.producer != kNoId) source.producer = passes[source.producer];
         }
+        for (ParamWrite& param : pass.params)
+            if (param.resource != kNoId) param.resource = resources[param.resource];
     }
     for (EdgeDecl& edge : graph.edges) {
         edge.from = passes[edge.from];
@@ -168,6 +172,27 @@ void GraphBuilder::import_as(ResourceId resource, const AccessState& entry, cons
     graph_.resources[resource].import = ImportState{entry, exit, 0};
 }
 
+void GraphBuilder::make_concurrent(ResourceId import) {
+    graph_.resources[import].import->concurrent = true;
+}
+
+std::vector<ResourceId> GraphBuilder::ring(ResourceId resource, uint32_t history) {
+    ResourceDecl& newest = graph_.resources[resource];
+    newest.lifetime = ResourceLifetime::persistent;
+    newest.history = history;
+    newest.ring = resource;
+    newest.usage |= usage::kTransferDst;
+    std::vector<ResourceId> roles{resource};
+    const ResourceDecl decl = newest;
+    for (uint32_t age = 1; age <= history; ++age) {
+        roles.push_back(static_cast<ResourceId>(graph_.resources.size()));
+        graph_.resources.push_back(decl);
+        graph_.resources.back().name += "[-" + std::to_string(age) + "]";
+        graph_.resources.back().age = age;
+    }
+    return roles;
+}
+
 PassDecl& GraphBuilder::pass(std::string name, PassKind kind, const std::vector<BuilderUse>& uses) {
     PassDecl decl;
     decl.name = std::move(name);
@@ -191,6 +216,7 @@ PassDecl& GraphBuilder::pass(std::string name, PassKind kind, const std::vector<
         use.binding = u.binding;
         use.sampler.filter = SamplerFilter::nearest;
         use.sampler.mip_filter = SamplerFilter::nearest;
+        use.history = resource.age;
         resource.usage |= usage_of(u.access);
         decl.uses.push_back(use);
     }
@@ -206,6 +232,11 @@ void GraphBuilder::after(const std::string& from, const std::string& to) {
 ResolvedGraph GraphBuilder::build() const {
     ResolvedGraph graph = graph_;
     if (graph.name.empty()) graph.name = "built";
+    // The memory of a ring moves from role to role.
+    for (const ResourceDecl& role : graph_.resources)
+        if (role.ring != kNoId) graph.resources[role.ring].usage |= role.usage;
+    for (ResourceDecl& role : graph.resources)
+        if (role.ring != kNoId) role.usage = graph.resources[role.ring].usage;
     std::map<std::string, PassId> ids;
     Versions versions(graph);
     for (PassId pass = 0; pass < graph.passes.size(); ++pass) {

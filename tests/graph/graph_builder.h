@@ -28,6 +28,11 @@ class GraphBuilder {
     ResourceId buffer(std::string name, uint64_t size_bytes = 1024);
     // Turns a resource into an import.
     void import_as(ResourceId resource, const AccessState& entry, const AccessState& exit);
+    // For all queue families.
+    void make_concurrent(ResourceId import);
+    // Turns a resource into the newest role of a ring and adds the older ones: "x[-1]" and so on. Returns
+    // them by age. With no history its content is kept.
+    std::vector<ResourceId> ring(ResourceId resource, uint32_t history);
     void set_output(ResourceId resource) { graph_.output = resource; }
 
     // Attachments follow from the accesses; the returned pass may be adjusted until the next call.

@@ -30,13 +30,19 @@ std::vector<PassId> topological(const ResolvedGraph& graph) {
     return order;
 }
 
+// In which every copy of a persistent resource waits for the next frame.
+Layout rest_layout(const ResourceDecl& decl) {
+    return decl.kind == ResourceKind::image ? Layout::general : Layout::undefined;
+}
+
 // The layout of every mip of every layer as the frame goes on.
 class Layouts {
  public:
     explicit Layouts(const ResolvedGraph& graph) : graph_(graph), current_(graph.resources.size()) {
         for (size_t r = 0; r < current_.size(); ++r) {
             const ResourceDecl& decl = graph.resources[r];
-            const Layout entry = decl.import ? decl.import->entry.layout : Layout::undefined;
+            Layout entry = decl.import ? decl.import->entry.layout : Layout::undefined;
+            if (decl.lifetime == ResourceLifetime::persistent) entry = rest_layout(decl);
             const bool transient = decl.lifetime == ResourceLifetime::transient;
             current_[r].assign(size_t{decl.mips} * decl.layers, {entry, transient});
         }
@@ -81,6 +87,28 @@ bool moved_before(const PassDecl& pass, size_t use) {
     return false;
 }
 
+// Puts what outlives the frame where the next one, and the first, look for it.
+void plan_rest(FramePlan& plan, Layouts& layouts) {
+    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+        const ResourceDecl& decl = plan.graph.resources[id];
+        if (decl.lifetime != ResourceLifetime::persistent) continue;
+        const AccessState rest{kEveryStage, kEveryAccess, rest_layout(decl)};
+        layouts.move(id, decl.whole(), rest, BarrierReason::layout, plan.barriers.epilogue);
+        plan.boundary.push_back({id, decl.whole(), rest, 0});
+        const bool image = decl.kind == ResourceKind::image;
+        BarrierDecl barrier;
+        barrier.resource = id;
+        barrier.range = decl.whole();
+        barrier.reason = BarrierReason::prologue;
+        barrier.dst = access_state(Access::clear_write, 0, image ? decl.aspects : aspect::kNone);
+        if (image) plan.barriers.prologue.before.push_back(barrier);
+        plan.barriers.prologue.cleared.push_back(id);
+        barrier.src = barrier.dst;
+        barrier.dst = rest;
+        plan.barriers.prologue.after.push_back(barrier);
+    }
+}
+
 void plan_barriers(FramePlan& plan) {
     const ResolvedGraph& graph = plan.graph;
     Layouts layouts(graph);
@@ -107,6 +135,7 @@ void plan_barriers(FramePlan& plan) {
                      BarrierReason::release_import, plan.barriers.epilogue);
         plan.boundary.push_back({id, graph.resources[id].whole(), import.exit, import.family});
     }
+    plan_rest(plan, layouts);
     plan.barriers.emitted += static_cast<uint32_t>(plan.barriers.epilogue.size());
 }
 
@@ -129,12 +158,18 @@ void plan_memory(FramePlan& plan, const MemoryNeeds& needs) {
     const auto last = static_cast<uint32_t>(plan.schedule.order.size()) - 1;
     plan.lifetimes.spans.resize(plan.graph.resources.size());
     for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
-        if (plan.graph.resources[id].lifetime != ResourceLifetime::transient) continue;
-        plan.lifetimes.spans[id] = {0, last};
+        const ResourceLifetime lifetime = plan.graph.resources[id].lifetime;
+        if (lifetime == ResourceLifetime::imported) continue;
         plan.memory.placements.push_back(
             {id, static_cast<uint32_t>(plan.memory.heaps.size()), 0, needs[id].size_bytes});
+        const bool persistent = lifetime == ResourceLifetime::persistent;
         plan.memory.heaps.push_back({needs[id].size_bytes, needs[id].type_bits,
-                                     plan.graph.resources[id].kind == ResourceKind::buffer});
+                                     plan.graph.resources[id].kind == ResourceKind::buffer, persistent});
+        if (persistent) {
+            plan.memory.persistent_bytes += needs[id].size_bytes;
+            continue;
+        }
+        plan.lifetimes.spans[id] = {0, last};
         plan.memory.hand_overs.push_back({id, id, true});
         plan.memory.sum_bytes += needs[id].size_bytes;
     }

@@ -1,12 +1,14 @@
-// Purpose: random single-queue frames for tests: 5 to 60 passes over images with mips and layers, buffers and
-// imports, with partial ranges, in-place writes, overwrites, several readers, and branches that nobody needs.
+// Purpose: random frames for tests: 5 to 60 passes over images with mips and layers, buffers and imports,
+// with partial ranges, in-place writes, overwrites, several readers, and branches that nobody needs; on
+// demand with what outlives a frame, hints at queues, mip chains and more. Options that are off draw nothing,
+// so that a seed keeps its meaning.
 //
 // The graphs can run on a device. Everything is exact integer arithmetic on r32u images and u32 buffers (and
 // one exact conversion to d32f), so that any two correct plans of a graph give the same bytes. Passes without
 // a shader are clear, copy and readback; the others use this fixed set, found in tests/graph/shaders/:
 //   compute     fill_image, mix_image_1, mix_image_2, mix_image_3, mix_depth, update_image,
 //               mix_buffer_1, mix_buffer_2, update_buffer, image_to_buffer, buffer_to_image   (.comp)
-//   fullscreen  mix_color_1, mix_color_2, write_depth   (.frag)
+//   fullscreen  mix_color_1, mix_color_2, write_depth, mix_color_depth   (.frag)
 // Ports a, b, c, dst, bound in this order in set 1; colours at location 0; `Params { uint seed; }` in push
 // constants. Sampled ports see one layer, and one mip or all of them; storage ports one mip of one layer.
 //
@@ -25,7 +27,17 @@ namespace weft::test {
 struct RandomGraphOptions {
     uint32_t min_passes = 5;
     uint32_t max_passes = 60;
+    bool history = false;      // rings of two or three roles, images and buffers
+    bool keep = false;         // rings of one, changed in place and read before and after
+    bool queues = false;       // hints at compute and transfer queues; most imports are concurrent
+    bool after = false;        // edges without a resource
+    bool chains = false;       // mip by mip, down and up again, layer by layer
+    bool ranges = false;       // clears and copies of several mips and layers
+    bool depth_input = false;  // depth as attachment and input at once
 };
+
+// Everything above.
+[[nodiscard]] RandomGraphOptions all_features();
 
 [[nodiscard]] ResolvedGraph random_graph(uint32_t seed, const RandomGraphOptions& options = {});
 

@@ -3,51 +3,33 @@
 
 #include <iostream>
 
+#include "check/check_plan.h"
 #include "graph/naive_plan.h"
-#include "graph/random_graph.h"
+#include "graph/random_graph_coverage.h"
 #include "null/null_executor.h"
-#include "weft/compile.h"
+#include "random_plans.h"
 
 namespace weft::test {
 namespace {
 
-constexpr uint32_t kGraphs = 300;
 constexpr NullOptions kOrders[] = {{3, 0, NullOrder::recorded},
                                    {3, 1, NullOrder::delayed},
                                    {3, 2, NullOrder::shuffled},
-                                   {3, 3, NullOrder::shuffled}};
+                                   {4, 3, NullOrder::shuffled}};
 
 void expect_reference(const FramePlan& plan) {
-    const NullRun wanted = run_reference(plan.graph, plan.live);
     for (const NullOptions& options : kOrders) {
+        const NullRun wanted = run_reference(plan.graph, plan.live, options.frames);
         const NullRun found = run_null(plan, options);
         const std::vector<std::string> different = differences(plan.graph, wanted, found);
-        EXPECT_TRUE(different.empty()) << different.front() << "\n"
-                                       << (found.faults.empty() ? "" : found.faults.front());
+        if (different.empty()) continue;
+        ADD_FAILURE() << different.front() << "\n" << (found.faults.empty() ? "" : found.faults.front());
+        return;
     }
 }
 
-std::vector<LogicalQueue> queues_of(uint32_t count, bool one_family) {
-    DeviceProfile profile;
-    if (!one_family)
-        profile.queue_families = {
-            {QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
-    return logical_queues(profile, count);
-}
-
-// Deterministic hints: a third of what could go elsewhere asks for each other queue.
-ResolvedGraph with_hints(ResolvedGraph graph, uint32_t seed) {
-    for (PassId id = 0; id < graph.passes.size(); ++id) {
-        const uint32_t turn = (id * 2654435761u ^ seed * 40503u) >> 7;
-        graph.passes[id].queue = static_cast<QueueKind>(turn % 3);
-    }
-    for (ResourceDecl& resource : graph.resources)
-        if (resource.import) resource.import->concurrent = true;
-    return graph;
-}
-
-TEST(RandomPlans, GiveWhatTheGraphMeans) {
-    for (uint32_t seed = 0; seed < kGraphs; ++seed) {
+TEST(RandomPlans, GiveWhatTheGraphMeansOnOneQueue) {
+    for (uint32_t seed = 0; seed < 150; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const ResolvedGraph graph = random_graph(seed);
         expect_reference(compile(graph, content_needs(graph), {}));
@@ -56,14 +38,33 @@ TEST(RandomPlans, GiveWhatTheGraphMeans) {
     }
 }
 
-TEST(RandomPlans, GiveTheSameOnSeveralQueues) {
-    for (uint32_t seed = 0; seed < kGraphs; ++seed) {
-        const uint32_t count = 1 + seed % 4;
+TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesOnOneToFourQueues) {
+    const uint32_t graphs = extended() ? 10000 : 300;
+    GraphCoverage coverage;
+    uint32_t failures = 0;
+    for (uint32_t seed = 0; seed < graphs && failures < 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        const ResolvedGraph graph = with_hints(random_graph(seed), seed);
-        CompileOptions options;
-        options.queues = queues_of(count, seed % 8 == 7);
-        expect_reference(compile(graph, content_needs(graph), options));
+        const FramePlan plan = random_plan(seed);
+        coverage.add(plan);
+        const Diagnostics faults = check_plan(plan);
+        EXPECT_TRUE(faults.empty()) << to_text(faults.front());
+        expect_reference(plan);
+        failures += HasFailure() ? 1 : 0;
+    }
+    std::cout << "seeds 0.." << graphs - 1 << ", " << coverage.text() << "\n";
+    EXPECT_GE(coverage.hand_overs * 2, graphs);
+    for (const uint32_t count : {coverage.waits, coverage.history, coverage.ranges, coverage.repeats})
+        EXPECT_GE(count * 10, graphs * 3);
+}
+
+TEST(RandomPlans, TheNaivePlanGivesItToo) {
+    for (uint32_t seed = 0; seed < 100; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const FramePlan plan = naive_plan(random_graph(seed, all_features()));
+        const Diagnostics faults = check_plan(plan);
+        EXPECT_TRUE(faults.empty()) << to_text(faults.front());
+        expect_reference(plan);
+        if (HasFailure()) return;
     }
 }
 

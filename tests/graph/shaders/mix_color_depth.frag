@@ -1,0 +1,13 @@
+// Depth as an input while it is tested against; its bits are exact.
+#version 460
+#include "mixing.glsl"
+
+uniform sampler2D a;
+layout(location = 0) out uint dst;
+
+void main() {
+    const uvec2 at = uvec2(gl_FragCoord.xy);
+    uint value = scramble(params.seed + at.x * 65536u + at.y);
+    value = scramble(value ^ floatBitsToUint(texelFetch(a, ivec2(at % uvec2(textureSize(a, 0))), 0).r));
+    dst = value;
+}
