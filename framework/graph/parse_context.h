@@ -173,6 +173,8 @@ void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& gra
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);

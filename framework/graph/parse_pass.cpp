@@ -14,14 +14,17 @@ constexpr TypeMask kClear = 8;
 constexpr TypeMask kCopy = 16;
 constexpr TypeMask kReadback = 32;
 constexpr TypeMask kCustom = 64;  // pass types written in C++
-constexpr TypeMask kAll = 127;
+constexpr TypeMask kBlit = 128;
+constexpr TypeMask kTransfer = kCopy | kBlit;
+constexpr TypeMask kAll = 255;
 constexpr TypeMask kDrawing = kFullscreen | kRaster;
 constexpr TypeMask kShaded = kCompute | kDrawing;
 
 constexpr std::array kBuiltinTypes{
-    Choice<TypeMask>{"compute", kCompute}, Choice<TypeMask>{"fullscreen", kFullscreen},
-    Choice<TypeMask>{"raster", kRaster},   Choice<TypeMask>{"clear", kClear},
-    Choice<TypeMask>{"copy", kCopy},       Choice<TypeMask>{"readback", kReadback},
+    Choice<TypeMask>{"compute", kCompute},   Choice<TypeMask>{"fullscreen", kFullscreen},
+    Choice<TypeMask>{"raster", kRaster},     Choice<TypeMask>{"clear", kClear},
+    Choice<TypeMask>{"copy", kCopy},         Choice<TypeMask>{"blit", kBlit},
+    Choice<TypeMask>{"readback", kReadback},
 };
 constexpr std::array kQueues{Choice<QueueKind>{"graphics", QueueKind::graphics},
                              Choice<QueueKind>{"async", QueueKind::compute},
@@ -65,6 +68,7 @@ void read_counts(ParseContext& context, const JsonNode& node, std::vector<Expr>&
 }
 
 void read_groups(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    if (node.kind == JsonKind::object) return parse_indirect(context, node, pass);
     read_counts(context, node, pass.groups);
 }
 
@@ -108,9 +112,10 @@ constexpr std::array kPassKeys{
     PassKey{"type", kAll, read_type},
     PassKey{"queue", kAll, read_queue},
     PassKey{"shader", kShaded, read_shader},
-    PassKey{"in", kShaded | kCopy | kReadback | kCustom, parse_inputs},
+    PassKey{"in", kShaded | kTransfer | kReadback | kCustom, parse_inputs},
     PassKey{"out", kAll & ~kReadback, parse_outputs},
     PassKey{"depth", kDrawing, parse_depth},
+    PassKey{"resolve", kDrawing, parse_resolves},
     PassKey{"draws", kRaster, read_draws},
     PassKey{"view", kShaded, read_view},
     PassKey{"params", kShaded | kCustom, parse_pass_params},
@@ -122,7 +127,7 @@ constexpr std::array kPassKeys{
     PassKey{"state", kDrawing, parse_state},
     PassKey{"clear", kDrawing | kClear, read_clear},
     PassKey{"covers", kDrawing, read_covers},
-    PassKey{"partial", kShaded | kCopy | kCustom, read_partial},
+    PassKey{"partial", kShaded | kTransfer | kCustom, read_partial},
     PassKey{"after", kAll, read_after},
     PassKey{"cost", kShaded | kCustom, read_cost},
 };
@@ -135,8 +140,8 @@ struct RequiredKey {
 constexpr std::array kRequiredKeys{
     RequiredKey{"shader", kShaded, "name the shader, for example \"shader\": \"light.comp\""},
     RequiredKey{"draws", kRaster, "list the draw lists, for example \"draws\": [\"opaque\"]"},
-    RequiredKey{"in", kCopy | kReadback, "say what is read, for example \"in\": [\"hdr\"]"},
-    RequiredKey{"out", kClear | kCopy, "say what is written, for example \"out\": [\"hdr\"]"},
+    RequiredKey{"in", kTransfer | kReadback, "say what is read, for example \"in\": [\"hdr\"]"},
+    RequiredKey{"out", kClear | kTransfer, "say what is written, for example \"out\": [\"hdr\"]"},
 };
 
 std::string types_text(TypeMask types) {
@@ -243,6 +248,11 @@ void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& p
 }
 
 void check_port_names(ParseContext& context, const PassDesc& pass) {
+    for (const PortDesc& port : pass.in)
+        if (pass.indirect && port.port == "indirect")
+            context.error(port.loc, "W109",
+                          "the size of the dispatch is read from a port called \"indirect\"",
+                          "give the input another name: { \"name\": \"" + port.ref.text + "\" }");
     for (const PortDesc& port : pass.out)
         if (pass.depth && port.port == "depth")
             context.error(port.loc, "W109", "the pass has a depth attachment and an output called \"depth\"",

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "graph/parse_context.h"
 #include "graph/reference.h"
 
@@ -127,6 +129,45 @@ void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass) 
         if (draft.clear) pass.clear_ports.emplace(member.key, *draft.clear);
         pass.out.push_back(std::move(draft.port));
     });
+}
+
+// {"hdr": "hdrMs"}: output hdrMs, averaged, goes to hdr.
+void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    if (!expect(context, node, JsonKind::object)) return;
+    std::vector<std::string> outputs;
+    for (const PortDesc& port : pass.out) outputs.push_back(port.port);
+    for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
+        const PointerScope scope(context, member.key);
+        Result<RefDesc> ref = parse_reference({member.key, member.key_loc}, context.sources());
+        if (!ref) {
+            context.add(ref.take_errors());
+            continue;
+        }
+        ResolveDesc resolve;
+        resolve.target.port = ref->name;
+        resolve.target.loc = member.key_loc;
+        resolve.target.ref = std::move(*ref);
+        resolve.output_loc = member.value.loc;
+        if (!read_string(context, member.value, resolve.output)) continue;
+        if (std::find(outputs.begin(), outputs.end(), resolve.output) == outputs.end())
+            bad_choice(context, member.value, resolve.output, outputs);
+        else
+            pass.resolves.push_back(std::move(resolve));
+    }
+}
+
+// {"indirect": "args"}
+void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    static constexpr std::array kKeys{KeyRule<PortDraft>{"indirect", read_ref}};
+    PortDraft draft;
+    draft.port.port = "indirect";
+    draft.port.loc = node.loc;
+    if (!read_object(context, node, "the size of a dispatch", kKeys, draft)) return;
+    if (node.members.empty())
+        missing_key(context, node.loc, "the size of a dispatch", "indirect",
+                    "name the buffer that holds it: { \"indirect\": \"args\" }");
+    pass.indirect = std::move(draft.port);
 }
 
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {

@@ -32,8 +32,32 @@ void read_mips(ParseContext& context, const JsonNode& node, ResourceDesc& resour
     if (!resource.full_mips) read_expression(context, node, resource.mips);
 }
 
+constexpr std::array kKinds{
+    Choice<ImageKind>{"2d", ImageKind::d2}, Choice<ImageKind>{"array", ImageKind::d2_array},
+    Choice<ImageKind>{"cube", ImageKind::cube}, Choice<ImageKind>{"cubeArray", ImageKind::cube_array},
+    Choice<ImageKind>{"3d", ImageKind::d3}};
+
+void read_kind(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    read_choice(context, node, kKinds, resource.image_kind);
+}
+
+// Six square faces; the side is the size.
+void read_cube(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    if (read_expression(context, node, resource.size)) resource.image_kind = ImageKind::cube;
+}
+
+void read_samples(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    double samples = 0;
+    if (!read_number(context, node, samples)) return;
+    if (samples == 1 || samples == 2 || samples == 4 || samples == 8) {
+        resource.samples = static_cast<uint32_t>(samples);
+        return;
+    }
+    context.error(node.loc, "W109", "found " + node.string + " samples", "write 1, 2, 4 or 8");
+}
+
 void read_layers(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
-    if (read_expression(context, node, resource.layers)) resource.image_kind = ImageKind::d2_array;
+    read_expression(context, node, resource.layers);
 }
 
 constexpr std::array kOnResizes{Choice<OnResize>{"clear", OnResize::clear},
@@ -69,6 +93,10 @@ constexpr std::array kResourceKeys{
         "size", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_size(c, n, r.size); }},
     KeyRule<ResourceDesc>{"mips", read_mips},
     KeyRule<ResourceDesc>{"layers", read_layers},
+    KeyRule<ResourceDesc>{"depth", read_layers},
+    KeyRule<ResourceDesc>{"kind", read_kind},
+    KeyRule<ResourceDesc>{"cube", read_cube},
+    KeyRule<ResourceDesc>{"samples", read_samples},
     KeyRule<ResourceDesc>{"buffer", read_element},
     KeyRule<ResourceDesc>{
         "count", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_expression(c, n, r.count); }},
@@ -98,8 +126,8 @@ void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
 }
 
 void check_kind(ParseContext& context, const JsonMember& member) {
-    static constexpr std::array<std::string_view, 6> kImageKeys{"format", "size",  "mips",
-                                                                "layers", "clear", "preExposed"};
+    static constexpr std::array<std::string_view, 10> kImageKeys{
+        "format", "size", "mips", "layers", "depth", "kind", "cube", "samples", "clear", "preExposed"};
     static constexpr std::array<std::string_view, 1> kBufferKeys{"count"};
     const JsonNode& node = member.value;
     if (node.find("buffer") != nullptr) {
@@ -112,6 +140,38 @@ void check_kind(ParseContext& context, const JsonMember& member) {
     if (node.find("format") == nullptr)
         missing_key(context, member.key_loc, "a resource", "format",
                     "an image needs \"format\", a buffer \"buffer\" and \"count\"");
+}
+
+const char* help_for_layers(ImageKind kind) {
+    if (kind == ImageKind::d3) return "a 3D image has a \"depth\" instead";
+    if (kind == ImageKind::cube) return "cubes have their six faces; several are \"kind\": \"cubeArray\"";
+    return "write \"kind\": \"array\", or leave the kind out";
+}
+
+// Which keys go with which kind of image.
+void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
+        const PointerScope scope(context, key);
+        context.error(node.find(key)->loc, "W109", message, help);
+    };
+    const auto has = [&](std::string_view key) { return node.find(key) != nullptr; };
+    for (const std::string_view key : {"size", "kind"})
+        if (has("cube") && has(key))
+            complain(key, "\"cube\" already says the " + std::string(key),
+                     "remove it, or write \"kind\": \"cube\" with a size");
+    if (!has("kind") && !has("cube") && has("layers")) resource.image_kind = ImageKind::d2_array;
+    const ImageKind kind = resource.image_kind;
+    const bool layered = kind == ImageKind::d2_array || kind == ImageKind::cube_array;
+    if (has("layers") && !layered)
+        complain("layers", "this kind of image has no layers", help_for_layers(kind));
+    if (has("depth") && kind != ImageKind::d3)
+        complain("depth", "only 3D images have a depth", "write \"kind\": \"3d\" too");
+    if (resource.samples == 1) return;
+    if (kind != ImageKind::d2 && kind != ImageKind::d2_array)
+        complain("samples", "cubes and 3D images can't be multisampled", "use a 2D image or an array");
+    if (has("mips"))
+        complain("mips", "multisampled images have one mip",
+                 "remove \"mips\", or resolve into an image with mips");
 }
 
 // What a resource means to later frames.
@@ -142,6 +202,7 @@ void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& gra
         resource.loc = member.key_loc;
         if (!read_object(context, member.value, "a resource", kResourceKeys, resource)) return;
         check_kind(context, member);
+        settle_kind(context, member.value, resource);
         check_persistence(context, member.value, resource);
         graph.resources.emplace(member.key, std::move(resource));
     });

@@ -81,7 +81,7 @@ void visit_fields(V& v, const RasterState& x) {
 }
 template <class V>
 void visit_fields(V& v, const AttachmentDecl& x) {
-    v("use", x.use), v("location", x.location), v("blend", x.blend), v("clear", x.clear),
+    v("use", x.use), v("location", x.location), v("resolveUse", x.resolve_use), v("blend", x.blend), v("clear", x.clear),
         v("covers", x.covers);
 }
 template <class V>
@@ -104,7 +104,7 @@ void visit_fields(V& v, const PassDecl& x) {
     v("sideEffect", x.side_effect), v("shader", x.shader), v("specValues", x.spec_values),
         v("params", x.params);
     v("paramsBytes", x.params_bytes), v("paramsPush", x.params_push), v("customParams", x.custom_params);
-    v("groups", x.groups), v("colors", x.colors), v("depth", x.depth), v("renderExtent", x.render_extent);
+    v("groups", x.groups), v("indirectUse", x.indirect_use), v("colors", x.colors), v("depth", x.depth), v("renderExtent", x.render_extent);
     v("state", x.state), v("drawLists", x.draw_lists), v("view", x.view), v("clear", x.clear),
         v("flops", x.flops);
     v("orderKey", x.order_key);

@@ -26,6 +26,7 @@ class AttachmentStep {
                   "split the pass, or pack its outputs");
         }
         check_agreement();
+        for (const ResolveDesc& resolve : desc().resolves) add_resolve(resolve);
     }
 
  private:
@@ -66,9 +67,59 @@ class AttachmentStep {
         check_range(decl_.uses[index]);
     }
 
+    void add_resolve(const ResolveDesc& resolve) {
+        const auto port = std::ranges::find(work_.ports, &resolve.target, &PortWork::desc);
+        if (port == work_.ports.end()) return;  // reported
+        const auto target = static_cast<uint32_t>(port - work_.ports.begin());
+        const auto color = std::ranges::find_if(
+            decl_.colors, [&](const AttachmentDecl& c) { return decl_.uses[c.use].port == resolve.output; });
+        const std::string what = "output " + quoted(resolve.output) + " of pass " + quoted(decl_.name);
+        if (color == decl_.colors.end()) {
+            if (!work_.faulty)
+                error(resolve.output_loc, what + " is no colour attachment", "only those are resolved");
+            return;
+        }
+        if (color->resolve_use != kNoId)
+            return error(resolve.output_loc, what + " is resolved twice",
+                         "resolve it once, and copy the result");
+        color->resolve_use = target;
+        check_range(decl_.uses[target]);
+        check_resolve(decl_.uses[color->use], decl_.uses[target]);
+    }
+
+    void check_resolve(const UseDecl& from, const UseDecl& to) {
+        const ResourceDecl& many = state_.graph.resources[from.resource];
+        const ResourceDecl& one = state_.graph.resources[to.resource];
+        if (state_.resources[from.resource].suspect_shape || state_.resources[to.resource].suspect_shape)
+            return;
+        const std::string what = "pass " + quoted(decl_.name) + " can't resolve " + quoted(many.name) +
+                                 " into " + quoted(one.name) + ": ";
+        if (one.kind == ResourceKind::buffer)
+            return error(to.loc, what + "that is a buffer", "name an image");
+        if (many.samples == 1)
+            return error(to.loc, what + "the former has one sample a pixel",
+                         "give it \"samples\": 4, or write " + quoted(one.name) + " directly");
+        if (one.samples != 1)
+            return error(to.loc, what + "both are multisampled", "remove \"samples\" of " + quoted(one.name));
+        if (many.format != one.format)
+            return error(to.loc, what + "their formats differ", "give both the same format");
+        if (format_info(many.format).numeric != NumericClass::float_like)
+            return error(to.loc, what + "integers have no average", "use a format of floats or fractions");
+        if (use_extent(state_, to) != decl_.render_extent)
+            error(to.loc,
+                  what + "they are " + extent_text(decl_.render_extent) + " and " +
+                      extent_text(use_extent(state_, to)),
+                  "give both the same size, and pick the mip");
+    }
+
     void check_range(const UseDecl& use) {
-        if (use.range.mips == 1 && use.range.layers == 1) return;
         const ResourceDecl& resource = state_.graph.resources[use.resource];
+        if (resource.image_kind == ImageKind::d3)
+            return error(use.loc,
+                         "attachment " + quoted(use.port) + " of pass " + quoted(decl_.name) +
+                             " is the 3D image " + quoted(resource.name),
+                         "write 3D images in a compute pass, or use an array");
+        if (use.range.mips == 1 && use.range.layers == 1) return;
         const std::string pick =
             resource.name + (use.range.mips > 1 ? ".mip(0)" : "") + (use.range.layers > 1 ? ".layer(0)" : "");
         error(use.loc,

@@ -36,12 +36,18 @@ class ShaderBinder {
  private:
     const PassDesc& desc() const { return *work_.desc; }
 
-    // The depth attachment is no binding, so an input may share its name.
+    static bool is_bound(const PortWork& port) {
+        return !port.is_depth_port && !port.is_resolve && !port.is_indirect;
+    }
+
+    // The depth attachment and its like are no bindings, so an input may share their names.
     size_t output_of_same_name(size_t in) const {
         size_t out = 0;
         for (; out < decl_.uses.size(); ++out) {
-            const bool binding = decl_.uses[out].is_output && !work_.ports[out].is_depth_port;
-            if (!decl_.uses[in].is_output && binding && decl_.uses[out].port == decl_.uses[in].port) break;
+            const bool binding = decl_.uses[out].is_output && is_bound(work_.ports[out]);
+            if (!decl_.uses[in].is_output && is_bound(work_.ports[in]) && binding &&
+                decl_.uses[out].port == decl_.uses[in].port)
+                break;
         }
         return out;
     }
@@ -75,6 +81,10 @@ class ShaderBinder {
 
     void bind(UseDecl& use, PortWork& port) {
         if (port.is_depth_port) return bind_depth(use, port);
+        if (port.is_resolve || port.is_indirect) {
+            use.access = port.is_resolve ? Access::color_write : Access::indirect_read;
+            return;
+        }
         if (use.is_output && decl_.kind != PassKind::compute && bind_color(use, port)) return;
         const auto& bindings = work_.shader->bindings;
         const auto found = std::ranges::find_if(
@@ -240,8 +250,7 @@ class ShaderBinder {
                                   ", but pass " + quoted(decl_.name) + " has no such port");
         std::vector<std::string> unmatched;
         for (const PortWork& port : work_.ports) {
-            if (!port.binding && !port.color_output && !port.is_depth_port)
-                unmatched.push_back(port.desc->port);
+            if (!port.binding && !port.color_output && is_bound(port)) unmatched.push_back(port.desc->port);
         }
         add_help(d, did_you_mean_text(name, unmatched));
         add_help(d, "add it to " + quoted(direction) + ": { " + quoted(name) + ": \"resource\" }");

@@ -31,6 +31,8 @@ struct PortWork {
     std::vector<PassId> pins;  // `@pass`: all passes of that name, in the order of their repeat
     WriteRank rank = WriteRank::fresh;
     bool is_depth_port = false;
+    bool is_resolve = false;      // gets the averages of a multisampled attachment
+    bool is_indirect = false;     // holds the size of the dispatch
     bool reads_own_port = false;  // "in" and "out" both name this port: one binding, in place
 
     [[nodiscard]] bool pinned() const { return !pins.empty(); }
@@ -129,6 +131,8 @@ class IndexScope {
 // "" holds for every output that has no state of its own.
 [[nodiscard]] BlendState blend_of(const PassDesc& desc, const std::string& port);
 [[nodiscard]] bool has_shader(PassKind kind);
+// Outputs, depth attachment and resolve targets.
+[[nodiscard]] std::vector<const PortDesc*> written_ports(const PassDesc& desc);
 void add_help(Diagnostic& diagnostic, std::string help);  // unless empty
 
 // --- the steps, in order

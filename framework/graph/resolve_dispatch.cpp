@@ -19,6 +19,7 @@ class DispatchStep {
     void run() {
         check_local_size();
         const PassDesc& desc = *work_.desc;
+        if (desc.indirect) return count_indirectly();
         std::optional<std::array<double, 3>> groups;
         if (!desc.groups.empty() && !desc.threads.empty()) {
             error(desc.groups.front().loc,
@@ -39,6 +40,22 @@ class DispatchStep {
  private:
     void error(SourceLoc loc, const std::string& message, const std::string& help) {
         add_help(state_.pass_error(pass_, loc, "W114", message), help);
+    }
+
+    void count_indirectly() {
+        constexpr uint64_t kCountsBytes = 12;
+        const auto port = std::ranges::find_if(work_.ports, &PortWork::is_indirect);
+        if (port == work_.ports.end()) return;  // reported
+        decl_.indirect_use = static_cast<uint32_t>(port - work_.ports.begin());
+        const UseDecl& use = decl_.uses[decl_.indirect_use];
+        const ResourceDecl& resource = state_.graph.resources[use.resource];
+        const bool buffer = resource.kind == ResourceKind::buffer;
+        if (state_.resources[use.resource].suspect_shape || (buffer && resource.size_bytes >= kCountsBytes))
+            return;
+        error(use.loc,
+              "pass " + quoted(decl_.name) + " reads its numbers of workgroups from " +
+                  quoted(resource.name) + (buffer ? ", which is too small" : ", which is an image"),
+              "it takes a buffer of three words: { \"buffer\": \"u32\", \"count\": 3 }");
     }
 
     void check_local_size() {
@@ -145,9 +162,43 @@ bool same_shape(const ResolveState& state, const UseDecl& a, const UseDecl& b) {
            from.samples == to.samples;
 }
 
+// What keeps an image from being stretched over another; empty: nothing.
+std::string blit_fault(const ResolveState& state, const UseDecl& from, const UseDecl& to) {
+    const ResourceDecl& source = state.graph.resources[from.resource];
+    const ResourceDecl& target = state.graph.resources[to.resource];
+    if (source.kind == ResourceKind::buffer || target.kind == ResourceKind::buffer)
+        return "buffers have no texels";
+    if (source.samples > 1 || target.samples > 1) return "multisampled images are resolved, not blitted";
+    const NumericClass numeric = format_info(source.format).numeric;
+    if (numeric != format_info(target.format).numeric) return "their numbers are of different kinds";
+    if (numeric == NumericClass::depth && source.format != target.format) return "depth needs equal formats";
+    const bool linear = from.sampler.filter == SamplerFilter::linear;
+    if (linear && numeric != NumericClass::float_like) return "only floats can be filtered linearly";
+    if (from.range.mips != 1 || to.range.mips != 1) return "a blit is of one mip to one mip";
+    if (from.range.layers != to.range.layers) return "they have different numbers of layers";
+    return "";
+}
+
+void check_blit(ResolveState& state, PassId pass) {
+    const PassDecl& decl = state.graph.passes[pass];
+    const UseDecl& from = decl.uses[0];
+    const UseDecl& to = decl.uses[1];
+    if (state.resources[from.resource].suspect_shape || state.resources[to.resource].suspect_shape) return;
+    const std::string fault = blit_fault(state, from, to);
+    if (fault.empty()) return;
+    Diagnostic& d =
+        state.pass_error(pass, to.loc, "W112",
+                         "blit pass " + quoted(decl.name) + " can't go from " +
+                             quoted(range_of(state.graph.resources[from.resource], from.range)) + " to " +
+                             quoted(range_of(state.graph.resources[to.resource], to.range)) + ": " + fault);
+    add_help(d,
+             "pick mips and layers, set \"sampler\": { \"filter\": \"nearest\" }, or use a fullscreen pass");
+}
+
 void check_copy(ResolveState& state, PassId pass) {
     const PassDecl& decl = state.graph.passes[pass];
     if (decl.kind != PassKind::copy || state.passes[pass].faulty || decl.uses.size() != 2) return;
+    if (decl.type == "blit") return check_blit(state, pass);
     const UseDecl& from = decl.uses[0];
     const UseDecl& to = decl.uses[1];
     if (state.resources[from.resource].suspect_shape || state.resources[to.resource].suspect_shape) return;

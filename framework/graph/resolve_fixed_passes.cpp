@@ -77,9 +77,13 @@ void bind_fixed_pass(ResolveState& state, PassId pass) {
     check_port_counts(state, pass);
     PassWork& work = state.passes[pass];
     PassDecl& decl = state.graph.passes[pass];
-    const Access written = decl.kind == PassKind::clear ? Access::clear_write : Access::copy_write;
+    const bool blit = decl.type == "blit";
+    const Access read = blit ? Access::blit_read : Access::copy_read;
+    const Access written = decl.kind == PassKind::clear ? Access::clear_write
+                           : blit                       ? Access::blit_write
+                                                        : Access::copy_write;
     for (size_t i = 0; i < decl.uses.size(); ++i) {
-        decl.uses[i].access = decl.uses[i].is_output ? written : Access::copy_read;
+        decl.uses[i].access = decl.uses[i].is_output ? written : read;
         if (decl.uses[i].is_output) work.ports[i].rank = fixed_rank(*work.desc, work.ports[i], written);
     }
     if (work.desc->clear) decl.clear = *work.desc->clear;

@@ -11,6 +11,7 @@ namespace {
 // What one resource must be good for, beyond its usages.
 struct Needs {
     bool blend = false;
+    bool blit_from = false, blit_to = false;
     bool linear_always = false;    // a sampler that says so
     bool linear_if_float = false;  // the default sampler
 };
@@ -28,6 +29,8 @@ constexpr std::array kFeatureRows{
     FeatureRow{format_feature::kDepthAttachment, "depth attachments"},
     FeatureRow{format_feature::kTransferSrc, "copying from"},
     FeatureRow{format_feature::kTransferDst, "copying or clearing to"},
+    FeatureRow{format_feature::kBlitSrc, "blitting from"},
+    FeatureRow{format_feature::kBlitDst, "blitting to"},
 };
 
 std::string features_text(FormatFeatureMask mask) {
@@ -56,6 +59,8 @@ FormatFeatureMask features_needed(UsageMask usages, const Needs& needs, Format f
         if (usages & used) mask |= feature;
     }
     if (needs.blend) mask |= format_feature::kColorBlend;
+    if (needs.blit_from) mask |= format_feature::kBlitSrc;
+    if (needs.blit_to) mask |= format_feature::kBlitDst;
     if (needs.linear_always || (needs.linear_if_float && is_float(format)))
         mask |= format_feature::kSampledLinear;
     return mask;
@@ -79,6 +84,10 @@ void need_first_clear(ResolveState& state) {
     }
 }
 
+bool is_filtered(Access a) {
+    return a == Access::sampled_read || a == Access::blit_read;
+}
+
 std::vector<Needs> gather_needs(ResolveState& state) {
     std::vector<Needs> needs(state.resources.size());
     for (PassId id = 0; id < state.passes.size(); ++id) {
@@ -89,7 +98,9 @@ std::vector<Needs> gather_needs(ResolveState& state) {
             Needs& need = needs[base];
             state.graph.resources[base].usage |= usage_of(uses[i].access);
             if (work.ports[i].color_output && blend_of(*work.desc, uses[i].port).enabled) need.blend = true;
-            if (uses[i].access != Access::sampled_read) continue;
+            need.blit_from |= uses[i].access == Access::blit_read;
+            need.blit_to |= uses[i].access == Access::blit_write;
+            if (!is_filtered(uses[i].access)) continue;
             const std::optional<SamplerDecl>& sampler = work.ports[i].desc->sampler;
             if (sampler) need.linear_always |= filters_linearly(*sampler, uses[i].range.mips);
             if (!sampler) need.linear_if_float = true;
@@ -131,7 +142,10 @@ bool choose_format(ResolveState& state, ResourceDecl& decl, const ResourceDesc& 
             features_needed(decl.usage, needs, format) & ~state.input.profile.features(format);
         if (missing == 0) {
             set_format(decl, format);
-            return true;
+            if (decl.image_kind != ImageKind::d3 || decl.aspects == aspect::kColor) return true;
+            add_help(state.error(desc.loc, "W109", "3D image " + quoted(desc.name) + " has a depth format"),
+                     "use a colour format, or an array");
+            return false;
         }
         reasons.push_back(quoted(format_info(format).name) + " lacks " + features_text(missing));
     }
@@ -153,10 +167,11 @@ void complete_use(const ResolveState& state, UseDecl& use, const PortWork& port)
         if (use.access == Access::sampled_read && (resource.aspects & aspect::kDepth))
             use.range.aspects = aspect::kDepth;
     }
-    if (use.access != Access::sampled_read || !port.binding) return;
+    if (!is_filtered(use.access)) return;
     if (!port.desc->sampler && !is_float(resource.format)) {
         use.sampler.filter = use.sampler.mip_filter = SamplerFilter::nearest;
     }
+    if (!port.binding) return;
     // There is nothing between the mips of one mip.
     if (use.range.mips == 1) use.sampler.mip_filter = SamplerFilter::nearest;
     use.sampler.compare_greater_equal = port.binding->shadow;

@@ -57,6 +57,12 @@ class InterfaceCheck {
         if (!port.binding || use.access == Access::none) return;
         if (resource.kind == ResourceKind::buffer) return check_buffer(use, resource, *port.binding);
         if (!check_numbers(use, resource, *port.binding)) return;
+        if (port.binding->kind == BindingKind::storage_image && resource.samples > 1) {
+            error(use,
+                  port_text(use) + " is a storage image, but " + quoted(resource.name) + " is multisampled",
+                  "resolve it first, or sample it");
+            return;
+        }
         if (port.binding->kind == BindingKind::storage_image) check_storage(use, resource, *port.binding);
         check_dimensions(use, resource, *port.binding);
         check_filter(use, resource);

@@ -13,9 +13,13 @@ struct KindName {
     PassKind kind;
 };
 constexpr std::array kKinds{
-    KindName{"clear", PassKind::clear},   KindName{"compute", PassKind::compute},
-    KindName{"copy", PassKind::copy},     KindName{"fullscreen", PassKind::fullscreen},
-    KindName{"raster", PassKind::raster}, KindName{"readback", PassKind::readback},
+    KindName{"blit", PassKind::copy},
+    KindName{"clear", PassKind::clear},
+    KindName{"compute", PassKind::compute},
+    KindName{"copy", PassKind::copy},
+    KindName{"fullscreen", PassKind::fullscreen},
+    KindName{"raster", PassKind::raster},
+    KindName{"readback", PassKind::readback},
 };
 
 void declare_observers(ResolveState& state) {
@@ -122,6 +126,14 @@ void name_passes(ResolveState& state) {
 }
 
 }  // namespace
+
+std::vector<const PortDesc*> written_ports(const PassDesc& desc) {
+    std::vector<const PortDesc*> ports;
+    for (const PortDesc& port : desc.out) ports.push_back(&port);
+    if (desc.depth) ports.push_back(&*desc.depth);
+    for (const ResolveDesc& resolve : desc.resolves) ports.push_back(&resolve.target);
+    return ports;
+}
 
 bool has_shader(PassKind kind) {
     return kind == PassKind::compute || kind == PassKind::fullscreen || kind == PassKind::raster;

@@ -161,13 +161,12 @@ std::vector<BoundPort> collect_outputs(ResolveState& state, PassId id) {
     const IndexScope scope(state, id);
     const PassDesc& desc = *state.passes[id].desc;
     std::vector<BoundPort> ports;
-    for (const PortDesc& port : desc.out) {
-        if (std::optional<BoundPort> bound = bind_reference(state, id, port, port.ref, true))
-            ports.push_back(std::move(*bound));
-    }
-    if (!desc.depth) return ports;
-    if (std::optional<BoundPort> bound = bind_reference(state, id, *desc.depth, desc.depth->ref, true)) {
-        bound->work.is_depth_port = true;
+    for (const PortDesc* port : written_ports(desc)) {
+        std::optional<BoundPort> bound = bind_reference(state, id, *port, port->ref, true);
+        if (!bound) continue;
+        bound->work.is_depth_port = desc.depth && port == &*desc.depth;
+        bound->work.is_resolve = std::ranges::any_of(
+            desc.resolves, [&](const ResolveDesc& resolve) { return port == &resolve.target; });
         ports.push_back(std::move(*bound));
     }
     return ports;
@@ -214,7 +213,13 @@ void collect_ports(ResolveState& state) {
     for (PassId id = 0; id < state.passes.size(); ++id) {
         const IndexScope scope(state, id);
         std::vector<BoundPort> ports;
-        for (const PortDesc& port : state.passes[id].desc->in) add_input(state, id, port, outputs, ports);
+        const PassDesc& desc = *state.passes[id].desc;
+        for (const PortDesc& port : desc.in) add_input(state, id, port, outputs, ports);
+        if (desc.indirect) {
+            const size_t before = ports.size();
+            add_input(state, id, *desc.indirect, outputs, ports);
+            if (ports.size() > before) ports.back().work.is_indirect = true;
+        }
         ports.insert(ports.end(), outputs[id].begin(), outputs[id].end());
         store_ports(state, id, std::move(ports));
     }

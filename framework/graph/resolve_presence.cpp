@@ -11,10 +11,10 @@ bool names_this_frames(const PortDesc& port, const std::string& name) {
 
 // The port by which a pass writes a resource; null: it doesn't.
 const PortDesc* output_of(const PassDesc& desc, const std::string& name) {
-    const auto named = [&](const PortDesc& port) { return names_this_frames(port, name); };
-    const auto out = std::ranges::find_if(desc.out, named);
-    if (out != desc.out.end()) return &*out;
-    return desc.depth && named(*desc.depth) ? &*desc.depth : nullptr;
+    for (const PortDesc* port : written_ports(desc)) {
+        if (names_this_frames(*port, name)) return port;
+    }
+    return nullptr;
 }
 
 // Whether a pass leaves the version before it visible, as far as its description tells.

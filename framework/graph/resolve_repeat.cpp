@@ -112,12 +112,10 @@ class RepeatStep {
     // Nobody knows whether and where it writes.
     void suspect() {
         state_.faulty_passes.insert(desc_.name);
-        const auto mark = [&](const PortDesc& port) {
-            const ResourceId id = state_.resource_id(port.ref.name);
+        for (const PortDesc* port : written_ports(desc_)) {
+            const ResourceId id = state_.resource_id(port->ref.name);
             if (id != kNoId) state_.resources[id].suspect_writers = true;
-        };
-        for (const PortDesc& port : desc_.out) mark(port);
-        if (desc_.depth) mark(*desc_.depth);
+        }
     }
 
     ResolveState& state_;

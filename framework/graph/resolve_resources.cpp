@@ -81,6 +81,7 @@ class ResourceStep {
         if (!size || !layers) return;
         decl_.extent = {at_least_one(size->x), at_least_one(size->y), 1};
         resolve_layers(at_least_one(*layers));
+        check_cube();
         const uint32_t largest = std::max({decl_.extent.width, decl_.extent.height, decl_.extent.depth});
         const uint32_t full = static_cast<uint32_t>(std::bit_width(largest));
         const std::optional<double> mips = number(desc_.mips, 1, "the mip count");
@@ -90,8 +91,21 @@ class ResourceStep {
         state_.names.mip_counts[desc_.name] = decl_.mips;
     }
 
+    bool is_cube() const {
+        return desc_.image_kind == ImageKind::cube || desc_.image_kind == ImageKind::cube_array;
+    }
+
+    void check_cube() {
+        if (!is_cube() || decl_.extent.width == decl_.extent.height) return;
+        work_.suspect_shape = true;
+        Diagnostic& d = state_.error(desc_.size.empty() ? desc_.loc : desc_.size.loc, "W109",
+                                     "the faces of cube " + quoted(desc_.name) + " are " +
+                                         extent_text(decl_.extent) + ", which is no square");
+        add_help(d, "give the side: \"size\": 128");
+    }
+
     void resolve_layers(uint32_t layers) {
-        const bool cube = desc_.image_kind == ImageKind::cube || desc_.image_kind == ImageKind::cube_array;
+        const bool cube = is_cube();
         if (desc_.image_kind == ImageKind::d3) {
             decl_.extent.depth = layers;
         } else {

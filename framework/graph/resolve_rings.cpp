@@ -9,13 +9,12 @@ namespace {
 
 // Whether any pass has it among its outputs, or something misspelt that may be meant for it.
 bool written_by_any_pass(const ResolveState& state, const std::string& name) {
-    const auto names = [&](const PortDesc& port) {
-        if (port.ref.name == name) return true;
-        return state.resource_id(port.ref.name) == kNoId && !did_you_mean(port.ref.name, {name}).empty();
+    const auto names = [&](const PortDesc* port) {
+        if (port->ref.name == name) return true;
+        return state.resource_id(port->ref.name) == kNoId && !did_you_mean(port->ref.name, {name}).empty();
     };
     return std::ranges::any_of(state.input.graph.passes, [&](const auto& entry) {
-        const PassDesc& pass = entry.second;
-        return std::ranges::any_of(pass.out, names) || (pass.depth && names(*pass.depth));
+        return std::ranges::any_of(written_ports(entry.second), names);
     });
 }
 

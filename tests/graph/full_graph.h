@@ -15,6 +15,8 @@ inline constexpr const char* kFullGraph = R"json({
              "preExposed": true },
     "acc": { "format": "rgba16f", "history": 2, "firstFrame": [0, 0, 0, 1], "onResize": "resample" },
     "probes": { "buffer": "vec4", "count": 9, "keep": "shared", "firstFrame": 1 },
+    "hdrMs": { "format": "rgba16f", "samples": 4 }, "sky": { "format": "rgba16f", "cube": 128, "mips": 7 },
+    "fog": { "format": "rgba16f", "kind": "3d", "size": 64, "depth": 32 }, "args": { "buffer": "u32", "count": 3 },
     "lights": { "buffer": "Light", "count": "tile * tile" }
   },
   "passes": {
@@ -34,6 +36,10 @@ inline constexpr const char* kFullGraph = R"json({
       "state": { "blend": { "color": ["src_alpha", "add", "one"], "alpha": ["zero", "max", "one"] },
                  "writeMask": "rgb" } },
     "upload": { "type": "light_upload", "out": ["lights"], "params": { "n": 3 } },
+    "lines": { "type": "raster", "draws": ["opaque"], "shader": "lines", "out": ["hdrMs"],
+      "resolve": { "hdr.mip(0).layer(0)": "hdrMs" } },
+    "indirect": { "type": "compute", "shader": "light.comp", "groups": { "indirect": "args" }, "out": ["fog"] },
+    "shrink": { "type": "blit", "in": { "src": "hdr.mip(0)" }, "out": { "dst": "hdr.mip(1)" } },
     "wipe": { "type": "clear", "out": ["hdr"], "clear": 1 }
   }
 })json";

@@ -73,6 +73,12 @@ TEST(Parse, ComputeAndCustomPasses) {
     EXPECT_EQ(light.params.at(2).components.at(0).postfix.at(0).number, 1);
     EXPECT_EQ(light.after, (std::vector<std::string>{"gbuffer"}));
     EXPECT_FALSE(light.flops.empty());
+    EXPECT_EQ(graph.passes.at("lines").resolves.at(0).output, "hdrMs");
+    EXPECT_EQ(graph.passes.at("lines").resolves.at(0).target.ref.layer_first->text, "0");
+    EXPECT_EQ(graph.passes.at("indirect").indirect->ref.name, "args");
+    EXPECT_EQ(graph.resources.at("sky").image_kind, ImageKind::cube);
+    EXPECT_EQ(graph.resources.at("fog").image_kind, ImageKind::d3);
+    EXPECT_EQ(graph.resources.at("hdrMs").samples, 4u);
     EXPECT_EQ(light.condition.text, "on");
     ASSERT_EQ(light.repeat.size(), 2u);
     EXPECT_EQ(light.repeat[0].index, "i");

@@ -42,7 +42,7 @@ inline DeviceProfile fake_profile() {
     profile.name = "fake";
     for (const std::string& name : format_names()) {
         const FormatInfo& info = format_info(*format_from_name(name));
-        FormatFeatureMask mask = ff::kSampled | ff::kTransferSrc | ff::kTransferDst;
+        FormatFeatureMask mask = ff::kSampled | ff::kTransferSrc | ff::kTransferDst | ff::kBlitSrc | ff::kBlitDst;
         if (info.depth || info.stencil) {
             mask |= ff::kDepthAttachment;
         } else {

@@ -239,8 +239,9 @@ struct RasterState {
 };
 
 struct AttachmentDecl {
-    uint32_t use = kNoId;   // index into PassDecl::uses
-    uint32_t location = 0;  // colour attachments
+    uint32_t use = kNoId;          // index into PassDecl::uses
+    uint32_t location = 0;         // colour attachments
+    uint32_t resolve_use = kNoId;  // of a multisampled one: the use that gets its averages when the pass ends
     BlendState blend;
     std::array<float, 4> clear{0, 0, 0, 0};
     bool covers = false;  // every texel is written: no clear needed
@@ -283,7 +284,7 @@ struct NamedValue {
 
 struct PassDecl {
     std::string name;
-    std::string type;  // "compute", "raster", … or a C++ pass's name
+    std::string type;  // "compute", "raster", … or a C++ pass's name; a "blit" is a copy that scales
     PassKind kind = PassKind::compute;
     QueueKind queue = QueueKind::graphics;  // a hint
     std::vector<UseDecl> uses;              // inputs first, then outputs, each in name order
@@ -295,6 +296,7 @@ struct PassDecl {
     bool params_push = false;
     std::vector<NamedValue> custom_params;    // C++ passes: by name
     std::array<uint32_t, 3> groups{0, 0, 0};  // compute
+    uint32_t indirect_use = kNoId;  // compute: the use that holds `groups` as three words at its start
     // raster and fullscreen
     std::vector<AttachmentDecl> colors;  // by location
     std::optional<AttachmentDecl> depth;

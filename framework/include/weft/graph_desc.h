@@ -103,7 +103,7 @@ struct ResourceDesc {
     ImageKind image_kind = ImageKind::d2;
     Expr mips;  // absent: 1
     bool full_mips = false;
-    Expr layers;  // absent: 1
+    Expr layers;  // absent: 1; of cube arrays the cubes, of 3D images the depth
     uint32_t samples = 1;
     std::string element;  // buffers: "u32", "vec4", or a struct of the import catalogue
     Expr count;
@@ -133,6 +133,13 @@ struct RepeatDesc {
     SourceLoc range_loc;  // of the range
 };
 
+// A multisampled colour output, and where its averages go when the pass ends.
+struct ResolveDesc {
+    PortDesc target;
+    std::string output;  // the port
+    SourceLoc output_loc;
+};
+
 struct PassDesc {
     std::string name;
     std::string type;
@@ -142,6 +149,7 @@ struct PassDesc {
     std::vector<PortDesc> in;
     std::vector<PortDesc> out;
     std::optional<PortDesc> depth;
+    std::vector<ResolveDesc> resolves;
     std::vector<std::string> draws;
     std::vector<SourceLoc> draw_locs;
     std::string view;
@@ -149,6 +157,7 @@ struct PassDesc {
     std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name
     Expr condition;                         // "if"; absent: always
     std::vector<RepeatDesc> repeat;         // outermost first
+    std::optional<PortDesc> indirect;       // where the workgroups are counted
     std::vector<Expr> groups;               // workgroups, one or three (or one of two components)
     std::vector<Expr> threads;              // invocations
     RasterState state;

@@ -1,0 +1,174 @@
+// Cubes, arrays, 3D and multisampled images; resolves, blits and dispatches whose size lies in a buffer.
+#include "resolve_fixture.h"
+
+namespace weft::test {
+namespace {
+
+class ResolveKinds : public ResolveTest {
+ protected:
+    ResolveKinds() {
+        shaders["make.comp"] = compute({image_out("dst")});
+        shaders["copy.comp"] = compute({sampled("src"), image_out("dst")});
+        shaders["draw"] = fragment({"color"});
+    }
+
+    std::string image(const std::string& keys, const std::string& format = "rgba16f") {
+        return R"j("resources": {
+"x": {"format": ")j" +
+               format + R"j(", )j" + keys + R"j(}}, "passes": {"c": {"type": "clear", "out": ["x"]}})j";
+    }
+    // "draw" writes ms and resolves it into one.
+    std::string resolving(const std::string& ms, const std::string& one, const std::string& more = "") {
+        return R"j("imports": {"opaque": "drawlist"}, "resources": {
+"ms": {)j" + ms +
+               R"j(},
+"one": {)j" + one +
+               R"j(}}, "passes": {
+"draw": {"type": "raster", "draws": ["opaque"], "shader": "draw", "out": {"color": "ms"},
+  "resolve": {"one": "color"}})j" +
+               more + "}";
+    }
+    static std::string ms() { return R"j("format": "rgba16f", "samples": 4)j"; }
+};
+
+TEST_F(ResolveKinds, Cubes) {
+    const ResolvedGraph g = good(image(R"j("cube": 128, "mips": 7)j"));
+    EXPECT_EQ(g.resources[0].image_kind, ImageKind::cube);
+    EXPECT_EQ(g.resources[0].extent, (Extent3D{128, 128, 1}));
+    EXPECT_EQ(g.resources[0].layers, 6u);
+    EXPECT_EQ(g.resources[0].mips, 7u);
+    const ResolvedGraph several = good(image(R"j("kind": "cubeArray", "size": 16, "layers": 3)j"));
+    EXPECT_EQ(several.resources[0].image_kind, ImageKind::cube_array);
+    EXPECT_EQ(several.resources[0].layers, 18u);
+    const Diagnostic d = bad(image(R"j("kind": "cube")j"));
+    EXPECT_EQ(d.code, "W109");
+    EXPECT_EQ(d.line, 2u);
+    expect_help(d, R"j("size": 128)j");
+}
+
+TEST_F(ResolveKinds, ArraysAndVolumes) {
+    const ResolvedGraph one = good(image(R"j("kind": "array")j"));
+    EXPECT_EQ(one.resources[0].image_kind, ImageKind::d2_array);
+    EXPECT_EQ(one.resources[0].layers, 1u);
+    const ResolvedGraph fog =
+        good(image(R"j("kind": "3d", "size": [64, 32], "depth": "16 * 8", "mips": "full")j"));
+    EXPECT_EQ(fog.resources[0].image_kind, ImageKind::d3);
+    EXPECT_EQ(fog.resources[0].extent, (Extent3D{64, 32, 128}));
+    EXPECT_EQ(fog.resources[0].layers, 1u);
+    EXPECT_EQ(fog.resources[0].mips, 8u);
+    EXPECT_EQ(bad(image(R"j("kind": "3d", "depth": 4)j", "d32f")).code, "W109");
+}
+
+TEST_F(ResolveKinds, BindingsKnowTheKinds) {
+    const auto body = [](const std::string& keys, const std::string& ref) {
+        return R"j("resources": {"y": "rgba16f", "x": {"format": "rgba16f", )j" + keys + R"j(}}, "passes": {
+          "c": {"type": "clear", "out": ["x"]},
+          "r": {"type": "compute", "shader": "copy.comp", "in": {"src": ")j" +
+               ref + R"j("}, "out": {"dst": "y"}}})j";
+    };
+    EXPECT_EQ(bad(body(R"j("cube": 64)j", "x")).code, "W112");
+    good(body(R"j("cube": 64)j", "x.layer(2)"));
+    shaders["copy.comp"].interface.bindings[0].dim = ImageDim::cube;
+    good(body(R"j("cube": 64)j", "x"));
+    good(body(R"j("kind": "cubeArray", "size": 64, "layers": 2)j", "x.layer(6..11)"));
+    EXPECT_EQ(bad(body(R"j("layers": 6)j", "x")).code, "W112");
+    shaders["copy.comp"].interface.bindings[0].dim = ImageDim::d3;
+    good(body(R"j("kind": "3d", "size": 64, "depth": 4)j", "x"));
+    EXPECT_EQ(bad(body(R"j("cube": 64)j", "x")).code, "W112");
+}
+
+TEST_F(ResolveKinds, VolumesAreNoAttachments) {
+    const Diagnostic d =
+        bad(R"j("resources": {"x": {"format": "rgba16f", "kind": "3d", "depth": 4}}, "passes": {
+      "f": {"type": "fullscreen", "shader": "draw", "out": {"color": "x"}}})j");
+    EXPECT_EQ(d.code, "W112");
+    expect_help(d, "compute pass");
+}
+
+TEST_F(ResolveKinds, MultisampledImagesAreNoStorage) {
+    const Diagnostic d = bad(R"j("resources": {"x": {"format": "rgba16f", "samples": 4}}, "passes": {
+      "m": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}}})j");
+    EXPECT_EQ(d.code, "W112");
+    expect_help(d, "resolve it");
+}
+
+TEST_F(ResolveKinds, AttachmentsAreResolvedWhenThePassEnds) {
+    const ResolvedGraph g = good(resolving(ms(), R"j("format": "rgba16f")j", R"j(,
+"show": {"type": "readback", "in": ["one"]})j"));
+    const PassDecl& draw = *find_pass(g, "draw");
+    ASSERT_EQ(draw.colors.size(), 1u);
+    ASSERT_NE(draw.colors[0].resolve_use, kNoId);
+    const UseDecl& target = draw.uses[draw.colors[0].resolve_use];
+    EXPECT_EQ(g.resources[target.resource].name, "one");
+    EXPECT_EQ(target.access, Access::color_write);
+    EXPECT_EQ(target.state.stages, stage::kColorOutput);
+    EXPECT_EQ(target.state.layout, Layout::color_attachment);
+    EXPECT_TRUE(target.is_output);
+    EXPECT_EQ(find_resource(g, "one")->usage & usage::kColorAttachment, usage::kColorAttachment);
+    EXPECT_EQ(seen(g, "show", "one"), "draw");
+}
+
+TEST_F(ResolveKinds, AResolveNeedsEqualEnds) {
+    const std::string one = R"j("format": "rgba16f")j";
+    EXPECT_EQ(bad(resolving(one, one)).code, "W112");
+    expect_help(bad(resolving(one, one)), R"j("samples": 4)j");
+    EXPECT_EQ(bad(resolving(ms(), ms())).code, "W112");
+    const Diagnostic format = bad(resolving(ms(), R"j("format": "rgba8")j"));
+    EXPECT_EQ(format.code, "W112");
+    EXPECT_EQ(format.line, 5u);
+    expect_help(format, "same format");
+    const Diagnostic size = bad(resolving(ms(), R"j("format": "rgba16f", "size": "output / 2")j"));
+    EXPECT_EQ(size.code, "W112");
+    EXPECT_NE(size.message.find("640x360 and 320x180"), std::string::npos) << size.message;
+}
+
+TEST_F(ResolveKinds, Blits) {
+    const auto body = [](const std::string& x, const std::string& y, const std::string& src = R"j("x")j") {
+        return R"j("resources": {"x": {)j" + x + R"j(}, "y": {)j" + y + R"j(}}, "passes": {
+"c": {"type": "clear", "out": ["x"]},
+"b": {"type": "blit", "in": {"src": )j" +
+               src + R"j(}, "out": {"dst": "y"}}})j";
+    };
+    const std::string half = R"j("format": "rgba8", "size": "output / 2")j";
+    const ResolvedGraph g = good(body(R"j("format": "rgba16f")j", half));
+    EXPECT_EQ(use(g, "b", "src").access, Access::blit_read);
+    EXPECT_EQ(use(g, "b", "src").sampler.filter, SamplerFilter::linear);
+    EXPECT_EQ(use(g, "b", "dst").access, Access::blit_write);
+    EXPECT_EQ(use(g, "b", "dst").state.stages, stage::kBlit);
+    const ResolvedGraph ints = good(body(R"j("format": "r32u")j", R"j("format": "r16u")j"));
+    EXPECT_EQ(use(ints, "b", "src").sampler.filter, SamplerFilter::nearest);
+    EXPECT_EQ(bad(body(R"j("format": "r32u")j", half)).code, "W112");
+    EXPECT_EQ(bad(body(R"j("format": "rgba16f", "mips": 3)j", half)).code, "W112");
+    EXPECT_EQ(bad(body(ms(), half)).code, "W112");
+    EXPECT_EQ(bad(body(R"j("format": "r32u")j", R"j("format": "r16u")j",
+                       R"j({"ref": "x", "sampler": {"filter": "linear"}})j"))
+                  .code,
+              "W117");
+    profile.formats[Format::rgba8] &= ~format_feature::kBlitDst;
+    const Diagnostic d = bad(body(R"j("format": "rgba16f")j", half));
+    EXPECT_EQ(d.code, "W117");
+    expect_help(d, "blitting to");
+}
+
+TEST_F(ResolveKinds, IndirectDispatches) {
+    const auto body = [](const std::string& args) {
+        return R"j("resources": {"y": "rgba16f", "args": {)j" + args + R"j(}}, "passes": {
+"c": {"type": "clear", "out": ["args"]},
+"d": {"type": "compute", "shader": "make.comp", "groups": {"indirect": "args"}, "out": {"dst": "y"}}})j";
+    };
+    const ResolvedGraph g = good(body(R"j("buffer": "u32", "count": 3)j"));
+    const PassDecl& d = *find_pass(g, "d");
+    ASSERT_NE(d.indirect_use, kNoId);
+    const UseDecl& args = d.uses[d.indirect_use];
+    EXPECT_EQ(args.access, Access::indirect_read);
+    EXPECT_EQ(args.state.stages, stage::kDrawIndirect);
+    EXPECT_EQ(args.binding, kNoId);
+    EXPECT_EQ(d.groups, (std::array<uint32_t, 3>{0, 0, 0}));
+    EXPECT_EQ(seen(g, "d", "indirect"), "c");
+    EXPECT_TRUE(find_resource(g, "args")->usage & usage::kIndirect);
+    EXPECT_EQ(bad(body(R"j("buffer": "u32", "count": 2)j")).code, "W114");
+    EXPECT_EQ(bad(body(R"j("format": "r32u")j")).code, "W114");
+}
+
+}  // namespace
+}  // namespace weft::test
