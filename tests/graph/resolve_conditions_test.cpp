@@ -37,6 +37,7 @@ class ResolveConditions : public ResolveTest {
 
 TEST_F(ResolveConditions, AFalseConditionLeavesThePassOut) {
     EXPECT_EQ(find_pass(good(graph(R"j("z")j")), "maker"), nullptr);
+    EXPECT_TRUE(warnings.empty()) << "its resources are not unused for good";
     params["on"] = 1;
     EXPECT_NE(find_pass(good(graph(R"j("z")j")), "maker"), nullptr);
 }
