@@ -69,6 +69,13 @@ void Conflicts::find_neighbours(const Unordered& unordered) {
     }
 }
 
+size_t Conflicts::visits() const {
+    if (dense_) return items_.size() * items_.size() / 2;
+    size_t count = items_.size();
+    for (const std::vector<uint32_t>& row : neighbours_) count += row.size();
+    return count;
+}
+
 void Conflicts::clear() {
     placed_.clear();
     offsets_bytes_.assign(dense_ ? 0 : items_.size(), kUnplaced);

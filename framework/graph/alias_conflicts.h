@@ -24,6 +24,8 @@ class Conflicts {
     // Sorted by offset; valid until the next call.
     [[nodiscard]] const std::vector<ByteSpan>& taken(uint32_t item);
     [[nodiscard]] bool dense() const { return dense_; }
+    // How many placements one packing of all items looks at.
+    [[nodiscard]] size_t visits() const;
 
  private:
     struct Placed {

@@ -1,6 +1,7 @@
 #include "graph/alias_pack.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "graph/alias_conflicts.h"
@@ -10,9 +11,13 @@ namespace {
 
 // Past this many items that mostly overlap, best fit by size costs more than it saves.
 constexpr size_t kMaxDenseItems = 4096;
-// Graphs up to this size also get the bounded search; one round costs as much as one packing.
-constexpr size_t kMaxSearchItems = 384;
-constexpr int kSearchRounds = 32;
+// The bounded search looks at this many neighbours in all; one round looks at as many as one packing.
+constexpr size_t kSearchVisits = 12'000'000;
+constexpr size_t kMaxSearchRounds = 200;
+// Nearer than this to the least possible, a search is not worth its time; the longer it takes, the less it
+// asks for.
+constexpr uint64_t kGoodEnoughPercent = 102;
+constexpr size_t kRoundsPerPercent = 16;
 
 uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
     return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
@@ -59,11 +64,57 @@ std::vector<uint32_t> size_descending_order(const std::vector<PackItem>& items) 
     return order;
 }
 
+// The position at which the items in use are largest together.
+uint32_t peak_position(const std::vector<PackItem>& items) {
+    std::map<uint32_t, int64_t> changes;
+    for (const PackItem& item : items) {
+        changes[item.first] += static_cast<int64_t>(item.size_bytes);
+        changes[item.last + 1] -= static_cast<int64_t>(item.size_bytes);
+    }
+    int64_t bytes = 0, most = -1;
+    uint32_t position = 0;
+    for (const auto& [at, change] : changes) {
+        bytes += change;
+        if (bytes <= most) continue;
+        most = bytes;
+        position = at;
+    }
+    return position;
+}
+
+// What lives at the peak has no room to spare and is placed first; then outwards from there.
+std::vector<uint32_t> peak_first_order(const std::vector<PackItem>& items) {
+    const uint32_t peak = peak_position(items);
+    const auto distance = [&](uint32_t i) {
+        if (items[i].first > peak) return items[i].first - peak;
+        return items[i].last < peak ? peak - items[i].last : 0;
+    };
+    std::vector<uint32_t> order = size_descending_order(items);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](uint32_t a, uint32_t b) { return distance(a) < distance(b); });
+    return order;
+}
+
+bool is_good_enough(const Packing& packing, uint64_t lower_bound_bytes, size_t round = 0) {
+    return packing.height_bytes <= lower_bound_bytes / 100 * (kGoodEnoughPercent + round / kRoundsPerPercent);
+}
+
+// Large and long-lived first: what is in many items' way finds its place before them.
+std::vector<uint32_t> area_descending_order(const std::vector<PackItem>& items) {
+    const auto area = [&](uint32_t i) {
+        return items[i].size_bytes * (uint64_t{items[i].last} - items[i].first + 1);
+    };
+    std::vector<uint32_t> order = size_descending_order(items);
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return area(a) > area(b); });
+    return order;
+}
+
 // Whatever reached the top gets first choice in the next round.
 Packing search(const std::vector<PackItem>& items, std::vector<uint32_t> order, Packing best,
                uint64_t lower_bound, Conflicts& conflicts) {
+    const size_t rounds = std::min(kMaxSearchRounds, kSearchVisits / std::max<size_t>(conflicts.visits(), 1));
     Packing current = best;
-    for (int round = 0; round < kSearchRounds && best.height_bytes > lower_bound; ++round) {
+    for (size_t round = 0; round < rounds && !is_good_enough(best, lower_bound, round); ++round) {
         const auto highest = std::max_element(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
             return current.offsets_bytes[a] + items[a].size_bytes <
                    current.offsets_bytes[b] + items[b].size_bytes;
@@ -86,14 +137,17 @@ Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, con
     Packing best;
     best.height_bytes = UINT64_MAX;
     if (!unordered) best = pack_sweep(items);
-    if (best.height_bytes <= lower_bound_bytes) return best;
+    if (is_good_enough(best, lower_bound_bytes) || items.empty()) return best;
     Conflicts conflicts(items, unordered);
     if (conflicts.dense() && items.size() > kMaxDenseItems) return best;
-    const std::vector<uint32_t> order = size_descending_order(items);
-    Packing by_size = pack_in_order(items, order, conflicts);
-    if (items.size() <= kMaxSearchItems)
-        by_size = search(items, order, std::move(by_size), lower_bound_bytes, conflicts);
-    return by_size.height_bytes < best.height_bytes ? by_size : best;
+    for (std::vector<uint32_t> order :
+         {size_descending_order(items), area_descending_order(items), peak_first_order(items)}) {
+        Packing packing = pack_in_order(items, order, conflicts);
+        packing = search(items, std::move(order), std::move(packing), lower_bound_bytes, conflicts);
+        if (packing.height_bytes < best.height_bytes) best = std::move(packing);
+        if (is_good_enough(best, lower_bound_bytes)) break;
+    }
+    return best;
 }
 
 }  // namespace weft
