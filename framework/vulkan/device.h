@@ -25,6 +25,9 @@ struct DeviceOptions {
     // For every fence. Generous: a CPU device compiles its shaders within the first frame, on a machine that
     // may be busy.
     uint64_t timeout_ns = 60'000'000'000;
+    // How many logical queues plans will use: logical_queues() of the device's profile says which families
+    // they are in. Fewer real queues are made where a family has fewer.
+    uint32_t queues = 1;
 };
 
 struct LayerInfo {
@@ -48,6 +51,13 @@ struct Queue {
     uint32_t family = 0;
 };
 
+// A queue family of the physical device, and the queues that were made of it.
+struct QueueFamily {
+    VkQueueFlags flags = 0;
+    bool timestamps = false;
+    std::vector<VkQueue> queues;
+};
+
 class Device {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
@@ -64,6 +74,10 @@ class Device {
     [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
     [[nodiscard]] VkDevice handle() const { return device_; }
     [[nodiscard]] Queue queue() const { return queue_; }
+    // By family index.
+    [[nodiscard]] const std::vector<QueueFamily>& families() const { return families_; }
+    // The families with queues where there are several, else none: who may share a CONCURRENT resource.
+    [[nodiscard]] const std::vector<uint32_t>& sharing_families() const { return sharing_families_; }
     [[nodiscard]] const DeviceFunctions& fn() const { return functions_; }
     [[nodiscard]] DeviceFunctions& fn() { return functions_; }  // for fault injection
     [[nodiscard]] const InstanceFunctions& instance_fn() const { return instance_functions_; }
@@ -96,6 +110,8 @@ class Device {
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     Queue queue_;
+    std::vector<QueueFamily> families_;
+    std::vector<uint32_t> sharing_families_;
     bool owned_ = false;
     bool debug_utils_ = false;
     bool abandoned_ = false;

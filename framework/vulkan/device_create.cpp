@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "vulkan/device.h"
@@ -5,8 +6,42 @@
 #include "vulkan/messenger.h"
 #include "vulkan/physical_device.h"
 #include "vulkan/vk_result.h"
+#include "weft/compile.h"
 
 namespace weft::vk {
+
+namespace {
+
+// By family: how many queues `count` logical ones can use.
+std::vector<uint32_t> queue_counts(const DeviceProfile& profile, uint32_t main_family, uint32_t count) {
+    std::vector<uint32_t> counts(profile.queue_families.size(), 0);
+    counts[main_family] = 1;
+    bool first = true;
+    for (const LogicalQueue& queue : logical_queues(profile, count)) {
+        // The first one is the main queue, whatever family was found for it.
+        if (!std::exchange(first, false)) ++counts[queue.family];
+    }
+    for (size_t family = 0; family < counts.size(); ++family)
+        counts[family] = std::min(counts[family], profile.queue_families[family].count);
+    return counts;
+}
+
+std::vector<VkDeviceQueueCreateInfo> queue_create_infos(const std::vector<uint32_t>& counts,
+                                                        const std::vector<float>& priorities) {
+    std::vector<VkDeviceQueueCreateInfo> infos;
+    for (uint32_t family = 0; family < counts.size(); ++family) {
+        if (counts[family] == 0) continue;
+        VkDeviceQueueCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+        info.queueFamilyIndex = family;
+        info.queueCount = counts[family];
+        info.pQueuePriorities = priorities.data();
+        infos.push_back(info);
+    }
+    return infos;
+}
+
+}  // namespace
 
 // Fills a Device step by step. On an error the half-made device goes out of scope and frees what it owns.
 struct DeviceBuilder {
@@ -14,7 +49,8 @@ struct DeviceBuilder {
 
     Status make_instance(const LoaderFunctions& loader, const DeviceOptions& options);
     Status make_messenger();
-    Status make_device(const Candidate& chosen);
+    Status make_device(const Candidate& chosen, uint32_t queues);
+    void take_queues(const std::vector<uint32_t>& counts);
     void describe(const Candidate& candidate);
 };
 
@@ -38,7 +74,7 @@ Status DeviceBuilder::make_messenger() {
     return Unit{};
 }
 
-Status DeviceBuilder::make_device(const Candidate& chosen) {
+Status DeviceBuilder::make_device(const Candidate& chosen, uint32_t queues) {
     const InstanceFunctions& fn = device->instance_functions_;
     FeatureChain supported;
     fn.vkGetPhysicalDeviceFeatures2(chosen.handle, &supported.head());
@@ -46,17 +82,14 @@ Status DeviceBuilder::make_device(const Candidate& chosen) {
     required_features(enabled);
     device->optional_ = enable_optional_features(supported, enabled);
 
-    const float priority = 1;
-    VkDeviceQueueCreateInfo queue{};
-    queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-    queue.queueFamilyIndex = chosen.family;
-    queue.queueCount = 1;
-    queue.pQueuePriorities = &priority;
+    const std::vector<uint32_t> counts = queue_counts(make_profile(fn, chosen.handle), chosen.family, queues);
+    const std::vector<float> priorities(std::max(1u, *std::max_element(counts.begin(), counts.end())), 1.0f);
+    const std::vector<VkDeviceQueueCreateInfo> queue_infos = queue_create_infos(counts, priorities);
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     info.pNext = &enabled.head();
-    info.queueCreateInfoCount = 1;
-    info.pQueueCreateInfos = &queue;
+    info.queueCreateInfoCount = static_cast<uint32_t>(queue_infos.size());
+    info.pQueueCreateInfos = queue_infos.data();
     const VkResult result = fn.vkCreateDevice(chosen.handle, &info, nullptr, &device->device_);
     if (result != VK_SUCCESS) {
         Diagnostic error = vk_error(result, "creating a device on \"" + chosen.info.name + "\"");
@@ -64,9 +97,21 @@ Status DeviceBuilder::make_device(const Candidate& chosen) {
         return error;
     }
     device->functions_ = load_device_functions(fn, device->device_);
-    device->queue_.family = chosen.family;
-    device->functions_.vkGetDeviceQueue(device->device_, chosen.family, 0, &device->queue_.handle);
+    device->families_ = describe_families(fn, chosen.handle);
+    take_queues(counts);
+    device->queue_ = {device->families_[chosen.family].queues.front(), chosen.family};
     return Unit{};
+}
+
+void DeviceBuilder::take_queues(const std::vector<uint32_t>& counts) {
+    for (uint32_t family = 0; family < counts.size(); ++family) {
+        std::vector<VkQueue>& queues = device->families_[family].queues;
+        queues.resize(counts[family]);
+        for (uint32_t i = 0; i < counts[family]; ++i)
+            device->functions_.vkGetDeviceQueue(device->device_, family, i, &queues[i]);
+        if (counts[family] != 0) device->sharing_families_.push_back(family);
+    }
+    if (device->sharing_families_.size() < 2) device->sharing_families_.clear();
 }
 
 void DeviceBuilder::describe(const Candidate& candidate) {
@@ -89,7 +134,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     const auto candidates = list_devices(builder.device->instance_functions_, builder.device->instance_);
     const Result<Candidate> chosen = choose_device(candidates, options.device);
     if (!chosen) return chosen.errors();
-    if (Status made = builder.make_device(*chosen); !made) return made.take_errors();
+    if (Status made = builder.make_device(*chosen, options.queues); !made) return made.take_errors();
     builder.describe(*chosen);
     return std::move(builder.device);
 }
@@ -109,6 +154,8 @@ Result<std::unique_ptr<Device>> Device::adopt(VkInstance instance, VkPhysicalDev
     made.device_ = device;
     made.functions_ = load_device_functions(made.instance_functions_, device);
     made.queue_ = queue;
+    made.families_ = describe_families(made.instance_functions_, physical);
+    made.families_[queue.family].queues = {queue.handle};
     builder.describe(candidate);
     return std::move(builder.device);
 }

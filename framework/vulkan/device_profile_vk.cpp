@@ -61,9 +61,12 @@ void add_queue_families(const InstanceFunctions& fn, VkPhysicalDevice physical, 
     fn.vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
     profile.queue_families.clear();
     for (const VkQueueFamilyProperties& family : families) {
-        const QueueKind kind = (family.queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0  ? QueueKind::graphics
-                               : (family.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0 ? QueueKind::compute
-                                                                                 : QueueKind::transfer;
+        const bool computes = (family.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0;
+        const bool draws = (family.queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0;
+        // A graphics queue runs every pass, so one that draws and can't compute counts for what is left.
+        const QueueKind kind = draws && computes ? QueueKind::graphics
+                               : computes        ? QueueKind::compute
+                                                 : QueueKind::transfer;
         profile.queue_families.push_back({kind, family.queueCount});
     }
 }

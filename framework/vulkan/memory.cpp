@@ -102,6 +102,12 @@ Result<VkImageView> whole_view(Device& device, VkImage image, const ResourceDecl
 
 }  // namespace
 
+Sharing concurrent_sharing(const Device& device) {
+    const std::vector<uint32_t>& families = device.sharing_families();
+    if (families.empty()) return {};
+    return {VK_SHARING_MODE_CONCURRENT, static_cast<uint32_t>(families.size()), families.data()};
+}
+
 VkBufferCreateInfo buffer_create_info(const ResourceDecl& decl) {
     assert(decl.kind == ResourceKind::buffer);
     VkBufferCreateInfo info{};
@@ -147,7 +153,7 @@ Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsage
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
     info.size = size_bytes;
     info.usage = usage;
-    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    share(info, concurrent_sharing(device));
     const DeviceFunctions& fn = device.fn();
     VkResult result = fn.vkCreateBuffer(device.handle(), &info, nullptr, &buffer.buffer_);
     if (result != VK_SUCCESS) return vk_error(result, "creating buffer \"" + name + "\"");
@@ -189,7 +195,8 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 }
 
 Result<Image> Image::create(Device& device, const ResourceDecl& decl) {
-    const VkImageCreateInfo info = image_create_info(decl);
+    VkImageCreateInfo info = image_create_info(decl);
+    if (!decl.import || decl.import->concurrent) share(info, concurrent_sharing(device));
     if (Status supported = check_supported(device, info, decl); !supported) return supported.take_errors();
     Image image;  // frees what it holds when a later step fails
     image.device_ = &device;

@@ -14,6 +14,7 @@
 
 namespace weft::vk {
 
+// All families that the device has queues of may use it.
 class Buffer {
  public:
     enum class Memory : uint8_t { device, upload, readback };  // the last two are mapped and coherent
@@ -37,6 +38,8 @@ class Buffer {
     std::byte* mapped_ = nullptr;
 };
 
+// All families that the device has queues of may use it; an import that is not declared concurrent stays
+// with one.
 class Image {
  public:
     // Format, extent, mips, layers, samples and usage are those of `decl`. The view covers all of it; it
@@ -67,6 +70,21 @@ class Image {
 // shader_read_only (depth: depth_read_only).
 [[nodiscard]] Status upload_image(Device& device, const Image& target,
                                   std::span<const std::span<const std::byte>> levels);
+
+// Whose queues may use a resource in turn: one family's, or with CONCURRENT those of all of the device's.
+struct Sharing {
+    VkSharingMode mode = VK_SHARING_MODE_EXCLUSIVE;
+    uint32_t count = 0;
+    const uint32_t* families = nullptr;  // the device's own list
+};
+[[nodiscard]] Sharing concurrent_sharing(const Device& device);  // EXCLUSIVE on a device with one family
+
+template <class CreateInfo>
+void share(CreateInfo& info, const Sharing& sharing) {
+    info.sharingMode = sharing.mode;
+    info.queueFamilyIndexCount = sharing.count;
+    info.pQueueFamilyIndices = sharing.families;
+}
 
 // Creation info shared by Image and the transient heap, whose images share memory.
 [[nodiscard]] VkImageCreateInfo image_create_info(const ResourceDecl& decl);

@@ -25,22 +25,14 @@ int rank(VkPhysicalDeviceType type) {
     }
 }
 
-std::vector<VkQueueFamilyProperties> queue_families(const InstanceFunctions& fn, VkPhysicalDevice physical) {
-    uint32_t count = 0;
-    fn.vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
-    std::vector<VkQueueFamilyProperties> families(count);
-    fn.vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-    return families;
-}
-
 void find_family(const InstanceFunctions& fn, Candidate& candidate, uint32_t wanted) {
     constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    const auto families = queue_families(fn, candidate.handle);
+    const std::vector<QueueFamily> families = describe_families(fn, candidate.handle);
     for (uint32_t i = 0; i < families.size(); ++i) {
         if (wanted != kAnyFamily && wanted != i) continue;
-        if ((families[i].queueFlags & needed) != needed) continue;
+        if ((families[i].flags & needed) != needed) continue;
         candidate.family = i;
-        candidate.info.timestamps = families[i].timestampValidBits > 0;
+        candidate.info.timestamps = families[i].timestamps;
         return;
     }
     candidate.info.missing.emplace_back("a queue that draws and computes");
@@ -78,6 +70,17 @@ const Candidate* find_wanted(const std::vector<Candidate>& candidates, const std
 }
 
 }  // namespace
+
+std::vector<QueueFamily> describe_families(const InstanceFunctions& fn, VkPhysicalDevice physical) {
+    uint32_t count = 0;
+    fn.vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> properties(count);
+    fn.vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, properties.data());
+    std::vector<QueueFamily> families;
+    for (const VkQueueFamilyProperties& family : properties)
+        families.push_back({family.queueFlags, family.timestampValidBits > 0, {}});
+    return families;
+}
 
 Diagnostic unsuitable_error(const Candidate& candidate) {
     Diagnostic error;

@@ -25,6 +25,9 @@ inline constexpr uint32_t kAnyFamily = UINT32_MAX;
 // `wanted` is an index, part of a name, or empty.
 [[nodiscard]] Result<Candidate> choose_device(const std::vector<Candidate>& candidates,
                                               const std::string& wanted);
+// What the families can do; none has a queue yet.
+[[nodiscard]] std::vector<QueueFamily> describe_families(const InstanceFunctions& fn,
+                                                         VkPhysicalDevice physical);
 // V404, naming what is missing.
 [[nodiscard]] Diagnostic unsuitable_error(const Candidate& candidate);
 // V402, with the packages that bring a driver.
