@@ -1,34 +1,52 @@
 #include "vulkan/barriers_vk.h"
 
+#include "vulkan/plan_queues.h"
 #include "vulkan/to_vk.h"
 
 namespace weft::vk {
 namespace {
 
-// All logical queues are one Vulkan queue here, so ownership never moves.
-VkImageMemoryBarrier2 image_barrier(const BarrierDecl& barrier, VkImage image) {
+struct Families {
+    uint32_t src = VK_QUEUE_FAMILY_IGNORED;
+    uint32_t dst = VK_QUEUE_FAMILY_IGNORED;
+};
+
+Families families_of(const Device& device, const BarrierDecl& barrier) {
+    const Families families{device_family(device, barrier.src_family),
+                            device_family(device, barrier.dst_family)};
+    return families.src == families.dst ? Families{} : families;
+}
+
+// Both halves of a transfer name the change of layout. When the device has one family for both, nothing is
+// transferred: the first half alone changes it.
+VkImageLayout old_layout(const BarrierDecl& barrier, const Families& families) {
+    const bool done = barrier.reason == BarrierReason::acquire_queue && families.src == families.dst;
+    return to_vk(done ? barrier.dst.layout : barrier.src.layout);
+}
+
+VkImageMemoryBarrier2 image_barrier(const BarrierDecl& barrier, VkImage image, const Families& families) {
     VkImageMemoryBarrier2 out{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
     out.srcStageMask = stages_to_vk(barrier.src.stages);
     out.srcAccessMask = access_to_vk(barrier.src.access);
-    out.oldLayout = to_vk(barrier.src.layout);
+    out.oldLayout = old_layout(barrier, families);
     out.dstStageMask = stages_to_vk(barrier.dst.stages);
     out.dstAccessMask = access_to_vk(barrier.dst.access);
     out.newLayout = to_vk(barrier.dst.layout);
-    out.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    out.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    out.srcQueueFamilyIndex = families.src;
+    out.dstQueueFamilyIndex = families.dst;
     out.image = image;
     out.subresourceRange = to_vk(barrier.range);
     return out;
 }
 
-VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffer) {
+VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffer, const Families& families) {
     VkBufferMemoryBarrier2 out{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
     out.srcStageMask = stages_to_vk(barrier.src.stages);
     out.srcAccessMask = access_to_vk(barrier.src.access);
     out.dstStageMask = stages_to_vk(barrier.dst.stages);
     out.dstAccessMask = access_to_vk(barrier.dst.access);
-    out.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    out.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    out.srcQueueFamilyIndex = families.src;
+    out.dstQueueFamilyIndex = families.dst;
     out.buffer = buffer;
     out.size = VK_WHOLE_SIZE;
     return out;
@@ -56,11 +74,12 @@ void record_barriers(const Device& device, VkCommandBuffer commands, std::span<c
     for (const BarrierDecl& barrier : barriers) {
         const ResourceDecl& decl = plan.graph.resources[barrier.resource];
         const bool is_image = decl.kind == ResourceKind::image;
+        const Families families = families_of(device, barrier);
         if (!barrier.hand_over_from.empty()) memory.push_back(memory_barrier(barrier, is_image));
         if (is_image)
-            images.push_back(image_barrier(barrier, resources.image(barrier.resource)));
+            images.push_back(image_barrier(barrier, resources.image(barrier.resource), families));
         else if (barrier.hand_over_from.empty())
-            buffers.push_back(buffer_barrier(barrier, resources.buffer(barrier.resource)));
+            buffers.push_back(buffer_barrier(barrier, resources.buffer(barrier.resource), families));
     }
     VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     info.memoryBarrierCount = static_cast<uint32_t>(memory.size());

@@ -1,4 +1,5 @@
-// Purpose: the plan's barriers as Vulkan's: every list is one vkCmdPipelineBarrier2.
+// Purpose: the plan's barriers as Vulkan's: every list is one vkCmdPipelineBarrier2. Where the device has
+// fewer families than the plan, a transfer between two that are one is a barrier like any other.
 #pragma once
 
 #include <span>

@@ -68,8 +68,10 @@ class ReplayExecutor final : public Executor {
     [[nodiscard]] Status complete(uint32_t slot);
     [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
     void prepare_host_data(const FrameInput& frame, uint32_t slot);
-    void record_frame(VkCommandBuffer commands, const FrameInput& frame, uint32_t slot);
+    void record_frame(const FrameInput& frame, uint32_t slot);
     void record_step(const RecordContext& context, uint32_t position);
+    void record_epilogue(const RecordContext& context);
+    [[nodiscard]] Status submit_frame(uint32_t slot);
 
     Device& device_;
     std::unique_ptr<PlanObjects> objects_;
@@ -82,13 +84,14 @@ class ReplayExecutor final : public Executor {
     std::vector<FrameTiming> timings_;
     std::vector<ReadbackData> readbacks_;
     Diagnostics lost_;  // after a time-out or a lost device nothing runs any more
+    bool timed_out_ = false;
 };
 
 ReplayExecutor::~ReplayExecutor() {
     bool idle = true;
     for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
         // After a time-out a second wait would only double it; but a frame may be late and no more.
-        idle &= lost_.empty() ? slots_->wait(slot) == VK_SUCCESS : slots_->is_over(slot);
+        idle &= timed_out_ ? slots_->is_over(slot) : slots_->wait(slot) == VK_SUCCESS;
     if (!idle) device_.abandon();
 }
 
@@ -104,6 +107,7 @@ Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
     if (diagnostic.help.empty())
         diagnostic.help.push_back("look for an endless loop in the first of these passes");
     lost_ = {diagnostic};
+    timed_out_ = true;
     return diagnostic;
 }
 
@@ -145,6 +149,7 @@ Status ReplayExecutor::finish() {
 void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     const HostInputs none;
+    objects_->timer.reset(slot);
     objects_->params.write(plan, frame, {objects_->resources, frames_run_}, slot);
     for (uint32_t position = 0; position < objects_->passes.size(); ++position) {
         const PreparedPass& prepared = objects_->passes[position];
@@ -159,29 +164,56 @@ void ReplayExecutor::record_step(const RecordContext& context, uint32_t position
     const PassStep& step = plan.barriers.steps[position];
     const std::string& name = plan.graph.passes[step.pass].name;
     device_.messages().set_current_pass(name);
-    begin_label(device_, context.commands, name);
+    if (context.labels) begin_label(device_, context.commands, name);
     if (position != hooks_.drop_barriers_of_position)
         record_barriers(device_, context.commands, step.barriers, plan, context.resources);
     record_pass(context, position);
     record_barriers(device_, context.commands, step.after, plan, context.resources);
-    end_label(device_, context.commands);
+    if (context.labels) end_label(device_, context.commands);
     objects_->timer.record_pass_end(context.commands, context.slot, position);
 }
 
-void ReplayExecutor::record_frame(VkCommandBuffer commands, const FrameInput& frame, uint32_t slot) {
+void ReplayExecutor::record_epilogue(const RecordContext& context) {
     const FramePlan& plan = objects_->plan;
-    if (frames_run_ == 0) record_prologue(device_, commands, plan, objects_->resources);
-    objects_->timer.record_start(commands, slot);
-    const RecordContext context{device_, commands,  slot,
-                                frame,   *objects_, {objects_->resources, frames_run_}};
-    for (const Batch& batch : plan.submissions.batches) {
+    if (context.labels) begin_label(device_, context.commands, "epilogue");
+    record_barriers(device_, context.commands, plan.barriers.epilogue, plan, context.resources);
+    if (context.labels) end_label(device_, context.commands);
+}
+
+void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
+    const FramePlan& plan = objects_->plan;
+    if (frames_run_ == 0) record_prologue(device_, slots_->prologue(slot), plan, objects_->resources);
+    for (uint32_t i = 0; i < plan.submissions.batches.size(); ++i) {
+        const Batch& batch = plan.submissions.batches[i];
+        const BatchCommands place = slots_->batch(slot, i);
+        const RecordContext context{device_,
+                                    place.commands,
+                                    place.labels,
+                                    slot,
+                                    frame,
+                                    *objects_,
+                                    {objects_->resources, frames_run_}};
+        objects_->timer.record_batch_start(context.commands, slot, i);
         for (const uint32_t position : batch.positions) record_step(context, position);
-        if (!batch.epilogue) continue;
-        begin_label(device_, commands, "epilogue");
-        record_barriers(device_, commands, plan.barriers.epilogue, plan, context.resources);
-        end_label(device_, commands);
+        if (batch.epilogue) record_epilogue(context);
+        objects_->readbacks.record_visibility(device_, context.commands, slot, batch);
     }
-    objects_->readbacks.record_visibility(device_, commands, slot);
+}
+
+Status ReplayExecutor::submit_frame(uint32_t slot) {
+    const std::string all_passes = pass_names(objects_->plan, 0);
+    device_.messages().set_current_pass(all_passes);
+    const VkResult result = slots_->submit(slot, frames_run_);
+    device_.messages().set_current_pass("");
+    if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
+    if (result == VK_SUCCESS) {
+        ++frames_run_;
+        return Unit{};
+    }
+    const Diagnostic failed = failed_call("V418", "submitting passes " + all_passes, result);
+    // Half a frame leaves resources that the next one can't make sense of.
+    if (slots_->in_flight(slot)) lost_ = {failed};
+    return failed;
 }
 
 Status ReplayExecutor::run(const FrameInput& frame) {
@@ -192,20 +224,13 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     in_flight.frame_index = frame.frame_index;
     const Stopwatch record_watch;
     prepare_host_data(frame, slot);
-    Result<VkCommandBuffer> commands = slots_->begin(slot);
-    if (!commands) return commands.take_errors();
-    record_frame(*commands, frame, slot);
+    if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
+    record_frame(frame, slot);
     in_flight.timing.record_ms = record_watch.ms();
-    device_.messages().set_current_pass(pass_names(objects_->plan, 0));
     const Stopwatch submit_watch;
-    const VkResult result = slots_->submit(slot);
-    device_.messages().set_current_pass("");
+    Status submitted = submit_frame(slot);
     in_flight.timing.submit_ms = submit_watch.ms();
-    if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
-    if (result != VK_SUCCESS)
-        return failed_call("V418", "submitting passes " + pass_names(objects_->plan, 0), result);
-    ++frames_run_;
-    return Unit{};
+    return submitted;
 }
 
 }  // namespace
@@ -214,7 +239,7 @@ Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput
     const ExecutorHooks hooks = input.hooks;
     Result<std::unique_ptr<PlanObjects>> objects = make_plan_objects(device, std::move(input));
     if (!objects) return objects.take_errors();
-    Result<FrameSlots> slots = FrameSlots::create(device);
+    Result<FrameSlots> slots = FrameSlots::create(device, (*objects)->plan);
     if (!slots) return slots.take_errors();
     return std::unique_ptr<Executor>(
         std::make_unique<ReplayExecutor>(device, std::move(*objects), std::move(*slots), hooks));

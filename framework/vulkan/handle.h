@@ -52,6 +52,7 @@ using ShaderModuleHandle = Handle<VkShaderModule, &VolkDeviceTable::vkDestroySha
 using DescriptorPoolHandle = Handle<VkDescriptorPool, &VolkDeviceTable::vkDestroyDescriptorPool>;
 using CommandPoolHandle = Handle<VkCommandPool, &VolkDeviceTable::vkDestroyCommandPool>;
 using FenceHandle = Handle<VkFence, &VolkDeviceTable::vkDestroyFence>;
+using SemaphoreHandle = Handle<VkSemaphore, &VolkDeviceTable::vkDestroySemaphore>;
 using QueryPoolHandle = Handle<VkQueryPool, &VolkDeviceTable::vkDestroyQueryPool>;
 
 }  // namespace weft::vk

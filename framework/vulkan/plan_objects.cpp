@@ -51,20 +51,6 @@ Diagnostics check_passes(const FramePlan& plan, const ExecutorInput& input) {
     return errors;
 }
 
-Diagnostics check_plan(const FramePlan& plan, const ExecutorInput& input) {
-    Diagnostics errors = check_passes(plan, input);
-    bool several_queues = plan.schedule.queues.size() > 1;
-    for (const Batch& batch : plan.submissions.batches) several_queues |= !batch.waits.empty();
-    if (several_queues) {
-        Diagnostic diagnostic;
-        diagnostic.code = "V417";
-        diagnostic.message = "graph \"" + plan.graph.name + "\" was compiled for several queues";
-        diagnostic.help.push_back("compile it with a device profile that has one queue");
-        errors.push_back(std::move(diagnostic));
-    }
-    return errors;
-}
-
 // Memory, and what only depends on the plan.
 Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& objects) {
     Result<TransientHeap> heap = TransientHeap::create(device, objects.plan);
@@ -82,8 +68,7 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
     Result<ReadbackMemory> readbacks = ReadbackMemory::create(device, objects.plan);
     if (!readbacks) return readbacks.take_errors();
     objects.readbacks = std::move(*readbacks);
-    const auto pass_count = static_cast<uint32_t>(objects.plan.schedule.order.size());
-    Result<PassTimer> timer = PassTimer::create(device, pass_count, input.timestamps);
+    Result<PassTimer> timer = PassTimer::create(device, objects.plan, input.timestamps);
     if (!timer) return timer.take_errors();
     objects.timer = std::move(*timer);
     return Unit{};
@@ -146,7 +131,7 @@ Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& object
 }  // namespace
 
 Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input) {
-    Diagnostics errors = check_plan(input.plan, input);
+    Diagnostics errors = check_passes(input.plan, input);
     if (!errors.empty()) return errors;
     auto objects = std::make_unique<PlanObjects>(device, std::move(input.plan));
     objects->draws = input.draws;

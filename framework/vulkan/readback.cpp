@@ -1,5 +1,7 @@
 #include "vulkan/readback.h"
 
+#include <algorithm>
+
 #include "vulkan/executor_errors.h"
 #include "vulkan/one_shot.h"
 #include "vulkan/to_vk.h"
@@ -72,8 +74,13 @@ void ReadbackMemory::record(const Device& device, VkCommandBuffer commands, uint
     }
 }
 
-void ReadbackMemory::record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot) const {
-    if (!places_.empty()) host_visibility_barrier(device, commands, memory_[slot].handle());
+void ReadbackMemory::record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot,
+                                       const Batch& batch) const {
+    const bool copies = std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
+        return std::find(batch.positions.begin(), batch.positions.end(), place.position) !=
+               batch.positions.end();
+    });
+    if (copies) host_visibility_barrier(device, commands, memory_[slot].handle());
 }
 
 void ReadbackMemory::deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index,

@@ -18,8 +18,9 @@ class ReadbackMemory {
     // Records the copy of the readback pass at `position`.
     void record(const Device& device, VkCommandBuffer commands, uint32_t position, uint32_t slot,
                 const FramePlan& plan, const FrameResources& resources) const;
-    // Makes the copies of a frame visible to the host: the last thing a frame records.
-    void record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot) const;
+    // Makes the copies of a batch visible to the host: the last thing a batch records.
+    void record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot,
+                           const Batch& batch) const;
     // One entry for each readback pass in schedule order, after the slot's fence.
     void deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index,
                  std::vector<ReadbackData>& out) const;

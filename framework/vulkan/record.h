@@ -8,6 +8,7 @@ namespace weft::vk {
 struct RecordContext {
     Device& device;
     VkCommandBuffer commands = VK_NULL_HANDLE;
+    bool labels = false;  // the queue takes debug labels
     uint32_t slot = 0;
     const FrameInput& frame;
     const PlanObjects& objects;

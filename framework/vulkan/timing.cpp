@@ -1,24 +1,42 @@
 #include "vulkan/timing.h"
 
+#include <algorithm>
+
 #include "vulkan/executor_errors.h"
+#include "vulkan/plan_queues.h"
 
 namespace weft::vk {
 
-Result<PassTimer> PassTimer::create(Device& device, uint32_t pass_count, bool enabled) {
+Result<PassTimer> PassTimer::create(Device& device, const FramePlan& plan, bool enabled) {
     PassTimer timer;
     timer.device_ = &device;
-    timer.pass_count_ = pass_count;
-    if (!enabled || !device.info().timestamps) return timer;
+    timer.before_.resize(plan.schedule.order.size(), kNoId);
+    const std::vector<PlanQueue> queues = map_queues(device, plan.schedule.queues);
+    for (const Batch& batch : plan.submissions.batches) {
+        uint32_t before = static_cast<uint32_t>(timer.batch_timed_.size());
+        timer.batch_timed_.push_back(enabled && queues[batch.queue].timestamps ? 1 : 0);
+        if (timer.batch_timed_.back() == 0) continue;
+        for (const uint32_t position : batch.positions) {
+            timer.before_[position] = before;
+            before = static_cast<uint32_t>(plan.submissions.batches.size()) + position;
+        }
+    }
+    const auto timed = [](uint8_t flag) { return flag != 0; };
+    if (std::none_of(timer.batch_timed_.begin(), timer.batch_timed_.end(), timed)) return timer;
     for (QueryPoolHandle& pool : timer.pools_) {
         VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
         info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-        info.queryCount = pass_count + 1;
+        info.queryCount = timer.end_query(timer.before_.size());
         VkQueryPool object = VK_NULL_HANDLE;
         const VkResult result = device.fn().vkCreateQueryPool(device.handle(), &info, nullptr, &object);
         if (result != VK_SUCCESS) return failed_call("V418", "making the timestamp queries", result);
         pool = {device, object};
     }
     return timer;
+}
+
+uint32_t PassTimer::end_query(size_t position) const {
+    return static_cast<uint32_t>(batch_timed_.size() + position);
 }
 
 void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query) const {
@@ -30,43 +48,49 @@ void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query) c
     fn.vkCmdPipelineBarrier2(commands, &nothing);
 }
 
-void PassTimer::record_start(VkCommandBuffer commands, uint32_t slot) const {
-    if (!pools_[slot]) return;
-    device_->fn().vkCmdResetQueryPool(commands, pools_[slot].get(), 0, pass_count_ + 1);
-    write(commands, slot, 0);
+void PassTimer::reset(uint32_t slot) const {
+    // By the host: a transfer queue can't.
+    if (pools_[slot])
+        device_->fn().vkResetQueryPool(device_->handle(), pools_[slot].get(), 0, end_query(before_.size()));
+}
+
+void PassTimer::record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch) const {
+    if (batch_timed_[batch] != 0) write(commands, slot, batch);
 }
 
 void PassTimer::record_pass_end(VkCommandBuffer commands, uint32_t slot, uint32_t position) const {
-    if (pools_[slot]) write(commands, slot, position + 1);
+    if (before_[position] != kNoId) write(commands, slot, end_query(position));
+}
+
+std::vector<PassTimer::Stamp> PassTimer::stamps(uint32_t slot) const {
+    if (!pools_[slot]) return {};
+    std::vector<Stamp> stamps(end_query(before_.size()));
+    const VkResult result = device_->fn().vkGetQueryPoolResults(
+        device_->handle(), pools_[slot].get(), 0, static_cast<uint32_t>(stamps.size()),
+        stamps.size() * sizeof(Stamp), stamps.data(), sizeof(Stamp),
+        VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WITH_AVAILABILITY_BIT);
+    if (result != VK_SUCCESS && result != VK_NOT_READY) return {};
+    return stamps;
 }
 
 std::vector<double> PassTimer::read_ms(uint32_t slot) const {
-    std::vector<double> times(pass_count_, -1);
-    if (!pools_[slot]) return times;
-    std::vector<uint64_t> ticks(pass_count_ + 1);
-    const VkResult result = device_->fn().vkGetQueryPoolResults(
-        device_->handle(), pools_[slot].get(), 0, pass_count_ + 1, ticks.size() * sizeof(uint64_t),
-        ticks.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT);
-    if (result != VK_SUCCESS) return times;
-    for (uint32_t i = 0; i < pass_count_; ++i)
-        times[i] = static_cast<double>(ticks[i + 1] - ticks[i]) * device_->info().timestamp_period_ns * 1e-6;
+    std::vector<double> times(before_.size(), -1);
+    const std::vector<Stamp> all = stamps(slot);
+    for (size_t i = 0; i < times.size() && !all.empty(); ++i) {
+        if (before_[i] == kNoId) continue;
+        const Stamp& start = all[before_[i]];
+        const Stamp& end = all[end_query(i)];
+        if (start.available == 0 || end.available == 0) continue;
+        times[i] = static_cast<double>(end.ticks - start.ticks) * device_->info().timestamp_period_ns * 1e-6;
+    }
     return times;
 }
 
 uint32_t PassTimer::first_unfinished(uint32_t slot) const {
-    if (!pools_[slot]) return pass_count_;
-    struct Answer {
-        uint64_t ticks = 0;
-        uint64_t available = 0;
-    };
-    std::vector<Answer> answers(pass_count_ + 1);
-    const VkResult result = device_->fn().vkGetQueryPoolResults(
-        device_->handle(), pools_[slot].get(), 0, pass_count_ + 1, answers.size() * sizeof(Answer),
-        answers.data(), sizeof(Answer), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WITH_AVAILABILITY_BIT);
-    if (result != VK_SUCCESS && result != VK_NOT_READY) return pass_count_;
-    for (uint32_t i = 0; i < pass_count_; ++i)
-        if (answers[i + 1].available == 0) return i;
-    return pass_count_;
+    const std::vector<Stamp> all = stamps(slot);
+    for (uint32_t i = 0; i < before_.size() && !all.empty(); ++i)
+        if (before_[i] != kNoId && all[end_query(i)].available == 0) return i;
+    return static_cast<uint32_t>(before_.size());
 }
 
 }  // namespace weft::vk

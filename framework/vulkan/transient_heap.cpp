@@ -1,7 +1,10 @@
 #include "vulkan/transient_heap.h"
 
+#include <algorithm>
+
 #include "vulkan/executor.h"
 #include "vulkan/executor_errors.h"
+#include "vulkan/rings.h"
 
 namespace weft::vk {
 namespace {
@@ -10,8 +13,9 @@ MemoryNeed to_need(const VkMemoryRequirements& requirements) {
     return {requirements.size, requirements.alignment, requirements.memoryTypeBits};
 }
 
-MemoryNeed image_need(Device& device, const ResourceDecl& decl) {
-    const VkImageCreateInfo info = image_create_info(decl);
+MemoryNeed image_need(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
+    VkImageCreateInfo info = image_create_info(decl);
+    share(info, sharing);
     VkDeviceImageMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS};
     query.pCreateInfo = &info;
     VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
@@ -19,13 +23,33 @@ MemoryNeed image_need(Device& device, const ResourceDecl& decl) {
     return to_need(answer.memoryRequirements);
 }
 
-MemoryNeed buffer_need(Device& device, const ResourceDecl& decl) {
-    const VkBufferCreateInfo info = buffer_create_info(decl);
+MemoryNeed buffer_need(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
+    VkBufferCreateInfo info = buffer_create_info(decl);
+    share(info, sharing);
     VkDeviceBufferMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS};
     query.pCreateInfo = &info;
     VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
     device.fn().vkGetDeviceBufferMemoryRequirements(device.handle(), &query, &answer);
     return to_need(answer.memoryRequirements);
+}
+
+// Which resources several families use, only the plan will say, so both ways must fit.
+MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
+    const auto need = decl.kind == ResourceKind::image ? image_need : buffer_need;
+    MemoryNeed exclusive = need(device, decl, Sharing{});
+    if (device.sharing_families().empty()) return exclusive;
+    const MemoryNeed concurrent = need(device, decl, concurrent_sharing(device));
+    return {std::max(exclusive.size_bytes, concurrent.size_bytes),
+            std::max(exclusive.alignment_bytes, concurrent.alignment_bytes),
+            exclusive.type_bits & concurrent.type_bits};
+}
+
+// Memory that goes round in a ring is used by whoever uses one of its roles.
+bool is_concurrent(const FramePlan& plan, const Rings& rings, ResourceId resource) {
+    const std::vector<uint8_t>& concurrent = plan.barriers.concurrent;
+    const std::vector<ResourceId> roles = rings.roles(resource);
+    return std::any_of(roles.begin(), roles.end(),
+                       [&](ResourceId role) { return role < concurrent.size() && concurrent[role] != 0; });
 }
 
 }  // namespace
@@ -36,7 +60,7 @@ MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph) {
         const ResourceDecl& decl = graph.resources[i];
         // A resource that no pass names has no usage, and Vulkan has no object without one.
         if (decl.lifetime == ResourceLifetime::imported || decl.usage == 0) continue;
-        needs[i] = decl.kind == ResourceKind::image ? image_need(device, decl) : buffer_need(device, decl);
+        needs[i] = any_need(device, decl);
     }
     return needs;
 }
@@ -62,8 +86,10 @@ Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
     return Unit{};
 }
 
-Status TransientHeap::place_image(Device& device, const ResourceDecl& decl, const Placement& placement) {
-    const VkImageCreateInfo info = image_create_info(decl);
+Status TransientHeap::place_image(Device& device, const ResourceDecl& decl, const Placement& placement,
+                                  const Sharing& sharing) {
+    VkImageCreateInfo info = image_create_info(decl);
+    share(info, sharing);
     VkImage object = VK_NULL_HANDLE;
     VkResult result = device.fn().vkCreateImage(device.handle(), &info, nullptr, &object);
     if (result != VK_SUCCESS) return failed_call("V411", "image \"" + decl.name + "\"", result);
@@ -75,8 +101,10 @@ Status TransientHeap::place_image(Device& device, const ResourceDecl& decl, cons
     return Unit{};
 }
 
-Status TransientHeap::place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement) {
-    const VkBufferCreateInfo info = buffer_create_info(decl);
+Status TransientHeap::place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement,
+                                   const Sharing& sharing) {
+    VkBufferCreateInfo info = buffer_create_info(decl);
+    share(info, sharing);
     VkBuffer object = VK_NULL_HANDLE;
     VkResult result = device.fn().vkCreateBuffer(device.handle(), &info, nullptr, &object);
     if (result != VK_SUCCESS) return failed_call("V411", "buffer \"" + decl.name + "\"", result);
@@ -94,10 +122,14 @@ Result<TransientHeap> TransientHeap::create(Device& device, const FramePlan& pla
     heap.buffers_.resize(plan.graph.resources.size());
     if (Status status = heap.allocate(device, plan.memory); !status) return status.take_errors();
     Diagnostics errors;
+    const Rings rings(plan);
     for (const Placement& placement : plan.memory.placements) {
         const ResourceDecl& decl = plan.graph.resources[placement.resource];
-        Status status = decl.kind == ResourceKind::image ? heap.place_image(device, decl, placement)
-                                                         : heap.place_buffer(device, decl, placement);
+        const bool concurrent = is_concurrent(plan, rings, placement.resource);
+        const Sharing sharing = concurrent ? concurrent_sharing(device) : Sharing{};
+        Status status = decl.kind == ResourceKind::image
+                            ? heap.place_image(device, decl, placement, sharing)
+                            : heap.place_buffer(device, decl, placement, sharing);
         if (!status) append(errors, status.errors());
     }
     if (!errors.empty()) return errors;

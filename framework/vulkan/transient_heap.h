@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vulkan/handle.h"
+#include "vulkan/memory.h"
 #include "weft/plan.h"
 #include "weft/result.h"
 
@@ -24,8 +25,10 @@ class TransientHeap {
 
  private:
     [[nodiscard]] Status allocate(Device& device, const MemoryPlan& memory);
-    [[nodiscard]] Status place_image(Device& device, const ResourceDecl& decl, const Placement& placement);
-    [[nodiscard]] Status place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement);
+    [[nodiscard]] Status place_image(Device& device, const ResourceDecl& decl, const Placement& placement,
+                                     const Sharing& sharing);
+    [[nodiscard]] Status place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement,
+                                      const Sharing& sharing);
 
     // Declared before what is bound to it, so that it is freed after.
     std::vector<MemoryHandle> memory_;

@@ -40,6 +40,47 @@ void expect_equal(const PlanResult& compiled, const PlanResult& naive) {
             << "import \"" << name << "\" ends differently from the naive run";
 }
 
+// With all that graphs can have, on one to four logical queues of the given families. Here they share what
+// queues the device has, so that every order between batches is the one of the plan.
+void expect_same_on_queues(Device& device, const DeviceProfile& families, uint32_t first_seed,
+                           uint32_t seeds) {
+    TestShaders shaders;
+    uint32_t several = 0;
+    for (uint32_t seed = first_seed; seed < first_seed + seeds; ++seed) {
+        const uint32_t queues = 1 + seed % 4;
+        SCOPED_TRACE("seed " + std::to_string(seed) + " on " + std::to_string(queues) + " queues");
+        const ResolvedGraph graph = test::random_graph(seed, test::all_features());
+        const MemoryNeeds needs = query_memory_needs(device, graph);
+        CompileOptions options;
+        options.queues = logical_queues(families, queues);
+        const FramePlan plan = compile(graph, needs, options);
+        const Diagnostics faults = check_plan(plan);
+        EXPECT_TRUE(faults.empty()) << to_text(faults);
+        several += plan.submissions.batches.size() > 1 ? 1 : 0;
+        const RunOptions run{4, {}, seed % 2 == 0};
+        expect_equal(run_plan(device, plan, shaders, run),
+                     run_plan(device, test::naive_plan(graph, needs), shaders, run));
+        EXPECT_EQ(device.messages().count(), 0u);
+        if (testing::Test::HasFailure()) return;
+    }
+    std::printf("%u of %u frames use several queues\n", several, seeds);
+    EXPECT_GE(several, seeds / 2);
+}
+
+DeviceProfile three_families() {
+    DeviceProfile profile;
+    profile.queue_families = {{QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
+    return profile;
+}
+
+TEST_F(RandomGraphsVk, RunsBitForBitOnSeveralQueuesOfOneFamily) {
+    expect_same_on_queues(device(), DeviceProfile{}, 100, 12);
+}
+
+TEST_F(RandomGraphsVk, RunsBitForBitWithFamiliesThatTheDeviceLacks) {
+    expect_same_on_queues(device(), three_families(), 200, 12);
+}
+
 TEST_F(RandomGraphsVk, RunsBitForBitLikeTheNaivePlan) {
     TestShaders shaders;
     uint32_t shared = 0;
