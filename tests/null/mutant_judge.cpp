@@ -1,0 +1,79 @@
+#include "mutant_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+
+#include "check/check_plan.h"
+#include "null/null_executor.h"
+
+namespace weft::test {
+namespace {
+
+constexpr std::array<NullOptions, 4> kOrders{{{3, 0, NullOrder::delayed},
+                                              {3, 1, NullOrder::recorded},
+                                              {3, 2, NullOrder::shuffled},
+                                              {3, 3, NullOrder::shuffled}}};
+
+class Judge {
+ public:
+    explicit Judge(const FramePlan& plan) : wanted_(run_reference(plan.graph, plan.live)) {}
+
+    // What went wrong, or empty.
+    [[nodiscard]] std::string broken(const FramePlan& plan) const {
+        for (const NullOptions& options : kOrders) {
+            const NullRun found = run_null(plan, options);
+            const std::vector<std::string> different = differences(plan.graph, wanted_, found);
+            if (!different.empty())
+                return different.front() + "; " + (found.faults.empty() ? "" : found.faults.front());
+        }
+        return {};
+    }
+
+ private:
+    NullRun wanted_;
+};
+
+}  // namespace
+
+// The checker is quick; the null executor is asked about all that it lets through, and every `stride`th
+// besides.
+void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies) {
+    const Judge judge(plan);
+    uint32_t turn = 0;
+    for_each_mutant(plan, [&](const Mutant& mutant) {
+        Tally& tally = tallies.at(static_cast<size_t>(mutant.kind));
+        ++tally.all;
+        const bool caught = !check_plan(mutant.plan).empty();
+        tally.caught += caught ? 1 : 0;
+        if (caught && turn++ % stride != 0) return;
+        ++tally.asked;
+        const std::string why = judge.broken(mutant.plan);
+        tally.broken += why.empty() ? 0 : 1;
+        if (caught) return;
+        if (why.empty()) {
+            ++tally.redundant;
+            if (std::getenv("WEFT_SHOW_REDUNDANT") != nullptr)
+                std::cout << plan.graph.name << ": redundant: " << mutant.text << "\n";
+            return;
+        }
+        ++tally.missed;
+        ADD_FAILURE() << mutant.text << "\n" << why;
+    });
+}
+
+void print(const Tallies& tallies) {
+    constexpr std::array<const char*, kMutantKinds> kNames{"barriers removed", "barriers weakened by a bit",
+                                                           "waits removed", "transfer halves removed",
+                                                           "owners left out of a hand-over"};
+    for (size_t k = 0; k < tallies.size(); ++k) {
+        const Tally& t = tallies[k];
+        const auto percent = [](uint32_t part, uint32_t all) { return all == 0 ? 0.0 : 100.0 * part / all; };
+        std::cout << kNames[k] << ": " << t.all << ", the checker catches " << percent(t.caught, t.all)
+                  << " %, redundant to both " << percent(t.redundant, t.all) << " %, missed " << t.missed
+                  << "; of " << t.asked << " run, " << t.broken << " gave something else\n";
+    }
+}
+
+}  // namespace weft::test

@@ -1,0 +1,97 @@
+#include "plan_mutants.h"
+
+#include <vector>
+
+namespace weft::test {
+namespace {
+
+using BarrierList = std::vector<BarrierDecl>;
+
+class Mutator {
+ public:
+    Mutator(const FramePlan& plan, const std::function<void(const Mutant&)>& visit)
+        : plan_(plan), visit_(visit), mutant_{MutantKind::removed_barrier, {}, plan} {}
+
+    void run() {
+        BarrierPlan& barriers = mutant_.plan.barriers;
+        for (PassStep& step : barriers.steps) {
+            const std::string& pass = plan_.graph.passes[step.pass].name;
+            mutate(step.barriers, "before " + pass);
+            mutate(step.after, "after " + pass);
+        }
+        mutate(barriers.epilogue, "at the end");
+        mutate(barriers.prologue.after, "after the prologue");
+        for (Batch& batch : mutant_.plan.submissions.batches) drop_waits(batch);
+    }
+
+ private:
+    void show(MutantKind kind, std::string text) {
+        mutant_.kind = kind;
+        mutant_.text = std::move(text);
+        visit_(mutant_);
+    }
+
+    void mutate(BarrierList& list, const std::string& where) {
+        const BarrierList sound = list;
+        for (size_t i = 0; i < sound.size(); ++i) {
+            const std::string what =
+                where + " on " + plan_.graph.resources[sound[i].resource].name + range_text(sound[i].range);
+            list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+            const bool transfer = sound[i].src_family != sound[i].dst_family;
+            show(transfer ? MutantKind::removed_transfer : MutantKind::removed_barrier, "no barrier " + what);
+            list = sound;
+            weaken(
+                list[i].src.stages, [](StageMask m) { return stages_text(m); }, "source of " + what);
+            weaken(
+                list[i].src.access, [](AccessMask m) { return access_text(m); }, "source of " + what);
+            weaken(
+                list[i].dst.stages, [](StageMask m) { return stages_text(m); }, "destination of " + what);
+            weaken(
+                list[i].dst.access, [](AccessMask m) { return access_text(m); }, "destination of " + what);
+            drop_owners(list[i], what);
+        }
+    }
+
+    template <class Text>
+    void weaken(uint32_t& mask, Text text, const std::string& what) {
+        const uint32_t sound = mask;
+        for (uint32_t left = sound; left != 0; left &= left - 1) {
+            const uint32_t bit = left & (~left + 1);
+            mask = sound & ~bit;
+            show(MutantKind::weakened_barrier, "no " + text(bit) + " in the " + what);
+        }
+        mask = sound;
+    }
+
+    void drop_owners(BarrierDecl& barrier, const std::string& what) {
+        const std::vector<ResourceId> sound = barrier.hand_over_from;
+        for (size_t i = 0; i < sound.size(); ++i) {
+            barrier.hand_over_from.erase(barrier.hand_over_from.begin() + static_cast<std::ptrdiff_t>(i));
+            show(MutantKind::removed_owner,
+                 plan_.graph.resources[sound[i]].name + " not waited for by the hand-over " + what);
+            barrier.hand_over_from = sound;
+        }
+    }
+
+    void drop_waits(Batch& batch) {
+        const std::vector<QueueWait> sound = batch.waits;
+        for (size_t i = 0; i < sound.size(); ++i) {
+            batch.waits.erase(batch.waits.begin() + static_cast<std::ptrdiff_t>(i));
+            show(MutantKind::removed_wait, "no wait for batch " + std::to_string(sound[i].batch) +
+                                               (sound[i].previous_frame ? " of the frame before" : ""));
+            batch.waits = sound;
+        }
+    }
+
+    const FramePlan& plan_;
+    const std::function<void(const Mutant&)>& visit_;
+    Mutant mutant_;
+};
+
+}  // namespace
+
+void for_each_mutant(const FramePlan& plan, const std::function<void(const Mutant&)>& visit) {
+    Mutator(plan, visit).run();
+}
+
+}  // namespace weft::test

@@ -1,0 +1,27 @@
+// What the null executor breaks, the checker catches.
+#include <gtest/gtest.h>
+
+#include "check/check_plan.h"
+#include "mutant_judge.h"
+#include "random_plans.h"
+
+namespace weft::test {
+namespace {
+
+TEST(PlanMutants, WhatTheNullExecutorBreaksTheCheckerCatches) {
+    const uint32_t graphs = extended() ? 100 : 40;
+    const uint32_t max_passes = extended() ? 60 : 20;
+    Tallies tallies;
+    for (uint32_t seed = 0; seed < graphs; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(max_passes) + " passes");
+        const FramePlan plan = random_plan(seed, max_passes);
+        ASSERT_TRUE(check_plan(plan).empty());
+        judge_mutants(plan, extended() ? 4 : 8, tallies);
+    }
+    print(tallies);
+    const Tally& removed = tallies.at(static_cast<size_t>(MutantKind::removed_barrier));
+    EXPECT_GE(removed.caught * 100, removed.all * 95) << "too many barriers that nobody needs";
+}
+
+}  // namespace
+}  // namespace weft::test
