@@ -20,6 +20,7 @@ class Mutator {
             mutate(step.after, "after " + pass);
         }
         mutate(barriers.epilogue, "at the end");
+        weakened_ = MutantKind::weakened_prologue;
         mutate(barriers.prologue.after, "after the prologue");
         for (Batch& batch : mutant_.plan.submissions.batches) drop_waits(batch);
     }
@@ -58,7 +59,7 @@ class Mutator {
         for (uint32_t left = sound; left != 0; left &= left - 1) {
             const uint32_t bit = left & (~left + 1);
             mask = sound & ~bit;
-            show(MutantKind::weakened_barrier, "no " + text(bit) + " in the " + what);
+            show(weakened_, "no " + text(bit) + " in the " + what);
         }
         mask = sound;
     }
@@ -86,6 +87,7 @@ class Mutator {
     const FramePlan& plan_;
     const std::function<void(const Mutant&)>& visit_;
     Mutant mutant_;
+    MutantKind weakened_ = MutantKind::weakened_barrier;
 };
 
 }  // namespace

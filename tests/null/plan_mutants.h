@@ -11,11 +11,12 @@ namespace weft::test {
 enum class MutantKind : uint8_t {
     removed_barrier,
     weakened_barrier,
+    weakened_prologue,
     removed_wait,
     removed_transfer,
-    removed_owner
+    removed_owner,
 };
-inline constexpr int kMutantKinds = 5;
+inline constexpr int kMutantKinds = 6;
 
 struct Mutant {
     MutantKind kind = MutantKind::removed_barrier;
