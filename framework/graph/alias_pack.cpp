@@ -134,10 +134,11 @@ Packing pack_size_descending(const std::vector<PackItem>& items) {
 }
 
 Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, const Unordered& unordered) {
+    if (items.empty()) return {};
     Packing best;
     best.height_bytes = UINT64_MAX;
     if (!unordered) best = pack_sweep(items);
-    if (is_good_enough(best, lower_bound_bytes) || items.empty()) return best;
+    if (best.height_bytes <= lower_bound_bytes) return best;
     Conflicts conflicts(items, unordered);
     if (conflicts.dense() && items.size() > kMaxDenseItems) return best;
     for (std::vector<uint32_t> order :

@@ -11,6 +11,7 @@
 
 #include <xxhash.h>
 
+#include "graph/plan_cache.h"
 #include "graph/plan_fields.h"
 #include "weft/compile.h"
 
@@ -82,19 +83,35 @@ struct FreeState {
     void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
 };
 
-}  // namespace
-
-std::string plan_hash(const FramePlan& plan) {
+template <class Visit>
+std::string hashed(Visit visit) {
     const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
     XXH3_128bits_reset(state.get());
     HashVisitor visitor(state.get());
-    visit_fields(visitor, plan);
+    visit(visitor);
     visitor.finish();
     const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
     std::array<char, 33> text{};
     std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
                   static_cast<unsigned long long>(hash.low64));
     return text.data();
+}
+
+}  // namespace
+
+std::string plan_hash(const FramePlan& plan) {
+    return hashed([&](HashVisitor& visitor) { visit_fields(visitor, plan); });
+}
+
+std::string compile_hash(const ResolvedGraph& graph, const MemoryNeeds& needs,
+                         const CompileOptions& options) {
+    return hashed([&](HashVisitor& visitor) {
+        visit_fields(visitor, graph);
+        visitor("needs", needs);
+        visitor("keepAllPasses", options.keep_all_passes);
+        visitor("granularityBytes", options.granularity_bytes);
+        visitor("queues", options.queues);
+    });
 }
 
 }  // namespace weft

@@ -12,6 +12,7 @@ struct CompileOptions {
     bool keep_all_passes = false;  // no culling
     uint64_t granularity_bytes = 64;
     std::vector<LogicalQueue> queues{LogicalQueue{}};  // the first one is a graphics queue
+    std::function<void(const char*)> stage_over;       // called with each stage's name, for benches
 };
 
 // `count` logical queues for a device: graphics, then compute, transfer and a second compute queue, each in
@@ -25,6 +26,11 @@ struct CompileOptions {
 
 // Needs from contents alone: exact bytes at `alignment_bytes`, every heap allowed. For tests and `weft plan`.
 [[nodiscard]] MemoryNeeds content_needs(const ResolvedGraph& graph, uint64_t alignment_bytes = 16);
+
+// Needs as a device of this profile would state them: padded rows, extra bytes, alignments, and the types of
+// memory that may hold each resource. Attachments that nothing else uses go into lazily allocated memory where
+// there is some.
+[[nodiscard]] MemoryNeeds profile_needs(const ResolvedGraph& graph, const DeviceProfile& profile);
 
 // The canonical hash of a plan: 32 hex digits.
 [[nodiscard]] std::string plan_hash(const FramePlan& plan);
