@@ -1,0 +1,78 @@
+// The shipped graphs give under their plans what they mean, on one to three queues, and need what they wait
+// for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "check/check_plan.h"
+#include "mutant_judge.h"
+#include "null/null_executor.h"
+#include "random_plans.h"
+#include "render/import_catalog.h"
+#include "shader/load_graph.h"
+#include "weft/registry.h"
+
+namespace weft::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> read_text(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return std::nullopt;
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> shipped_graphs() {
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(WEFT_SOURCE_DIR) / "graphs"))
+        if (entry.path().extension() == ".json" &&
+            entry.path().string().find(".schema.") == std::string::npos)
+            found.push_back(entry.path().string());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+Result<LoadedGraph> load(const std::string& file) {
+    const std::string profile_file = WEFT_SOURCE_DIR "/framework/profiles/lavapipe.json";
+    Result<DeviceProfile> profile = parse_profile(read_text(profile_file).value_or(""), profile_file);
+    if (!profile) return profile.take_errors();
+    const PassCatalog passes = registered_passes();
+    const ImportCatalog imports = render::scene_imports({1280, 720, 1});
+    Diagnostics warnings;
+    return load_graph(
+        {file, read_text, WEFT_SOURCE_DIR "/shaders", {}, passes, imports, *profile, {1280, 720, 1}, {}, {}},
+        warnings);
+}
+
+TEST(ShippedPlans, GiveWhatTheyMeanAndNeedWhatTheyWaitFor) {
+    const std::vector<std::string> files = shipped_graphs();
+    ASSERT_FALSE(files.empty());
+    for (const std::string& file : files) {
+        const Result<LoadedGraph> loaded = load(file);
+        ASSERT_TRUE(loaded.ok()) << to_text(loaded.errors());
+        for (const uint32_t seed : {0u, 1u, 2u}) {
+            SCOPED_TRACE(file + " on " + std::to_string(1 + seed) + " queues");
+            const FramePlan plan = compile(loaded->graph, content_needs(loaded->graph), random_options(seed));
+            const NullRun wanted = run_reference(plan.graph, plan.live);
+            ASSERT_FALSE(wanted.observed.empty());
+            const NullRun found = run_null(plan);
+            EXPECT_TRUE(found.faults.empty()) << found.faults.front();
+            const std::vector<std::string> different = differences(plan.graph, wanted, found);
+            EXPECT_TRUE(different.empty()) << different.front();
+            Tallies tallies;
+            judge_mutants(plan, 1, tallies);
+            std::cout << fs::path(file).filename().string() << " on " << 1 + seed << " queues\n";
+            print(tallies);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace weft::test
