@@ -25,23 +25,24 @@ Json to_json(const Diagnostic& d) {
 }  // namespace
 
 ExitCode run_check(const CheckOptions& options) {
-    Result<DeviceProfile> profile = load_profile(options.profile);
-    if (!profile) {
+    // Once is enough to say that there is no such profile.
+    if (const Result<DeviceProfile> profile = load_profile(options.offline.profile); !profile) {
         report(profile.errors());
         return exit_code_for(profile.errors());
     }
     Diagnostics all;
     for (const std::string& file : options.files) {
         Diagnostics found;
-        Result<FramePlan> plan = compile_offline(file, *profile, options.size, {}, found);
-        if (!plan) {
-            const Diagnostics errors = plan.take_errors();
+        Result<OfflinePlan> made = compile_offline(file, options.offline, found);
+        if (!made) {
+            const Diagnostics errors = made.take_errors();
             found.insert(found.end(), errors.begin(), errors.end());
         } else if (!options.json) {
+            const FramePlan& plan = made->plan;
             std::fprintf(stderr,
                          "%s: ok, %zu passes live of %zu, %u barriers, %.1f MiB of transient memory\n",
-                         file.c_str(), plan->schedule.order.size(), plan->graph.passes.size(),
-                         plan->barriers.emitted, static_cast<double>(plan->memory.heap_bytes) / 1048576.0);
+                         file.c_str(), plan.schedule.order.size(), plan.graph.passes.size(),
+                         plan.barriers.emitted, static_cast<double>(plan.memory.heap_bytes) / 1048576.0);
         }
         if (!options.json) report(found);
         all.insert(all.end(), found.begin(), found.end());

@@ -8,19 +8,16 @@
 namespace weft::viewer {
 
 ExitCode run_plan(const PlanOptions& options) {
-    Result<DeviceProfile> profile = load_profile(options.profile);
     Diagnostics warnings;
-    Result<FramePlan> plan =
-        profile ? compile_offline(options.file, *profile, options.size, options.params, warnings)
-                : Result<FramePlan>(profile.take_errors());
+    const Result<OfflinePlan> made = compile_offline(options.file, options.offline, warnings);
     report(warnings);
-    if (!plan) {
-        report(plan.errors());
-        return exit_code_for(plan.errors());
+    if (!made) {
+        report(made.errors());
+        return exit_code_for(made.errors());
     }
-    const std::string text = options.format == "json"  ? plan_to_json(*plan)
-                             : options.format == "dot" ? plan_to_dot(*plan)
-                                                       : plan_to_text(*plan);
+    const std::string text = options.format == "json"  ? plan_to_json(made->plan)
+                             : options.format == "dot" ? plan_to_dot(made->plan)
+                                                       : plan_to_text(made->plan, &made->profile);
     if (options.output.empty()) {
         std::fputs(text.c_str(), stdout);
         return ExitCode::ok;

@@ -23,6 +23,7 @@ enum class ExitCode : int {
 [[nodiscard]] ExitCode run_render(const RenderOptions& options);
 [[nodiscard]] ExitCode run_check(const CheckOptions& options);
 [[nodiscard]] ExitCode run_plan(const PlanOptions& options);
+[[nodiscard]] ExitCode run_bench_compile(const BenchOptions& options);
 [[nodiscard]] ExitCode run_doctor(const DoctorOptions& options);
 
 // Prints to stderr.

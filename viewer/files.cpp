@@ -1,8 +1,10 @@
 #include "files.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 namespace weft::viewer {
 namespace {
@@ -57,13 +59,44 @@ Status write_file(const std::string& path, const std::string& content) {
                       "check that its folder exists and has room");
 }
 
-Result<DeviceProfile> load_profile(const std::string& path) {
-    const std::string file =
-        path.empty() ? (shipped_root() / "framework" / "profiles" / "lavapipe.json").string() : path;
-    const std::optional<std::string> text = read_file(file);
-    if (!text)
-        return file_error("W141", file, "there is no such device profile",
-                          "`weft doctor --json > FILE` writes this machine's");
+namespace {
+
+std::filesystem::path profile_folder() {
+    return shipped_root() / "framework" / "profiles";
+}
+
+std::vector<std::string> shipped_profiles() {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(profile_folder(), error))
+        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Diagnostic no_such_profile(const std::string& name) {
+    const std::vector<std::string> known = shipped_profiles();
+    std::string list;
+    for (const std::string& shipped : known) list += (list.empty() ? "" : ", ") + shipped;
+    Diagnostic d = file_error("W141", name, "there is no such device profile",
+                              "give a file, or one of the shipped profiles: " + list);
+    const std::string guess = did_you_mean_text(name, known);
+    if (!guess.empty()) d.help.insert(d.help.begin(), guess);
+    d.help.push_back("`weft doctor --json > FILE` writes this machine's");
+    return d;
+}
+
+}  // namespace
+
+Result<DeviceProfile> load_profile(const std::string& file_or_name) {
+    const std::string name = file_or_name.empty() ? "lavapipe" : file_or_name;
+    std::string file = name;
+    std::optional<std::string> text = file_or_name.empty() ? std::nullopt : read_file(file);
+    if (!text && name.find_first_of("/.") == std::string::npos) {
+        file = (profile_folder() / (name + ".json")).string();
+        text = read_file(file);
+    }
+    if (!text) return no_such_profile(name);
     return parse_profile(*text, file);
 }
 

@@ -22,7 +22,8 @@ namespace weft::viewer {
 // Errors: X510, the file cannot be written.
 [[nodiscard]] Status write_file(const std::string& path, const std::string& content);
 
-// The named profile file, or the shipped one of lavapipe when `path` is empty.
-[[nodiscard]] Result<DeviceProfile> load_profile(const std::string& path);
+// A profile file, or one of the shipped profiles by its name ("tiler"); empty: lavapipe.
+// Errors: W140, W141.
+[[nodiscard]] Result<DeviceProfile> load_profile(const std::string& file_or_name);
 
 }  // namespace weft::viewer

@@ -5,85 +5,26 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 
 namespace weft::viewer {
 namespace {
-
-// Flags of the command line's contract that this version cannot honour yet.
-struct FutureFlag {
-    const char* name;
-    const char* what;
-};
-constexpr std::array kFutureRenderFlags{
-    FutureFlag{"--tier", "quality tiers"},
-    FutureFlag{"--seed", "seeded lights"},
-    FutureFlag{"--time", "the time of day"},
-    FutureFlag{"--lights", "generated lights"},
-    FutureFlag{"--profile", "rendering to a profile"},
-    FutureFlag{"--limits", "limits from a file"},
-};
-constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--sarif", "SARIF"},
-                                       FutureFlag{"--run", "graph tests"}};
-constexpr std::array kFuturePlanFlags{FutureFlag{"--tier", "quality tiers"}};
-constexpr std::array<std::string_view, 6> kFutureCommands{"view",   "explain", "diff",
-                                                          "schema", "bench",   "compare"};
 
 [[nodiscard]] int exit_with(ExitCode code) {
     return static_cast<int>(code);
 }
 
 CLI::Validator size_validator() {
-    return CLI::Validator(
-        [](std::string& text) -> std::string {
-            unsigned width = 0, height = 0;
-            char end = 0;
-            const bool whole = std::sscanf(text.c_str(), "%5ux%5u%c", &width, &height, &end) == 2;
-            if (whole && width > 0 && height > 0 && width <= 16384 && height <= 16384) return "";
-            return "a size is WIDTHxHEIGHT in pixels, each 1 to 16384, not \"" + text + "\"";
-        },
-        "WxH");
+    return CLI::Validator([](std::string& text) { return size_fault(text); }, "WxH");
 }
 
-Extent3D parse_size(const std::string& text) {
-    Extent3D size;
-    std::sscanf(text.c_str(), "%5ux%5u", &size.width, &size.height);
-    return size;
-}
-
-// NAME=VALUE, where VALUE is a number, true or false.
 CLI::Validator param_validator() {
-    return CLI::Validator(
-        [](std::string& text) -> std::string {
-            const size_t equals = text.find('=');
-            if (equals == std::string::npos || equals == 0)
-                return "a parameter is NAME=VALUE, not \"" + text + "\"";
-            std::string value = text.substr(equals + 1);
-            if (value == "true" || value == "false") return "";
-            double number = 0;
-            return CLI::detail::lexical_cast(value, number)
-                       ? ""
-                       : "\"" + value + "\" is not a number, true or false";
-        },
-        "NAME=VALUE");
-}
-
-std::map<std::string, double> parse_params(const std::vector<std::string>& texts) {
-    std::map<std::string, double> params;
-    for (const std::string& text : texts) {
-        const size_t equals = text.find('=');
-        const std::string value = text.substr(equals + 1);
-        double number = value == "true" ? 1 : 0;
-        if (value != "true" && value != "false") CLI::detail::lexical_cast(value, number);
-        params[text.substr(0, equals)] = number;
-    }
-    return params;
+    return CLI::Validator([](std::string& text) { return param_fault(text); }, "NAME=VALUE");
 }
 
 // Texts that need a second look after parsing.
@@ -92,35 +33,6 @@ struct RawTexts {
     std::vector<std::string> params;
     double exposure = 0;
 };
-
-// A flag or command of the contract that is not there yet is refused by name, whatever else is wrong. Its
-// values are of no interest.
-template <size_t N>
-[[nodiscard]] bool names_future_flag(const std::vector<std::string>& arguments,
-                                     const std::array<FutureFlag, N>& flags) {
-    for (const std::string& argument : arguments) {
-        const std::string name = argument.substr(0, argument.find('='));
-        for (const FutureFlag& flag : flags) {
-            if (name != flag.name) continue;
-            std::fprintf(stderr, "weft: %s: %s are not there yet in this version of weft\n", flag.name,
-                         flag.what);
-            return true;
-        }
-    }
-    return false;
-}
-
-[[nodiscard]] bool names_future(const std::vector<std::string>& arguments) {
-    if (arguments.empty()) return false;
-    const std::string& command = arguments.front();
-    if (std::find(kFutureCommands.begin(), kFutureCommands.end(), command) != kFutureCommands.end()) {
-        std::fprintf(stderr, "weft: `%s` is not there yet in this version of weft\n", command.c_str());
-        return true;
-    }
-    return (command == "render" && names_future_flag(arguments, kFutureRenderFlags)) ||
-           (command == "check" && names_future_flag(arguments, kFutureCheckFlags)) ||
-           (command == "plan" && names_future_flag(arguments, kFuturePlanFlags));
-}
 
 void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("SCENE", o.scene, "a .gltf or .glb file, a folder that holds one, or builtin:NAME")
@@ -146,29 +58,62 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_flag("--validate", o.validate, "run under the validation layers; any message is exit code 5");
     command.add_option("--stats", o.stats, "write times, memory and hashes to this JSON file");
     command.add_option("--device", o.device, "a device's index or part of its name");
+    command
+        .add_option("--queues", o.queues,
+                    "how many queues to plan for: 1 graphics, 2 + compute, 3 + transfer")
+        ->check(CLI::Range(1u, 4u))
+        ->capture_default_str();
     command.add_option("--timeout", o.timeout_s, "seconds to wait for a frame")
         ->check(CLI::Range(0.001, 3600.0))
         ->capture_default_str();
     command.add_option("--test-drop-barriers", o.drop_barriers_before)->group("");
 }
 
+// How a graph is compiled where there is no device.
+void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
+    command.add_option("--profile", o.profile,
+                       "a device profile: a file, or a shipped one's name [lavapipe]");
+    command.add_option("--size", raw.size, "of the output")->check(size_validator())->capture_default_str();
+    command.add_option("--queues", o.queues, "how many queues: graphics, compute, transfer, compute")
+        ->check(CLI::Range(1u, 4u))
+        ->capture_default_str();
+    command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
+        ->check(param_validator());
+}
+
 void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.files, "graph files")->required();
-    command.add_option("--profile", o.profile, "a device profile [the shipped lavapipe]");
-    command.add_option("--size", raw.size, "of the output")->check(size_validator())->capture_default_str();
+    add_offline(command, o.offline, raw);
     command.add_flag("--json", o.json, "what was found, as JSON on stdout");
 }
 
 void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
-    command.add_option("--profile", o.profile, "a device profile [the shipped lavapipe]");
-    command.add_option("--size", raw.size, "of the output")->check(size_validator())->capture_default_str();
+    add_offline(command, o.offline, raw);
     command.add_option("--format", o.format, "text, json or dot")
         ->check(CLI::IsMember({"text", "json", "dot"}).description(""))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "a file in place of stdout");
-    command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
-        ->check(param_validator());
+}
+
+// `bench compile`.
+CLI::App* add_bench(CLI::App& app, BenchOptions& o) {
+    CLI::App* bench = app.add_subcommand("bench", "measure: `weft bench compile`");
+    bench->require_subcommand(1);
+    CLI::App* command =
+        bench->add_subcommand("compile", "how long compiling takes, on graphs made by a seed");
+    command->add_option("--passes", o.passes, "each writes one image and reads two")
+        ->check(CLI::Range(1u, 1000000u))
+        ->capture_default_str();
+    command->add_option("--shape", o.shape, "which passes one reads: chain, window32 or random")
+        ->check(CLI::IsMember({"chain", "window32", "random"}).description(""))
+        ->capture_default_str();
+    command->add_option("--seed", o.seed, "of std::mt19937")->capture_default_str();
+    command->add_option("--queues", o.queues, "how many queues to plan for")
+        ->check(CLI::Range(1u, 4u))
+        ->capture_default_str();
+    command->add_flag("--json", o.json, "as JSON");
+    return command;
 }
 
 // CLI11's own exit codes become usage errors.
@@ -188,6 +133,7 @@ int run(int argc, char** argv) {
     CheckOptions check_options;
     PlanOptions plan_options;
     DoctorOptions doctor_options;
+    BenchOptions bench_options;
     CLI::App* render = app.add_subcommand("render", "render a scene through a graph to a picture");
     add_render(*render, render_options, raw);
     CLI::App* check = app.add_subcommand("check", "find what is wrong with graph files");
@@ -197,20 +143,29 @@ int run(int argc, char** argv) {
     CLI::App* doctor = app.add_subcommand("doctor", "say what this machine has and lacks");
     doctor->add_flag("--json", doctor_options.json, "the chosen device's profile, as JSON on stdout");
     doctor->add_option("--device", doctor_options.device, "a device's index or part of its name");
-    if (names_future({argv + std::min(argc, 1), argv + argc})) return exit_with(ExitCode::usage);
+    CLI::App* bench_compile = add_bench(app, bench_options);
+    if (const std::string fault = future_fault({argv + std::min(argc, 1), argv + argc}); !fault.empty()) {
+        std::fprintf(stderr, "weft: %s\n", fault.c_str());
+        return exit_with(ExitCode::usage);
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return usage_exit(app, error);
     }
-    render_options.size = check_options.size = plan_options.size = parse_size(raw.size);
-    render_options.params = plan_options.params = parse_params(raw.params);
+    render_options.size = parse_size(raw.size);
+    render_options.params = parse_params(raw.params);
+    for (OfflineOptions* offline : {&check_options.offline, &plan_options.offline}) {
+        offline->size = render_options.size;
+        offline->params = render_options.params;
+    }
     if (render->count("--exposure") > 0) render_options.exposure_ev = static_cast<float>(raw.exposure);
     if (render->parsed()) return exit_with(run_render(render_options));
     if (check->parsed()) return exit_with(run_check(check_options));
     if (plan->parsed()) return exit_with(run_plan(plan_options));
     if (doctor->parsed()) return exit_with(run_doctor(doctor_options));
-    std::fputs("weft: say what to do: render, check, plan or doctor\nRun `weft --help`.\n", stderr);
+    if (bench_compile->parsed()) return exit_with(run_bench_compile(bench_options));
+    std::fputs("weft: say what to do: render, check, plan, bench or doctor\nRun `weft --help`.\n", stderr);
     return exit_with(ExitCode::usage);
 }
 

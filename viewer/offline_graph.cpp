@@ -2,6 +2,7 @@
 
 #include "check/check_plan.h"
 #include "files.h"
+#include "graph/memory_report.h"
 #include "render/import_catalog.h"
 #include "shader/load_graph.h"
 #include "weft/compile.h"
@@ -9,28 +10,34 @@
 
 namespace weft::viewer {
 
-Result<FramePlan> compile_offline(const std::string& file, const DeviceProfile& profile, Extent3D size,
-                                  const std::map<std::string, double>& params, Diagnostics& warnings) {
+Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOptions& options,
+                                    Diagnostics& warnings) {
+    Result<DeviceProfile> profile = load_profile(options.profile);
+    if (!profile) return profile.take_errors();
     const PassCatalog passes = registered_passes();
-    const ImportCatalog imports = render::scene_imports(size);
+    const ImportCatalog imports = render::scene_imports(options.size);
     Result<LoadedGraph> loaded = load_graph({file,
                                              read_file,
                                              shipped_root() / "shaders",
                                              shader_cache(),
                                              passes,
                                              imports,
-                                             profile,
-                                             size,
-                                             params,
+                                             *profile,
+                                             options.size,
+                                             options.params,
                                              {}},
                                             warnings);
     if (!loaded) return loaded.take_errors();
-    CompileOptions options;
-    options.granularity_bytes = profile.buffer_image_granularity_bytes;
-    FramePlan plan = compile(loaded->graph, content_needs(loaded->graph), options);
-    Diagnostics faults = check_plan(plan);
+    CompileOptions compile_options;
+    compile_options.granularity_bytes = profile->buffer_image_granularity_bytes;
+    compile_options.queues = logical_queues(*profile, options.queues);
+    OfflinePlan made{compile(loaded->graph, profile_needs(loaded->graph, *profile), compile_options),
+                     std::move(*profile)};
+    Diagnostics faults = check_plan(made.plan);
     if (!faults.empty()) return faults;
-    return plan;
+    const Diagnostics tight = memory_faults(made.plan, made.profile, file);
+    warnings.insert(warnings.end(), tight.begin(), tight.end());
+    return made;
 }
 
 }  // namespace weft::viewer

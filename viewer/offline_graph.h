@@ -1,18 +1,24 @@
-// Purpose: a graph compiled and proved without a device, for `check` and `plan`: a profile stands in for one,
-// and memory needs are the contents' own bytes.
+// Purpose: a graph compiled and proved without a device, for the commands that need none: a profile stands in
+// for one, and says what memory resources need.
+// Errors: those of the graph, of the profile (W140, W141) and of the checker. Warning W142: the plan needs
+// more memory than the profile's device has.
 #pragma once
 
-#include <map>
 #include <string>
 
+#include "options.h"
 #include "weft/device_profile.h"
 #include "weft/plan.h"
 #include "weft/result.h"
 
 namespace weft::viewer {
 
-[[nodiscard]] Result<FramePlan> compile_offline(const std::string& file, const DeviceProfile& profile,
-                                                Extent3D size, const std::map<std::string, double>& params,
-                                                Diagnostics& warnings);
+struct OfflinePlan {
+    FramePlan plan;
+    DeviceProfile profile;
+};
+
+[[nodiscard]] Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOptions& options,
+                                                  Diagnostics& warnings);
 
 }  // namespace weft::viewer

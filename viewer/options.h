@@ -27,23 +27,37 @@ struct RenderOptions {
     std::string stats;
     std::string device;
     double timeout_s = 60;
+    uint32_t queues = 1;
     std::string drop_barriers_before;  // test hook
+};
+
+// How a graph is compiled where there is no device.
+struct OfflineOptions {
+    std::string profile;  // a file, or the name of a shipped one; empty: lavapipe
+    Extent3D size{1280, 720, 1};
+    uint32_t queues = 1;
+    std::map<std::string, double> params;
 };
 
 struct CheckOptions {
     std::vector<std::string> files;
-    std::string profile;
-    Extent3D size{1280, 720, 1};
+    OfflineOptions offline;
     bool json = false;
 };
 
 struct PlanOptions {
     std::string file;
-    std::string profile;
-    Extent3D size{1280, 720, 1};
+    OfflineOptions offline;
     std::string format = "text";
     std::string output;
-    std::map<std::string, double> params;
+};
+
+struct BenchOptions {
+    uint32_t passes = 1000;
+    std::string shape = "random";
+    uint32_t seed = 1;
+    uint32_t queues = 1;
+    bool json = false;
 };
 
 struct DoctorOptions {

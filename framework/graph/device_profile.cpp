@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <span>
 #include <string_view>
 
 namespace weft {
@@ -56,6 +58,23 @@ constexpr std::array kSwitches{
     Switch{"storageReadWithoutFormat", &DeviceProfile::storage_read_without_format},
     Switch{"descriptorIndexing", &DeviceProfile::descriptor_indexing},
 };
+
+// Left out of a file where they are what every profile begins with.
+constexpr std::array kMemoryLimits{
+    WideLimit{"imageAlignmentBytes", &DeviceProfile::image_alignment_bytes},
+    WideLimit{"bufferAlignmentBytes", &DeviceProfile::buffer_alignment_bytes},
+    WideLimit{"imageRowAlignmentBytes", &DeviceProfile::image_row_alignment_bytes},
+};
+
+constexpr WideLimit kExtraBytes{"imageExtraBytes", &DeviceProfile::image_extra_bytes};
+
+struct ContentName {
+    MemoryContentMask bit;
+    const char* name;
+};
+constexpr std::array kContentNames{ContentName{memory_content::kBuffers, "buffers"},
+                                   ContentName{memory_content::kColorImages, "colorImages"},
+                                   ContentName{memory_content::kDepthImages, "depthImages"}};
 
 Json features_to_json(FormatFeatureMask mask) {
     Json names = Json::array();
@@ -123,6 +142,58 @@ struct ProfileReader {
             fault("/queueFamilies", "no queue family", "a device has at least one");
     }
 
+    void heaps(const Json& list, DeviceProfile& profile) {
+        for (const Json& item : list)
+            profile.memory_heaps.push_back(
+                {item.value("bytes", uint64_t{0}), item.value("deviceLocal", true)});
+    }
+
+    MemoryContentMask contents(const Json& item) {
+        if (!item.contains("holds")) return memory_content::kAll;
+        MemoryContentMask mask = 0;
+        for (const Json& word : item.at("holds")) {
+            const auto it = std::find_if(kContentNames.begin(), kContentNames.end(),
+                                         [&](const ContentName& c) { return word == c.name; });
+            if (it == kContentNames.end())
+                fault("/memoryTypes", "memory that holds " + word.dump(),
+                      "memory holds buffers, colorImages, depthImages");
+            else
+                mask |= it->bit;
+        }
+        return mask;
+    }
+
+    void types(const Json& list, DeviceProfile& profile) {
+        for (const Json& item : list)
+            profile.memory_types.push_back({item.value("heap", 0u), item.value("deviceLocal", true),
+                                            item.value("hostVisible", false),
+                                            item.value("lazilyAllocated", false), contents(item)});
+    }
+
+    // What only the whole file can show.
+    void check_memory(const DeviceProfile& profile) {
+        if (profile.memory_types.size() > 32)
+            fault("/memoryTypes", std::to_string(profile.memory_types.size()) + " types of memory",
+                  "a device has 32 at most");
+        MemoryContentMask held = 0;
+        for (const MemoryTypeProfile& type : profile.memory_types) {
+            if (!type.lazily_allocated) held |= type.holds;
+            if (type.heap >= profile.memory_heaps.size())
+                fault("/memoryTypes", "a type of memory in heap " + std::to_string(type.heap),
+                      "there are " + std::to_string(profile.memory_heaps.size()) + " heaps, counted from 0");
+        }
+        if (!profile.memory_types.empty() && held != memory_content::kAll)
+            fault("/memoryTypes", "something has no memory to live in",
+                  "buffers, colorImages and depthImages each need a type that is not lazily allocated");
+        for (const WideLimit& l : kMemoryLimits)
+            if (!std::has_single_bit(profile.*l.value))
+                fault(std::string("/") + l.name, "an alignment is a power of two",
+                      "not " + std::to_string(profile.*l.value));
+        if (!std::has_single_bit(profile.buffer_image_granularity_bytes))
+            fault("/bufferImageGranularityBytes", "the granularity is a power of two",
+                  "not " + std::to_string(profile.buffer_image_granularity_bytes));
+    }
+
     void member(const std::string& key, const Json& value, DeviceProfile& profile) {
         if (key == "name" && value.is_string()) {
             profile.name = value.get<std::string>();
@@ -130,6 +201,10 @@ struct ProfileReader {
             formats(value, profile);
         } else if (key == "queueFamilies" && value.is_array()) {
             queues(value, profile);
+        } else if (key == "memoryHeaps" && value.is_array()) {
+            heaps(value, profile);
+        } else if (key == "memoryTypes" && value.is_array()) {
+            types(value, profile);
         } else if (!limit(key, value, profile)) {
             fault("/" + key, "unknown key or wrong type", "compare it with what `weft doctor --json` writes");
         }
@@ -140,10 +215,13 @@ struct ProfileReader {
             if (key == l.name && value.is_number_unsigned())
                 return profile.*l.value = value.get<uint32_t>(), true;
         }
-        for (const WideLimit& l : kWideLimits) {
-            if (key == l.name && value.is_number_unsigned())
-                return profile.*l.value = value.get<uint64_t>(), true;
-        }
+        for (const std::span<const WideLimit> limits :
+             {std::span<const WideLimit>(kWideLimits), std::span<const WideLimit>(kMemoryLimits),
+              std::span<const WideLimit>(&kExtraBytes, 1)})
+            for (const WideLimit& l : limits) {
+                if (key == l.name && value.is_number_unsigned())
+                    return profile.*l.value = value.get<uint64_t>(), true;
+            }
         for (const Switch& s : kSwitches) {
             if (key == s.name && value.is_boolean()) return profile.*s.value = value.get<bool>(), true;
         }
@@ -171,9 +249,38 @@ Result<DeviceProfile> parse_profile(const std::string& json, const std::string& 
     } catch (const nlohmann::json::exception& e) {
         reader.fault("", e.what(), "compare it with what `weft doctor --json` writes");
     }
+    reader.check_memory(profile);
     if (!reader.faults.empty()) return std::move(reader.faults);
     return profile;
 }
+
+namespace {
+
+Json content_to_json(MemoryContentMask mask) {
+    Json names = Json::array();
+    for (const ContentName& content : kContentNames)
+        if (mask & content.bit) names.push_back(content.name);
+    return names;
+}
+
+void write_memory(const DeviceProfile& profile, Json& root) {
+    const DeviceProfile standard;
+    for (const WideLimit& l : kMemoryLimits)
+        if (profile.*l.value != standard.*l.value) root[l.name] = profile.*l.value;
+    if (profile.image_extra_bytes != 0) root[kExtraBytes.name] = profile.image_extra_bytes;
+    for (const MemoryHeapProfile& heap : profile.memory_heaps)
+        root["memoryHeaps"].push_back({{"bytes", heap.size_bytes}, {"deviceLocal", heap.device_local}});
+    for (const MemoryTypeProfile& type : profile.memory_types) {
+        Json object{{"heap", type.heap},
+                    {"deviceLocal", type.device_local},
+                    {"hostVisible", type.host_visible},
+                    {"lazilyAllocated", type.lazily_allocated}};
+        if (type.holds != memory_content::kAll) object["holds"] = content_to_json(type.holds);
+        root["memoryTypes"].push_back(std::move(object));
+    }
+}
+
+}  // namespace
 
 std::string profile_to_json(const DeviceProfile& profile) {
     Json root;
@@ -185,6 +292,7 @@ std::string profile_to_json(const DeviceProfile& profile) {
     for (const Limit& l : kLimits) root[l.name] = profile.*l.value;
     for (const WideLimit& l : kWideLimits) root[l.name] = profile.*l.value;
     for (const Switch& s : kSwitches) root[s.name] = profile.*s.value;
+    write_memory(profile, root);
     for (const auto& [format, mask] : profile.formats) {
         root["formats"][std::string(format_info(format).name)] = features_to_json(mask);
     }

@@ -1,44 +1,26 @@
-#include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
 
+#include "graph/memory_report.h"
 #include "graph/plan_dump.h"
 #include "graph/plan_names.h"
+#include "graph/quantity_text.h"
 
 namespace weft {
 namespace {
 
-std::string bytes_text(uint64_t bytes) {
-    std::array<char, 48> text{};
-    if (bytes < 10240)
-        std::snprintf(text.data(), text.size(), "%llu B", static_cast<unsigned long long>(bytes));
-    else if (bytes < 10485760)
-        std::snprintf(text.data(), text.size(), "%.1f KiB", static_cast<double>(bytes) / 1024.0);
-    else
-        std::snprintf(text.data(), text.size(), "%.1f MiB", static_cast<double>(bytes) / 1048576.0);
-    return text.data();
-}
-
-std::string percent_text(uint64_t part, uint64_t whole) {
-    std::array<char, 48> text{};
-    const double percent = whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-    std::snprintf(text.data(), text.size(), "%.1f %%", percent);
-    return text.data();
-}
-
 class PlanText {
  public:
-    explicit PlanText(const FramePlan& plan) : plan_(plan) {}
+    PlanText(const FramePlan& plan, const DeviceProfile* profile) : plan_(plan), profile_(profile) {}
 
     std::string write() {
         header();
+        prologue();
         for (uint32_t p = 0; p < plan_.barriers.steps.size(); ++p) step(p);
         if (!plan_.barriers.epilogue.empty()) {
             text_ += "\nafter the last pass\n";
             for (const BarrierDecl& b : plan_.barriers.epilogue) barrier(b);
         }
-        memory();
+        text_ += "\nmemory\n" + memory_report(plan_, profile_);
         culled();
         return std::move(text_);
     }
@@ -67,11 +49,49 @@ class PlanText {
         text_ += "passes " + std::to_string(schedule.order.size()) + " of " +
                  std::to_string(plan_.graph.passes.size()) + ", barriers " +
                  std::to_string(plan_.barriers.emitted) + "\n";
+        if (schedule.queues.size() > 1) queues();
         text_ += "order  " + schedule.chosen + "; candidates:";
         for (const ScheduleCandidate& c : schedule.candidates)
             text_ += " " + c.name + " (" + bytes_text(c.peak_live_bytes) + ", " +
                      std::to_string(c.barrier_batches) + " batches)";
         text_ += "\n";
+    }
+
+    void queues() {
+        text_ += "queues";
+        for (uint32_t q = 0; q < plan_.schedule.queues.size(); ++q)
+            text_ += (q == 0 ? " " : ", ") + std::to_string(q) + " " +
+                     enum_name(plan_.schedule.queues[q].kind) + " of family " +
+                     std::to_string(plan_.schedule.queues[q].family);
+        text_ += "; " + count_text(plan_.submissions.batches.size(), "submission") + ", " +
+                 count_text(plan_.submissions.dependencies.size(), "wait") + "\n";
+    }
+
+    void prologue() {
+        const ProloguePlan& p = plan_.barriers.prologue;
+        if (p.cleared.empty()) return;
+        text_ += "\nonce, before the first frame\n";
+        for (const BarrierDecl& b : p.before) barrier(b);
+        for (const ResourceId id : p.cleared) text_ += "    clear " + resource(id) + "\n";
+        for (const BarrierDecl& b : p.after) barrier(b);
+    }
+
+    // What the batch that begins with this position waits for.
+    void waits(uint32_t position) {
+        for (const Batch& batch : plan_.submissions.batches) {
+            if (batch.positions.empty() || batch.positions.front() != position) continue;
+            for (const QueueWait& wait : batch.waits) {
+                const Batch& other = plan_.submissions.batches[wait.batch];
+                text_ += "    wait for queue " + std::to_string(other.queue);
+                if (wait.dependency != kNoId) {
+                    const QueueDependency& d = plan_.submissions.dependencies[wait.dependency];
+                    if (d.from < plan_.schedule.order.size())
+                        text_ += ", " + pass(plan_.schedule.order[d.from]);
+                    if (d.resource != kNoId) text_ += ", because of " + resource(d.resource);
+                }
+                text_ += wait.previous_frame ? ", of the frame before\n" : "\n";
+            }
+        }
     }
 
     void step(uint32_t position) {
@@ -80,7 +100,11 @@ class PlanText {
         text_.append("\n").append(std::to_string(position)).append("  ").append(decl.name);
         text_.append("  (").append(decl.type);
         if (!decl.shader.empty()) text_.append(" ").append(decl.shader);
-        text_.append(")\n");
+        text_.append(")");
+        if (plan_.schedule.queues.size() > 1)
+            text_ += "  on queue " + std::to_string(plan_.schedule.queue[position]);
+        text_ += "\n";
+        waits(position);
         for (const BarrierDecl& b : s.barriers) barrier(b);
         for (const AttachmentOps& ops : s.attachments) {
             const UseDecl& use = decl.uses[ops.use];
@@ -90,6 +114,10 @@ class PlanText {
         for (const UseDecl& use : decl.uses)
             text_ += std::string("    ") + (use.is_output ? "out " : "in  ") + use.port + " = " +
                      part(use.resource, use.range) + " (" + access_name(use.access) + ")\n";
+        for (const BarrierDecl& b : s.after) {
+            text_ += "    afterwards";
+            barrier(b);
+        }
     }
 
     void barrier(const BarrierDecl& b) {
@@ -102,37 +130,9 @@ class PlanText {
         }
         if (b.from != kNoId) text_ += ", after " + pass(b.from);
         if (b.from_previous_frame) text_ += " of the frame before";
+        if (b.src_family != b.dst_family)
+            text_ += ", family " + std::to_string(b.src_family) + " to " + std::to_string(b.dst_family);
         text_ += "]\n";
-    }
-
-    void memory() {
-        const MemoryPlan& m = plan_.memory;
-        text_ +=
-            "\nmemory\n    sum " + bytes_text(m.sum_bytes) + ", peak live " + bytes_text(m.peak_live_bytes);
-        if (m.peak_position < plan_.schedule.order.size())
-            text_ += " at " + pass(plan_.schedule.order[m.peak_position]);
-        const uint64_t gap = m.heap_bytes > m.peak_live_bytes ? m.heap_bytes - m.peak_live_bytes : 0;
-        text_ +=
-            ", heaps " + bytes_text(m.heap_bytes) + ", gap " + percent_text(gap, m.peak_live_bytes) + "\n";
-        for (uint32_t heap = 0; heap < m.heaps.size(); ++heap) {
-            text_ += "    heap " + std::to_string(heap) + (m.heaps[heap].buffers ? " (buffers) " : " ") +
-                     bytes_text(m.heaps[heap].size_bytes) + "\n";
-            for (const Placement& p : m.placements)
-                if (p.heap == heap) placement(p);
-        }
-    }
-
-    void placement(const Placement& p) {
-        const LifetimeSpan& span = plan_.lifetimes.spans[p.resource];
-        text_ += "        " + std::to_string(p.offset_bytes) + " + " + std::to_string(p.size_bytes) + "  " +
-                 resource(p.resource) + "  [" + std::to_string(span.first) + ".." +
-                 std::to_string(span.last) + "]";
-        std::string owners;
-        for (const HandOver& h : plan_.memory.hand_overs)
-            if (h.to == p.resource && h.from != h.to)
-                owners += (owners.empty() ? "  after " : ", ") + resource(h.from) +
-                          (h.wrap ? " of the frame before" : "");
-        text_ += owners + "\n";
     }
 
     void culled() {
@@ -146,13 +146,14 @@ class PlanText {
     }
 
     const FramePlan& plan_;
+    const DeviceProfile* profile_;
     std::string text_;
 };
 
 }  // namespace
 
-std::string plan_to_text(const FramePlan& plan) {
-    return PlanText(plan).write();
+std::string plan_to_text(const FramePlan& plan, const DeviceProfile* profile) {
+    return PlanText(plan, profile).write();
 }
 
 }  // namespace weft

@@ -51,7 +51,11 @@ const std::vector<BadUsage>& bad_usages() {
         {"LaterExplain", {"explain", kDeferred, "culled", "x"}, "`explain` is not there yet"},
         {"LaterDiff", {"diff", "a.json", "b.json"}, "`diff` is not there yet"},
         {"LaterSchema", {"schema"}, "`schema` is not there yet"},
-        {"LaterBench", {"bench", "compile", "--passes", "10"}, "`bench` is not there yet"},
+        {"BenchWithoutWhat", {"bench"}, "subcommand is required"},
+        {"BenchShape", {"bench", "compile", "--shape", "star"}, "--shape"},
+        {"BenchOfNoPasses", {"bench", "compile", "--passes", "0"}, "--passes"},
+        {"LaterBenchFrame", {"bench", "frame"}, "`bench frame` is not there yet"},
+        {"TooManyQueues", {"plan", kDeferred, "--queues", "5"}, "--queues"},
         {"LaterCompare", {"compare", "a.png", "b.png"}, "`compare` is not there yet"},
     };
     return usages;
@@ -143,6 +147,64 @@ TEST(Plan, DependsOnTheSize) {
     const RunResult large = run_weft({"plan", kDeferred, "--size", "641x361", "--format", "json"});
     EXPECT_EQ(small.exit_code, 0) << small.text();
     EXPECT_NE(Json::parse(small.out).at("hash"), Json::parse(large.out).at("hash"));
+}
+
+TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
+    const RunResult run = run_weft({"plan", kDeferred});
+    EXPECT_NE(run.out.find(" at 0 gbuffer: hdr (7200.0 KiB) albedo"), std::string::npos) << run.text();
+    for (const char* part : {"sum ", "peak live ", "heaps ", "gap "})
+        EXPECT_NE(run.out.find(part), std::string::npos) << part;
+}
+
+TEST(Plan, SpeaksOfQueues) {
+    const RunResult run = run_weft({"plan", kDeferred, "--queues", "3", "--profile", "discrete"});
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_NE(run.out.find("queues 0 graphics of family 0, 1 compute of family 1, 2 transfer of family 2"),
+              std::string::npos)
+        << run.text();
+}
+
+TEST(Profiles, TheShippedGraphFitsAllOfThemByName) {
+    for (const char* name : {"lavapipe", "discrete", "integrated", "tiler", "hostile"}) {
+        const RunResult run = run_weft({"check", kDeferred, "--profile", name, "--queues", "3"});
+        EXPECT_EQ(run.exit_code, 0) << run.text();
+    }
+    const RunResult plan = run_weft({"plan", kDeferred, "--profile", "hostile"});
+    EXPECT_EQ(plan.exit_code, 0) << plan.text();
+    EXPECT_NE(plan.out.find("memory type 2, device-local"), std::string::npos) << plan.text();
+}
+
+TEST(Profiles, AnUnknownNameIsGuessedAt) {
+    const RunResult run = run_weft({"plan", kDeferred, "--profile", "discret"});
+    EXPECT_EQ(run.exit_code, 3) << run.text();
+    for (const char* part : {"error[W141]", "did you mean \"discrete\"?", "hostile, integrated"})
+        EXPECT_NE(run.err.find(part), std::string::npos) << run.text();
+}
+
+TEST(Profiles, TooSmallAHeapIsAWarning) {
+    const RunResult run = run_weft({"check", kDeferred, "--profile", "integrated", "--size", "3840x2160"});
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_NE(run.err.find("warning[W142]"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("largest where most is alive: hdr 63.3 MiB"), std::string::npos) << run.text();
+}
+
+TEST(Bench, CompilesAGraphOfChanceAndSaysWhereTheTimeGoes) {
+    const RunResult text = run_weft({"bench", "compile", "--passes", "50", "--shape", "chain"});
+    EXPECT_EQ(text.exit_code, 0) << text.text();
+    for (const char* part : {"50 passes, chain", "schedule", "alias", "barriers", "heap / peak-live"})
+        EXPECT_NE(text.out.find(part), std::string::npos) << text.text();
+
+    const RunResult run =
+        run_weft({"bench", "compile", "--passes", "50", "--seed", "7", "--queues", "2", "--json"});
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    const Json json = Json::parse(run.out);
+    for (const char* key : {"passes", "shape", "seed", "queues", "cold_us", "warm_us", "unchanged_us",
+                            "peak_live_bytes", "heap_bytes", "candidates", "chosen", "barriers"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json.at("queues"), 2);
+    EXPECT_LE(json.at("warm_us").at("min"), json.at("warm_us").at("median"));
+    EXPECT_EQ(json.at("candidates").size(), 3u);
+    EXPECT_TRUE(json.at("candidates")[0].contains("queue_switches"));
 }
 
 TEST(Doctor, DescribesTheMachineAndItsProfileWorks) {

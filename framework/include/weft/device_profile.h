@@ -34,6 +34,30 @@ struct QueueFamilyProfile {
     uint32_t count = 1;
 };
 
+struct MemoryHeapProfile {
+    uint64_t size_bytes = 0;
+    bool device_local = true;
+    bool operator==(const MemoryHeapProfile&) const = default;
+};
+
+// What a type of memory may hold. Some devices keep buffers, colour and depth apart.
+using MemoryContentMask = uint8_t;
+namespace memory_content {
+inline constexpr MemoryContentMask kBuffers = 1;
+inline constexpr MemoryContentMask kColorImages = 2;
+inline constexpr MemoryContentMask kDepthImages = 4;
+inline constexpr MemoryContentMask kAll = 7;
+}  // namespace memory_content
+
+struct MemoryTypeProfile {
+    uint32_t heap = 0;  // index into DeviceProfile::memory_heaps
+    bool device_local = true;
+    bool host_visible = false;
+    bool lazily_allocated = false;  // on a tiler: attachments that never leave the chip cost nothing here
+    MemoryContentMask holds = memory_content::kAll;
+    bool operator==(const MemoryTypeProfile&) const = default;
+};
+
 struct DeviceProfile {
     std::string name;
     std::vector<QueueFamilyProfile> queue_families{{QueueKind::graphics, 1}};
@@ -50,11 +74,19 @@ struct DeviceProfile {
     uint64_t buffer_image_granularity_bytes = 64;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
+    // Memory: nothing is known of it where the lists are empty. A resource's bit of MemoryNeed::type_bits is
+    // its index into memory_types.
+    std::vector<MemoryHeapProfile> memory_heaps;
+    std::vector<MemoryTypeProfile> memory_types;  // 32 at most
+    uint64_t image_alignment_bytes = 64;          // powers of two
+    uint64_t buffer_alignment_bytes = 64;
+    uint64_t image_row_alignment_bytes = 1;  // each row of texels is padded to a multiple of this
+    uint64_t image_extra_bytes = 0;          // what an image takes besides its texels
 
     [[nodiscard]] FormatFeatureMask features(Format format) const;
 };
 
-// Reads a profile file; `file` names it in errors.
+// Reads a profile file; `file` names it in errors. Errors: W140.
 [[nodiscard]] Result<DeviceProfile> parse_profile(const std::string& json, const std::string& file);
 [[nodiscard]] std::string profile_to_json(const DeviceProfile& profile);
 

@@ -1,0 +1,35 @@
+#include "graph/quantity_text.h"
+
+#include <array>
+#include <cstdio>
+
+namespace weft {
+
+std::string bytes_text(uint64_t bytes) {
+    std::array<char, 48> text{};
+    if (bytes < 10240)
+        std::snprintf(text.data(), text.size(), "%llu B", static_cast<unsigned long long>(bytes));
+    else if (bytes < 10485760)
+        std::snprintf(text.data(), text.size(), "%.1f KiB", static_cast<double>(bytes) / 1024.0);
+    else
+        std::snprintf(text.data(), text.size(), "%.1f MiB", static_cast<double>(bytes) / 1048576.0);
+    return text.data();
+}
+
+std::string bytes_change_text(uint64_t from_bytes, uint64_t to_bytes) {
+    return to_bytes < from_bytes ? "-" + bytes_text(from_bytes - to_bytes)
+                                 : "+" + bytes_text(to_bytes - from_bytes);
+}
+
+std::string percent_text(uint64_t part, uint64_t whole) {
+    std::array<char, 48> text{};
+    const double percent = whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+    std::snprintf(text.data(), text.size(), "%.1f %%", percent);
+    return text.data();
+}
+
+std::string count_text(size_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace weft

@@ -1,0 +1,97 @@
+#include "arguments.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <span>
+
+namespace weft::viewer {
+namespace {
+
+struct FutureFlag {
+    const char* name;
+    const char* what;
+};
+constexpr std::array kFutureRenderFlags{
+    FutureFlag{"--tier", "quality tiers"},
+    FutureFlag{"--seed", "seeded lights"},
+    FutureFlag{"--time", "the time of day"},
+    FutureFlag{"--lights", "generated lights"},
+    FutureFlag{"--profile", "rendering to a profile"},
+    FutureFlag{"--limits", "limits from a file"},
+};
+constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--sarif", "SARIF"},
+                                       FutureFlag{"--run", "graph tests"}};
+constexpr std::array kFuturePlanFlags{FutureFlag{"--tier", "quality tiers"}};
+
+struct FutureFlags {
+    const char* command;
+    std::span<const FutureFlag> flags;
+};
+constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
+                                  FutureFlags{"check", kFutureCheckFlags},
+                                  FutureFlags{"plan", kFuturePlanFlags}};
+constexpr std::array<const char*, 5> kFutureCommands{"view", "explain", "diff", "schema", "compare"};
+
+std::optional<double> number_of(const std::string& text) {
+    if (text == "true" || text == "false") return text == "true" ? 1 : 0;
+    if (text.empty() || text.front() == ' ') return std::nullopt;
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (*end != 0 || !std::isfinite(number)) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+std::string size_fault(const std::string& text) {
+    unsigned width = 0, height = 0;
+    char end = 0;
+    const bool whole = std::sscanf(text.c_str(), "%5ux%5u%c", &width, &height, &end) == 2;
+    if (whole && width > 0 && height > 0 && width <= 16384 && height <= 16384) return "";
+    return "a size is WIDTHxHEIGHT in pixels, each 1 to 16384, not \"" + text + "\"";
+}
+
+Extent3D parse_size(const std::string& text) {
+    Extent3D size;
+    std::sscanf(text.c_str(), "%5ux%5u", &size.width, &size.height);
+    return size;
+}
+
+std::string param_fault(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) return "a parameter is NAME=VALUE, not \"" + text + "\"";
+    const std::string value = text.substr(equals + 1);
+    return number_of(value) ? "" : "\"" + value + "\" is not a number, true or false";
+}
+
+std::map<std::string, double> parse_params(const std::vector<std::string>& texts) {
+    std::map<std::string, double> params;
+    for (const std::string& text : texts) {
+        const size_t equals = text.find('=');
+        params[text.substr(0, equals)] = number_of(text.substr(equals + 1)).value_or(0);
+    }
+    return params;
+}
+
+std::string future_fault(const std::vector<std::string>& arguments) {
+    if (arguments.empty()) return "";
+    for (const char* command : kFutureCommands)
+        if (arguments.front() == command)
+            return "`" + arguments.front() + "` is not there yet in this version of weft";
+    if (arguments.size() > 1 && arguments[0] == "bench" && arguments[1] == "frame")
+        return "`bench frame` is not there yet in this version of weft";
+    for (const FutureFlags& command : kFutureFlags) {
+        if (arguments.front() != command.command) continue;
+        for (const std::string& argument : arguments)
+            for (const FutureFlag& flag : command.flags)
+                if (argument.substr(0, argument.find('=')) == flag.name)
+                    return std::string(flag.name) + ": " + flag.what +
+                           " are not there yet in this version of weft";
+    }
+    return "";
+}
+
+}  // namespace weft::viewer
