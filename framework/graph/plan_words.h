@@ -1,0 +1,30 @@
+// Purpose: the parts of a plan as a sentence names them, with the place in the file where each was written:
+// "lighting" (deferred.json:29:5). Things made by a program have no place.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "weft/plan.h"
+#include "weft/result.h"
+
+namespace weft {
+
+[[nodiscard]] std::string pass_words(const FramePlan& plan, PassId pass);
+[[nodiscard]] std::string resource_words(const FramePlan& plan, ResourceId resource);
+// Its range too, where it is not the whole resource: "bloom.mip(2).layer(0)".
+[[nodiscard]] std::string part_words(const FramePlan& plan, ResourceId resource,
+                                     const SubresourceRange& range);
+// port "hdr" (place) reads and writes "hdr"
+[[nodiscard]] std::string use_words(const FramePlan& plan, const UseDecl& use);
+[[nodiscard]] const char* does_words(Access access);  // "reads", "writes", "reads and writes"
+// 2 "lighting"
+[[nodiscard]] std::string position_words(const FramePlan& plan, uint32_t position);
+// color_output color_write color_attachment
+[[nodiscard]] std::string state_words(const AccessState& state, bool image);
+
+// Errors: W104 and W103, with near names; `file` of the error is the graph's.
+[[nodiscard]] Result<PassId> named_pass(const FramePlan& plan, const std::string& name);
+[[nodiscard]] Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name);
+
+}  // namespace weft
