@@ -30,10 +30,11 @@ struct FutureFlags {
     const char* command;
     std::span<const FutureFlag> flags;
 };
-constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
-                                  FutureFlags{"check", kFutureCheckFlags},
-                                  FutureFlags{"plan", kFuturePlanFlags}};
-constexpr std::array<const char*, 5> kFutureCommands{"view", "explain", "diff", "schema", "compare"};
+constexpr std::array kFutureFlags{
+    FutureFlags{"render", kFutureRenderFlags}, FutureFlags{"check", kFutureCheckFlags},
+    FutureFlags{"plan", kFuturePlanFlags}, FutureFlags{"explain", kFuturePlanFlags},
+    FutureFlags{"diff", kFuturePlanFlags}};
+constexpr std::array<const char*, 3> kFutureCommands{"view", "schema", "compare"};
 
 std::optional<double> number_of(const std::string& text) {
     if (text == "true" || text == "false") return text == "true" ? 1 : 0;

@@ -23,6 +23,8 @@ enum class ExitCode : int {
 [[nodiscard]] ExitCode run_render(const RenderOptions& options);
 [[nodiscard]] ExitCode run_check(const CheckOptions& options);
 [[nodiscard]] ExitCode run_plan(const PlanOptions& options);
+[[nodiscard]] ExitCode run_explain(const ExplainOptions& options);
+[[nodiscard]] ExitCode run_diff(const DiffOptions& options);
 [[nodiscard]] ExitCode run_bench_compile(const BenchOptions& options);
 [[nodiscard]] ExitCode run_doctor(const DoctorOptions& options);
 

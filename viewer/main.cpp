@@ -96,6 +96,24 @@ void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("-o,--output", o.output, "a file in place of stdout");
 }
 
+void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
+    command.add_option("FILE", o.file, "a graph file")->required();
+    command.add_option("QUESTION", o.question, "culled, barrier, alias, wait or resource")
+        ->check(CLI::IsMember({"culled", "barrier", "alias", "wait", "resource"}).description(""))
+        ->required();
+    command.add_option("NAME", o.names, "PASS, PASS PASS, RESOURCE RESOURCE, PASS, RESOURCE")
+        ->required()
+        ->expected(1, 2);
+    add_offline(command, o.offline, raw);
+}
+
+void add_diff(CLI::App& command, DiffOptions& o, RawTexts& raw) {
+    command.add_option("FROM", o.from, "a graph file")->required();
+    command.add_option("TO", o.to, "another, or the same")->required();
+    add_offline(command, o.offline, raw);
+    command.add_flag("--json", o.json, "as JSON");
+}
+
 // `bench compile`.
 CLI::App* add_bench(CLI::App& app, BenchOptions& o) {
     CLI::App* bench = app.add_subcommand("bench", "measure: `weft bench compile`");
@@ -133,6 +151,8 @@ int run(int argc, char** argv) {
     CheckOptions check_options;
     PlanOptions plan_options;
     DoctorOptions doctor_options;
+    ExplainOptions explain_options;
+    DiffOptions diff_options;
     BenchOptions bench_options;
     CLI::App* render = app.add_subcommand("render", "render a scene through a graph to a picture");
     add_render(*render, render_options, raw);
@@ -140,6 +160,10 @@ int run(int argc, char** argv) {
     add_check(*check, check_options, raw);
     CLI::App* plan = app.add_subcommand("plan", "show the compiled frame: order, barriers, memory");
     add_plan(*plan, plan_options, raw);
+    CLI::App* explain = app.add_subcommand("explain", "say why a plan is as it is");
+    add_explain(*explain, explain_options, raw);
+    CLI::App* diff = app.add_subcommand("diff", "say what two plans have not in common");
+    add_diff(*diff, diff_options, raw);
     CLI::App* doctor = app.add_subcommand("doctor", "say what this machine has and lacks");
     doctor->add_flag("--json", doctor_options.json, "the chosen device's profile, as JSON on stdout");
     doctor->add_option("--device", doctor_options.device, "a device's index or part of its name");
@@ -155,7 +179,8 @@ int run(int argc, char** argv) {
     }
     render_options.size = parse_size(raw.size);
     render_options.params = parse_params(raw.params);
-    for (OfflineOptions* offline : {&check_options.offline, &plan_options.offline}) {
+    for (OfflineOptions* offline :
+         {&check_options.offline, &plan_options.offline, &explain_options.offline, &diff_options.offline}) {
         offline->size = render_options.size;
         offline->params = render_options.params;
     }
@@ -163,9 +188,13 @@ int run(int argc, char** argv) {
     if (render->parsed()) return exit_with(run_render(render_options));
     if (check->parsed()) return exit_with(run_check(check_options));
     if (plan->parsed()) return exit_with(run_plan(plan_options));
+    if (explain->parsed()) return exit_with(run_explain(explain_options));
+    if (diff->parsed()) return exit_with(run_diff(diff_options));
     if (doctor->parsed()) return exit_with(run_doctor(doctor_options));
     if (bench_compile->parsed()) return exit_with(run_bench_compile(bench_options));
-    std::fputs("weft: say what to do: render, check, plan, bench or doctor\nRun `weft --help`.\n", stderr);
+    std::fputs(
+        "weft: say what to do: render, check, plan, explain, diff, bench or doctor\nRun `weft --help`.\n",
+        stderr);
     return exit_with(ExitCode::usage);
 }
 

@@ -52,6 +52,19 @@ struct PlanOptions {
     std::string output;
 };
 
+struct ExplainOptions {
+    std::string file;
+    OfflineOptions offline;
+    std::string question;            // culled, barrier, alias, wait, resource
+    std::vector<std::string> names;  // of passes or resources
+};
+
+struct DiffOptions {
+    std::string from, to;
+    OfflineOptions offline;
+    bool json = false;
+};
+
 struct BenchOptions {
     uint32_t passes = 1000;
     std::string shape = "random";
