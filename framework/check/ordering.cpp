@@ -52,7 +52,7 @@ AccessRecord::AccessRecord(const Actor& actor, StageMask stages, AccessMask acce
 AccessRecord AccessRecord::transition(const Actor& actor, const Scopes& scopes) {
     AccessRecord record(actor, 0, 0, true);
     record.actor_.transition = true;
-    record.available_ = true;  // transitions make their own writes available
+    record.available_reach_ = scopes.dst_execution;  // transitions make their own writes available
     record.transition_reach_ = scopes.dst_execution;
     for (int t = 0; t < stage::kCount; ++t)
         if (has(scopes.dst_memory, t)) record.visible_[static_cast<size_t>(t)] = scopes.dst_access;
@@ -79,14 +79,14 @@ void AccessRecord::pass_barriers(std::span<const Scopes> all, std::span<const Sc
     const AccessRecord before = *this;
     for (const Scopes& scopes : on_memory) {
         if (!is_write_) break;
-        const bool flushed =
-            (stages_ & ~scopes.src_memory) == 0 && (access_ & access::kAllWrites & ~scopes.src_access) == 0;
-        available_ = available_ || flushed;
-        if (!(before.available_ || flushed) || !before.ordered_before(scopes)) continue;
+        const bool flushed = stages_ != 0 && flushed_by(scopes);
+        if (flushed) available_reach_ |= scopes.dst_execution;
+        if (!(flushed || before.available_before(scopes)) || !before.ordered_before(scopes)) continue;
         for (int t = 0; t < stage::kCount; ++t)
             if (has(scopes.dst_memory, t)) visible_[static_cast<size_t>(t)] |= scopes.dst_access;
     }
     for (const Scopes& scopes : all) {
+        if (before.available_before(scopes)) available_reach_ |= scopes.dst_execution;
         if (actor_.transition && (before.transition_reach_ & scopes.src_execution))
             transition_reach_ |= scopes.dst_execution;
         for (int s = 0; s < stage::kCount; ++s) {

@@ -44,7 +44,16 @@ class AccessRecord {
     // Every stage of this access is over before any of `stages` starts.
     [[nodiscard]] bool ordered_before(StageMask stages) const;
     [[nodiscard]] bool visible_to(StageMask stages, AccessMask access) const;
-    [[nodiscard]] bool available() const { return available_; }
+    // A barrier before made this write available, and what it made wait chains to this one's source, or to
+    // all of `stages`.
+    [[nodiscard]] bool available_before(const Scopes& scopes) const {
+        return (available_reach_ & scopes.src_execution) != 0;
+    }
+    [[nodiscard]] bool available_before(StageMask stages) const { return (stages & ~available_reach_) == 0; }
+    [[nodiscard]] bool flushed_by(const Scopes& scopes) const {
+        return (stages_ & ~scopes.src_memory) == 0 &&
+               (access_ & access::kAllWrites & ~scopes.src_access) == 0;
+    }
     [[nodiscard]] bool is_write() const { return is_write_; }
     [[nodiscard]] const Actor& actor() const { return actor_; }
     [[nodiscard]] StageMask stages() const { return stages_; }
@@ -55,7 +64,7 @@ class AccessRecord {
     StageMask stages_ = 0;
     AccessMask access_ = 0;
     bool is_write_ = false;
-    bool available_ = false;
+    StageMask available_reach_ = 0;                 // later stages known to come after it was made available
     std::array<StageMask, stage::kCount> reach_{};  // by own stage: later stages known to come after it
     StageMask transition_reach_ = 0;
     std::array<AccessMask, stage::kCount> visible_{};  // by later stage

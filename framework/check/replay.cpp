@@ -101,7 +101,12 @@ void Replay::prologue() {
         const bool image = resource.kind == ResourceKind::image;
         const AccessState cleared =
             access_state(Access::clear_write, 0, image ? resource.aspects : aspect::kNone);
+        UseDecl use;
+        use.resource = id;
+        use.access = Access::clear_write;
+        use.loc = resource.loc;
         for (Cell& cell : cells_[id]) {
+            expect_order(actor(kNoId), use, cell, cleared, true);
             cell.has_write = true;
             cell.write = AccessRecord({}, cleared.stages, cleared.access, true);
             cell.reads.clear();

@@ -70,7 +70,8 @@ class Replay {
     // What other queues did is over when a semaphore says so; what this queue did, when barriers do.
     [[nodiscard]] bool ordered(const AccessRecord& record, StageMask stages) const;
     [[nodiscard]] bool ordered(const AccessRecord& record, const Scopes& scopes) const;
-    [[nodiscard]] bool flushed(const AccessRecord& record, const Scopes* scopes) const;
+    [[nodiscard]] bool flushed(const AccessRecord& record, const Scopes& scopes) const;
+    [[nodiscard]] bool flushed(const AccessRecord& record, StageMask stages) const;
     [[nodiscard]] bool visible(const AccessRecord& record, const AccessState& state) const;
     [[nodiscard]] bool changes_image(const BarrierDecl& barrier) const;
     [[nodiscard]] Actor actor(PassId pass, bool transition = false) const {

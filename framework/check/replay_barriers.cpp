@@ -93,7 +93,7 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
     const ResourceDecl& resource = plan_.graph.resources[barrier.resource];
     const Actor by = actor(before, true);
     const auto expect_over = [&](const AccessRecord& record) {
-        if (ordered(record, scopes) && flushed(record, &scopes)) return;
+        if (ordered(record, scopes) && flushed(record, scopes)) return;
         faults_.add("C313", resource.loc,
                     faults_.actor_text(by, frame_) + " changes " + faults_.resource_name(barrier.resource) +
                         range_text(barrier.range) + " to " + layout_text(barrier.dst.layout) +

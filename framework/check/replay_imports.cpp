@@ -1,7 +1,16 @@
 // Imports are left to the program around the graph between two frames, and it to them.
+#include <vector>
+
 #include "check/replay.h"
 
 namespace weft::check {
+namespace {
+
+bool is_outside(const Actor& actor) {
+    return actor.pass == kNoId && !actor.transition;
+}
+
+}  // namespace
 
 void Replay::enter_imports() {
     for (ResourceId id = 0; id < cells_.size(); ++id) {
@@ -31,12 +40,15 @@ void Replay::leave_imports() {
         if (!resource.import) continue;
         UseDecl outside;
         outside.resource = id;
+        outside.access = Access::storage_write;  // sees nothing that expect_order() would leave to reads
         outside.loc = resource.loc;
         const AccessState& exit = resource.import->exit;
-        for (const Cell& cell : cells_[id]) {
-            const bool touched =
-                cell.content.kind == Content::Kind::written || cell.layout != Layout::undefined;
-            if (touched) expect_order(actor(kNoId), outside, cell, exit, false);
+        const bool writes_next = (exit.access & access::kAllWrites) != 0;
+        for (Cell cell : cells_[id]) {
+            std::erase_if(cell.reads, [](const AccessRecord& r) { return is_outside(r.actor()); });
+            const bool touched = cell.content.kind == Content::Kind::written ||
+                                 cell.layout != Layout::undefined || !cell.reads.empty();
+            if (touched) expect_order(actor(kNoId), outside, cell, exit, writes_next);
         }
     }
 }

@@ -18,15 +18,19 @@ bool Replay::ordered(const AccessRecord& record, const Scopes& scopes) const {
     return record.actor().queue == clock_.queue() && record.ordered_before(scopes);
 }
 
-bool Replay::flushed(const AccessRecord& record, const Scopes* scopes) const {
-    if (!record.is_write() || record.available() || covered(record)) return true;
-    return scopes != nullptr && record.actor().queue == clock_.queue() &&
-           (record.stages() & ~scopes->src_memory) == 0 &&
-           (record.access() & access::kAllWrites & ~scopes->src_access) == 0;
+bool Replay::flushed(const AccessRecord& record, const Scopes& scopes) const {
+    if (!record.is_write() || covered(record)) return true;
+    return record.actor().queue == clock_.queue() &&
+           (record.available_before(scopes) || (record.stages() != 0 && record.flushed_by(scopes)));
+}
+
+bool Replay::flushed(const AccessRecord& record, StageMask stages) const {
+    if (!record.is_write() || covered(record)) return true;
+    return record.actor().queue == clock_.queue() && record.available_before(stages);
 }
 
 bool Replay::visible(const AccessRecord& record, const AccessState& state) const {
-    return covered(record) || (record.available() && record.visible_to(state.stages, state.access));
+    return covered(record) || record.visible_to(state.stages, state.access);
 }
 
 std::string Replay::missing(const AccessRecord& record, const std::string& barrier) const {
@@ -126,8 +130,9 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell) {
 void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                                 const Scopes* transition) {
     const auto expect_over = [&](ResourceId owner, const AccessRecord& record) {
-        const bool over = transition ? ordered(record, *transition) : ordered(record, stages);
-        if (over && flushed(record, transition)) return;
+        const bool over = transition ? ordered(record, *transition) && flushed(record, *transition)
+                                     : ordered(record, stages) && flushed(record, stages);
+        if (over) return;
         faults_.add("C341", loc,
                     faults_.actor_text(by, frame_) + " takes over memory for " +
                         faults_.resource_name(resource) + " that " +

@@ -36,7 +36,7 @@ AccessState state_on(std::span<const Touch> group, QueueIndex queue) {
 QueueWalk::QueueWalk(const QueueRules& rules, const AccessState& entry, bool changes)
     : rules_(&rules), entered_(true), layout_(entry.layout) {
     if (changes) source_ = Past{rules.epilogue, 0, entry.stages, kNoId, true};
-    unflushed_ = entry.access & access::kAllWrites;
+    source_writes_ = unflushed_ = entry.access & access::kAllWrites;
     if (unflushed_ == 0) visible_.fill(~access::kNone);
 }
 
@@ -89,7 +89,7 @@ void QueueWalk::join(std::span<const Touch> touches, CellEvents& events) {
     } else if (source_ && (unflushed_ != 0 || !visible(touch.state))) {
         const AccessState dst = state_on(group_of(touches), touch.queue);
         events.barriers.push_back({.position = touch.position,
-                                   .src = {source_->stages, unflushed_, layout_},
+                                   .src = {source_->stages, source_writes_, layout_},
                                    .dst = dst,
                                    .reason = reason(touch),
                                    .from = source_->pass,
@@ -117,8 +117,8 @@ std::optional<QueueWalk::Past> QueueWalk::common_past(std::span<const Touch> tou
 }
 
 void QueueWalk::begin(std::span<const Touch> touches, CellEvents& events) {
-    const bool moves = rules_->exclusive && touched_ && !taken_over_ &&
-                       family(touches.front().queue) != owner_family_;
+    const bool moves =
+        rules_->exclusive && touched_ && !taken_over_ && family(touches.front().queue) != owner_family_;
     if (moves) return transfer(touches, events);
     if (const std::optional<Past> past = common_past(touches)) return share(*past, touches, events);
     change(touches, events);
@@ -126,7 +126,9 @@ void QueueWalk::begin(std::span<const Touch> touches, CellEvents& events) {
 
 void QueueWalk::share(const Past& past, std::span<const Touch> touches, CellEvents& events) {
     const Touch& touch = touches.front();
-    const AccessState dst = state_on(group_of(touches), past.queue);
+    AccessState dst = state_on(group_of(touches), past.queue);
+    // Later barriers on this queue chain to the transition through the stages it holds back.
+    if (dst.stages == stage::kNone) dst.stages = past.stages;
     events.barriers.push_back({.position = past.position,
                                .after = true,
                                .src = {past.stages, unflushed_on(past.queue), layout_},
@@ -134,11 +136,12 @@ void QueueWalk::share(const Past& past, std::span<const Touch> touches, CellEven
                                .reason = reason(touch),
                                .from = past.pass});
     layout_ = dst.layout;
-    unflushed_ = access::kNone;
+    unflushed_ = source_writes_ = access::kNone;
     visible_.fill(access::kNone);
     for (int s = 0; s < stage::kCount; ++s)
         if (dst.stages & (1u << s)) visible_[static_cast<size_t>(s)] = dst.access;
     source_ = past;
+    source_->stages = dst.stages;
     readers_.clear();
     join(touches, events);
 }
@@ -213,7 +216,8 @@ void QueueWalk::note_source(const Touch& touch, const AccessState& made_visible)
     source_ = Past{touch.position, touch.queue, touch.state.stages, touch.pass, false};
     readers_.clear();
     layout_ = made_visible.layout;
-    unflushed_ = touch.writes ? touch.state.access & access::kAllWrites : access::kNone;
+    source_writes_ = touch.writes ? touch.state.access & access::kAllWrites : access::kNone;
+    unflushed_ = source_writes_;
     visible_.fill(access::kNone);
     written_ = written_ || touch.writes;
     if (touch.writes) return;

@@ -22,8 +22,8 @@ class QueueWalk {
  public:
     QueueWalk(const QueueRules& rules, SubresourceState::Start start)
         : rules_(&rules), taken_over_(start == SubresourceState::Start::taken_over) {}
-    // An import, as queue 0 left it at the end of the frame before; or as it always is, where the frame changes
-    // neither its content nor its layout.
+    // An import, as queue 0 left it at the end of the frame before; or as it always is, where the frame
+    // changes neither its content nor its layout.
     QueueWalk(const QueueRules& rules, const AccessState& entry, bool changes);
 
     // As SubresourceState's.
@@ -66,8 +66,9 @@ class QueueWalk {
     bool written_ = false;
     bool touched_ = false;
     Layout layout_ = Layout::undefined;
-    std::optional<Past> source_;                       // whose end makes content and layout what they are
-    AccessMask unflushed_ = access::kNone;             // on the source's queue
+    std::optional<Past> source_;                // whose end makes content and layout what they are
+    AccessMask unflushed_ = access::kNone;      // on the source's queue
+    AccessMask source_writes_ = access::kNone;  // flushed anew by barriers that do not chain to the first one
     std::array<AccessMask, stage::kCount> visible_{};  // on the source's queue
     std::vector<Past> readers_;                        // since then
     uint32_t owner_family_ = 0;

@@ -46,7 +46,7 @@ TEST(Ordering, TheExecutionPartHoldsForEverything) {
     AccessRecord record = compute_write();
     pass(record, kComputeToFragment, false);
     EXPECT_TRUE(record.ordered_before(stage::kFragmentShader));
-    EXPECT_FALSE(record.available());
+    EXPECT_FALSE(record.available_before(stage::kFragmentShader));
 }
 
 TEST(Ordering, DestinationsIncludeLaterStagesForExecutionButNotForMemory) {
@@ -89,12 +89,22 @@ TEST(Ordering, BarriersOfOneBatchDoNotChain) {
 TEST(Ordering, AWriteIsNotAvailableUntilItsStageAndAccessAreNamed) {
     AccessRecord wrong_access = compute_write();
     pass(wrong_access, scopes(stage::kComputeShader, 0, stage::kFragmentShader, access::kSampledRead), true);
-    EXPECT_FALSE(wrong_access.available());
+    EXPECT_FALSE(wrong_access.available_before(stage::kFragmentShader));
     EXPECT_FALSE(wrong_access.visible_to(stage::kFragmentShader, access::kSampledRead));
     AccessRecord wrong_stage = compute_write();
     pass(wrong_stage,
          scopes(stage::kCopy, access::kStorageWrite, stage::kFragmentShader, access::kSampledRead), true);
-    EXPECT_FALSE(wrong_stage.available());
+    EXPECT_FALSE(wrong_stage.available_before(stage::kFragmentShader));
+}
+
+TEST(Ordering, WhatAnUnrelatedBarrierFlushedIsNotAvailableElsewhere) {
+    AccessRecord record = compute_write();
+    pass(record, kComputeToFragment, true);
+    const Scopes no_flush = scopes(stage::kComputeShader, 0, stage::kVertexShader, access::kStorageRead);
+    EXPECT_FALSE(record.available_before(no_flush));
+    pass(record, no_flush, true);
+    EXPECT_TRUE(record.ordered_before(stage::kVertexShader));
+    EXPECT_FALSE(record.visible_to(stage::kVertexShader, access::kStorageRead));
 }
 
 TEST(Ordering, EveryStageOfAnAccessMustBeWaitedFor) {
@@ -105,12 +115,12 @@ TEST(Ordering, EveryStageOfAnAccessMustBeWaitedFor) {
                 access::kSampledRead),
          true);
     EXPECT_FALSE(depth.ordered_before(stage::kComputeShader));
-    EXPECT_FALSE(depth.available());
+    EXPECT_FALSE(depth.available_before(stage::kComputeShader));
 }
 
 TEST(Ordering, ATransitionIsDoneWhenItsDestinationStarts) {
     const AccessRecord record = AccessRecord::transition(Actor{0, 0}, kComputeToFragment);
-    EXPECT_TRUE(record.available());
+    EXPECT_TRUE(record.available_before(stage::kFragmentShader));
     EXPECT_TRUE(record.ordered_before(stage::kFragmentShader));
     EXPECT_TRUE(record.visible_to(stage::kFragmentShader, access::kSampledRead));
     EXPECT_FALSE(record.ordered_before(stage::kComputeShader));
