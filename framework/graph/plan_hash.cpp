@@ -1,8 +1,10 @@
 // XXH3, 128 bits, over every field of the plan in the order of plan_fields.h; each sequence and text is led
 // by its length, so that no two plans run together to the same bytes.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,11 +33,16 @@ class HashVisitor {
     void finish() { flush(); }
 
  private:
-    // Little-endian everywhere. Words are gathered, because a plan is mostly words and each update has a
-    // price.
+    // Little-endian everywhere. Words and short texts are gathered, because a plan is made of them and each
+    // update has a price.
     void word(uint64_t value) {
-        if (used_ == words_.size()) flush();
-        for (size_t i = 0; i < 8; ++i) words_[used_++] = static_cast<unsigned char>(value >> (8 * i));
+        if (words_.size() - used_ < sizeof(value)) flush();
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(words_.data() + used_, &value, sizeof(value));
+        else
+            for (size_t i = 0; i < sizeof(value); ++i)
+                words_[used_ + i] = static_cast<unsigned char>(value >> (8 * i));
+        used_ += sizeof(value);
     }
 
     void flush() {
@@ -45,8 +52,13 @@ class HashVisitor {
 
     void add(const std::string& text) {
         word(text.size());
-        flush();
-        XXH3_128bits_update(state_, text.data(), text.size());
+        if (words_.size() - used_ < text.size()) flush();
+        if (words_.size() < text.size()) {
+            XXH3_128bits_update(state_, text.data(), text.size());
+            return;
+        }
+        std::copy(text.begin(), text.end(), words_.begin() + static_cast<std::ptrdiff_t>(used_));
+        used_ += text.size();
     }
     template <class T>
     void add(const std::vector<T>& items) {
