@@ -18,6 +18,9 @@ class PlanCache {
     // Compiles what it has not seen yet. The plan stays where it is for as long as the cache lives.
     [[nodiscard]] const FramePlan& get(const ResolvedGraph& graph, const MemoryNeeds& needs,
                                        const CompileOptions& options);
+    // By a compile_hash() that the caller kept: whoever knows that nothing has changed hashes nothing. Null
+    // where nobody has asked for it before.
+    [[nodiscard]] const FramePlan* find(const std::string& hash) const;
 
  private:
     std::map<std::string, FramePlan> plans_;
