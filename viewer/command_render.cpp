@@ -78,6 +78,7 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
     if (!options.resource.empty()) input.observed = {options.resource};
     input.camera = camera;
     input.exposure_ev = options.exposure_ev.value_or(scene.exposure_ev);
+    input.queues = options.queues;
     input.check_plan = options.validate;
     input.timestamps = !options.stats.empty() && !options.validate;
     input.drop_barriers_before = options.drop_barriers_before;
@@ -119,6 +120,7 @@ ExitCode run_render(const RenderOptions& options) {
     vk::DeviceOptions device_options;
     device_options.validate = options.validate;
     device_options.device = options.device;
+    device_options.queues = options.queues;
     device_options.timeout_ns = static_cast<uint64_t>(options.timeout_s * 1e9);
     Result<std::unique_ptr<vk::Device>> device = vk::Device::create(device_options);
     if (!device) return fail(device.errors());

@@ -25,11 +25,21 @@ uint32_t position_of(const FramePlan& plan, const std::string& pass) {
     return kNoId;
 }
 
-Result<FramePlan> checked_plan(vk::Device& device, const ResolvedGraph& graph, bool check) {
+// What the imports' objects will be: of all families where the device has queues of several, else of one.
+void own_imports(const vk::Device& device, ImportCatalog& catalog) {
+    for (auto& [name, import] : catalog.imports) {
+        if (!import.resource.import) continue;
+        import.resource.import->concurrent = !device.sharing_families().empty();
+        import.resource.import->family = device.queue().family;
+    }
+}
+
+Result<FramePlan> checked_plan(vk::Device& device, const ResolvedGraph& graph, const SessionInput& input) {
     CompileOptions options;
+    options.queues = logical_queues(device.profile(), input.queues);
     options.granularity_bytes = device.profile().buffer_image_granularity_bytes;
     FramePlan plan = compile(graph, vk::query_memory_needs(device, graph), options);
-    if (!check && !kAlwaysCheck) return plan;
+    if (!input.check_plan && !kAlwaysCheck) return plan;
     Diagnostics faults = check_plan(plan);
     if (!faults.empty()) return faults;
     return plan;
@@ -41,6 +51,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
                                                  const SessionInput& input, Diagnostics& warnings) {
     std::unique_ptr<Session> session(new Session);
     session->imports_ = scene_imports(input.size);
+    own_imports(device, session->imports_);
     session->passes_ = *input.passes;
     Result<LoadedGraph> loaded =
         load_graph({input.graph_path, input.reader, input.shader_root, input.shader_cache, session->passes_,
@@ -48,7 +59,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
                    warnings);
     if (!loaded) return loaded.take_errors();
     session->loaded_ = std::move(*loaded);
-    Result<FramePlan> plan = checked_plan(device, session->loaded_.graph, input.check_plan);
+    Result<FramePlan> plan = checked_plan(device, session->loaded_.graph, input);
     if (!plan) return plan.take_errors();
 
     Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene);

@@ -22,6 +22,7 @@ struct SessionInput {
     Extent3D size{1280, 720, 1};
     std::map<std::string, double> params;
     std::vector<std::string> observed;  // references that are read back every frame
+    uint32_t queues = 1;                // logical queues; the device shall have been made for as many
     scene::Camera camera;
     float exposure_ev = 0;
     bool check_plan = false;  // prove the plan before it runs; always done in debug builds
