@@ -7,6 +7,7 @@
 #include "vulkan/device_features.h"
 #include "vulkan/instance.h"
 #include "vulkan/physical_device.h"
+#include "vulkan/scoped_environment.h"
 
 namespace weft::vk {
 namespace {
@@ -28,30 +29,6 @@ std::string chosen(const std::vector<Candidate>& candidates, const std::string& 
     const Result<Candidate> result = choose_device(candidates, wanted);
     return result ? result->info.name : result.errors().front().code;
 }
-
-// Points the loader elsewhere while it lives.
-class ScopedEnvironment {
- public:
-    ScopedEnvironment(const char* name, const char* value) : name_(name) {
-        if (const char* old = std::getenv(name)) old_ = old;
-        had_ = std::getenv(name) != nullptr;
-        setenv(name, value, 1);
-    }
-    ~ScopedEnvironment() {
-        if (had_) {
-            setenv(name_, old_.c_str(), 1);
-        } else {
-            unsetenv(name_);
-        }
-    }
-    ScopedEnvironment(const ScopedEnvironment&) = delete;
-    ScopedEnvironment& operator=(const ScopedEnvironment&) = delete;
-
- private:
-    const char* name_;
-    std::string old_;
-    bool had_ = false;
-};
 
 bool mentions(const Diagnostics& errors, const std::string& word) {
     return to_text(errors).find(word) != std::string::npos;

@@ -14,9 +14,7 @@ namespace weft::vk {
 class DeviceTest : public testing::Test {
  protected:
     void SetUp() override {
-        DeviceOptions options;
-        options.validate = true;
-        Result<std::unique_ptr<Device>> made = Device::create(options);
+        Result<std::unique_ptr<Device>> made = Device::create(device_options());
         ASSERT_TRUE(made.ok()) << to_text(made.errors());
         device_ = std::move(*made);
     }
@@ -28,6 +26,11 @@ class DeviceTest : public testing::Test {
         }
     }
 
+    [[nodiscard]] virtual DeviceOptions device_options() const {
+        DeviceOptions options;
+        options.validate = true;
+        return options;
+    }
     [[nodiscard]] Device& device() { return *device_; }
     // For tests that provoke messages.
     [[nodiscard]] std::unique_ptr<Device> take_device() { return std::move(device_); }
