@@ -282,6 +282,15 @@ struct NamedValue {
     double value = 0;
 };
 
+// One index of a repeat that is spread over frames (`perFrame`): what the pass does when its turn comes.
+struct PassTurn {
+    std::vector<SubresourceRange> ranges;  // by use, inside the use's own
+    std::vector<ParamWrite> params;
+    std::array<uint32_t, 3> groups{0, 0, 0};
+    Extent3D render_extent;
+    std::string view;
+};
+
 struct PassDecl {
     std::string name;
     std::string type;  // "compute", "raster", … or a C++ pass's name; a "blit" is a copy that scales
@@ -303,9 +312,13 @@ struct PassDecl {
     Extent3D render_extent;
     RasterState state;
     std::vector<std::string> draw_lists;  // import names
+    uint32_t draw_commands_use = kNoId;   // raster: the use that holds a draw command for each draw
     std::string view = "camera";
     std::array<float, 4> clear{0, 0, 0, 0};  // `clear` passes
     double flops = 0;                        // declared cost
+    // Frame f runs turn f mod their number, frame 0 runs all, which touch no range that another one writes.
+    // The uses are the union over them. Empty: the pass does the same every frame.
+    std::vector<PassTurn> turns;
     uint32_t order_key = 0;                  // program order of graphs made in memory; names break ties
     SourceLoc loc;
 };

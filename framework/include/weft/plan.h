@@ -152,6 +152,9 @@ struct PassStep {
     std::vector<BarrierDecl> barriers;       // one vkCmdPipelineBarrier2 before the pass
     std::vector<BarrierDecl> after;          // one after it: releases, and transitions for several queues
     std::vector<AttachmentOps> attachments;  // colours by location, then depth
+    // Draws into the rendering scope of the pass before it on its queue, which ends with the last such pass.
+    // The scope loads as its first pass says and stores as its last one does.
+    bool continues_scope = false;
 };
 
 // Run once, on queue 0, before the first frame: all copies of all persistent resources get their first-frame
