@@ -77,10 +77,20 @@ ResourceId base_of(const ResolveState& state, ResourceId id) {
     return ring == kNoId ? id : ring;
 }
 
-// What was there before the first frame is a clear.
-void need_first_clear(ResolveState& state) {
+// What was there before the first frame is a clear, or what another plan left behind.
+void need_transfers(ResolveState& state) {
     for (ResourceDecl& resource : state.graph.resources) {
-        if (resource.lifetime == ResourceLifetime::persistent) resource.usage |= usage::kTransferDst;
+        if (resource.lifetime == ResourceLifetime::persistent)
+            resource.usage |= usage::kTransferSrc | usage::kTransferDst;
+    }
+}
+
+// A content that follows its resource's size is blitted there.
+void need_resampling(const ResolveState& state, std::vector<Needs>& needs) {
+    for (ResourceId id = 0; id < state.resources.size(); ++id) {
+        const ResourceDecl& decl = state.graph.resources[id];
+        if (decl.kind != ResourceKind::image || decl.on_resize != OnResize::resample) continue;
+        needs[id].blit_from = needs[id].blit_to = needs[id].linear_if_float = true;
     }
 }
 
@@ -180,8 +190,9 @@ void complete_use(const ResolveState& state, UseDecl& use, const PortWork& port)
 }  // namespace
 
 void choose_formats(ResolveState& state) {
-    need_first_clear(state);
-    const std::vector<Needs> needs = gather_needs(state);
+    need_transfers(state);
+    std::vector<Needs> needs = gather_needs(state);
+    need_resampling(state, needs);
     for (ResourceId id = 0; id < state.resources.size(); ++id) {
         const ResourceDesc* desc = state.resources[id].desc;
         if (!desc || desc->is_buffer || state.graph.resources[id].age > 0) continue;

@@ -22,8 +22,7 @@ Fate fate_of(const ResourceDecl& old_decl, const ResourceDecl& decl) {
     if (same_shape(old_decl, decl)) return Fate::copy;
     // Only what a filter can blend is stretched: a buffer has no size to speak of, and depth no mean.
     const bool blends = decl.kind == ResourceKind::image && decl.layers == old_decl.layers &&
-                        decl.mips == old_decl.mips && decl.samples == 1 &&
-                        (decl.aspects & aspect::kColor) != 0;
+                        decl.samples == 1 && (decl.aspects & aspect::kColor) != 0;
     return decl.on_resize == OnResize::resample && blends ? Fate::resample : Fate::clear;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "check/check_plan.h"
+#include "check/check_transition.h"
 #include "render/import_catalog.h"
 #include "weft/compile.h"
 #include "weft/light_list.h"
@@ -26,12 +27,14 @@ uint32_t position_of(const FramePlan& plan, const std::string& pass) {
 }
 
 // What the imports' objects will be: of all families where the device has queues of several, else of one.
-void own_imports(const vk::Device& device, ImportCatalog& catalog) {
+ImportCatalog imports_for(const vk::Device& device, Extent3D size) {
+    ImportCatalog catalog = scene_imports(size);
     for (auto& [name, import] : catalog.imports) {
         if (!import.resource.import) continue;
         import.resource.import->concurrent = !device.sharing_families().empty();
         import.resource.import->family = device.queue().family;
     }
+    return catalog;
 }
 
 Result<FramePlan> checked_plan(vk::Device& device, const ResolvedGraph& graph, const SessionInput& input) {
@@ -47,47 +50,81 @@ Result<FramePlan> checked_plan(vk::Device& device, const ResolvedGraph& graph, c
 
 }  // namespace
 
+Session::Session(vk::Device& device, const SessionInput& input)
+    : device_(device), input_(input), passes_(*input.passes), pre_exposure_(std::exp2(input.exposure_ev)) {
+    input_.passes = &passes_;
+    view_ = view_constants(input.camera, glm::mat4(1), input.size.width, input.size.height);
+    view_.prev_view_projection = view_.view_projection;
+}
+
+LoadInput Session::load_input(const ImportCatalog& imports, Extent3D size) const {
+    return {input_.graph_path, input_.reader, input_.shader_root, input_.shader_cache, passes_, imports,
+            device_.profile(), size,          input_.params,      input_.observed};
+}
+
+Result<Session::Stage> Session::make_stage(ImportCatalog imports, const ResolvedGraph& graph) {
+    Result<FramePlan> plan = checked_plan(device_, graph, input_);
+    if (!plan) return plan.take_errors();
+    Result<vk::Image> output = vk::Image::create(device_, imports.imports.at("backbuffer").resource);
+    if (!output) return output.take_errors();
+    vk::ExecutorInput run;
+    run.hooks.drop_barriers_of_position = position_of(*plan, input_.drop_barriers_before);
+    run.plan = std::move(*plan);
+    run.shaders = &loaded_.shaders;
+    run.passes = &passes_;
+    run.imports = &imports;
+    run.bindings.images.emplace("backbuffer", &*output);
+    run.draws = scene_.get();
+    run.timestamps = input_.timestamps;
+    Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
+    if (!executor) return executor.take_errors();
+    return Stage{std::move(imports), std::move(*output), std::move(*executor)};
+}
+
 Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene::Scene& scene,
                                                  const SessionInput& input, Diagnostics& warnings) {
-    std::unique_ptr<Session> session(new Session);
-    session->imports_ = scene_imports(input.size);
-    own_imports(device, session->imports_);
-    session->passes_ = *input.passes;
-    Result<LoadedGraph> loaded =
-        load_graph({input.graph_path, input.reader, input.shader_root, input.shader_cache, session->passes_,
-                    session->imports_, device.profile(), input.size, input.params, input.observed},
-                   warnings);
+    std::unique_ptr<Session> session(new Session(device, input));
+    ImportCatalog imports = imports_for(device, input.size);
+    Result<LoadedGraph> loaded = load_graph(session->load_input(imports, input.size), warnings);
     if (!loaded) return loaded.take_errors();
     session->loaded_ = std::move(*loaded);
-    Result<FramePlan> plan = checked_plan(device, session->loaded_.graph, input);
-    if (!plan) return plan.take_errors();
-
     Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene);
     if (!gpu) return gpu.take_errors();
     session->scene_ = std::move(*gpu);
-    Result<vk::Image> output = vk::Image::create(device, session->imports_.imports.at("backbuffer").resource);
-    if (!output) return output.take_errors();
-    session->output_ = std::move(*output);
     session->lights_ = gpu_lights(scene);
     session->sky_zenith_ = scene.sky_zenith;
     session->sky_horizon_ = scene.sky_horizon;
-    session->pre_exposure_ = std::exp2(input.exposure_ev);
-    session->view_ = view_constants(input.camera, glm::mat4(1), input.size.width, input.size.height);
-    session->view_.prev_view_projection = session->view_.view_projection;
-
-    vk::ExecutorInput run;
-    run.hooks.drop_barriers_of_position = position_of(*plan, input.drop_barriers_before);
-    run.plan = std::move(*plan);
-    run.shaders = &session->loaded_.shaders;
-    run.passes = &session->passes_;
-    run.imports = &session->imports_;
-    run.bindings.images.emplace("backbuffer", &session->output_);
-    run.draws = session->scene_.get();
-    run.timestamps = input.timestamps;
-    Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device, std::move(run));
-    if (!executor) return executor.take_errors();
-    session->executor_ = std::move(*executor);
+    Result<Stage> stage = session->make_stage(std::move(imports), session->loaded_.graph);
+    if (!stage) return stage.take_errors();
+    session->stage_ = std::move(*stage);
     return session;
+}
+
+Status Session::resize(Extent3D size, Diagnostics& warnings) {
+    if (size == input_.size) return Unit{};
+    ImportCatalog imports = imports_for(device_, size);
+    Result<ResolvedGraph> graph = resolve_again(loaded_, load_input(imports, size), warnings);
+    if (!graph) return graph.take_errors();
+    Result<Stage> stage = make_stage(std::move(imports), *graph);
+    if (!stage) return stage.take_errors();
+    const FramePlan &old_plan = plan(), &new_plan = stage->executor->plan();
+    TransitionPlan between = transition(old_plan, new_plan);
+    if (input_.check_plan || kAlwaysCheck) {
+        Diagnostics faults = check_transition(old_plan, new_plan, between);
+        if (!faults.empty()) return faults;
+    }
+    vk::Predecessor predecessor;
+    predecessor.images.push_back(std::move(stage_.output));
+    predecessor.transition = std::move(between);
+    predecessor.executor = std::move(stage_.executor);
+    stage_ = std::move(*stage);
+    loaded_.graph = std::move(*graph);
+    input_.size = size;
+    // Where a point was, the last frame knows in its own picture's terms.
+    const glm::mat4 last_view_projection = view_.view_projection;
+    view_ = view_constants(input_.camera, glm::mat4(1), size.width, size.height);
+    view_.prev_view_projection = last_view_projection;
+    return stage_.executor->take_over(std::move(predecessor));
 }
 
 shared::FrameConstants Session::frame_constants(double time_s, double delta_time_s) const {
@@ -105,7 +142,7 @@ shared::FrameConstants Session::frame_constants(double time_s, double delta_time
 }
 
 Status Session::render_frame(double time_s, double delta_time_s) {
-    Result<uint32_t> slot = executor_->begin_frame();
+    Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
     scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_);
     const LightList lights{lights_};
@@ -118,15 +155,17 @@ Status Session::render_frame(double time_s, double delta_time_s) {
     frame.pre_exposure = pre_exposure_;
     frame.prev_pre_exposure = pre_exposure_;
     frame.host = &host;
-    return executor_->run(frame);
+    Status done = stage_.executor->run(frame);
+    view_.prev_view_projection = view_.view_projection;
+    return done;
 }
 
 Status Session::finish() {
-    return executor_->finish();
+    return stage_.executor->finish();
 }
 
 Result<vk::ReadbackData> Session::read_output() {
-    return executor_->read_image(output_);
+    return stage_.executor->read_image(stage_.output);
 }
 
 }  // namespace weft::render

@@ -38,13 +38,16 @@ class Session {
                                                                  const SessionInput& input,
                                                                  Diagnostics& warnings);
 
+    // From the next frame on. Histories and kept resources live on as their onResize says. After an error
+    // that names the graph (W…, C…) or memory everything goes on at the old size. Errors: as create().
+    [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings);
     [[nodiscard]] Status render_frame(double time_s, double delta_time_s);
     [[nodiscard]] Status finish();
     // The output image of the last frame; call after finish().
     [[nodiscard]] Result<vk::ReadbackData> read_output();
-    [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks() { return executor_->take_readbacks(); }
-    [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return executor_->take_timings(); }
-    [[nodiscard]] const FramePlan& plan() const { return executor_->plan(); }
+    [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks() { return stage_.executor->take_readbacks(); }
+    [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return stage_.executor->take_timings(); }
+    [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
     // How many frames the graph asks for.
     [[nodiscard]] uint32_t frames() const { return loaded_.desc.frames; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
@@ -52,21 +55,30 @@ class Session {
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
 
  private:
-    Session() = default;
+    // What depends on the size.
+    struct Stage {
+        ImportCatalog imports;
+        vk::Image output;
+        std::unique_ptr<vk::Executor> executor;  // last: destroyed first
+    };
+
+    Session(vk::Device& device, const SessionInput& input);
+    [[nodiscard]] LoadInput load_input(const ImportCatalog& imports, Extent3D size) const;
+    [[nodiscard]] Result<Stage> make_stage(ImportCatalog imports, const ResolvedGraph& graph);
     [[nodiscard]] shared::FrameConstants frame_constants(double time_s, double delta_time_s) const;
 
-    LoadedGraph loaded_;
-    ImportCatalog imports_;
+    vk::Device& device_;
+    SessionInput input_;
     PassCatalog passes_;
+    LoadedGraph loaded_;
     std::unique_ptr<GpuScene> scene_;
-    vk::Image output_;
     std::vector<shared::Light> lights_;
     shared::ViewConstants view_{};
     glm::vec3 sky_zenith_{0};
     glm::vec3 sky_horizon_{0};
     float pre_exposure_ = 1;
     uint64_t frame_index_ = 0;
-    std::unique_ptr<vk::Executor> executor_;  // last: destroyed first
+    Stage stage_;  // last: destroyed first
 };
 
 }  // namespace weft::render

@@ -38,6 +38,13 @@ void add_pointers(const JsonDoc& document, Diagnostics& faults) {
     }
 }
 
+Result<ResolvedGraph> resolved(const GraphDesc& desc, const ShaderCatalog& shaders, const LoadInput& input,
+                               Diagnostics& warnings) {
+    return resolve({desc, input.passes, shaders, input.imports, input.profile, input.params,
+                    input.output_extent, input.observed},
+                   warnings);
+}
+
 ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, Diagnostics& faults) {
     ShaderCatalog catalog;
     for (const auto& [name, pass] : graph.passes) {
@@ -71,14 +78,17 @@ Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
                             input.shader_root / "include",
                             input.shader_cache};
     ShaderCatalog shaders = compile_shaders(*desc, roots, faults);
-    Result<ResolvedGraph> graph = resolve({*desc, input.passes, shaders, input.imports, input.profile,
-                                           input.params, input.output_extent, input.observed},
-                                          warnings);
+    Result<ResolvedGraph> graph = resolved(*desc, shaders, input, warnings);
     if (!graph) append(faults, graph.take_errors());
     add_pointers(*merged, faults);
     add_pointers(*merged, warnings);
     if (!faults.empty()) return faults;
     return LoadedGraph{std::move(*desc), std::move(shaders), std::move(*graph)};
+}
+
+Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
+                                    Diagnostics& warnings) {
+    return resolved(loaded.desc, loaded.shaders, input, warnings);
 }
 
 }  // namespace weft

@@ -39,4 +39,8 @@ struct LoadedGraph {
 // Warnings go to `warnings`.
 [[nodiscard]] Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings);
 
+// The same graph for another output size or other parameters. Shaders stay as they are.
+[[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
+                                                  Diagnostics& warnings);
+
 }  // namespace weft

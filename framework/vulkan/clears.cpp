@@ -27,16 +27,21 @@ void record_clear_of(const Device& device, VkCommandBuffer commands, const Frame
     fn.vkCmdClearDepthStencilImage(commands, image, layout, &value, 1, &range);
 }
 
+void record_first_content(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
+                          const FrameResources& resources, std::span<const ResourceId> cleared) {
+    for (const ResourceId id : cleared) {
+        const ResourceDecl& decl = plan.graph.resources[id];
+        record_clear_of(device, commands, plan, resources,
+                        {id, decl.whole(), Layout::transfer_dst, decl.first_frame});
+    }
+}
+
 void record_prologue(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
                      const ResourceTable& resources) {
     const ProloguePlan& prologue = plan.barriers.prologue;
     const FrameResources first(resources, 0);
     record_barriers(device, commands, prologue.before, plan, first);
-    for (const ResourceId id : prologue.cleared) {
-        const ResourceDecl& decl = plan.graph.resources[id];
-        record_clear_of(device, commands, plan, first,
-                        {id, decl.whole(), Layout::transfer_dst, decl.first_frame});
-    }
+    record_first_content(device, commands, plan, first, prologue.cleared);
     record_barriers(device, commands, prologue.after, plan, first);
 }
 

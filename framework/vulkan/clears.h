@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "vulkan/resource_table.h"
 
@@ -19,6 +20,10 @@ struct ClearTarget {
 
 void record_clear_of(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
                      const FrameResources& resources, const ClearTarget& target);
+
+// Persistent resources, in transfer_dst, get what they hold before anybody wrote them.
+void record_first_content(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
+                          const FrameResources& resources, std::span<const ResourceId> cleared);
 
 // Once, before the first frame: all copies of persistent resources get their first content.
 void record_prologue(const Device& device, VkCommandBuffer commands, const FramePlan& plan,

@@ -1,12 +1,10 @@
-#include "vulkan/executor.h"
+#include "vulkan/replay_executor.h"
 
 #include <cassert>
 #include <chrono>
 
 #include "vulkan/barriers_vk.h"
-#include "vulkan/clears.h"
 #include "vulkan/executor_errors.h"
-#include "vulkan/frame_slots.h"
 #include "vulkan/record.h"
 
 namespace weft::vk {
@@ -41,51 +39,7 @@ void end_label(const Device& device, VkCommandBuffer commands) {
         device.instance_fn().vkCmdEndDebugUtilsLabelEXT(commands);
 }
 
-class ReplayExecutor final : public Executor {
- public:
-    ReplayExecutor(Device& device, std::unique_ptr<PlanObjects> objects, FrameSlots slots,
-                   ExecutorHooks hooks)
-        : device_(device),
-          objects_(std::move(objects)),
-          slots_(std::make_unique<FrameSlots>(std::move(slots))),
-          hooks_(hooks) {}
-    ~ReplayExecutor() override;
-
-    Result<uint32_t> begin_frame() override;
-    Status run(const FrameInput& frame) override;
-    Status finish() override;
-    std::vector<FrameTiming> take_timings() override { return std::exchange(timings_, {}); }
-    std::vector<ReadbackData> take_readbacks() override { return std::exchange(readbacks_, {}); }
-    Result<ReadbackData> read_image(const Image& image) override { return read_image_now(device_, image); }
-    const FramePlan& plan() const override { return objects_->plan; }
-    uint64_t transient_bytes() const override { return objects_->heap.bytes(); }
-
- private:
-    struct InFlight {
-        uint64_t frame_index = 0;
-        FrameTiming timing;
-    };
-    [[nodiscard]] Status complete(uint32_t slot);
-    [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
-    void prepare_host_data(const FrameInput& frame, uint32_t slot);
-    void record_frame(const FrameInput& frame, uint32_t slot);
-    void record_step(const RecordContext& context, uint32_t position);
-    void record_epilogue(const RecordContext& context);
-    [[nodiscard]] Status submit_frame(uint32_t slot);
-
-    Device& device_;
-    std::unique_ptr<PlanObjects> objects_;
-    std::unique_ptr<FrameSlots> slots_;
-    ExecutorHooks hooks_;
-    std::array<InFlight, kFramesInFlight> in_flight_;
-    uint64_t frames_begun_ = 0;
-    uint32_t slot_ = kNoId;    // of the frame begun and not yet run
-    uint64_t frames_run_ = 0;  // without those that could not be submitted
-    std::vector<FrameTiming> timings_;
-    std::vector<ReadbackData> readbacks_;
-    Diagnostics lost_;  // after a time-out or a lost device nothing runs any more
-    bool timed_out_ = false;
-};
+}  // namespace
 
 ReplayExecutor::~ReplayExecutor() {
     bool idle = true;
@@ -116,6 +70,7 @@ Status ReplayExecutor::complete(uint32_t slot) {
     if (!slots_->in_flight(slot)) return Unit{};
     const VkResult result = slots_->wait(slot);
     if (result != VK_SUCCESS) return lost_frame(slot, result);
+    if (Status retired = retire_predecessor(); !retired) return retired;
     InFlight& frame = in_flight_[slot];
     const std::vector<double> times = objects_->timer.read_ms(slot);
     for (size_t position = 0; position < times.size(); ++position)
@@ -130,6 +85,7 @@ Result<uint32_t> ReplayExecutor::begin_frame() {
     assert(slot_ == kNoId && "begin_frame() twice without run()");
     const auto slot = static_cast<uint32_t>(frames_begun_ % kFramesInFlight);
     const Stopwatch watch;
+    if (Status completed = complete_predecessor(slot); !completed) return completed.take_errors();
     if (Status completed = complete(slot); !completed) return completed.take_errors();
     in_flight_[slot] = {};
     in_flight_[slot].timing.wait_ms = watch.ms();
@@ -141,6 +97,7 @@ Result<uint32_t> ReplayExecutor::begin_frame() {
 Status ReplayExecutor::finish() {
     for (uint32_t i = 0; i < kFramesInFlight; ++i) {
         const auto oldest = static_cast<uint32_t>((frames_begun_ + i) % kFramesInFlight);
+        if (Status completed = complete_predecessor(oldest); !completed) return completed;
         if (Status completed = complete(oldest); !completed) return completed;
     }
     return Unit{};
@@ -182,7 +139,7 @@ void ReplayExecutor::record_epilogue(const RecordContext& context) {
 
 void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
-    if (frames_run_ == 0) record_prologue(device_, slots_->prologue(slot), plan, objects_->resources);
+    if (frames_run_ == 0) record_start(slots_->prologue(slot));
     for (uint32_t i = 0; i < plan.submissions.batches.size(); ++i) {
         const Batch& batch = plan.submissions.batches[i];
         const BatchCommands place = slots_->batch(slot, i);
@@ -232,8 +189,6 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     in_flight.timing.submit_ms = submit_watch.ms();
     return submitted;
 }
-
-}  // namespace
 
 Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput input) {
     const ExecutorHooks hooks = input.hooks;

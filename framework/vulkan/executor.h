@@ -16,6 +16,7 @@
 #include "weft/plan.h"
 #include "weft/result.h"
 #include "weft/shader_interface.h"
+#include "weft/transition.h"
 
 namespace weft::vk {
 
@@ -77,10 +78,24 @@ struct ExecutorInput {
     bool timestamps = true;  // off: nothing but the plan is recorded, and all times are negative
 };
 
+class Executor;
+
+// An executor that another one carries on from: after a resize, a reload or a swap.
+struct Predecessor {
+    std::vector<Image> images;           // imports that nobody uses but its frames in flight
+    TransitionPlan transition;           // from its plan to the new one's
+    std::unique_ptr<Executor> executor;  // between frames; last: destroyed first
+};
+
 class Executor {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Executor>> create(Device& device, ExecutorInput input);
     virtual ~Executor() = default;
+
+    // Instead of the plan's prologue, before the first frame: contents move over in that frame, and the
+    // predecessor, with its timings and readbacks handed on, lives until it is over. Nobody waits for it
+    // where both plans have one queue. Errors: as begin_frame(); then nothing runs any more.
+    [[nodiscard]] virtual Status take_over(Predecessor predecessor) = 0;
 
     // Waits until the next frame slot is free and returns it, so that the program may fill its per-slot data.
     // Errors: V407 time-out, V408 device lost; both name the passes in flight.

@@ -10,6 +10,7 @@ Rings::Rings(const FramePlan& plan) {
     all_.resize(resources.size());
     roles_.resize(resources.size());
     written_.resize(resources.size());
+    carried_.resize(resources.size());
     for (ResourceId id = 0; id < resources.size(); ++id) {
         const ResourceDecl& decl = resources[id];
         if (decl.ring == kNoId) continue;
@@ -44,8 +45,17 @@ uint64_t Rings::period(const PassDecl& pass) const {
     return period;
 }
 
+void Rings::carry_over(const Rings& old, uint64_t frames, const TransitionPlan& transition) {
+    for (const CarryOver& carry : transition.carried) {
+        const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
+        if (transition.keeps_validity[ring] != 0 && old.written_[old_ring] != 0)
+            carried_[ring] = frames + old.carried_[old_ring];
+    }
+}
+
 bool Rings::valid(ResourceId role, uint64_t frame) const {
-    return all_[role].ring != kNoId && written_[all_[role].ring] != 0 && frame >= all_[role].age;
+    const ResourceId ring = all_[role].ring;
+    return ring != kNoId && written_[ring] != 0 && frame + carried_[ring] >= all_[role].age;
 }
 
 }  // namespace weft::vk

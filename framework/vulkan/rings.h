@@ -1,10 +1,12 @@
 // Purpose: where the copies of resources with history are. A ring of N + 1 roles has N + 1 copies, and from
 // frame to frame every role moves on to the next of them. Frames count from 0, since the executor was made.
+// What another executor's frames wrote before them may count too.
 #pragma once
 
 #include <vector>
 
 #include "weft/plan.h"
+#include "weft/transition.h"
 
 namespace weft::vk {
 
@@ -19,6 +21,8 @@ class Rings {
     [[nodiscard]] std::vector<ResourceId> roles(ResourceId resource) const;
     // After how many frames the pass finds everything in the same places again.
     [[nodiscard]] uint64_t period(const PassDecl& pass) const;
+    // Counts what `old` has written in its `frames` for the rings whose content comes from there.
+    void carry_over(const Rings& old, uint64_t frames, const TransitionPlan& transition);
     // Whether a pass has written what `role` stands for by this frame.
     [[nodiscard]] bool valid(ResourceId role, uint64_t frame) const;
 
@@ -30,6 +34,7 @@ class Rings {
     std::vector<Role> all_;                       // by ResourceId
     std::vector<std::vector<ResourceId>> roles_;  // by ring, then age
     std::vector<uint8_t> written_;                // by ring: a live pass writes it
+    std::vector<uint64_t> carried_;               // by ring: frames written before frame 0
 };
 
 }  // namespace weft::vk

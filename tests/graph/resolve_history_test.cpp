@@ -46,7 +46,7 @@ TEST_F(ResolveHistory, BecomesARingOfRoles) {
         EXPECT_EQ(role.format, Format::rgba16f);
         EXPECT_EQ(role.extent, (Extent3D{640, 360, 1}));
         EXPECT_EQ(role.mips, 3u);
-        EXPECT_EQ(role.usage, usage::kSampled | usage::kStorage | usage::kTransferDst);
+        EXPECT_EQ(role.usage, usage::kSampled | usage::kStorage | usage::kTransferSrc | usage::kTransferDst);
         EXPECT_EQ(role.first_frame, (std::array<float, 4>{1, 2, 3, 4}));
         EXPECT_EQ(role.on_resize, OnResize::resample);
     }
@@ -172,7 +172,7 @@ TEST_F(ResolveHistory, BuffersToo) {
         good(R"j("resources": {"b": {"buffer": "vec4", "count": 8, "history": 1}}, "passes": {
       "s": {"type": "compute", "shader": "step.comp", "groups": 1, "in": {"prev": "b[-1]"}, "out": {"next": "b"}}})j");
     EXPECT_EQ(find_resource(g, "b[-1]")->size_bytes, 128u);
-    EXPECT_EQ(find_resource(g, "b[-1]")->usage, usage::kStorage | usage::kTransferDst);
+    EXPECT_EQ(find_resource(g, "b[-1]")->usage, usage::kStorage | usage::kTransferSrc | usage::kTransferDst);
 }
 
 TEST_F(ResolveHistory, ObserversMayAskForThePast) {

@@ -30,9 +30,11 @@ struct Rendered {
 
 class SessionTest : public ::testing::Test {
  protected:
-    void SetUp() override {
+    void SetUp() override { make_device(true); }
+    void make_device(bool validate, uint32_t queues = 1) {
         vk::DeviceOptions options;
-        options.validate = true;
+        options.validate = validate;
+        options.queues = queues;
         Result<std::unique_ptr<vk::Device>> made = vk::Device::create(options);
         ASSERT_TRUE(made) << to_text(made.errors());
         device_ = std::move(*made);

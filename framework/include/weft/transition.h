@@ -16,7 +16,9 @@ namespace weft {
 struct CarryOver {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
-    bool resample = false;  // stretched to a new size with a linear filter, mip by mip; else copied as it is
+    // Stretched to a new size, mip by mip (the last old one serves all that are new), with a linear filter,
+    // integers with the nearest; else copied as it is.
+    bool resample = false;
     bool operator==(const CarryOver&) const = default;
 };
 

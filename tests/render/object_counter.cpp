@@ -1,0 +1,84 @@
+#include "object_counter.h"
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace weft::test {
+namespace {
+
+// What plain functions can reach.
+int64_t live_objects = 0;
+
+template <auto Create, class Function>
+struct Made;
+template <auto Create, class... Args>
+struct Made<Create, VkResult(VKAPI_PTR*)(Args...)> {
+    static inline VkResult(VKAPI_PTR* real)(Args...) = nullptr;
+    static VKAPI_ATTR VkResult VKAPI_CALL call(Args... args) {
+        const VkResult result = real(args...);
+        if (result == VK_SUCCESS) ++live_objects;
+        return result;
+    }
+};
+
+template <auto Destroy, class Function>
+struct Gone;
+template <auto Destroy, class... Args>
+struct Gone<Destroy, void(VKAPI_PTR*)(Args...)> {
+    static inline void(VKAPI_PTR* real)(Args...) = nullptr;
+    static VKAPI_ATTR void VKAPI_CALL call(Args... args) {
+        --live_objects;
+        real(args...);
+    }
+};
+
+template <auto Create, auto Destroy>
+void count(vk::DeviceFunctions& table) {
+    using MadeBy = Made<Create, std::remove_reference_t<decltype(table.*Create)>>;
+    using GoneBy = Gone<Destroy, std::remove_reference_t<decltype(table.*Destroy)>>;
+    MadeBy::real = table.*Create;
+    GoneBy::real = table.*Destroy;
+    table.*Create = MadeBy::call;
+    table.*Destroy = GoneBy::call;
+}
+
+}  // namespace
+
+ObjectCounter::ObjectCounter(vk::Device& device) : device_(device), functions_(device.fn()) {
+    using Table = vk::DeviceFunctions;
+    Table& table = device.fn();
+    live_objects = 0;
+    count<&Table::vkCreateImage, &Table::vkDestroyImage>(table);
+    count<&Table::vkCreateBuffer, &Table::vkDestroyBuffer>(table);
+    count<&Table::vkCreateImageView, &Table::vkDestroyImageView>(table);
+    count<&Table::vkAllocateMemory, &Table::vkFreeMemory>(table);
+    count<&Table::vkCreateSampler, &Table::vkDestroySampler>(table);
+    count<&Table::vkCreateDescriptorSetLayout, &Table::vkDestroyDescriptorSetLayout>(table);
+    count<&Table::vkCreateDescriptorPool, &Table::vkDestroyDescriptorPool>(table);
+    count<&Table::vkCreatePipelineLayout, &Table::vkDestroyPipelineLayout>(table);
+    count<&Table::vkCreatePipelineCache, &Table::vkDestroyPipelineCache>(table);
+    count<&Table::vkCreateShaderModule, &Table::vkDestroyShaderModule>(table);
+    count<&Table::vkCreateCommandPool, &Table::vkDestroyCommandPool>(table);
+    count<&Table::vkCreateFence, &Table::vkDestroyFence>(table);
+    count<&Table::vkCreateSemaphore, &Table::vkDestroySemaphore>(table);
+    count<&Table::vkCreateQueryPool, &Table::vkDestroyQueryPool>(table);
+}
+
+ObjectCounter::~ObjectCounter() {
+    device_.fn() = functions_;
+}
+
+int64_t ObjectCounter::live() const {
+    return live_objects;
+}
+
+uint64_t resident_bytes() {
+    malloc_trim(0);
+    uint64_t pages = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident;
+    return resident * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace weft::test
