@@ -105,6 +105,10 @@ const PassDecl* find_pass(const ResolvedGraph& graph, std::string_view name) {
     return find_by_name(graph.passes, name);
 }
 
+bool runs_in_frame(const PassDecl& pass, uint64_t frame) {
+    return pass.turns == 0 || frame == 0 || frame % pass.turns == pass.turn;
+}
+
 const char* import_kind_name(ImportKind kind) {
     switch (kind) {
         case ImportKind::draw_list:

@@ -88,6 +88,11 @@ void read_partial(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_bool(context, node, pass.partial);
 }
 
+void read_per_frame(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    pass.per_frame_loc = node.loc;
+    read_bool(context, node, pass.per_frame);
+}
+
 void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.after, pass.after_locs);
 }
@@ -122,6 +127,7 @@ constexpr std::array kPassKeys{
     PassKey{"constants", kShaded, parse_constants},
     PassKey{"if", kAll, read_if},
     PassKey{"repeat", kAll, parse_repeat},
+    PassKey{"perFrame", kAll & ~kReadback, read_per_frame},
     PassKey{"groups", kCompute, read_groups},
     PassKey{"threads", kCompute, read_threads},
     PassKey{"state", kDrawing, parse_state},

@@ -99,11 +99,6 @@ void visit_fields(V& v, const NamedValue& x) {
     v("name", x.name), v("value", x.value);
 }
 template <class V>
-void visit_fields(V& v, const PassTurn& x) {
-    v("ranges", x.ranges), v("params", x.params), v("groups", x.groups), v("renderExtent", x.render_extent);
-    v("view", x.view);
-}
-template <class V>
 void visit_fields(V& v, const PassDecl& x) {
     v("name", x.name), v("type", x.type), v("kind", x.kind), v("queue", x.queue), v("uses", x.uses);
     v("sideEffect", x.side_effect), v("shader", x.shader), v("specValues", x.spec_values),
@@ -112,7 +107,8 @@ void visit_fields(V& v, const PassDecl& x) {
     v("groups", x.groups), v("indirectUse", x.indirect_use), v("colors", x.colors), v("depth", x.depth), v("renderExtent", x.render_extent);
     v("state", x.state), v("drawLists", x.draw_lists), v("view", x.view), v("clear", x.clear),
         v("flops", x.flops);
-    v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use), v("turns", x.turns);
+    v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use), v("turn", x.turn),
+        v("turns", x.turns);
 }
 template <class V>
 void visit_fields(V& v, const ResolvedGraph& x) {

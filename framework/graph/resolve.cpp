@@ -13,6 +13,7 @@ Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) 
     bind_ports(state);
     choose_formats(state);
     check_interfaces(state);
+    check_turns(state);
     resolve_versions(state);
     resolve_attachments(state);
     resolve_dispatches(state);

@@ -171,6 +171,7 @@ void resolve_attachments(ResolveState& state);
 void resolve_dispatches(ResolveState& state);
 void resolve_blocks(ResolveState& state);
 void check_custom_passes(ResolveState& state);
+void check_turns(ResolveState& state);  // of passes spread over frames
 void warn_unused(ResolveState& state);
 
 }  // namespace weft

@@ -121,6 +121,11 @@ void name_passes(ResolveState& state) {
     for (auto& [name, work] : by_name) {
         state.instances[work.desc->name][work.instance] = static_cast<PassId>(state.passes.size());
         state.graph.passes.push_back(declare(*work.desc, name));
+        if (work.desc->per_frame) {
+            state.graph.passes.back().turn = work.instance;
+            state.graph.passes.back().turns =
+                static_cast<uint32_t>(state.instances[work.desc->name].size());
+        }
         state.passes.push_back(std::move(work));
     }
 }

@@ -77,6 +77,7 @@ class Execution {
     void read(uint32_t id, const Node& node) {
         const PassInstance& instance = timeline_.instances[node.instance];
         const PassDecl& pass = pass_of(instance);
+        if (!runs_in_frame(pass, node.frame)) return;
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const UseDecl& use = pass.uses[u];
             const EffectiveUse effective = effective_use(pass, step_of(instance), u);
@@ -108,6 +109,7 @@ class Execution {
     void write(uint32_t id, const Node& node) {
         const PassInstance& instance = timeline_.instances[node.instance];
         const PassDecl& pass = pass_of(instance);
+        if (!runs_in_frame(pass, node.frame)) return;
         const ValueHash hash = inputs(node);
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const UseDecl& use = pass.uses[u];

@@ -71,7 +71,8 @@ class Reference {
         const std::vector<PassId> order = program_order(graph_, live_);
         for (frame_ = 0; frame_ < frames; ++frame_) {
             begin_frame();
-            for (const PassId pass : order) execute(pass);
+            for (const PassId pass : order)
+                runs_in_frame(graph_.passes[pass], frame_) ? execute(pass) : pass_on(pass);
             for (ResourceId id = 0; id < cells_.size(); ++id) {
                 const ResourceLifetime lifetime = graph_.resources[id].lifetime;
                 const bool last = frame_ + 1 == frames;
@@ -137,6 +138,18 @@ class Reference {
                     const CellValue value = defined ? written_value(hash, use, range) : kUndefinedValue;
                     cells_[use.resource][cell].written.emplace_back(id, value);
                 });
+        }
+    }
+
+    // Not its turn: what it writes stays as it is.
+    void pass_on(PassId id) {
+        for (const UseDecl& use : graph_.passes[id].uses) {
+            if (!writes(use.access)) continue;
+            for_each_cell(graph_.resources[use.resource], use.range,
+                          [&](uint32_t cell, const SubresourceRange&) {
+                              Versions& v = cells_[use.resource][cell];
+                              v.written.emplace_back(id, v.last());
+                          });
         }
     }
 

@@ -124,7 +124,7 @@ void ReplayExecutor::record_step(const RecordContext& context, uint32_t position
     if (context.labels) begin_label(device_, context.commands, name);
     if (position != hooks_.drop_barriers_of_position)
         record_barriers(device_, context.commands, step.barriers, plan, context.resources);
-    record_pass(context, position);
+    if (runs_in_frame(plan.graph.passes[step.pass], frames_run_)) record_pass(context, position);
     record_barriers(device_, context.commands, step.after, plan, context.resources);
     if (context.labels) end_label(device_, context.commands);
     objects_->timer.record_pass_end(context.commands, context.slot, position);

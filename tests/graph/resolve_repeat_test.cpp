@@ -128,6 +128,35 @@ TEST_F(ResolveRepeat, ConditionsMaySpeakOfTheIndex) {
     EXPECT_EQ(names(g), (std::vector<std::string>{"p#1", "p#3"}));
 }
 
+// Six layers, one a frame; `keys` of the resource.
+std::string turns(const std::string& keys, const std::string& repeat = R"j("repeat": {"i": "0..5"}, )j") {
+    return R"j("resources": {"x": {"format": "rgba16f", "layers": 6)j" + keys + R"j(}}, "passes": {
+      "p": {"type": "compute", "shader": "make.comp", )j" +
+           repeat + R"j("perFrame": true, "out": {"dst": "x.layer(0)"}}})j";
+}
+
+TEST_F(ResolveRepeat, PassesMayTakeTurns) {
+    const ResolvedGraph g = good(turns(R"j(, "keep": true)j"));
+    ASSERT_EQ(g.passes.size(), 6u);
+    for (uint32_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(g.passes[i].turn, i);
+        EXPECT_EQ(g.passes[i].turns, 6u);
+    }
+    EXPECT_TRUE(runs_in_frame(g.passes[2], 0));
+    EXPECT_FALSE(runs_in_frame(g.passes[2], 1));
+    EXPECT_TRUE(runs_in_frame(g.passes[2], 8));
+}
+
+TEST_F(ResolveRepeat, WhatTurnsWriteMustStay) {
+    const Diagnostic lost = bad(turns(""));
+    EXPECT_EQ(lost.code, "W124");
+    expect_help(lost, R"j(add "keep": true to resource "x")j");
+    EXPECT_EQ(bad(turns(R"j(, "history": 1)j")).code, "W124");
+    const Diagnostic alone = bad(turns(R"j(, "keep": true)j", ""));
+    EXPECT_EQ(alone.code, "W124");
+    expect_help(alone, "\"repeat\"");
+}
+
 TEST_F(ResolveRepeat, ReadersOfAnEmptyRepeat) {
     const Diagnostic d = bad(R"j("resources": {"x": "rgba16f"}, "passes": {
       "p": {"type": "compute", "shader": "make.comp", "repeat": {"i": "1..0"}, "out": {"dst": "x"}},

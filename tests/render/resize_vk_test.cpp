@@ -5,36 +5,18 @@
 #include <random>
 
 #include "object_counter.h"
-#include "scene/builtin_scenes.h"
 #include "session_fixture.h"
 
 namespace weft::test {
 namespace {
 
 constexpr Extent3D kUsual{96, 54, 1};
+constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
 class Resize : public SessionTest {
  protected:
-    std::unique_ptr<render::Session> start(Extent3D size, std::vector<std::string> observed = {},
-                                           const std::string& graph = WEFT_SOURCE_DIR
-                                           "/tests/render/resize/trail.json") {
-        passes_ = registered_passes();
-        Result<scene::Scene> scene = scene::make_builtin("spheres");
-        EXPECT_TRUE(scene);
-        render::SessionInput input;
-        input.graph_path = graph;
-        input.reader = read_text;
-        input.shader_root = WEFT_SOURCE_DIR "/shaders";
-        input.passes = &passes_;
-        input.size = size;
-        input.observed = std::move(observed);
-        input.camera = scene::framing_camera(*scene, 1);
-        input.check_plan = true;
-        input.queues = queues_;
-        Result<std::unique_ptr<render::Session>> session =
-            render::Session::create(*device_, *scene, input, warnings_);
-        EXPECT_TRUE(session) << to_text(session.errors());
-        return session ? std::move(*session) : nullptr;
+    std::unique_ptr<render::Session> start_trail(std::vector<std::string> observed = {}) {
+        return start(WEFT_SOURCE_DIR "/tests/render/resize/trail.json", kUsual, std::move(observed));
     }
     void resize(render::Session& session, Extent3D size) {
         const Status done = session.resize(size, warnings_);
@@ -60,10 +42,6 @@ class Resize : public SessionTest {
         std::memcpy(&word, data.bytes.data(), std::min(sizeof word, data.bytes.size()));
         return word;
     }
-
-    uint32_t queues_ = 1;
-    PassCatalog passes_;
-    Diagnostics warnings_;
 };
 
 struct Picture {
@@ -97,7 +75,7 @@ TEST_F(Resize, AHistoryIsStretchedToTheNewSize) {
     for (const Extent3D size : {Extent3D{48, 27, 1}, Extent3D{131, 77, 1}, Extent3D{1, 1, 1},
                                 Extent3D{1, 40, 1}, Extent3D{7, 3, 1}}) {
         SCOPED_TRACE(std::to_string(size.width) + "x" + std::to_string(size.height));
-        const std::unique_ptr<render::Session> session = start(kUsual, {"trail"});
+        const std::unique_ptr<render::Session> session = start_trail({"trail"});
         ASSERT_TRUE(session);
         frames(*session, 3);
         const Picture before = picture_of(last(*session, "trail"));
@@ -122,12 +100,12 @@ class ResizeOnQueues : public Resize {
  protected:
     void SetUp() override {
         queues_ = 3;
-        make_device(true, queues_);
+        make_device(true);
     }
 };
 
 TEST_F(ResizeOnQueues, WaitsForAllOfThem) {
-    const std::unique_ptr<render::Session> session = start(kUsual, {"frames", "trail"});
+    const std::unique_ptr<render::Session> session = start_trail({"frames", "trail"});
     ASSERT_TRUE(session);
     EXPECT_GT(session->plan().submissions.batches.size(), 1u);
     for (const uint32_t side : {40u, 96u, 13u}) {
@@ -140,7 +118,7 @@ TEST_F(ResizeOnQueues, WaitsForAllOfThem) {
 }
 
 TEST_F(Resize, WhatIsKeptIsKeptAsItSays) {
-    const std::unique_ptr<render::Session> session = start(kUsual, {"frames", "marks", "fresh"});
+    const std::unique_ptr<render::Session> session = start_trail({"frames", "marks", "fresh"});
     ASSERT_TRUE(session);
     frames(*session, 3);
     resize(*session, {33, 65, 1});
@@ -156,7 +134,7 @@ TEST_F(Resize, WhatIsKeptIsKeptAsItSays) {
 }
 
 TEST_F(Resize, ANewSizeMayComeBeforeAnyFrame) {
-    const std::unique_ptr<render::Session> session = start(kUsual, {"frames", "trail"});
+    const std::unique_ptr<render::Session> session = start_trail({"frames", "trail"});
     ASSERT_TRUE(session);
     frames(*session, 1);
     for (const uint32_t width : {5u, 200u, 17u}) resize(*session, {width, 9, 1});
@@ -173,7 +151,7 @@ TEST_F(Resize, ANewSizeMayComeBeforeAnyFrame) {
 }
 
 TEST_F(Resize, AnErrorLeavesTheOldSizeRunning) {
-    const std::unique_ptr<render::Session> session = start(kUsual, {"frames"});
+    const std::unique_ptr<render::Session> session = start_trail({"frames"});
     ASSERT_TRUE(session);
     frames(*session, 1);
     const Status refused = session->resize({1u << 20, 4, 1}, warnings_);
@@ -187,8 +165,7 @@ TEST_F(Resize, AnErrorLeavesTheOldSizeRunning) {
 }
 
 TEST_F(Resize, TheShippedPipelineTakesAnySize) {
-    const std::unique_ptr<render::Session> session =
-        start(kUsual, {}, WEFT_SOURCE_DIR "/graphs/deferred.json");
+    const std::unique_ptr<render::Session> session = start(kDeferred, kUsual);
     ASSERT_TRUE(session);
     for (const Extent3D size :
          {Extent3D{1, 1, 1}, Extent3D{1, 50, 1}, Extent3D{7, 3, 1}, Extent3D{64, 64, 1}}) {
@@ -198,8 +175,7 @@ TEST_F(Resize, TheShippedPipelineTakesAnySize) {
     frames(*session, 1);
     ASSERT_TRUE(session->finish());
     const Result<vk::ReadbackData> resized = session->read_output();
-    const std::unique_ptr<render::Session> fresh =
-        start({64, 64, 1}, {}, WEFT_SOURCE_DIR "/graphs/deferred.json");
+    const std::unique_ptr<render::Session> fresh = start(kDeferred, {64, 64, 1});
     ASSERT_TRUE(fresh);
     frames(*fresh, 1);
     ASSERT_TRUE(fresh->finish());
@@ -241,7 +217,7 @@ class ManyResizes : public Resize {
         std::mt19937 random(kSeed);
         const ObjectCounter objects(*device_);
         {
-            const std::unique_ptr<render::Session> session = start(kUsual, {"frames"});
+            const std::unique_ptr<render::Session> session = start_trail({"frames"});
             ASSERT_TRUE(session);
             uint32_t drawn = 1;
             frames(*session, drawn);

@@ -9,6 +9,7 @@
 
 #include "render/session.h"
 #include "render/texels.h"
+#include "scene/builtin_scenes.h"
 #include "weft/registry.h"
 
 namespace weft::test {
@@ -31,10 +32,10 @@ struct Rendered {
 class SessionTest : public ::testing::Test {
  protected:
     void SetUp() override { make_device(true); }
-    void make_device(bool validate, uint32_t queues = 1) {
+    void make_device(bool validate) {
         vk::DeviceOptions options;
         options.validate = validate;
-        options.queues = queues;
+        options.queues = queues_;
         Result<std::unique_ptr<vk::Device>> made = vk::Device::create(options);
         ASSERT_TRUE(made) << to_text(made.errors());
         device_ = std::move(*made);
@@ -44,43 +45,60 @@ class SessionTest : public ::testing::Test {
         for (const vk::Message& m : device_->messages().messages()) ADD_FAILURE() << m.id << ": " << m.text;
     }
 
-    // Fails the test and returns nothing when anything goes wrong.
-    Rendered render(const scene::Scene& scene, const scene::Camera& camera, Extent3D size, float exposure_ev,
-                    std::vector<std::string> observed) {
-        const PassCatalog passes = registered_passes();
+    // Null: the test has failed.
+    std::unique_ptr<render::Session> start(const scene::Scene& scene, const scene::Camera& camera,
+                                           const std::string& graph, Extent3D size,
+                                           std::vector<std::string> observed, float exposure_ev = 0) {
+        passes_ = registered_passes();
         render::SessionInput input;
-        input.graph_path = WEFT_SOURCE_DIR "/graphs/deferred.json";
+        input.graph_path = graph;
         input.reader = read_text;
         input.shader_root = WEFT_SOURCE_DIR "/shaders";
-        input.passes = &passes;
+        input.passes = &passes_;
         input.size = size;
         input.observed = std::move(observed);
         input.camera = camera;
         input.exposure_ev = exposure_ev;
         input.check_plan = true;
-        Diagnostics warnings;
+        input.queues = queues_;
         Result<std::unique_ptr<render::Session>> session =
-            render::Session::create(*device_, scene, input, warnings);
-        if (!session) {
-            ADD_FAILURE() << to_text(session.errors());
-            return {};
-        }
-        Status done = (*session)->render_frame(0, 0);
-        if (done) done = (*session)->finish();
+            render::Session::create(*device_, scene, input, warnings_);
+        EXPECT_TRUE(session) << to_text(session.errors());
+        return session ? std::move(*session) : nullptr;
+    }
+    // A graph for which the scene doesn't matter.
+    std::unique_ptr<render::Session> start(const std::string& graph, Extent3D size,
+                                           std::vector<std::string> observed = {}) {
+        const Result<scene::Scene> scene = scene::make_builtin("spheres");
+        EXPECT_TRUE(scene);
+        return start(*scene, scene::framing_camera(*scene, 1), graph, size, std::move(observed));
+    }
+
+    // Fails the test and returns nothing when anything goes wrong.
+    Rendered render(const scene::Scene& scene, const scene::Camera& camera, Extent3D size, float exposure_ev,
+                    std::vector<std::string> observed) {
+        const std::unique_ptr<render::Session> session = start(
+            scene, camera, WEFT_SOURCE_DIR "/graphs/deferred.json", size, std::move(observed), exposure_ev);
+        if (!session) return {};
+        Status done = session->render_frame(0, 0);
+        if (done) done = session->finish();
         if (!done) {
             ADD_FAILURE() << to_text(done.errors());
             return {};
         }
         Rendered result;
-        for (const vk::ReadbackData& data : (*session)->take_readbacks())
+        for (const vk::ReadbackData& data : session->take_readbacks())
             result.images[data.pass.substr(std::string("observe:").size())] =
                 render::decode_texels(data.format, data.bytes);
-        result.view = (*session)->view();
-        result.lights = (*session)->lights();
-        result.pre_exposure = (*session)->pre_exposure();
+        result.view = session->view();
+        result.lights = session->lights();
+        result.pre_exposure = session->pre_exposure();
         return result;
     }
 
+    uint32_t queues_ = 1;
+    PassCatalog passes_;
+    Diagnostics warnings_;
     std::unique_ptr<vk::Device> device_;
 };
 

@@ -282,15 +282,6 @@ struct NamedValue {
     double value = 0;
 };
 
-// One index of a repeat that is spread over frames (`perFrame`): what the pass does when its turn comes.
-struct PassTurn {
-    std::vector<SubresourceRange> ranges;  // by use, inside the use's own
-    std::vector<ParamWrite> params;
-    std::array<uint32_t, 3> groups{0, 0, 0};
-    Extent3D render_extent;
-    std::string view;
-};
-
 struct PassDecl {
     std::string name;
     std::string type;  // "compute", "raster", … or a C++ pass's name; a "blit" is a copy that scales
@@ -316,12 +307,16 @@ struct PassDecl {
     std::string view = "camera";
     std::array<float, 4> clear{0, 0, 0, 0};  // `clear` passes
     double flops = 0;                        // declared cost
-    // Frame f runs turn f mod their number, frame 0 runs all, which touch no range that another one writes.
-    // The uses are the union over them. Empty: the pass does the same every frame.
-    std::vector<PassTurn> turns;
+    // One of a repeat that is spread over frames (`perFrame`): frame f runs turn f mod turns, frame 0 runs all.
+    // What it writes is kept, so that the other frames find it. 0 turns: it runs in every frame.
+    uint32_t turn = 0;
+    uint32_t turns = 0;
     uint32_t order_key = 0;                  // program order of graphs made in memory; names break ties
     SourceLoc loc;
 };
+
+// Whether the pass does anything in a frame, counted from the first one of its plan. Its barriers always hold.
+[[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
 
 struct ResolvedGraph {
     std::string name;

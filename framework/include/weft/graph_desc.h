@@ -157,6 +157,8 @@ struct PassDesc {
     std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name
     Expr condition;                         // "if"; absent: always
     std::vector<RepeatDesc> repeat;         // outermost first
+    bool per_frame = false;                 // its rounds take turns, one a frame
+    SourceLoc per_frame_loc;
     std::optional<PortDesc> indirect;       // where the workgroups are counted
     std::vector<Expr> groups;               // workgroups, one or three (or one of two components)
     std::vector<Expr> threads;              // invocations

@@ -1,0 +1,72 @@
+// Passes that take turns leave what they wrote for the frames between: a plan that loses it is found out, by
+// the null executor and by the checker.
+#include <gtest/gtest.h>
+
+#include "check/check_plan.h"
+#include "null/null_executor.h"
+#include "random_plans.h"
+
+namespace weft::test {
+namespace {
+
+// Every pass that only writes what stays anyway gets a turn of three.
+uint32_t spread_over_frames(ResolvedGraph& graph) {
+    uint32_t count = 0;
+    for (PassDecl& pass : graph.passes) {
+        bool writes_any = false, all_stay = true;
+        for (const UseDecl& use : pass.uses) {
+            if (!writes(use.access)) continue;
+            const ResourceDecl& decl = graph.resources[use.resource];
+            writes_any = true;
+            all_stay &= decl.lifetime == ResourceLifetime::persistent && decl.history == 0;
+        }
+        if (!writes_any || !all_stay || pass.side_effect) continue;
+        pass.turns = 3;
+        pass.turn = count++ % 3;
+    }
+    return count;
+}
+
+TEST(Turns, RandomFramesGiveWhatTheyMean) {
+    uint32_t passes = 0;
+    for (uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ResolvedGraph graph = random_graph(seed, all_features());
+        passes += spread_over_frames(graph);
+        const FramePlan plan = compile(graph, content_needs(graph), random_options(seed));
+        const Diagnostics faults = check_plan(plan);
+        ASSERT_TRUE(faults.empty()) << to_text(faults.front());
+        const NullRun wanted = run_reference(plan.graph, plan.live, 5);
+        const NullRun found = run_null(plan, {5, seed, NullOrder::shuffled});
+        const std::vector<std::string> different = differences(plan.graph, wanted, found);
+        ASSERT_TRUE(different.empty()) << different.front();
+    }
+    std::printf("seeds 0..299: %u passes take turns\n", passes);
+    EXPECT_GE(passes, 30u);
+}
+
+TEST(Turns, ContentThatIsDroppedIsMissed) {
+    uint32_t planted = 0;
+    for (uint32_t seed = 0; seed < 300 && planted < 5; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ResolvedGraph graph = random_graph(seed, all_features());
+        if (spread_over_frames(graph) == 0) continue;
+        FramePlan plan = compile(graph, content_needs(graph), {});
+        bool dropped = false;
+        for (PassStep& step : plan.barriers.steps) {
+            for (BarrierDecl& barrier : step.barriers) {
+                const ResourceDecl& decl = plan.graph.resources[barrier.resource];
+                if (plan.graph.passes[step.pass].turns == 0 || decl.kind != ResourceKind::image) continue;
+                barrier.src.layout = Layout::undefined;
+                dropped = true;
+            }
+        }
+        if (!dropped) continue;
+        ++planted;
+        EXPECT_FALSE(check_plan(plan).empty());
+    }
+    EXPECT_EQ(planted, 5u);
+}
+
+}  // namespace
+}  // namespace weft::test
