@@ -45,12 +45,27 @@ Result<FramePlan> checked_plan(vk::Device& device, const ResolvedGraph& graph, c
     return plan;
 }
 
+// Draws say by their first instance what they draw, which indirect ones need a feature for.
+Diagnostics missing_features(const vk::Device& device, const FramePlan& plan) {
+    Diagnostics missing;
+    if (device.optional().draw_indirect_first_instance) return missing;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        if (pass.draw_commands_use == kNoId) continue;
+        missing.push_back(plan.graph.sources.error(
+            pass.loc, "V417",
+            "pass \"" + pass.name + "\" draws indirectly; the device lacks drawIndirectFirstInstance"));
+        missing.back().help = {"draw the list directly: \"draws\": [\"" + pass.draw_lists.front() + "\"]"};
+    }
+    return missing;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene::Scene& scene,
                                                  const SessionInput& input, Diagnostics& warnings) {
     std::unique_ptr<Session> session(new Session);
-    session->imports_ = scene_imports(input.size);
+    session->imports_ = scene_imports(input.size, &scene);
     own_imports(device, session->imports_);
     session->passes_ = *input.passes;
     Result<LoadedGraph> loaded =
@@ -61,6 +76,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     session->loaded_ = std::move(*loaded);
     Result<FramePlan> plan = checked_plan(device, session->loaded_.graph, input);
     if (!plan) return plan.take_errors();
+    Diagnostics missing = missing_features(device, *plan);
+    if (!missing.empty()) return missing;
 
     Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene);
     if (!gpu) return gpu.take_errors();
@@ -82,6 +99,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     run.passes = &session->passes_;
     run.imports = &session->imports_;
     run.bindings.images.emplace("backbuffer", &session->output_);
+    for (const char* list : kDrawLists)
+        run.bindings.buffers.emplace(commands_of(list), session->scene_->commands(list));
     run.draws = session->scene_.get();
     run.timestamps = input.timestamps;
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device, std::move(run));

@@ -157,7 +157,7 @@ struct PassDesc {
     std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name
     Expr condition;                         // "if"; absent: always
     std::vector<RepeatDesc> repeat;         // outermost first
-    std::optional<PortDesc> indirect;       // where the workgroups are counted
+    std::optional<PortDesc> indirect;       // where the workgroups are counted, or what is drawn of `draws`
     std::vector<Expr> groups;               // workgroups, one or three (or one of two components)
     std::vector<Expr> threads;              // invocations
     RasterState state;
