@@ -150,6 +150,11 @@ void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass)
         resolve.target.ref = std::move(*ref);
         resolve.output_loc = member.value.loc;
         if (!read_string(context, member.value, resolve.output)) continue;
+        if (pass.depth && resolve.output == "depth") {
+            context.error(member.value.loc, "W109", "depth can't be resolved",
+                          "sample it in another pass, as a sampler2DMS, and write what you need of it");
+            continue;
+        }
         if (std::find(outputs.begin(), outputs.end(), resolve.output) == outputs.end())
             bad_choice(context, member.value, resolve.output, outputs);
         else
