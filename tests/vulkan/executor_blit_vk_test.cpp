@@ -67,8 +67,8 @@ class ExecutorBlitVk : public ExecutorTest {
 
     static void add_blit(GraphBuilder& builder, ResourceId from, ResourceId to, SamplerFilter filter,
                          std::optional<SubresourceRange> from_part = {},
-                         std::optional<SubresourceRange> to_part = {}) {
-        PassDecl& blit = builder.pass("blit", PassKind::copy,
+                         std::optional<SubresourceRange> to_part = {}, const std::string& name = "blit") {
+        PassDecl& blit = builder.pass(name, PassKind::copy,
                                       {{"src", from, Access::blit_read, from_part, kNoId},
                                        {"dst", to, Access::blit_write, to_part, kNoId}});
         blit.type = "blit";
@@ -194,6 +194,29 @@ TEST_F(ExecutorBlitVk, mips_and_layers_are_those_of_the_uses) {
                                                 : pattern(3 * x + 1, 3 * y + 1, layer) + 1000 * (mip + 1));
                 }
     EXPECT_EQ(values_of<uint32_t>(read[0]), wanted);
+}
+
+// Each mip from the one above it, in one image.
+TEST_F(ExecutorBlitVk, a_chain_of_mips_is_blitted_within_an_image) {
+    constexpr uint32_t kSide = 8, kMips = 4;
+    GraphBuilder builder;
+    const ResourceId chain = image(builder, "chain", Format::r32f, {kSide, kSide, 1}, kMips);
+    add_float_fill(builder, chain);
+    for (uint32_t mip = 1; mip < kMips; ++mip)
+        add_blit(builder, chain, chain, SamplerFilter::linear, test::one_cell(mip - 1), test::one_cell(mip),
+                 "blit" + std::to_string(mip));
+    add_readback(builder, chain, test::one_cell(kMips - 1));
+    const std::vector<ReadbackData> read = run(builder, 3);
+    ASSERT_EQ(read.size(), 3u);
+    double sum = 0;
+    for (int y = 0; y < static_cast<int>(kSide); ++y)
+        for (int x = 0; x < static_cast<int>(kSide); ++x)
+            sum += static_cast<double>(texel({{kSide, kSide, 1}}, x, y, 0));
+    for (const ReadbackData& data : read) {
+        const std::vector<float> texels = values_of<float>(data);
+        ASSERT_EQ(texels.size(), 1u);
+        EXPECT_NEAR(texels[0], sum / (kSide * kSide), 1.0 / 256) << "the average of all";
+    }
 }
 
 TEST_F(ExecutorBlitVk, depth_takes_the_nearest_texel) {
