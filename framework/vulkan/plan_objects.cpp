@@ -54,6 +54,9 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
             fault("no pass type \"" + pass.type + "\" was given");
         if (pass.kind == PassKind::raster && !pass.draw_lists.empty() && input.draws == nullptr)
             errors.push_back(pass_error(plan, pass, "V415", "it draws, but no draw source was given"));
+        if (pass.draw_commands_use != kNoId && pass.draw_lists.size() != 1)
+            fault("a buffer of draw commands is for one list, but it draws " +
+                  std::to_string(pass.draw_lists.size()));
         if (!runs_shader(pass.kind)) continue;
         const auto program =
             input.shaders == nullptr ? ShaderCatalog::const_iterator{} : input.shaders->find(pass.shader);

@@ -132,5 +132,19 @@ TEST_F(ExecutorIndirectDrawVk, a_draw_without_instances_is_not_drawn) {
     }
 }
 
+TEST_F(ExecutorIndirectDrawVk, one_buffer_is_for_one_list) {
+    GraphBuilder builder;
+    add_passes(builder, 0);
+    FramePlan plan = compile_plan(builder);
+    for (PassDecl& pass : plan.graph.passes)
+        if (pass.name == "draw") pass.draw_lists = {"opaque", "masked"};
+    const TriangleSource source(device());
+    ExecutorInput input = input_for(std::move(plan));
+    input.draws = &source;
+    const Result<std::unique_ptr<Executor>> made = Executor::create(device(), std::move(input));
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.errors().front().code, "V417");
+}
+
 }  // namespace
 }  // namespace weft::vk
