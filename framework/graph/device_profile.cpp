@@ -59,6 +59,17 @@ constexpr std::array kSwitches{
     Switch{"descriptorIndexing", &DeviceProfile::descriptor_indexing},
 };
 
+struct SampleCounts {
+    const char* name;
+    SampleCountMask DeviceProfile::*value;
+};
+constexpr std::array kSampleCounts{
+    SampleCounts{"colorSamples", &DeviceProfile::color_samples},
+    SampleCounts{"integerSamples", &DeviceProfile::integer_samples},
+    SampleCounts{"depthSamples", &DeviceProfile::depth_samples},
+};
+constexpr uint32_t kMostSamples = 64;
+
 // Left out of a file where they are what every profile begins with.
 constexpr std::array kMemoryLimits{
     WideLimit{"imageAlignmentBytes", &DeviceProfile::image_alignment_bytes},
@@ -123,6 +134,23 @@ struct ProfileReader {
             }
             profile.formats[*format] = mask;
         }
+    }
+
+    bool sample_counts(const std::string& key, const Json& list, DeviceProfile& profile) {
+        const auto it = std::find_if(kSampleCounts.begin(), kSampleCounts.end(),
+                                     [&](const SampleCounts& s) { return key == s.name; });
+        if (it == kSampleCounts.end() || !list.is_array()) return false;
+        SampleCountMask mask = 0;
+        for (const Json& item : list) {
+            const uint64_t count = item.is_number_unsigned() ? item.get<uint64_t>() : 0;
+            if (std::has_single_bit(count) && count <= kMostSamples)
+                mask |= static_cast<SampleCountMask>(count);
+            else
+                fault("/" + key, item.dump() + " samples a pixel", "counts are 1, 2, 4, 8, 16, 32 and 64");
+        }
+        if ((mask & 1) == 0) fault("/" + key, "no single sample", "every device has images of one sample");
+        profile.*it->value = mask;
+        return true;
     }
 
     void queues(const Json& list, DeviceProfile& profile) {
@@ -205,7 +233,7 @@ struct ProfileReader {
             heaps(value, profile);
         } else if (key == "memoryTypes" && value.is_array()) {
             types(value, profile);
-        } else if (!limit(key, value, profile)) {
+        } else if (!sample_counts(key, value, profile) && !limit(key, value, profile)) {
             fault("/" + key, "unknown key or wrong type", "compare it with what `weft doctor --json` writes");
         }
     }
@@ -234,6 +262,19 @@ struct ProfileReader {
 FormatFeatureMask DeviceProfile::features(Format format) const {
     const auto it = formats.find(format);
     return it == formats.end() ? 0 : it->second;
+}
+
+SampleCountMask DeviceProfile::samples(Format format) const {
+    switch (format_info(format).numeric) {
+        case NumericClass::float_like:
+            return color_samples;
+        case NumericClass::sint:
+        case NumericClass::uint:
+            return format_info(format).stencil ? depth_samples : integer_samples;
+        case NumericClass::depth:
+            return depth_samples;
+    }
+    return 1;
 }
 
 Result<DeviceProfile> parse_profile(const std::string& json, const std::string& file) {
@@ -291,6 +332,9 @@ std::string profile_to_json(const DeviceProfile& profile) {
     }
     for (const Limit& l : kLimits) root[l.name] = profile.*l.value;
     for (const WideLimit& l : kWideLimits) root[l.name] = profile.*l.value;
+    for (const SampleCounts& s : kSampleCounts)
+        for (uint32_t count = 1; count <= kMostSamples; count <<= 1)
+            if (profile.*s.value & count) root[s.name].push_back(count);
     for (const Switch& s : kSwitches) root[s.name] = profile.*s.value;
     write_memory(profile, root);
     for (const auto& [format, mask] : profile.formats) {

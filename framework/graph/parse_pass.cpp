@@ -44,6 +44,7 @@ void read_shader(ParseContext& context, const JsonNode& node, PassDesc& pass) {
 }
 
 void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    if (node.kind == JsonKind::object) return parse_indirect_draws(context, node, pass);
     read_names(context, node, pass.draws, pass.draw_locs);
 }
 
@@ -256,8 +257,7 @@ void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& p
 void check_port_names(ParseContext& context, const PassDesc& pass) {
     for (const PortDesc& port : pass.in)
         if (pass.indirect && port.port == "indirect")
-            context.error(port.loc, "W109",
-                          "the size of the dispatch is read from a port called \"indirect\"",
+            context.error(port.loc, "W109", "what the pass runs is read from a port called \"indirect\"",
                           "give the input another name: { \"name\": \"" + port.ref.text + "\" }");
     for (const PortDesc& port : pass.out)
         if (pass.depth && port.port == "depth")

@@ -150,6 +150,11 @@ void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass)
         resolve.target.ref = std::move(*ref);
         resolve.output_loc = member.value.loc;
         if (!read_string(context, member.value, resolve.output)) continue;
+        if (pass.depth && resolve.output == "depth") {
+            context.error(member.value.loc, "W109", "depth can't be resolved",
+                          "sample it in another pass, as a sampler2DMS, and write what you need of it");
+            continue;
+        }
         if (std::find(outputs.begin(), outputs.end(), resolve.output) == outputs.end())
             bad_choice(context, member.value, resolve.output, outputs);
         else
@@ -168,6 +173,38 @@ void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass)
         missing_key(context, node.loc, "the size of a dispatch", "indirect",
                     "name the buffer that holds it: { \"indirect\": \"args\" }");
     pass.indirect = std::move(draft.port);
+}
+
+// {"list": "opaque", "indirect": "commands"}
+void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    struct DrawsDraft {
+        PortDraft commands;
+        std::string list;
+        SourceLoc list_loc;
+    };
+    static constexpr std::array kKeys{
+        KeyRule<DrawsDraft>{"list",
+                            [](ParseContext& c, const JsonNode& n, DrawsDraft& d) {
+                                d.list_loc = n.loc;
+                                read_string(c, n, d.list);
+                            }},
+        KeyRule<DrawsDraft>{"indirect", [](ParseContext& c, const JsonNode& n, DrawsDraft& d) {
+                                read_ref(c, n, d.commands);
+                            }}};
+    DrawsDraft draft;
+    draft.commands.port.port = "indirect";
+    draft.commands.port.loc = node.loc;
+    if (!read_object(context, node, "a list drawn indirectly", kKeys, draft)) return;
+    for (const auto& [key, help] :
+         {std::pair{"list", "name the draw list: { \"list\": \"opaque\", \"indirect\": \"commands\" }"},
+          std::pair{"indirect", "name the buffer of draw commands, or write \"draws\": [\"opaque\"]"}})
+        if (node.find(key) == nullptr && node.members.size() < 2)  // else it is misspelt
+            missing_key(context, node.loc, "a list drawn indirectly", key, help);
+    if (!draft.list.empty()) {
+        pass.draws.push_back(std::move(draft.list));
+        pass.draw_locs.push_back(draft.list_loc);
+    }
+    if (draft.commands.has_ref) pass.indirect = std::move(draft.commands.port);
 }
 
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {

@@ -103,8 +103,6 @@ class AttachmentStep {
             return error(to.loc, what + "both are multisampled", "remove \"samples\" of " + quoted(one.name));
         if (many.format != one.format)
             return error(to.loc, what + "their formats differ", "give both the same format");
-        if (format_info(many.format).numeric != NumericClass::float_like)
-            return error(to.loc, what + "integers have no average", "use a format of floats or fractions");
         if (use_extent(state_, to) != decl_.render_extent)
             error(to.loc,
                   what + "they are " + extent_text(decl_.render_extent) + " and " +

@@ -21,6 +21,7 @@ constexpr std::array kBuiltins{
 };
 constexpr std::string_view kSizeSuffix = "Size";
 constexpr std::string_view kValidSuffix = "Valid";
+constexpr std::string_view kDrawsSuffix = "Draws";
 
 class BlockStep {
  public:
@@ -85,6 +86,16 @@ class BlockStep {
         report_unknown(member);
     }
 
+    // "opaqueDraws"
+    bool counts_draws(std::string_view name) const {
+        if (!name.ends_with(kDrawsSuffix) || state_.input.graph.sizes.contains(std::string(name)))
+            return false;
+        name.remove_suffix(kDrawsSuffix.size());
+        const auto import = state_.input.graph.imports.find(std::string(name));
+        return import != state_.input.graph.imports.end() &&
+               import->second.kind == import_kind_name(ImportKind::draw_list);
+    }
+
     // Each from_… is true when the name is theirs, even if its value is wrong: then that was reported.
     bool from_pass(const BlockMember& member, ParamWrite& write) {
         const auto param = std::ranges::find(work_.desc->params, member.name, &ParamValueDesc::name);
@@ -103,7 +114,7 @@ class BlockStep {
     bool from_graph(const BlockMember& member, ParamWrite& write) {
         const bool named = work_.indices.contains(member.name) ||
                            state_.input.graph.params.contains(member.name) ||
-                           state_.input.graph.consts.contains(member.name);
+                           state_.input.graph.consts.contains(member.name) || counts_draws(member.name);
         const std::optional<ExprValue> value = state_.names.value(member.name);
         if (!named || !value) return false;
         store(member, write, {value->x}, shader_loc());

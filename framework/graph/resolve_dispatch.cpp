@@ -1,5 +1,6 @@
 // How many workgroups a compute pass runs: ceil(extent of its output range / local size), or what it says.
-// Copies are checked here too: both ends must have the same shape.
+// So are the commands that raster passes draw by. Copies are checked here too: both ends must have the same
+// shape.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -141,6 +142,32 @@ class DispatchStep {
     PassDecl& decl_;
 };
 
+// The buffer of a raster pass's draw commands: as many as its list has draws.
+void find_draw_commands(ResolveState& state, PassId pass) {
+    constexpr uint64_t kCommandBytes = 20;
+    const PassWork& work = state.passes[pass];
+    PassDecl& decl = state.graph.passes[pass];
+    const auto port = std::ranges::find_if(work.ports, &PortWork::is_indirect);
+    if (port == work.ports.end()) return;
+    decl.draw_commands_use = static_cast<uint32_t>(port - work.ports.begin());
+    const UseDecl& use = decl.uses[decl.draw_commands_use];
+    const ResourceDecl& resource = state.graph.resources[use.resource];
+    if (state.resources[use.resource].suspect_shape || decl.draw_lists.empty()) return;
+    const std::string& list = decl.draw_lists.front();
+    const uint64_t draws = state.input.imports.imports.at(list).draws;
+    const bool buffer = resource.kind == ResourceKind::buffer;
+    if (buffer && resource.size_bytes >= draws * kCommandBytes) return;
+    Diagnostic& d = state.pass_error(
+        pass, use.loc, "W114",
+        "pass " + quoted(decl.name) + " reads its draw commands from " + quoted(resource.name) +
+            (buffer ? ", which has " + std::to_string(resource.size_bytes) + " bytes; the " +
+                          std::to_string(draws) + " draws of " + quoted(list) + " take " +
+                          std::to_string(draws * kCommandBytes)
+                    : ", which is an image"));
+    add_help(
+        d, "it takes a buffer of as many: { \"buffer\": \"DrawCommand\", \"count\": \"" + list + "Draws\" }");
+}
+
 std::string shape_text(const ResolveState& state, const UseDecl& use) {
     const ResourceDecl& resource = state.graph.resources[use.resource];
     if (resource.kind == ResourceKind::buffer) return std::to_string(resource.size_bytes) + " bytes";
@@ -216,6 +243,7 @@ void resolve_dispatches(ResolveState& state) {
         const IndexScope scope(state, pass);
         const bool compute = state.graph.passes[pass].kind == PassKind::compute;
         if (compute && state.passes[pass].shader) DispatchStep(state, pass).run();
+        if (state.graph.passes[pass].kind == PassKind::raster) find_draw_commands(state, pass);
         check_copy(state, pass);
     }
 }

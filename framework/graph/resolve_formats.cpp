@@ -143,6 +143,26 @@ std::optional<std::vector<Format>> candidates(ResolveState& state, const Resourc
     return std::nullopt;
 }
 
+std::string counts_text(SampleCountMask counts) {
+    std::string text;
+    for (uint32_t count = 1; count <= counts && count != 0; count <<= 1)
+        if (counts & count) text += (text.empty() ? "" : ", ") + std::to_string(count);
+    return text;
+}
+
+// Which numbers of samples there are depends on the format.
+bool check_samples(ResolveState& state, const ResourceDecl& decl) {
+    const SampleCountMask offered = state.input.profile.samples(decl.format);
+    if (decl.samples == 1 || (offered & decl.samples) != 0) return true;
+    const std::string format = quoted(format_info(decl.format).name);
+    Diagnostic& d = state.error(decl.loc, "W119",
+                                "image " + quoted(decl.name) + " has " + std::to_string(decl.samples) +
+                                    " samples; the device offers " + counts_text(offered) + " for " + format);
+    add_help(d, offered > 1 ? "give it one of these" : "remove \"samples\", or use another format");
+    add_help(d, "the limit comes from the device profile " + quoted(state.input.profile.name));
+    return false;
+}
+
 bool choose_format(ResolveState& state, ResourceDecl& decl, const ResourceDesc& desc, const Needs& needs) {
     const std::optional<std::vector<Format>> formats = candidates(state, desc);
     if (!formats) return false;
@@ -152,7 +172,8 @@ bool choose_format(ResolveState& state, ResourceDecl& decl, const ResourceDesc& 
             features_needed(decl.usage, needs, format) & ~state.input.profile.features(format);
         if (missing == 0) {
             set_format(decl, format);
-            if (decl.image_kind != ImageKind::d3 || decl.aspects == aspect::kColor) return true;
+            if (decl.image_kind != ImageKind::d3 || decl.aspects == aspect::kColor)
+                return check_samples(state, decl);
             add_help(state.error(desc.loc, "W109", "3D image " + quoted(desc.name) + " has a depth format"),
                      "use a colour format, or an array");
             return false;

@@ -108,6 +108,20 @@ class SizeEvaluator {
     std::vector<std::string> path_;
 };
 
+// How long the imported draw lists are: "opaqueDraws". What the author calls so comes first.
+void count_draws(ResolveState& state) {
+    for (const auto& [list, import] : state.input.graph.imports) {
+        if (import.kind != import_kind_name(ImportKind::draw_list)) continue;
+        const std::string name = list + "Draws";
+        if (state.names.values.contains(name) || state.input.graph.sizes.contains(name)) continue;
+        const auto offered = state.input.imports.imports.find(list);
+        if (offered == state.input.imports.imports.end())
+            state.faulty_values.push_back(name);  // the import is reported
+        else
+            state.names.values[name] = number_value(offered->second.draws);
+    }
+}
+
 }  // namespace
 
 void resolve_values(ResolveState& state) {
@@ -115,6 +129,7 @@ void resolve_values(ResolveState& state) {
     state.names.values["output"] = size_value(output.width, output.height);
     for (const auto& [name, value] : state.input.graph.consts) state.names.values[name] = number_value(value);
     resolve_params(state);
+    count_draws(state);
     SizeEvaluator sizes(state);
     for (const auto& [name, unused] : state.input.graph.sizes) sizes.evaluate_size(name);
 }

@@ -3,23 +3,17 @@
 #include <algorithm>
 #include <array>
 
+#include "render/import_catalog.h"
+#include "shared/draw_command.glsl"
+
 namespace weft::render {
 namespace {
 
 constexpr VkDescriptorSetLayoutBinding kInstanceBinding{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
                                                         VK_SHADER_STAGE_VERTEX_BIT, nullptr};
 
-const char* list_of(const scene::Material& material) {
-    switch (material.alpha_mode) {
-        case scene::AlphaMode::opaque:
-            return "opaque";
-        case scene::AlphaMode::mask:
-            return "masked";
-        case scene::AlphaMode::blend:
-            return "transparent";
-    }
-    return "opaque";
-}
+constexpr uint32_t kCommandBytes = sizeof(VkDrawIndexedIndirectCommand);
+static_assert(sizeof(shared::DrawCommand) == kCommandBytes);
 
 }  // namespace
 
@@ -40,6 +34,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     const VkDescriptorBufferInfo buffer{gpu->geometry_.instances.handle(), 0, VK_WHOLE_SIZE};
     write_buffers(device, gpu->instances_.sets[0], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {&buffer, 1});
     gpu->sort_draws(scene);
+    if (Status uploaded = gpu->upload_commands(device); !uploaded) return uploaded.take_errors();
     return gpu;
 }
 
@@ -48,7 +43,7 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Material& material = scene.materials[instance.material];
         const bool mirrored = glm::determinant(glm::mat3(instance.transform)) < 0;
-        lists_[list_of(material)].push_back(
+        lists_[draw_list_of(material)].push_back(
             {geometry_.meshes[instance.mesh], i, instance.material, material.double_sided, mirrored});
     }
     // Few state changes; stable, so that equal draws keep the scene's order and the picture is always the
@@ -56,6 +51,30 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
     for (auto& [name, draws] : lists_)
         std::stable_sort(draws.begin(), draws.end(),
                          [](const Draw& a, const Draw& b) { return a.material < b.material; });
+}
+
+Status GpuScene::upload_commands(vk::Device& device) {
+    for (const char* list : kDrawLists) {
+        std::vector<shared::DrawCommand> commands;
+        for (const Draw& draw : lists_[list])
+            commands.push_back(
+                {draw.mesh.index_count, 1, draw.mesh.first_index, draw.mesh.vertex_offset, draw.instance});
+        if (commands.empty()) commands.emplace_back();  // there are no buffers of nothing
+        const std::span<const std::byte> bytes = std::as_bytes(std::span(commands));
+        Result<vk::Buffer> buffer =
+            vk::Buffer::create(device, bytes.size(),
+                               VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                   VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                               vk::Buffer::Memory::device, commands_of(list));
+        if (!buffer) return buffer.take_errors();
+        if (Status copied = vk::upload_buffer(device, *buffer, bytes); !copied) return copied;
+        commands_.emplace(list, std::move(*buffer));
+    }
+    return Unit{};
+}
+
+VkBuffer GpuScene::commands(std::string_view list) const {
+    return commands_.find(list)->second.handle();
 }
 
 VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {
@@ -89,7 +108,8 @@ void GpuScene::record(const vk::DrawContext& context) const {
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    instances_.sets.data(), 0, nullptr);
     uint32_t bound_material = scene::kNone;
-    for (const Draw& draw : found->second) {
+    for (uint32_t i = 0; i < found->second.size(); ++i) {
+        const Draw& draw = found->second[i];
         if (context.uses_materials && draw.material != bound_material) {
             const VkDescriptorSet set = materials_.set(draw.material);
             fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 2, 1, &set,
@@ -100,8 +120,12 @@ void GpuScene::record(const vk::DrawContext& context) const {
                              draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
         if (context.cull == CullMode::material)
             fn.vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-        fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, 1, draw.mesh.first_index,
-                            draw.mesh.vertex_offset, draw.instance);
+        if (context.draw_commands != VK_NULL_HANDLE)
+            fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{i} * kCommandBytes, 1,
+                                        kCommandBytes);
+        else
+            fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, 1, draw.mesh.first_index,
+                                draw.mesh.vertex_offset, draw.instance);
     }
 }
 

@@ -1,5 +1,6 @@
 // Purpose: a scene on the GPU as graphs draw it: the lists opaque, masked and transparent, sorted by
-// material, and the sets 0 (frame), 2 (material) and 3 (draw) that shaders/include/*_set.glsl declare.
+// material, a buffer of draw commands for each, and the sets 0 (frame), 2 (material) and 3 (draw) that
+// shaders/include/*_set.glsl declare.
 #pragma once
 
 #include <map>
@@ -27,6 +28,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
     void record(const vk::DrawContext& context) const override;
+    // What the import commands_of(list) is bound to; of any list that import_catalog.h names.
+    [[nodiscard]] VkBuffer commands(std::string_view list) const;
 
  private:
     struct Draw {
@@ -39,12 +42,14 @@ class GpuScene final : public vk::DrawSource {
 
     GpuScene() = default;
     void sort_draws(const scene::Scene& scene);
+    [[nodiscard]] Status upload_commands(vk::Device& device);
 
     GpuGeometry geometry_;
     GpuMaterials materials_;
     GpuFrame frame_;
     DescriptorSets instances_;  // one set
     std::map<std::string, std::vector<Draw>, std::less<>> lists_;
+    std::map<std::string, vk::Buffer, std::less<>> commands_;  // by list
 };
 
 }  // namespace weft::render

@@ -1,5 +1,8 @@
 #include "render/import_catalog.h"
 
+#include <algorithm>
+
+#include "shared/draw_command.glsl"
 #include "shared/light.glsl"
 
 namespace weft::render {
@@ -14,13 +17,39 @@ VertexFormat canonical_vertex_format() {
              {"uv", Format::rg32f, 1, 16}}};
 }
 
-ImportDecl draw_list(const std::string& name, DrawVariant variant) {
+ImportDecl draw_list(const std::string& name, DrawVariant variant, uint32_t draws) {
     ImportDecl import;
     import.name = name;
     import.kind = ImportKind::draw_list;
     import.variants = {std::move(variant)};
     import.vertex_format = canonical_vertex_format();
+    import.draws = draws;
     return import;
+}
+
+ImportDecl draw_commands(const ImportDecl& list) {
+    ImportDecl import;
+    import.name = commands_of(list.name);
+    import.kind = ImportKind::buffer;
+    ResourceDecl& buffer = import.resource;
+    buffer.name = import.name;
+    buffer.kind = ResourceKind::buffer;
+    buffer.lifetime = ResourceLifetime::imported;
+    buffer.stride_bytes = sizeof(shared::DrawCommand);
+    buffer.size_bytes = uint64_t{std::max(1u, list.draws)} * sizeof(shared::DrawCommand);
+    buffer.usage = usage::kStorage | usage::kTransferSrc | usage::kTransferDst | usage::kIndirect;
+    // Nobody but graphs touches it. One that writes it shall find its writes done in the next frame.
+    const AccessState between{stage::kCopy, access::kTransferRead, Layout::undefined};
+    buffer.import = ImportState{between, between, 0};
+    return import;
+}
+
+uint32_t count_draws(const scene::Scene* scene, std::string_view list) {
+    if (scene == nullptr) return 1;
+    return static_cast<uint32_t>(
+        std::ranges::count_if(scene->instances, [&](const scene::Instance& instance) {
+            return draw_list_of(scene->materials[instance.material]) == list;
+        }));
 }
 
 ImportDecl output(Extent3D extent) {
@@ -44,16 +73,33 @@ ImportDecl output(Extent3D extent) {
 
 }  // namespace
 
-ImportCatalog scene_imports(Extent3D output_extent) {
-    ImportCatalog catalog;
-    for (ImportDecl import :
-         {draw_list("opaque", {"opaque", {{"MASKED", 0}}}), draw_list("masked", {"masked", {{"MASKED", 1}}}),
-          draw_list("transparent", {"transparent", {{"MASKED", 0}}}), output(output_extent)}) {
-        const std::string name = import.name;
-        catalog.imports.emplace(name, std::move(import));
+const char* draw_list_of(const scene::Material& material) {
+    switch (material.alpha_mode) {
+        case scene::AlphaMode::opaque:
+            return "opaque";
+        case scene::AlphaMode::mask:
+            return "masked";
+        case scene::AlphaMode::blend:
+            return "transparent";
     }
+    return "opaque";
+}
+
+std::string commands_of(std::string_view list) {
+    return std::string(list) + "Commands";
+}
+
+ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
+    ImportCatalog catalog;
+    for (const char* list : kDrawLists) {
+        const double masked = std::string_view(list) == "masked" ? 1 : 0;
+        ImportDecl import = draw_list(list, {list, {{"MASKED", masked}}}, count_draws(scene, list));
+        catalog.imports.emplace(commands_of(list), draw_commands(import));
+        catalog.imports.emplace(list, std::move(import));
+    }
+    catalog.imports.emplace("backbuffer", output(output_extent));
     catalog.views = {"camera"};
-    catalog.strides = {{"Light", sizeof(shared::Light)}};
+    catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)}, {"Light", sizeof(shared::Light)}};
     return catalog;
 }
 

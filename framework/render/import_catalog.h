@@ -1,12 +1,22 @@
 // Purpose: what a scene offers to graphs, known without a device: the draw lists opaque, masked and
-// transparent, the output image, the element type Light, and the view "camera".
+// transparent, their draw commands (opaqueCommands, …), the output image, the element types Light and
+// DrawCommand, and the view "camera".
 #pragma once
 
+#include <array>
+
+#include "scene/scene.h"
 #include "weft/imports.h"
 
 namespace weft::render {
 
+inline constexpr std::array kDrawLists{"opaque", "masked", "transparent"};
+[[nodiscard]] const char* draw_list_of(const scene::Material& material);
+// The import that holds a shared::DrawCommand for each draw of the list; of one, where there is none.
+[[nodiscard]] std::string commands_of(std::string_view list);
+
 // The output is a UNORM image that the last pass encodes; after the frame it is copied, blitted or read back.
-[[nodiscard]] ImportCatalog scene_imports(Extent3D output_extent);
+// Without a scene every list has one draw.
+[[nodiscard]] ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene = nullptr);
 
 }  // namespace weft::render

@@ -27,13 +27,16 @@ uint32_t position_of(const FramePlan& plan, const std::string& pass) {
 }
 
 // What the imports' objects will be: of all families where the device has queues of several, else of one.
-ImportCatalog imports_for(const vk::Device& device, Extent3D size) {
-    ImportCatalog catalog = scene_imports(size);
+void own_imports(const vk::Device& device, ImportCatalog& catalog) {
     for (auto& [name, import] : catalog.imports) {
         if (!import.resource.import) continue;
         import.resource.import->concurrent = !device.sharing_families().empty();
         import.resource.import->family = device.queue().family;
     }
+}
+
+ImportCatalog resized(ImportCatalog catalog, Extent3D size) {
+    catalog.imports.at("backbuffer").resource.extent = size;
     return catalog;
 }
 
@@ -46,6 +49,21 @@ Result<FramePlan> checked_plan(vk::Device& device, const ResolvedGraph& graph, c
     Diagnostics faults = check_plan(plan);
     if (!faults.empty()) return faults;
     return plan;
+}
+
+// Draws say by their first instance what they draw, which indirect ones need a feature for.
+Diagnostics missing_features(const vk::Device& device, const FramePlan& plan) {
+    Diagnostics missing;
+    if (device.optional().draw_indirect_first_instance) return missing;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        if (pass.draw_commands_use == kNoId) continue;
+        missing.push_back(plan.graph.sources.error(
+            pass.loc, "V417",
+            "pass \"" + pass.name + "\" draws indirectly; the device lacks drawIndirectFirstInstance"));
+        missing.back().help = {"draw the list directly: \"draws\": [\"" + pass.draw_lists.front() + "\"]"};
+    }
+    return missing;
 }
 
 }  // namespace
@@ -65,6 +83,8 @@ LoadInput Session::load_input(const ImportCatalog& imports, Extent3D size) const
 Result<Session::Stage> Session::make_stage(ImportCatalog imports, const ResolvedGraph& graph) {
     Result<FramePlan> plan = checked_plan(device_, graph, input_);
     if (!plan) return plan.take_errors();
+    Diagnostics missing = missing_features(device_, *plan);
+    if (!missing.empty()) return missing;
     Result<vk::Image> output = vk::Image::create(device_, imports.imports.at("backbuffer").resource);
     if (!output) return output.take_errors();
     vk::ExecutorInput run;
@@ -74,6 +94,8 @@ Result<Session::Stage> Session::make_stage(ImportCatalog imports, const Resolved
     run.passes = &passes_;
     run.imports = &imports;
     run.bindings.images.emplace("backbuffer", &*output);
+    for (const char* list : kDrawLists)
+        run.bindings.buffers.emplace(commands_of(list), scene_->commands(list));
     run.draws = scene_.get();
     run.timestamps = input_.timestamps;
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
@@ -84,7 +106,8 @@ Result<Session::Stage> Session::make_stage(ImportCatalog imports, const Resolved
 Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene::Scene& scene,
                                                  const SessionInput& input, Diagnostics& warnings) {
     std::unique_ptr<Session> session(new Session(device, input));
-    ImportCatalog imports = imports_for(device, input.size);
+    ImportCatalog imports = scene_imports(input.size, &scene);
+    own_imports(device, imports);
     Result<LoadedGraph> loaded = load_graph(session->load_input(imports, input.size), warnings);
     if (!loaded) return loaded.take_errors();
     session->loaded_ = std::move(*loaded);
@@ -102,7 +125,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
 
 Status Session::resize(Extent3D size, Diagnostics& warnings) {
     if (size == input_.size) return Unit{};
-    ImportCatalog imports = imports_for(device_, size);
+    ImportCatalog imports = resized(stage_.imports, size);
     Result<ResolvedGraph> graph = resolve_again(loaded_, load_input(imports, size), warnings);
     if (!graph) return graph.take_errors();
     Result<Stage> stage = make_stage(std::move(imports), *graph);

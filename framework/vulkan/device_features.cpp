@@ -49,6 +49,7 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::depthBiasClamp, &OptionalFeatures::depth_bias_clamp},
     OptionalFeature<F10>{&F10::samplerAnisotropy, &OptionalFeatures::anisotropy},
     OptionalFeature<F10>{&F10::imageCubeArray, &OptionalFeatures::cube_arrays},
+    OptionalFeature<F10>{&F10::drawIndirectFirstInstance, &OptionalFeatures::draw_indirect_first_instance},
     OptionalFeature<F10>{&F10::shaderStorageImageReadWithoutFormat,
                          &OptionalFeatures::storage_read_without_format},
 };

@@ -46,6 +46,9 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.max_image_layers = limits.maxImageArrayLayers;
     profile.max_push_constants_bytes = limits.maxPushConstantsSize;
     profile.max_color_attachments = limits.maxColorAttachments;
+    profile.color_samples = limits.framebufferColorSampleCounts & limits.sampledImageColorSampleCounts;
+    profile.depth_samples = limits.framebufferDepthSampleCounts & limits.framebufferStencilSampleCounts &
+                            limits.sampledImageDepthSampleCounts;
     profile.max_workgroup_invocations = limits.maxComputeWorkGroupInvocations;
     profile.max_sampled_images_per_stage = limits.maxPerStageDescriptorSampledImages;
     profile.max_storage_images_per_stage = limits.maxPerStageDescriptorStorageImages;
@@ -74,8 +77,10 @@ void add_queue_families(const InstanceFunctions& fn, VkPhysicalDevice physical, 
 }  // namespace
 
 DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physical) {
+    VkPhysicalDeviceVulkan12Properties v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
     VkPhysicalDeviceProperties2 properties{};
     properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &v12;
     fn.vkGetPhysicalDeviceProperties2(physical, &properties);
     FeatureChain supported;
     fn.vkGetPhysicalDeviceFeatures2(physical, &supported.head());
@@ -85,6 +90,8 @@ DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physica
     add_queue_families(fn, physical, profile);
     add_formats(fn, physical, profile);
     add_limits(properties.properties.limits, profile);
+    profile.integer_samples = v12.framebufferIntegerColorSampleCounts &
+                              properties.properties.limits.sampledImageIntegerSampleCounts;
     profile.storage_read_without_format = supported.v10().shaderStorageImageReadWithoutFormat == VK_TRUE;
     profile.descriptor_indexing = supported.v12().descriptorIndexing == VK_TRUE;
     return profile;

@@ -19,6 +19,9 @@ struct DrawContext {
     uint32_t variant = 0;                // index into the list's variants; the pipeline for it is bound
     CullMode cull = CullMode::material;  // `material`: the source sets cull mode and front face for each draw
     uint32_t frame_slot = 0;
+    // One VkDrawIndexedIndirectCommand for each draw of the list, in its order, packed, to be drawn instead;
+    // null: the list as it is.
+    VkBuffer draw_commands = VK_NULL_HANDLE;
     bool uses_materials = false;  // the pipeline layout has set 2
     bool uses_instances = false;  // … and set 3
 };

@@ -1,5 +1,7 @@
 #include "vulkan/plan_objects.h"
 
+#include <algorithm>
+
 #include "vulkan/executor_errors.h"
 
 namespace weft::vk {
@@ -19,7 +21,16 @@ bool copies_like_to_like(const FramePlan& plan, const PassDecl& pass) {
            plan.graph.resources[pass.uses[1].resource].kind;
 }
 
-Diagnostics check_passes(const FramePlan& plan, const ExecutorInput& input) {
+// Of what llvmpipe (Mesa 22.3) gets wrong: it resolves from and into layer 0, whatever layers the views show.
+bool is_resolved_elsewhere(const Device& device, const PassDecl& pass) {
+    if (!device.info().driver.starts_with("llvmpipe")) return false;
+    return std::any_of(pass.colors.begin(), pass.colors.end(), [&](const AttachmentDecl& color) {
+        return color.resolve_use != kNoId &&
+               (pass.uses[color.use].range.layer != 0 || pass.uses[color.resolve_use].range.layer != 0);
+    });
+}
+
+Diagnostics check_passes(const Device& device, const FramePlan& plan, const ExecutorInput& input) {
     Diagnostics errors;
     const Rings rings(plan);
     for (const PassId id : plan.schedule.order) {
@@ -34,10 +45,18 @@ Diagnostics check_passes(const FramePlan& plan, const ExecutorInput& input) {
                 std::to_string(rings.period(pass)) + " frames");
         if (pass.kind == PassKind::copy && !copies_like_to_like(plan, pass))
             fault("a copy needs one input and one output, both images or both buffers");
+        if (is_resolved_elsewhere(device, pass)) {
+            fault(
+                "it resolves a layer behind the first, and llvmpipe resolves the first whatever it is told");
+            errors.back().help = {"resolve into an image of one layer, and copy that"};
+        }
         if (pass.kind == PassKind::custom && (input.passes == nullptr || !input.passes->contains(pass.type)))
             fault("no pass type \"" + pass.type + "\" was given");
         if (pass.kind == PassKind::raster && !pass.draw_lists.empty() && input.draws == nullptr)
             errors.push_back(pass_error(plan, pass, "V415", "it draws, but no draw source was given"));
+        if (pass.draw_commands_use != kNoId && pass.draw_lists.size() != 1)
+            fault("a buffer of draw commands is for one list, but it draws " +
+                  std::to_string(pass.draw_lists.size()));
         if (!runs_shader(pass.kind)) continue;
         const auto program =
             input.shaders == nullptr ? ShaderCatalog::const_iterator{} : input.shaders->find(pass.shader);
@@ -131,7 +150,7 @@ Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& object
 }  // namespace
 
 Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input) {
-    Diagnostics errors = check_passes(input.plan, input);
+    Diagnostics errors = check_passes(device, input.plan, input);
     if (!errors.empty()) return errors;
     auto objects = std::make_unique<PlanObjects>(device, std::move(input.plan));
     objects->draws = input.draws;

@@ -32,7 +32,11 @@ void record_compute(const RecordContext& context, const PassDecl& pass, const Pr
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                          prepared.pipelines[0].pipeline.get());
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_COMPUTE);
-    fn.vkCmdDispatch(context.commands, pass.groups[0], pass.groups[1], pass.groups[2]);
+    if (pass.indirect_use != kNoId)
+        fn.vkCmdDispatchIndirect(context.commands,
+                                 context.resources.buffer(pass.uses[pass.indirect_use].resource), 0);
+    else
+        fn.vkCmdDispatch(context.commands, pass.groups[0], pass.groups[1], pass.groups[2]);
 }
 
 void record_fullscreen(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
@@ -60,6 +64,8 @@ void record_raster(const RecordContext& context, const PassDecl& pass, const Pre
         draws.variant = draw.variant;
         draws.cull = pass.state.cull;
         draws.frame_slot = context.slot;
+        if (pass.draw_commands_use != kNoId)
+            draws.draw_commands = context.resources.buffer(pass.uses[pass.draw_commands_use].resource);
         draws.uses_materials = prepared.layout.declares[kMaterialSet];
         draws.uses_instances = prepared.layout.declares[kInstanceSet];
         context.objects.draws->record(draws);

@@ -14,6 +14,20 @@ AttachmentOps ops_of(const PassStep& step, uint32_t use) {
     return {use, LoadOp::load, StoreOp::store};
 }
 
+// What happens to the samples of a pixel: floats are averaged, integers have no average.
+Status add_resolve(const FramePlan& plan, const UseDecl& target, ViewCache& views, uint64_t frame,
+                   VkRenderingAttachmentInfo& info) {
+    Result<VkImageView> view = views.attachment_view(target, frame);
+    if (!view) return view.take_errors();
+    const Format format = plan.graph.resources[target.resource].format;
+    info.resolveMode = format_info(format).numeric == NumericClass::float_like
+                           ? VK_RESOLVE_MODE_AVERAGE_BIT
+                           : VK_RESOLVE_MODE_SAMPLE_ZERO_BIT;
+    info.resolveImageView = *view;
+    info.resolveImageLayout = to_vk(target.state.layout);
+    return Unit{};
+}
+
 Result<VkRenderingAttachmentInfo> attachment(const PassDecl& pass, const AttachmentDecl& decl,
                                              const PassStep& step, ViewCache& views, uint64_t frame) {
     const UseDecl& use = pass.uses[decl.use];
@@ -59,6 +73,10 @@ Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassSte
         Result<VkRenderingAttachmentInfo> info = attachment(pass, color, step, views, frame);
         if (!info) return info.take_errors();
         info->clearValue.color = clear_color(plan.graph.resources[use.resource].format, color.clear);
+        if (color.resolve_use != kNoId) {
+            Status added = add_resolve(plan, pass.uses[color.resolve_use], views, frame, *info);
+            if (!added) return added.take_errors();
+        }
         if (scope.colors.size() <= color.location)
             scope.colors.resize(color.location + 1, {VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
         scope.colors[color.location] = *info;

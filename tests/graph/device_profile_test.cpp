@@ -48,6 +48,8 @@ TEST_P(ShippedProfile, ReadsWritesAndReadsTheSame) {
     EXPECT_EQ(again->image_alignment_bytes, profile->image_alignment_bytes);
     EXPECT_EQ(again->image_extra_bytes, profile->image_extra_bytes);
     EXPECT_EQ(again->formats, profile->formats);
+    for (const Format format : {Format::rgba8, Format::r32u, Format::d32f})
+        EXPECT_EQ(again->samples(format), profile->samples(format));
 }
 
 TEST_P(ShippedProfile, PlansOfRandomFramesAreSoundOnIt) {
@@ -70,6 +72,26 @@ TEST_P(ShippedProfile, PlansOfRandomFramesAreSoundOnIt) {
 INSTANTIATE_TEST_SUITE_P(All, ShippedProfile,
                          testing::Values("lavapipe", "discrete", "integrated", "tiler", "hostile"),
                          [](const auto& row) { return std::string(row.param); });
+
+TEST(DeviceProfile, SamplesAreThoseOfTheFormatsNumbers) {
+    const Result<DeviceProfile> profile = parse_profile(
+        R"j({"colorSamples": [1, 2, 16], "integerSamples": [1, 8], "depthSamples": [64, 1]})j", "p.json");
+    ASSERT_TRUE(profile.ok()) << to_text(profile.errors());
+    EXPECT_EQ(profile->samples(Format::b10g11r11f), 1u | 2 | 16);
+    EXPECT_EQ(profile->samples(Format::rgba8_srgb), 1u | 2 | 16);
+    EXPECT_EQ(profile->samples(Format::rg16u), 1u | 8);
+    EXPECT_EQ(profile->samples(Format::r32i), 1u | 8);
+    EXPECT_EQ(profile->samples(Format::d32f_s8), 1u | 64);
+    EXPECT_EQ(profile->samples(Format::s8), 1u | 64);
+    for (const char* bad : {"[1, 3]", "[1, 128]", "[4]", "4", "[1, \"4\"]", "[1, -4]"}) {
+        const Result<DeviceProfile> faulty =
+            parse_profile(std::string("{\"colorSamples\": ") + bad + "}", "p.json");
+        ASSERT_FALSE(faulty.ok()) << bad;
+        ASSERT_EQ(faulty.errors().size(), 1u) << to_text(faulty.errors());
+        EXPECT_EQ(faulty.errors()[0].code, "W140");
+        EXPECT_EQ(faulty.errors()[0].pointer, "/colorSamples");
+    }
+}
 
 TEST(DeviceProfile, DiscreteHasAFamilyForEachKindOfQueue) {
     const Result<DeviceProfile> profile = shipped("discrete");

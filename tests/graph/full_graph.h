@@ -39,6 +39,7 @@ inline constexpr const char* kFullGraph = R"json({
     "lines": { "type": "raster", "draws": ["opaque"], "shader": "lines", "out": ["hdrMs"],
       "resolve": { "hdr.mip(0).layer(0)": "hdrMs" } },
     "indirect": { "type": "compute", "shader": "light.comp", "groups": { "indirect": "args" }, "out": ["fog"] },
+    "culled": { "type": "raster", "draws": { "list": "opaque", "indirect": "args" }, "shader": "lines", "out": ["hdrMs"] },
     "shrink": { "type": "blit", "in": { "src": "hdr.mip(0)" }, "out": { "dst": "hdr.mip(1)" } },
     "wipe": { "type": "clear", "out": ["hdr"], "clear": 1 }
   }

@@ -26,6 +26,8 @@ class GraphBuilder {
     ResourceId image(std::string name, Format format = Format::r32u, uint32_t side_px = 16, uint32_t mips = 1,
                      uint32_t layers = 1);
     ResourceId buffer(std::string name, uint64_t size_bytes = 1024);
+    // For what the other functions don't say: samples, other extents. Before the first use.
+    [[nodiscard]] ResourceDecl& edit(ResourceId id) { return graph_.resources[id]; }
     // Turns a resource into an import.
     void import_as(ResourceId resource, const AccessState& entry, const AccessState& exit);
     // For all queue families.

@@ -29,6 +29,9 @@ std::string compute(const std::string& body) {
 std::string raster(const std::string& body) {
     return pass("\"type\": \"raster\", \"shader\": \"a\", \"draws\": [\"d\"], \"out\": [\"c\"], " + body);
 }
+std::string draws(const std::string& value) {
+    return pass("\"type\": \"raster\", \"shader\": \"a\", \"out\": [\"c\"], \"draws\": " + value);
+}
 std::string state(const std::string& body) {
     return raster("\"depth\": \"z\", \"state\": {" + body + "}");
 }
@@ -262,6 +265,11 @@ INSTANTIATE_TEST_SUITE_P(
                   {"W109"},
                   "\"cc\" is not among",
                   "did you mean \"c\"?"},
+        FaultCase{"ResolveOfDepth",
+                  raster("\"depth\": \"z\", \"resolve\": {\"x\": $$\"depth\"}"),
+                  {"W109"},
+                  "depth can't be resolved",
+                  "sampler2DMS"},
         FaultCase{"ResolveWhere", raster("\"resolve\": {\"x$$!\": \"c\"}"), {"W106"}, "found '!'"},
         FaultCase{"ResolveOfACompute",
                   compute("$$\"resolve\": {}"),
@@ -278,6 +286,18 @@ INSTANTIATE_TEST_SUITE_P(
                   {"W109"},
                   "a port called \"indirect\"",
                   "another name"},
+        FaultCase{"DrawsTypo",
+                  draws("{\"list\": \"a\", $$\"indirekt\": \"b\"}"),
+                  {"W101"},
+                  "\"indirekt\"",
+                  "did you mean \"indirect\"?"},
+        FaultCase{
+            "DrawsOfNoList", draws("$${\"indirect\": \"b\"}"), {"W108"}, "\"list\"", "name the draw list"},
+        FaultCase{"DrawsByNothing",
+                  draws("$${\"list\": \"a\"}"),
+                  {"W108"},
+                  "\"indirect\"",
+                  "\"draws\": [\"opaque\"]"},
         FaultCase{"IfString", compute("\"if\": $$[]"), {"W102"}, "a number or an expression"},
         FaultCase{"IfSyntax", compute("\"if\": \"a +$$\""), {"W106"}, "ends where"},
         FaultCase{"ConstantVector", compute("\"constants\": {$$\"N\": [1, 2]}"), {"W109"}, "one number"},

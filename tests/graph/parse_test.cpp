@@ -76,6 +76,8 @@ TEST(Parse, ComputeAndCustomPasses) {
     EXPECT_EQ(graph.passes.at("lines").resolves.at(0).output, "hdrMs");
     EXPECT_EQ(graph.passes.at("lines").resolves.at(0).target.ref.layer_first->text, "0");
     EXPECT_EQ(graph.passes.at("indirect").indirect->ref.name, "args");
+    EXPECT_EQ(graph.passes.at("culled").indirect->ref.name, "args");
+    EXPECT_EQ(graph.passes.at("culled").draws, (std::vector<std::string>{"opaque"}));
     EXPECT_EQ(graph.resources.at("sky").image_kind, ImageKind::cube);
     EXPECT_EQ(graph.resources.at("fog").image_kind, ImageKind::d3);
     EXPECT_EQ(graph.resources.at("hdrMs").samples, 4u);

@@ -170,5 +170,106 @@ TEST_F(ResolveKinds, IndirectDispatches) {
     EXPECT_EQ(bad(body(R"j("format": "r32u")j")).code, "W114");
 }
 
+TEST_F(ResolveKinds, IntegersAreResolvedAndDepthIsNot) {
+    profile.integer_samples = 1 | 4;
+    shaders["draw"].interface.fragment_outputs[0].scalar = ScalarType::u32;
+    good(resolving(R"j("format": "r32u", "samples": 4)j", R"j("format": "r32u")j"));
+    shaders["draw"].interface.fragment_outputs[0].scalar = ScalarType::f32;
+    const Diagnostic d = bad(R"j("imports": {"opaque": "drawlist"}, "resources": {
+"ms": {"format": "rgba16f", "samples": 4}, "z": {"format": "d32f", "samples": 4}, "one": "d32f"}, "passes": {
+"draw": {"type": "raster", "draws": ["opaque"], "shader": "draw", "out": {"color": "ms"}, "depth": "z",
+  "resolve": {"one": "depth"}}})j");
+    EXPECT_EQ(d.code, "W109");
+    EXPECT_EQ(d.line, 4u);
+}
+
+TEST_F(ResolveKinds, SampleCountsAreTheDevices) {
+    const auto body = [](const std::string& format, uint32_t samples) {
+        return R"j("imports": {"opaque": "drawlist"}, "resources": {
+"ms": {"format": ")j" +
+               format + R"j(", "samples": )j" + std::to_string(samples) + R"j(}}, "passes": {
+"draw": {"type": "raster", "draws": ["opaque"], "shader": "draw", "out": {"color": "ms"}}})j";
+    };
+    profile.color_samples = 1 | 2 | 8;
+    good(body("rgba16f", 1));
+    good(body("rgba16f", 2));
+    good(body("rgba16f", 8));
+    const Diagnostic d = bad(body("rgba16f", 4));
+    EXPECT_EQ(d.code, "W119");
+    EXPECT_EQ(d.line, 2u);
+    EXPECT_NE(d.message.find("\"ms\" has 4 samples; the device offers 1, 2, 8 for \"rgba16f\""),
+              std::string::npos)
+        << d.message;
+    expect_help(d, "give it one of these");
+    expect_help(d, "\"fake\"");
+    profile.color_samples = 1;
+    expect_help(bad(body("rgba16f", 2)), "remove \"samples\"");
+    profile.color_samples = 1 | 2;
+    profile.depth_samples = 1 | 4;
+    EXPECT_EQ(bad(R"j("resources": {"z": {"format": "d32f", "samples": 2}}, "passes": {
+"c": {"type": "clear", "out": ["z"]}})j")
+                  .code,
+              "W119");
+}
+
+class ResolveIndirectDraws : public ResolveKinds {
+ protected:
+    ResolveIndirectDraws() {
+        imports.imports.at("opaque").draws = 3;
+        imports.strides["DrawCommand"] = 20;
+    }
+    static std::string body(const std::string& commands) {
+        return R"j("imports": {"opaque": "drawlist", "masked": "drawlist"}, "resources": {
+"x": "rgba16f", "commands": {)j" +
+               commands + R"j(}}, "passes": {
+"c": {"type": "clear", "out": ["commands"]},
+"d": {"type": "raster", "shader": "draw", "draws": {"list": "opaque", "indirect": "commands"},
+  "out": {"color": "x"}}})j";
+    }
+};
+
+TEST_F(ResolveIndirectDraws, ReadTheirCommandsFromABuffer) {
+    const ResolvedGraph g = good(body(R"j("buffer": "DrawCommand", "count": "opaqueDraws")j"));
+    EXPECT_EQ(find_resource(g, "commands")->size_bytes, 60u);
+    EXPECT_TRUE(find_resource(g, "commands")->usage & usage::kIndirect);
+    const PassDecl& d = *find_pass(g, "d");
+    EXPECT_EQ(d.draw_lists, std::vector<std::string>{"opaque"});
+    EXPECT_EQ(d.indirect_use, kNoId);
+    ASSERT_NE(d.draw_commands_use, kNoId);
+    const UseDecl& commands = d.uses[d.draw_commands_use];
+    EXPECT_EQ(commands.access, Access::indirect_read);
+    EXPECT_EQ(commands.state.stages, stage::kDrawIndirect);
+    EXPECT_EQ(commands.binding, kNoId);
+    EXPECT_EQ(seen(g, "d", "indirect"), "c");
+    EXPECT_EQ(find_pass(good(resolving(ms(), R"j("format": "rgba16f")j")), "draw")->draw_commands_use, kNoId);
+}
+
+TEST_F(ResolveIndirectDraws, NeedACommandForEachDraw) {
+    good(body(R"j("buffer": "u32", "count": 15)j"));
+    const Diagnostic small = bad(body(R"j("buffer": "u32", "count": 14)j"));
+    EXPECT_EQ(small.code, "W114");
+    EXPECT_EQ(small.line, 4u);
+    EXPECT_NE(small.message.find("has 56 bytes; the 3 draws of \"opaque\" take 60"), std::string::npos)
+        << small.message;
+    expect_help(small, "opaqueDraws");
+    EXPECT_EQ(bad(body(R"j("format": "rgba8")j")).code, "W114");
+}
+
+TEST_F(ResolveIndirectDraws, ListsCountTheirDrawsInExpressionsAndParams) {
+    shaders["make.comp"] =
+        with_params(compute({image_out("dst")}), {member("opaqueDraws", 1, ScalarType::u32)});
+    const auto graph = [](const std::string& more) {
+        return R"j("imports": {"opaque": "drawlist"}, "resources": {"x": "rgba16f"}, )j" + more +
+               R"j( "passes": {
+"m": {"type": "compute", "shader": "make.comp", "groups": "opaqueDraws + 4", "out": {"dst": "x"}}})j";
+    };
+    const ResolvedGraph g = good(graph(""));
+    EXPECT_EQ(find_pass(g, "m")->groups[0], 7u);
+    ASSERT_EQ(find_pass(g, "m")->params.size(), 1u);
+    EXPECT_EQ(find_pass(g, "m")->params[0].value[0], 3.0);
+    // The author's own names come first.
+    EXPECT_EQ(find_pass(good(graph(R"j("consts": {"opaqueDraws": 20},)j")), "m")->groups[0], 24u);
+}
+
 }  // namespace
 }  // namespace weft::test

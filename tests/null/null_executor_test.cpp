@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "graph/graph_builder.h"
+#include "graph/naive_plan.h"
 #include "weft/compile.h"
 
 namespace weft::test {
@@ -173,6 +174,39 @@ TEST(NullImports, KeepWhatWasWrittenAndShowIt) {
     EXPECT_NE(values[0], values[1]);
     EXPECT_NE(values[1], values[2]);
     plan.barriers.epilogue.clear();
+    EXPECT_FALSE(broken(plan).empty());
+}
+
+// "draw" writes the samples, and with them the image they are resolved into.
+class NullResolve : public testing::Test {
+ protected:
+    NullResolve() {
+        GraphBuilder builder;
+        const ResourceId many = builder.image("many"), one = builder.image("one"),
+                         copy = builder.image("copy");
+        builder.edit(many).samples = 4;
+        PassDecl& draw =
+            builder.pass("draw", PassKind::raster,
+                         {{"color", many, Access::color_write}, {"one", one, Access::color_write}});
+        draw.colors.pop_back();
+        draw.colors[0].resolve_use = 1;
+        builder.compute("use", {{"src", one, Access::sampled_read}, {"dst", copy, Access::storage_write}});
+        builder.pass("read_back", PassKind::readback, {{"src", copy, Access::copy_read}});
+        graph = builder.build();
+    }
+
+    ResolvedGraph graph;
+};
+
+TEST_F(NullResolve, TheTargetIsWrittenByThePass) {
+    FramePlan plan = compile(graph, content_needs(graph), {});
+    EXPECT_TRUE(broken(plan).empty()) << broken(plan).back();
+    EXPECT_TRUE(broken(naive_plan(graph)).empty());
+    for (const AttachmentOps& ops : plan.barriers.steps[0].attachments)
+        EXPECT_EQ(ops.store, StoreOp::dont_care) << "nobody reads the samples themselves";
+    ASSERT_EQ(plan.graph.passes[plan.barriers.steps[1].pass].name, "use");
+    std::erase_if(plan.barriers.steps[1].barriers,
+                  [&](const BarrierDecl& b) { return plan.graph.resources[b.resource].name == "one"; });
     EXPECT_FALSE(broken(plan).empty());
 }
 

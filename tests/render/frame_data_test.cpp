@@ -100,5 +100,21 @@ TEST(ImportCatalog, OffersWhatTheShippedGraphsUse) {
     EXPECT_EQ(catalog.strides.at("Light"), 64u);
 }
 
+TEST(ImportCatalog, ListsAndTheirCommandsAreAsLongAsTheSceneMakesThem) {
+    scene::Scene scene;
+    scene.materials.resize(2);
+    scene.materials[1].alpha_mode = scene::AlphaMode::mask;
+    for (const uint32_t material : {0u, 1u, 0u, 0u})
+        scene.instances.push_back({"", 0, material, glm::mat4(1)});
+    const ImportCatalog catalog = scene_imports({640, 360, 1}, &scene);
+    EXPECT_EQ(catalog.imports.at("opaque").draws, 3u);
+    EXPECT_EQ(catalog.imports.at("masked").draws, 1u);
+    EXPECT_EQ(catalog.imports.at("transparent").draws, 0u);
+    EXPECT_EQ(catalog.strides.at("DrawCommand"), 20u);
+    EXPECT_EQ(catalog.imports.at("opaqueCommands").kind, ImportKind::buffer);
+    EXPECT_EQ(catalog.imports.at("opaqueCommands").resource.size_bytes, 60u);
+    EXPECT_EQ(catalog.imports.at("transparentCommands").resource.size_bytes, 20u) << "no buffer is empty";
+}
+
 }  // namespace
 }  // namespace weft::render

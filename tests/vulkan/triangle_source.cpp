@@ -26,13 +26,15 @@ Buffer filled(Device& device, const T& values, VkBufferUsageFlags usage, const c
 }  // namespace
 
 TriangleSource::TriangleSource(Device& device) {
-    const std::array<float, 6> corners{-1, -1, -1, 1, 1, -1};
-    const std::array<float, 3> weights{1, 1, 1};
+    const std::array<float, 8> corners{-1, -1, -1, 1, 1, -1, 1, 1};
+    const std::array<float, 4> weights{1, 1, 1, 1};
+    const std::array<uint32_t, 6> indices{0, 1, 2, 3, 2, 1};
     std::array<float, 2 * kColorStrideBytes / sizeof(float)> colors{};
     std::memcpy(colors.data(), kCameraColor.data(), sizeof kCameraColor);
     std::memcpy(colors.data() + colors.size() / 2, kSunColor.data(), sizeof kSunColor);
     positions_ = filled(device, corners, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "positions");
     weights_ = filled(device, weights, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "weights");
+    indices_ = filled(device, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "indices");
     colors_ = filled(device, colors, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "view colours");
     make_frame_sets(device);
 }
@@ -92,7 +94,12 @@ void TriangleSource::record(const DrawContext& context) const {
         context.fn->vkCmdSetCullMode(context.commands, VK_CULL_MODE_BACK_BIT);
         context.fn->vkCmdSetFrontFace(context.commands, to_vk(front_face));
     }
-    context.fn->vkCmdDraw(context.commands, 3, 1, 0, 0);
+    if (context.draw_commands == VK_NULL_HANDLE) return context.fn->vkCmdDraw(context.commands, 3, 1, 0, 0);
+    constexpr uint32_t kCommandBytes = sizeof(VkDrawIndexedIndirectCommand);
+    context.fn->vkCmdBindIndexBuffer(context.commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
+    for (uint32_t draw = 0; draw < 2; ++draw)
+        context.fn->vkCmdDrawIndexedIndirect(context.commands, context.draw_commands, draw * kCommandBytes, 1,
+                                             kCommandBytes);
 }
 
 ImportDecl TriangleSource::draw_list(const std::string& name) {

@@ -19,6 +19,7 @@ class TriangleSource final : public DrawSource {
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
+    // Indirectly, a list has two draws; the indices are those of the triangle, then those of its mirror image.
     void record(const DrawContext& context) const override;
 
     // Streams 0: "position" (two floats), 1: "weight" (one float). Variants "plain" and "tinted" (TINT is
@@ -35,6 +36,7 @@ class TriangleSource final : public DrawSource {
 
     Buffer positions_;
     Buffer weights_;
+    Buffer indices_;
     Buffer colors_;
     SetLayoutHandle layout_;
     DescriptorPoolHandle pool_;

@@ -58,6 +58,9 @@ struct MemoryTypeProfile {
     bool operator==(const MemoryTypeProfile&) const = default;
 };
 
+// Sample counts, each its own bit: 1 | 4 is one sample a pixel or four.
+using SampleCountMask = uint32_t;
+
 struct DeviceProfile {
     std::string name;
     std::vector<QueueFamilyProfile> queue_families{{QueueKind::graphics, 1}};
@@ -66,6 +69,9 @@ struct DeviceProfile {
     uint32_t max_image_layers = 2048;
     uint32_t max_push_constants_bytes = 128;
     uint32_t max_color_attachments = 8;
+    SampleCountMask color_samples = 1 | 4;  // of images that passes draw into and sample, by their numbers
+    SampleCountMask integer_samples = 1;
+    SampleCountMask depth_samples = 1 | 4;
     uint32_t max_workgroup_invocations = 1024;
     uint32_t max_sampled_images_per_stage = 128;
     uint32_t max_storage_images_per_stage = 128;
@@ -84,6 +90,7 @@ struct DeviceProfile {
     uint64_t image_extra_bytes = 0;          // what an image takes besides its texels
 
     [[nodiscard]] FormatFeatureMask features(Format format) const;
+    [[nodiscard]] SampleCountMask samples(Format format) const;
 };
 
 // Reads a profile file; `file` names it in errors. Errors: W140.

@@ -159,9 +159,9 @@ struct PassDesc {
     std::vector<RepeatDesc> repeat;         // outermost first
     bool per_frame = false;                 // its rounds take turns, one a frame
     SourceLoc per_frame_loc;
-    std::optional<PortDesc> indirect;       // where the workgroups are counted
-    std::vector<Expr> groups;               // workgroups, one or three (or one of two components)
-    std::vector<Expr> threads;              // invocations
+    std::optional<PortDesc> indirect;  // where the workgroups are counted, or what is drawn of `draws`
+    std::vector<Expr> groups;          // workgroups, one or three (or one of two components)
+    std::vector<Expr> threads;         // invocations
     RasterState state;
     std::map<std::string, BlendState> blend;                  // by output port; "" = all
     std::map<std::string, std::array<float, 4>> clear_ports;  // by output port

@@ -40,6 +40,7 @@ struct ImportDecl {
     // draw lists
     std::vector<DrawVariant> variants;
     VertexFormat vertex_format;
+    uint32_t draws = 1;  // how many draws are in the list
 };
 
 struct ImportCatalog {

@@ -1,6 +1,6 @@
 // Opens a header that C++ and GLSL both compile. In C++ the GLSL type names become glm's; in GLSL nothing happens.
-// Layout rule: every vec3 is followed by a scalar, every struct is a multiple of 16 bytes, so that std140, std430
-// and C++ agree. No include guard: shared headers include this once each and close with end.glsl.
+// Layout rule: every vec3 is followed by a scalar, every struct is a multiple of 16 bytes (unless it says so), so that
+// std140, std430 and C++ agree. No include guard: shared headers include this once each and close with end.glsl.
 #ifdef __cplusplus
 #include <cstdint>
 #include <glm/glm.hpp>
