@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "check/check_scopes.h"
+
 namespace weft::check {
 namespace {
 
@@ -247,6 +249,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_boundary(plan, faults);
     check_submissions(plan, faults);
     if (faults.any("C303")) return false;
+    check_scopes(plan, faults);
     check_stages(plan, faults);
     return true;
 }
