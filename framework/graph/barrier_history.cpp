@@ -39,6 +39,7 @@ std::vector<std::vector<Touch>> touches_by_cell(const SubresourceGrid& grid,
             same.state.access |= t.touch.state.access;
             same.writes = same.writes || t.touch.writes;
             same.reads = same.reads || t.touch.reads;
+            if (t.touch.continues != same.continues) same.continues = kNoId;
         }
     }
     return cells;

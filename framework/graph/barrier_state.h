@@ -77,9 +77,11 @@ class SubresourceState {
     }
     [[nodiscard]] bool visible(const AccessState& state) const;
     [[nodiscard]] bool needs_barrier(const Touch& touch) const;
+    [[nodiscard]] bool goes_on_drawing(const Touch& touch) const;
     [[nodiscard]] BarrierReason reason(const Touch& touch) const;
     void apply_barrier(const CellBarrier& barrier);
     void apply_touch(const Touch& touch);
+    void join_drawing(Touch touch);
     void note_pass(PassId pass);
 
     bool taken_over_ = true;  // not touched yet, and the first touch takes memory over
