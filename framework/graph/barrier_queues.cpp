@@ -189,6 +189,10 @@ void QueueWalk::transfer(std::span<const Touch> touches, CellEvents& events) {
     acquire.src = {dst.stages, access::kNone, layout_};
     acquire.dst = dst;
     acquire.reason = BarrierReason::acquire_queue;
+    acquire.pair_position = last.position;
+    acquire.pair_state = src;
+    release.pair_position = touch.position;
+    release.pair_state = dst;
     events.barriers.push_back(release);
     events.barriers.push_back(acquire);
     wait_for(last, touch.position, events);

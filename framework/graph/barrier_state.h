@@ -36,6 +36,9 @@ struct CellBarrier {
     PassId from = kNoId;
     bool previous_frame = false;
     uint32_t src_family = 0, dst_family = 0;
+    // Of a transfer: where its other half is recorded, and for whom. Both halves must name the same ranges.
+    uint32_t pair_position = 0;
+    AccessState pair_state;
 };
 
 // What walking one cell through a frame asks for.
