@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "check/check_scopes.h"
+
 namespace weft::check {
 namespace {
 
@@ -224,6 +226,30 @@ void check_stages(const FramePlan& plan, FaultList& faults) {
     }
 }
 
+// Vulkan knows a release and an acquisition as the halves of one transfer by what they name: both must name
+// the same range, however many barriers that takes.
+void check_transfers(const FramePlan& plan, FaultList& faults) {
+    std::vector<const BarrierDecl*> halves;
+    for (const PassStep& step : plan.barriers.steps)
+        for (const std::vector<BarrierDecl>* list : {&step.barriers, &step.after})
+            for (const BarrierDecl& barrier : *list)
+                if (barrier.src_family != barrier.dst_family) halves.push_back(&barrier);
+    for (const BarrierDecl* half : halves) {
+        const auto same = std::count_if(halves.begin(), halves.end(), [&](const BarrierDecl* other) {
+            return other->resource == half->resource && other->range == half->range &&
+                   other->src_family == half->src_family && other->dst_family == half->dst_family &&
+                   other->src.layout == half->src.layout && other->dst.layout == half->dst.layout;
+        });
+        if (same % 2 == 0) continue;
+        faults.add("C360", plan.graph.resources[half->resource].loc,
+                   faults.resource_name(half->resource) + range_text(half->range) +
+                       " goes from queue family " + std::to_string(half->src_family) + " to " +
+                       std::to_string(half->dst_family) +
+                       ", but no other half of that transfer names this range",
+                   kCompilerFault);
+    }
+}
+
 void check_boundary(const FramePlan& plan, FaultList& faults) {
     for (const BoundaryState& boundary : plan.boundary) {
         const ResourceDecl& resource = plan.graph.resources[boundary.resource];
@@ -247,6 +273,8 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_boundary(plan, faults);
     check_submissions(plan, faults);
     if (faults.any("C303")) return false;
+    check_scopes(plan, faults);
+    check_transfers(plan, faults);
     check_stages(plan, faults);
     return true;
 }

@@ -17,6 +17,7 @@ struct Actor {
     bool transition = false;  // a layout transition before that pass
     QueueIndex queue = 0;
     uint32_t batch_count = 0;  // of its queue, up to and with its own batch; 0: before all frames
+    uint32_t scope = 0;        // what drew: its rendering scope, counted over all frames from 1; else 0
 };
 
 class FaultList {

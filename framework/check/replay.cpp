@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "check/check_scopes.h"
+
 namespace weft::check {
 namespace {
 
@@ -157,25 +159,36 @@ void Replay::check_boundary() {
 void Replay::batch(uint32_t index) {
     const Batch& batch = plan_.submissions.batches[index];
     clock_.begin_batch(index, faults_);
-    for (const uint32_t position : batch.positions) step(plan_.barriers.steps[position]);
+    for (size_t i = 0; i < batch.positions.size(); ++i) {
+        const bool last = i + 1 == batch.positions.size();
+        step(plan_.barriers.steps[batch.positions[i]],
+             !last && plan_.barriers.steps[batch.positions[i + 1]].continues_scope);
+    }
     if (batch.epilogue) barriers(plan_.barriers.epilogue, kNoId);
     clock_.end_batch(index);
 }
 
-void Replay::step(const PassStep& step) {
+void Replay::step(const PassStep& step, bool goes_on) {
     barriers(step.barriers, step.pass);
-    uses(step);
+    if (!step.continues_scope) ++scope_;
+    uses(step, goes_on);
     barriers(step.after, step.pass);
 }
 
-void Replay::uses(const PassStep& step) {
+Actor Replay::actor_of_use(PassId pass, uint32_t use) const {
+    Actor by = actor(pass);
+    if (is_attachment(plan_.graph.passes[pass], use)) by.scope = scope_;
+    return by;
+}
+
+void Replay::uses(const PassStep& step, bool goes_on) {
     const PassDecl& pass = plan_.graph.passes[step.pass];
     for (uint32_t u = 0; u < pass.uses.size(); ++u) {
         const UseDecl& use = pass.uses[u];
         const AttachmentOps* ops = ops_of(step, u);
         const AccessState state = effective_state(use, ops);
         if (reads(use.access)) {
-            read(step.pass, use, state);
+            read(actor_of_use(step.pass, u), use, state);
             if (ops && ops->load != LoadOp::load)
                 faults_.add(
                     "C331", use.loc,
@@ -196,41 +209,42 @@ void Replay::uses(const PassStep& step) {
         const AttachmentOps* ops = ops_of(step, u);
         const AccessState state = effective_state(use, ops);
         if (writes(use.access) || (ops && ops->store != StoreOp::none))
-            write(step.pass, use, state, !ops || ops->store == StoreOp::store);
+            // Inside a scope nothing is stored yet, and nothing lost.
+            write(actor_of_use(step.pass, u), use, state, !ops || goes_on || ops->store == StoreOp::store);
     }
 }
 
-void Replay::read(PassId id, const UseDecl& use, const AccessState& state) {
+void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state) {
     for (Cell& cell : cells_[use.resource]) {
         if (!overlaps(cell.range, use.range)) continue;
-        expect_owner(actor(id), use, cell);
-        expect_order(actor(id), use, cell, state, false);
-        expect_content(id, use, cell);
-        cell.reads.emplace_back(actor(id), state.stages, state.access, false);
+        expect_owner(by, use, cell);
+        expect_order(by, use, cell, state, false);
+        expect_content(by.pass, use, cell);
+        cell.reads.emplace_back(by, state.stages, state.access, false);
     }
 }
 
-void Replay::write(PassId id, const UseDecl& use, const AccessState& state, bool kept) {
+void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state, bool kept) {
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.lifetime == ResourceLifetime::transient)
-        expect_free_memory(actor(id), use.resource, use.loc, state.stages, nullptr);
+        expect_free_memory(by, use.resource, use.loc, state.stages, nullptr);
     for (Cell& cell : cells_[use.resource]) {
         if (!overlaps(cell.range, use.range)) continue;
         // Whoever drops a buffer's content needs no ownership from before; an image has its transition for
         // that.
         if (resource.kind == ResourceKind::buffer && !reads(use.access)) cell.owner = family();
-        expect_owner(actor(id), use, cell);
+        expect_owner(by, use, cell);
         // A use that also reads was put into the list of reads by read(): it does not wait for itself.
         std::erase_if(cell.reads, [&](const AccessRecord& r) {
-            return r.actor().pass == id && r.actor().frame == frame_;
+            return r.actor().pass == by.pass && r.actor().frame == frame_;
         });
-        expect_order(actor(id), use, cell, state, true);
+        expect_order(by, use, cell, state, true);
         cell.reads.clear();
         cell.has_write = true;
-        cell.write = AccessRecord(actor(id), state.stages, state.access, true);
-        cell.content = kept ? Content{Content::Kind::written, id, frame_, kNoId} : Content{};
+        cell.write = AccessRecord(by, state.stages, state.access, true);
+        cell.content = kept ? Content{Content::Kind::written, by.pass, frame_, kNoId} : Content{};
     }
-    overwrite_neighbours(id, use.resource);
+    overwrite_neighbours(by.pass, use.resource);
 }
 
 }  // namespace weft::check

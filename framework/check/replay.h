@@ -55,8 +55,9 @@ class Replay {
     void enter_imports();
     void leave_imports();
     void batch(uint32_t index);
-    void step(const PassStep& step);
-    void uses(const PassStep& step);
+    // `goes_on`: the next pass draws into the same rendering scope.
+    void step(const PassStep& step, bool goes_on);
+    void uses(const PassStep& step, bool goes_on);
 
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
@@ -64,8 +65,8 @@ class Replay {
     void apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
     void transfer(const BarrierDecl& barrier, PassId before);
 
-    void read(PassId id, const UseDecl& use, const AccessState& state);
-    void write(PassId id, const UseDecl& use, const AccessState& state, bool kept);
+    void read(const Actor& by, const UseDecl& use, const AccessState& state);
+    void write(const Actor& by, const UseDecl& use, const AccessState& state, bool kept);
 
     // What other queues did is over when a semaphore says so; what this queue did, when barriers do.
     [[nodiscard]] bool ordered(const AccessRecord& record, StageMask stages) const;
@@ -77,6 +78,8 @@ class Replay {
     [[nodiscard]] Actor actor(PassId pass, bool transition = false) const {
         return {pass, frame_, transition, clock_.queue(), clock_.batch_count()};
     }
+    // Drawing is ordered within its rendering scope.
+    [[nodiscard]] Actor actor_of_use(PassId pass, uint32_t use) const;
     [[nodiscard]] uint32_t family() const { return plan_.schedule.queues[clock_.queue()].family; }
     // The program around the graph is known to the first queue only by barriers.
     [[nodiscard]] bool covered(const AccessRecord& record) const {
@@ -99,6 +102,7 @@ class Replay {
     FaultList& faults_;
     BatchClock clock_;
     uint32_t frame_ = 0;
+    uint32_t scope_ = 0;                               // counts the rendering scopes of all frames
     std::vector<std::vector<Cell>> cells_;             // by resource
     std::vector<std::vector<ResourceId>> neighbours_;  // by resource: whose memory overlaps
     std::vector<std::vector<ResourceId>> rings_;       // by resource that leads a ring: its roles by age

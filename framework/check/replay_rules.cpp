@@ -51,7 +51,11 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell,
                         faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
                         " left it in " + layout_text(cell.layout),
                     "a barrier before " + who + " must change the layout");
-    if (cell.has_write && !judged_as_read &&
+    // The rasteriser keeps the order of what is drawn in one rendering scope.
+    const auto drawn_before = [&](const AccessRecord& record) {
+        return by.scope != 0 && record.actor().scope == by.scope;
+    };
+    if (cell.has_write && !judged_as_read && !drawn_before(cell.write) &&
         (!ordered(cell.write, state.stages) || !visible(cell.write, state))) {
         faults_.add(
             is_write ? "C312" : "C310", use.loc,
@@ -63,7 +67,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell,
     }
     if (!is_write) return;
     for (const AccessRecord& record : cell.reads) {
-        if (ordered(record, state.stages)) continue;
+        if (drawn_before(record) || ordered(record, state.stages)) continue;
         faults_.add(
             "C311", use.loc,
             who + " writes " + what + " while " + faults_.actor_text(record.actor(), frame_) +

@@ -19,7 +19,7 @@ constexpr int kRoundsToSettle = 4;
 auto fate(const CellBarrier& b) {
     return std::make_tuple(b.position, b.after, b.reason, b.from, b.src.stages, b.src.access, b.src.layout,
                            b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.src_family,
-                           b.dst_family);
+                           b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
 }
 
 // By cell. Several ports of one pass on one cell become one touch; resolve() saw to it that their layouts
@@ -39,6 +39,7 @@ std::vector<std::vector<Touch>> touches_by_cell(const SubresourceGrid& grid,
             same.state.access |= t.touch.state.access;
             same.writes = same.writes || t.touch.writes;
             same.reads = same.reads || t.touch.reads;
+            if (t.touch.continues != same.continues) same.continues = kNoId;
         }
     }
     return cells;

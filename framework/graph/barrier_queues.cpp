@@ -71,7 +71,9 @@ BarrierReason QueueWalk::reason(const Touch& touch) const {
 }
 
 void QueueWalk::advance(std::span<const Touch> touches, CellEvents& events) {
-    if (starts_anew(touches.front()))
+    if (goes_on_drawing(touches.front()))
+        join_drawing(touches.front());
+    else if (starts_anew(touches.front()))
         begin(touches, events);
     else
         join(touches, events);
@@ -79,6 +81,19 @@ void QueueWalk::advance(std::span<const Touch> touches, CellEvents& events) {
     entered_ = false;
     touched_ = true;
     owner_family_ = family(touches.front().queue);
+}
+
+// Whether the last touch drew to it in the same rendering scope.
+bool QueueWalk::goes_on_drawing(const Touch& touch) const {
+    return touch.continues != kNoId && touch.writes && source_ && !source_->previous_frame &&
+           source_->position == touch.continues && readers_.empty() && layout_ == touch.state.layout;
+}
+
+// The rasteriser keeps the order: whoever comes next waits for both, by waiting for the later one.
+void QueueWalk::join_drawing(const Touch& touch) {
+    source_ = Past{touch.position, touch.queue, source_->stages | touch.state.stages, touch.pass, false};
+    source_writes_ |= touch.state.access & access::kAllWrites;
+    unflushed_ |= source_writes_;
 }
 
 // One more reader of what is there already.
@@ -174,6 +189,10 @@ void QueueWalk::transfer(std::span<const Touch> touches, CellEvents& events) {
     acquire.src = {dst.stages, access::kNone, layout_};
     acquire.dst = dst;
     acquire.reason = BarrierReason::acquire_queue;
+    acquire.pair_position = last.position;
+    acquire.pair_state = src;
+    release.pair_position = touch.position;
+    release.pair_state = dst;
     events.barriers.push_back(release);
     events.barriers.push_back(acquire);
     wait_for(last, touch.position, events);

@@ -45,12 +45,14 @@ class QueueWalk {
 
     [[nodiscard]] uint32_t family(QueueIndex queue) const { return rules_->queues[queue].family; }
     [[nodiscard]] bool starts_anew(const Touch& touch) const;
+    [[nodiscard]] bool goes_on_drawing(const Touch& touch) const;
     [[nodiscard]] bool visible(const AccessState& state) const;
     [[nodiscard]] AccessMask unflushed_on(QueueIndex queue) const {
         return source_ && source_->queue == queue ? unflushed_ : access::kNone;
     }
     [[nodiscard]] std::vector<Past> predecessors() const;
     [[nodiscard]] std::optional<Past> common_past(std::span<const Touch> touches) const;
+    void join_drawing(const Touch& touch);
     void join(std::span<const Touch> touches, CellEvents& events);
     void begin(std::span<const Touch> touches, CellEvents& events);
     void share(const Past& past, std::span<const Touch> touches, CellEvents& events);

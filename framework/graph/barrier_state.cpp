@@ -43,8 +43,15 @@ BarrierReason SubresourceState::reason(const Touch& touch) const {
     return touch.writes ? BarrierReason::war : BarrierReason::layout;
 }
 
+// Whether the last touch drew to it in the same rendering scope.
+bool SubresourceState::goes_on_drawing(const Touch& touch) const {
+    return touch.continues != kNoId && touch.writes && touched_ && !previous_frame_ &&
+           position_ == touch.continues && layout_ == touch.state.layout;
+}
+
 void SubresourceState::advance(std::span<const Touch> touches, CellEvents& events) {
     const Touch& touch = touches.front();
+    if (goes_on_drawing(touch)) return join_drawing(touch);
     if (needs_barrier(touch)) {
         events.barriers.push_back({.position = touch.position,
                                    .src = {pending_stages(), unflushed_, layout_},
@@ -105,6 +112,15 @@ void SubresourceState::apply_touch(const Touch& touch) {
     reader_stages_ = stage::kNone;
     visible_.fill(access::kNone);
     written_ = true;
+}
+
+// The rasteriser keeps the order: whoever comes next waits for both, by waiting for the later one.
+void SubresourceState::join_drawing(Touch touch) {
+    touch.state.stages |= writer_stages_;
+    touch.state.access |= unflushed_;
+    pass_ = kNoId;
+    several_ = false;
+    apply_touch(touch);
 }
 
 void SubresourceState::note_pass(PassId pass) {

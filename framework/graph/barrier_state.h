@@ -36,6 +36,9 @@ struct CellBarrier {
     PassId from = kNoId;
     bool previous_frame = false;
     uint32_t src_family = 0, dst_family = 0;
+    // Of a transfer: where its other half is recorded, and for whom. Both halves must name the same ranges.
+    uint32_t pair_position = 0;
+    AccessState pair_state;
 };
 
 // What walking one cell through a frame asks for.
@@ -77,9 +80,11 @@ class SubresourceState {
     }
     [[nodiscard]] bool visible(const AccessState& state) const;
     [[nodiscard]] bool needs_barrier(const Touch& touch) const;
+    [[nodiscard]] bool goes_on_drawing(const Touch& touch) const;
     [[nodiscard]] BarrierReason reason(const Touch& touch) const;
     void apply_barrier(const CellBarrier& barrier);
     void apply_touch(const Touch& touch);
+    void join_drawing(Touch touch);
     void note_pass(PassId pass);
 
     bool taken_over_ = true;  // not touched yet, and the first touch takes memory over

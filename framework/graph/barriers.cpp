@@ -102,6 +102,7 @@ BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const Sy
     for (uint32_t position = 0; position < order.order.size(); ++position) {
         plan.steps[position].pass = order.order[position];
         plan.steps[position].attachments = std::move(attachments[position]);
+        plan.steps[position].continues_scope = sync.scopes[position] != kNoId;
     }
     const HandOverRows rows{memory.hand_overs};
     for (ResourceId id = 0; id < graph.resources.size(); ++id) {

@@ -1,13 +1,38 @@
 #include "weft/compile.h"
 
+#include <functional>
 #include <utility>
 
 #include "graph/stages.h"
 
 namespace weft {
 
+namespace {
+
+using StageOver = std::function<void(const char*)>;
+
+// What follows once it is known what shares memory.
+struct Recording {
+    BarrierPlan barriers;
+    SubmissionPlan submissions;
+};
+
+Recording record(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
+                 const MemoryPlan& memory, std::vector<std::vector<AttachmentOps>> attachments,
+                 const StageOver& over) {
+    std::vector<QueueDependency> dependencies = sync.dependencies;
+    Recording recording;
+    recording.barriers = barriers(graph, order, sync, memory, std::move(attachments), dependencies);
+    over("barriers");
+    recording.submissions = submissions(order, dependencies);
+    over("submissions");
+    return recording;
+}
+
+}  // namespace
+
 FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const CompileOptions& options) {
-    const auto over = [&](const char* stage) {
+    const StageOver over = [&](const char* stage) {
         if (options.stage_over) options.stage_over(stage);
     };
     LiveGraph live = cull(graph, options.keep_all_passes);
@@ -16,20 +41,23 @@ FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const Co
     over("schedule");
     std::vector<std::vector<AttachmentOps>> attachments = attachment_ops(graph, live, order);
     over("attachment_ops");
-    const SyncTable sync = synchronize(graph, order, attachments);
+    SyncTable sync = synchronize(graph, order, attachments, find_scopes(graph, order, attachments));
     order = add_clocks(std::move(order), sync.dependencies);
     over("synchronize");
     Lifetimes spans = lifetimes(graph, live, order);
     over("lifetimes");
     MemoryPlan memory = alias(graph, live, order, spans, needs, options.granularity_bytes);
     over("alias");
-    std::vector<QueueDependency> dependencies = sync.dependencies;
-    BarrierPlan barrier_plan = barriers(graph, order, sync, memory, std::move(attachments), dependencies);
-    over("barriers");
-    SubmissionPlan submission_plan = submissions(order, dependencies);
-    over("submissions");
+    Recording recording = record(graph, order, sync, memory, std::move(attachments), over);
+    // A scope does not go on behind a semaphore. Without it queues wait for each other as before.
+    ScopeTable scopes = within_batches(sync.scopes, recording.submissions);
+    if (scopes != sync.scopes) {
+        attachments = attachment_ops(graph, live, order);
+        sync = synchronize(graph, order, attachments, std::move(scopes));
+        recording = record(graph, order, sync, memory, std::move(attachments), over);
+    }
     FramePlan plan = link(graph, std::move(live), std::move(order), sync, std::move(spans), std::move(memory),
-                          std::move(barrier_plan), std::move(submission_plan));
+                          std::move(recording.barriers), std::move(recording.submissions));
     over("link");
     return plan;
 }

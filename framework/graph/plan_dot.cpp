@@ -1,6 +1,7 @@
 #include <string>
 
 #include "graph/plan_dump.h"
+#include "graph/scopes.h"
 
 namespace weft {
 namespace {
@@ -55,6 +56,10 @@ std::string plan_to_dot(const FramePlan& plan) {
     }
     for (PassId id = 0; id < plan.graph.passes.size(); ++id)
         for (const UseDecl& use : plan.graph.passes[id].uses) text += use_edge(plan, id, use);
+    for (uint32_t p = 0; p < plan.barriers.steps.size(); ++p)
+        if (const PassId first = continued_pass(plan, p); first != kNoId)
+            text += "  " + pass_node(first) + " -> " + pass_node(plan.schedule.order[p]) +
+                    " [style=bold, dir=none, label=" + quoted("one scope") + "];\n";
     return text + "}\n";
 }
 

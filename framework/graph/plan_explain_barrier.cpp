@@ -3,6 +3,7 @@
 
 #include "graph/plan_explain.h"
 #include "graph/plan_words.h"
+#include "graph/scopes.h"
 
 namespace weft {
 namespace {
@@ -116,8 +117,18 @@ class BarrierAnswer {
         return text;
     }
 
+    // Every pass after the first one, up to the second, goes on in the same rendering scope.
+    bool in_one_scope() const {
+        PassId pass = second_;
+        while (pass != first_ && pass != kNoId) pass = continued_pass(plan_, plan_.schedule.position[pass]);
+        return pass == first_;
+    }
+
     std::string why_none_on(const UseDecl& a, const UseDecl& b) const {
         const std::string part = part_words(plan_, a.resource, a.range);
+        if (first_ != second_ && in_one_scope() && writes(a.access) && writes(b.access))
+            return "  " + part +
+                   ": both draw to it in one rendering scope, in which the rasteriser keeps their order.\n";
         if (!writes(a.access) && !writes(b.access) && a.state.layout == b.state.layout)
             return "  " + part + ": both only read it, in the same layout.\n";
         if (plan_.schedule.queue[from_] != plan_.schedule.queue[to_])

@@ -11,6 +11,7 @@
 #include "graph/plan_names.h"
 #include "graph/plan_words.h"
 #include "graph/quantity_text.h"
+#include "graph/scopes.h"
 
 namespace weft {
 namespace {
@@ -96,6 +97,8 @@ void add_step(const FramePlan& plan, PassId pass, Facts& facts) {
     const uint32_t position = plan.schedule.position[pass];
     facts.push_back("runs on queue " + std::to_string(plan.schedule.queue[position]));
     const PassStep& step = plan.barriers.steps[position];
+    if (const PassId first = continued_pass(plan, position); first != kNoId)
+        facts.push_back("continues the scope of " + plan.graph.passes[first].name);
     for (const BarrierDecl& b : step.barriers) facts.push_back(barrier_fact(plan, b, "barrier "));
     for (const BarrierDecl& b : step.after) facts.push_back(barrier_fact(plan, b, "barrier afterwards "));
     for (const AttachmentOps& ops : step.attachments)

@@ -4,6 +4,7 @@
 #include "graph/plan_dump.h"
 #include "graph/plan_names.h"
 #include "graph/quantity_text.h"
+#include "graph/scopes.h"
 
 namespace weft {
 namespace {
@@ -105,6 +106,8 @@ class PlanText {
             text_ += "  on queue " + std::to_string(plan_.schedule.queue[position]);
         text_ += "\n";
         waits(position);
+        if (const PassId first = continued_pass(plan_, position); first != kNoId)
+            text_ += "    continues the scope of pass " + pass(first) + "\n";
         for (const BarrierDecl& b : s.barriers) barrier(b);
         for (const AttachmentOps& ops : s.attachments) {
             const UseDecl& use = decl.uses[ops.use];

@@ -8,6 +8,7 @@
 
 #include "graph/barrier_history.h"
 #include "graph/json_doc.h"
+#include "graph/scopes.h"
 #include "weft/declaration.h"
 #include "weft/device_profile.h"
 #include "weft/graph_desc.h"
@@ -55,9 +56,11 @@ struct SyncTable {
     std::vector<ResourceHistory> histories;  // by ResourceId
     std::vector<QueueDependency> dependencies;
     std::vector<uint8_t> concurrent;  // by ResourceId
+    ScopeTable scopes;                // those candidates that no barrier divides
 };
 [[nodiscard]] SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
-                                    const std::vector<std::vector<AttachmentOps>>& attachments);
+                                    const std::vector<std::vector<AttachmentOps>>& attachments,
+                                    ScopeTable candidates);
 // The schedule with its clocks, by what the queues wait for.
 [[nodiscard]] Schedule add_clocks(Schedule order, const std::vector<QueueDependency>& dependencies);
 [[nodiscard]] Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order);

@@ -30,13 +30,12 @@ void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
     }
 }
 
-}  // namespace
-
-SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
-                      const std::vector<std::vector<AttachmentOps>>& attachments) {
-    const TouchTable touches = collect_touches(graph, order, attachments);
+SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order,
+                      const std::vector<std::vector<AttachmentOps>>& attachments, ScopeTable scopes) {
+    const TouchTable touches = collect_touches(graph, order, attachments, scopes);
     const std::vector<std::vector<ResourceId>> rings = rings_of(graph);
     SyncTable table;
+    table.scopes = std::move(scopes);
     table.histories.resize(graph.resources.size());
     table.concurrent.assign(graph.resources.size(), 0);
     for (const std::vector<ResourceId>& ring : rings) {
@@ -59,6 +58,18 @@ SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
     }
     add_after_edges(graph, order, table.dependencies);
     return table;
+}
+
+}  // namespace
+
+SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
+                      const std::vector<std::vector<AttachmentOps>>& attachments, ScopeTable candidates) {
+    for (;;) {
+        SyncTable table = with_scopes(graph, order, attachments, candidates);
+        candidates = undivided(table.scopes, table.histories);
+        // A pass that falls out needs barriers after all, but no other pass does.
+        if (candidates == table.scopes) return table;
+    }
 }
 
 Schedule add_clocks(Schedule order, const std::vector<QueueDependency>& dependencies) {

@@ -19,7 +19,8 @@ void add_attachment_access(const AttachmentOps& ops, const UseDecl& use, Touch& 
 }  // namespace
 
 TouchTable collect_touches(const ResolvedGraph& graph, const Schedule& order,
-                           const std::vector<std::vector<AttachmentOps>>& attachments) {
+                           const std::vector<std::vector<AttachmentOps>>& attachments,
+                           const std::vector<uint32_t>& scopes) {
     TouchTable touches(graph.resources.size());
     for (uint32_t position = 0; position < order.order.size(); ++position) {
         const PassId id = order.order[position];
@@ -28,8 +29,11 @@ TouchTable collect_touches(const ResolvedGraph& graph, const Schedule& order,
             const UseDecl& use = pass.uses[u];
             Touch touch{position,         id, order.queue[position], use.state, writes(use.access),
                         reads(use.access)};
-            for (const AttachmentOps& ops : attachments[position])
-                if (ops.use == u) add_attachment_access(ops, use, touch);
+            for (const AttachmentOps& ops : attachments[position]) {
+                if (ops.use != u) continue;
+                add_attachment_access(ops, use, touch);
+                touch.continues = scopes[position];
+            }
             touches[use.resource].push_back({use.range, touch});
         }
     }

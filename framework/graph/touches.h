@@ -16,6 +16,7 @@ struct Touch {
     AccessState state;
     bool writes = false;
     bool reads = false;
+    uint32_t continues = kNoId;  // the position whose rendering scope this drawing goes on in
 };
 
 struct RangeTouch {
@@ -23,9 +24,10 @@ struct RangeTouch {
     Touch touch;
 };
 
-// By resource, in order of position.
+// By resource, in order of position. `scopes` says by position whose rendering scope a pass continues.
 using TouchTable = std::vector<std::vector<RangeTouch>>;
 [[nodiscard]] TouchTable collect_touches(const ResolvedGraph& graph, const Schedule& order,
-                                         const std::vector<std::vector<AttachmentOps>>& attachments);
+                                         const std::vector<std::vector<AttachmentOps>>& attachments,
+                                         const std::vector<uint32_t>& scopes);
 
 }  // namespace weft

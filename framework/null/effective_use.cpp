@@ -36,6 +36,10 @@ void apply_operations(const AttachmentOps& ops, const AttachmentDecl* attachment
 
 }  // namespace
 
+bool draws_to(const PassDecl& pass, uint32_t use) {
+    return attachment_of(pass, use) != nullptr;
+}
+
 EffectiveUse effective_use(const PassDecl& pass, const PassStep& step, uint32_t index) {
     const UseDecl& use = pass.uses[index];
     EffectiveUse effective;

@@ -14,6 +14,7 @@ struct EffectiveUse {
     bool loses_old = false;      // the pass needs the old content, or a clear, and gets neither
     bool loses_written = false;  // what is there after the pass is undefined
 };
+[[nodiscard]] bool draws_to(const PassDecl& pass, uint32_t use);  // as an attachment
 [[nodiscard]] EffectiveUse effective_use(const PassDecl& pass, const PassStep& step, uint32_t use);
 
 // A use of several stages writes in one of them, and nobody knows in which: drawn by `choice`.

@@ -54,14 +54,19 @@ bool Memory::is_before(uint32_t first, uint32_t then) const {
     return first == kNoNode || timeline_.before[then].contains(first);
 }
 
+bool Memory::drawn_in_scope_of(const WriteRecord& write, uint32_t node) const {
+    const uint32_t scope = timeline_.nodes[node].scope;
+    return scope != kNoNode && timeline_.nodes[write.node].scope == scope && is_before(write.node, node);
+}
+
 bool Memory::available(const WriteRecord& write, uint32_t node) const {
-    if (write.node == kNoNode) return true;
+    if (write.node == kNoNode || drawn_in_scope_of(write, node)) return true;
     return std::any_of(write.available_by.begin(), write.available_by.end(),
                        [&](uint32_t by) { return by == node || is_before(by, node); });
 }
 
 bool Memory::visible(const WriteRecord& write, const Accessor& accessor) const {
-    if (write.node == kNoNode) return true;
+    if (write.node == kNoNode || drawn_in_scope_of(write, accessor.node)) return true;
     if (accessor.stage == stage::kNone) return true;  // a semaphore in between makes everything visible
     const QueueIndex queue = timeline_.nodes[accessor.node].queue;
     AccessMask seen = access::kNone;

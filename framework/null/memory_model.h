@@ -87,6 +87,7 @@ class Memory {
 
  private:
     [[nodiscard]] bool is_before(uint32_t first, uint32_t then) const;
+    [[nodiscard]] bool drawn_in_scope_of(const WriteRecord& write, uint32_t node) const;
     [[nodiscard]] bool available(const WriteRecord& write, uint32_t node) const;
     [[nodiscard]] bool visible(const WriteRecord& write, const Accessor& accessor) const;
     [[nodiscard]] bool exclusive(ResourceId object) const;

@@ -32,6 +32,15 @@ StageMask destination_scope(StageMask stages) {
     return along(kDrawing, stages, false) | along(kDispatching, stages, false);
 }
 
+// The stages that do nothing but draw, by what they draw to.
+constexpr std::array kAttachmentStages{stage::kColorOutput,
+                                       stage::kEarlyFragmentTests | stage::kLateFragmentTests};
+
+// What a rendering scope has drawn so far, by what it drew to. The rasteriser keeps its order.
+struct Drawing {
+    std::array<NodeSet, kAttachmentStages.size()> done;
+};
+
 template <class F>
 void for_each_stage(StageMask stages, F visit) {
     for (size_t s = 0; s < stage::kCount; ++s)
@@ -164,10 +173,12 @@ class Unroller {
             if (wait.previous_frame && plan_.submissions.batches[wait.batch].epilogue)
                 add_wait(batch.queue, owners_signal_);
         }
-        for (const uint32_t position : batch.positions) {
-            const PassStep& step = plan_.barriers.steps[position];
+        for (size_t i = 0; i < batch.positions.size(); ++i) {
+            const PassStep& step = plan_.barriers.steps[batch.positions[i]];
+            const bool last = i + 1 == batch.positions.size();
             barriers(batch.queue, step.barriers);
-            pass(batch.queue, position, step);
+            pass(batch.queue, batch.positions[i],
+                 !last && plan_.barriers.steps[batch.positions[i + 1]].continues_scope);
             barriers(batch.queue, step.after);
         }
         if (batch.epilogue) barriers(batch.queue, plan_.barriers.epilogue);
@@ -190,36 +201,59 @@ class Unroller {
         include(queue.everything, id);
     }
 
-    void pass(QueueIndex queue, uint32_t position, const PassStep& step) {
+    void pass(QueueIndex queue, uint32_t position, bool goes_on) {
+        const PassStep& step = plan_.barriers.steps[position];
         const PassDecl& pass = plan_.graph.passes[step.pass];
         Node node;
         node.queue = queue;
         node.instance = static_cast<uint32_t>(timeline_.instances.size());
-        timeline_.instances.push_back({frame_, position});
+        timeline_.instances.push_back({frame_, position, goes_on});
         StageMask reading = 0, writing = 0;
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const EffectiveUse use = effective_use(pass, step, u);
             if (use.reads) reading |= use.stages;
             if (use.writes) writing |= write_stage(use, position, u, choice_);
         }
+        if (!step.continues_scope) {
+            drawing_ = {};
+            ++scope_;
+        }
         // Nothing is written before everything that goes into it is read.
         NodeSet all_read;
         std::vector<uint32_t> added;
         node.kind = NodeKind::pass_read;
         for_each_stage(reading, [&](size_t s) {
-            node.stage = 1u << s;
-            added.push_back(add_work(node, required(queue, node.stage)));
+            bind(node, 1u << s);
+            added.push_back(add_work(node, required_by(node)));
             include(all_read, added.back());
         });
         node.kind = NodeKind::pass_write;
         for_each_stage(writing, [&](size_t s) {
-            node.stage = 1u << s;
-            NodeSet before = required(queue, node.stage);
+            bind(node, 1u << s);
+            NodeSet before = required_by(node);
             before.merge(all_read);
             added.push_back(add_work(node, std::move(before)));
         });
-        for (const UseDecl& use : pass.uses)
-            for (const uint32_t id : added) touch_import(id, use.resource);
+        for (const uint32_t id : added) {
+            for (const UseDecl& use : pass.uses) touch_import(id, use.resource);
+            for (size_t kind = 0; kind < kAttachmentStages.size(); ++kind)
+                if (timeline_.nodes[id].stage & kAttachmentStages[kind]) include(drawing_.done[kind], id);
+        }
+    }
+
+    // A pass's part in one stage.
+    void bind(Node& node, StageMask stage) const {
+        node.stage = stage;
+        const bool draws = std::any_of(kAttachmentStages.begin(), kAttachmentStages.end(),
+                                       [stage](StageMask stages) { return (stages & stage) != 0; });
+        node.scope = draws ? scope_ : kNoNode;
+    }
+
+    NodeSet required_by(const Node& node) const {
+        NodeSet before = required(node.queue, node.stage);
+        for (size_t kind = 0; kind < kAttachmentStages.size(); ++kind)
+            if (node.stage & kAttachmentStages[kind]) before.merge(drawing_.done[kind]);
+        return before;
     }
 
     // Owners have their turn between two frames, on the first queue. Who waits for the end of the frame
@@ -274,6 +308,8 @@ class Unroller {
     const FramePlan& plan_;
     uint64_t choice_;
     uint32_t frame_ = 0;
+    uint32_t scope_ = 0;
+    Drawing drawing_;
     Timeline timeline_;
     std::vector<QueueProgress> queues_;
     std::vector<ResourceId> imports_;  // used by some pass

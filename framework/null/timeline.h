@@ -1,9 +1,10 @@
 // Purpose: a plan unrolled over several frames into the smallest things that can be delayed, and which of
 // them have to wait for which. A pass is one node for each stage that reads and one for each write; a
-// barrier, a semaphore's signal and a wait are nodes too. Only barriers and semaphores order anything: a node
-// of a stage waits for the barriers before it whose destination reaches that stage, a barrier for everything
-// before it in its source stages and for the barriers that it chains with (Vulkan 1.3 specification,
-// "Execution Dependencies"). The passes' order in the plan means nothing.
+// barrier, a semaphore's signal and a wait are nodes too. Only barriers, semaphores and the rasteriser order
+// anything: a node of a stage waits for the barriers before it whose destination reaches that stage, a
+// barrier for everything before it in its source stages and for the barriers that it chains with (Vulkan 1.3
+// specification, "Execution Dependencies"), and drawing for earlier drawing in its rendering scope. The
+// passes' order in the plan means nothing else.
 #pragma once
 
 #include <cstdint>
@@ -36,12 +37,16 @@ struct Node {
     uint32_t instance = kNoNode;     // passes: index into Timeline::instances
     const BarrierDecl* barrier = nullptr;
     ResourceId resource = kNoId;  // imports and clears
+    // What draws: its rendering scope, counted over all frames. Later drawing in a scope waits for earlier
+    // drawing to the same kind of attachment, and sees it; nothing else of the passes does.
+    uint32_t scope = kNoNode;
 };
 
 // One pass in one frame.
 struct PassInstance {
     uint32_t frame = 0;
     uint32_t position = 0;
+    bool goes_on = false;  // the next pass draws into the same rendering scope: nothing is stored yet
 };
 
 struct Timeline {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "vulkan/executor_errors.h"
+#include "vulkan/merged_scopes.h"
 
 namespace weft::vk {
 namespace {
@@ -105,8 +106,11 @@ Status prepare_turn(Device& device, PlanObjects& objects, uint32_t position, con
     prepared.port_sets.push_back(*sets);
     const PassStep& step = objects.plan.barriers.steps[position];
     if (objects.plan.graph.passes[step.pass].kind == PassKind::compute) return Unit{};
-    Result<RenderingScope> scope = make_rendering_scope(objects.plan, step, objects.views, frame);
+    Result<RenderingScope> scope =
+        make_rendering_scope(objects.plan, step_of_scope(objects.plan, position), objects.views, frame);
     if (!scope) return scope.take_errors();
+    scope->begins = !step.continues_scope;
+    scope->ends = !scope_goes_on(objects.plan, position);
     prepared.scopes.push_back(std::move(*scope));
     return Unit{};
 }

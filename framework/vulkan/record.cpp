@@ -46,7 +46,7 @@ void record_fullscreen(const RecordContext& context, const PassDecl& pass, const
                          prepared.pipelines[0].pipeline.get());
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
     fn.vkCmdDraw(context.commands, 3, 1, 0, 0);
-    fn.vkCmdEndRendering(context.commands);
+    end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
 void record_raster(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
@@ -70,7 +70,7 @@ void record_raster(const RecordContext& context, const PassDecl& pass, const Pre
         draws.uses_instances = prepared.layout.declares[kInstanceSet];
         context.objects.draws->record(draws);
     }
-    fn.vkCmdEndRendering(context.commands);
+    end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
 void record_pass(const RecordContext& context, uint32_t position) {

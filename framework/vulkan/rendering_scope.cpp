@@ -104,7 +104,7 @@ void begin_rendering(const Device& device, VkCommandBuffer commands, const Rende
     if (scope.depth.imageView != VK_NULL_HANDLE) info.pDepthAttachment = &scope.depth;
     if (scope.stencil.imageView != VK_NULL_HANDLE) info.pStencilAttachment = &scope.stencil;
     const DeviceFunctions& fn = device.fn();
-    fn.vkCmdBeginRendering(commands, &info);
+    if (scope.begins) fn.vkCmdBeginRendering(commands, &info);
 
     const RectPx whole{0, 0, scope.area.extent.width, scope.area.extent.height};
     const RectPx view = state.viewport.value_or(whole);
@@ -120,6 +120,10 @@ void begin_rendering(const Device& device, VkCommandBuffer commands, const Rende
     fn.vkCmdSetScissor(commands, 0, 1, &scissor);
     fn.vkCmdSetCullMode(commands, to_vk(state.cull));
     fn.vkCmdSetFrontFace(commands, to_vk(state.front_face));
+}
+
+void end_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope) {
+    if (scope.ends) device.fn().vkCmdEndRendering(commands);
 }
 
 }  // namespace weft::vk

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "vulkan/executor_errors.h"
+#include "vulkan/merged_scopes.h"
 #include "vulkan/plan_queues.h"
 
 namespace weft::vk {
@@ -11,6 +12,8 @@ Result<PassTimer> PassTimer::create(Device& device, const FramePlan& plan, bool 
     PassTimer timer;
     timer.device_ = &device;
     timer.before_.resize(plan.schedule.order.size(), kNoId);
+    for (uint32_t position = 0; position < plan.schedule.order.size(); ++position)
+        timer.inside_scope_.push_back(scope_goes_on(plan, position) ? 1 : 0);
     const std::vector<PlanQueue> queues = map_queues(device, plan.schedule.queues);
     for (const Batch& batch : plan.submissions.batches) {
         uint32_t before = static_cast<uint32_t>(timer.batch_timed_.size());
@@ -39,11 +42,13 @@ uint32_t PassTimer::end_query(size_t position) const {
     return static_cast<uint32_t>(batch_timed_.size() + position);
 }
 
-void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query) const {
+void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query, bool inside_scope) const {
     const DeviceFunctions& fn = device_->fn();
     fn.vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pools_[slot].get(), query);
     // lavapipe puts a timestamp where it next flushes. A barrier makes it flush; this one depends on nothing
-    // and holds nothing back, so it can't stand in for one that the plan forgot.
+    // and holds nothing back, so it can't stand in for one that the plan forgot. A rendering scope takes
+    // none, and lavapipe runs it as a whole.
+    if (inside_scope) return;
     const VkDependencyInfo nothing{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     fn.vkCmdPipelineBarrier2(commands, &nothing);
 }
@@ -55,11 +60,11 @@ void PassTimer::reset(uint32_t slot) const {
 }
 
 void PassTimer::record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch) const {
-    if (batch_timed_[batch] != 0) write(commands, slot, batch);
+    if (batch_timed_[batch] != 0) write(commands, slot, batch, false);
 }
 
 void PassTimer::record_pass_end(VkCommandBuffer commands, uint32_t slot, uint32_t position) const {
-    if (before_[position] != kNoId) write(commands, slot, end_query(position));
+    if (before_[position] != kNoId) write(commands, slot, end_query(position), inside_scope_[position] != 0);
 }
 
 std::vector<PassTimer::Stamp> PassTimer::stamps(uint32_t slot) const {

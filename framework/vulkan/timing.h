@@ -1,5 +1,6 @@
 // Purpose: GPU times of the passes of a frame by timestamp queries: one at the start of each batch and one
-// after each pass. A pass's time includes the wait of its own barriers, but not that of its batch.
+// after each pass. A pass's time includes the wait of its own barriers, but not that of its batch; what a
+// rendering scope stores is in the time of its last pass.
 // Times in ms. Errors: V418.
 #pragma once
 
@@ -30,13 +31,14 @@ class PassTimer {
         uint64_t ticks = 0;
         uint64_t available = 0;
     };
-    void write(VkCommandBuffer commands, uint32_t slot, uint32_t query) const;
+    void write(VkCommandBuffer commands, uint32_t slot, uint32_t query, bool inside_scope) const;
     [[nodiscard]] std::vector<Stamp> stamps(uint32_t slot) const;  // by query; empty when off
     [[nodiscard]] uint32_t end_query(size_t position) const;
 
     Device* device_ = nullptr;
-    std::vector<uint8_t> batch_timed_;  // by batch
-    std::vector<uint32_t> before_;      // by position: the query before it on its queue; kNoId when not timed
+    std::vector<uint8_t> batch_timed_;   // by batch
+    std::vector<uint8_t> inside_scope_;  // by position: the next pass goes on in the same rendering scope
+    std::vector<uint32_t> before_;  // by position: the query before it on its queue; kNoId when not timed
     std::array<QueryPoolHandle, kFramesInFlight> pools_;
 };
 

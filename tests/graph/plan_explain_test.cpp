@@ -150,6 +150,7 @@ TEST(DiffRandom, TheFewestMovesExplainANewOrder) {
     FramePlan a = random_plan(4), b = a;
     ASSERT_GE(a.schedule.order.size(), 3u);
     std::rotate(b.schedule.order.begin(), b.schedule.order.begin() + 1, b.schedule.order.end());
+    std::rotate(b.barriers.steps.begin(), b.barriers.steps.begin() + 1, b.barriers.steps.end());
     for (uint32_t p = 0; p < b.schedule.order.size(); ++p) b.schedule.position[b.schedule.order[p]] = p;
     const PlanDiff diff = diff_plans(a, b);
     ASSERT_EQ(diff.moved.size(), 1u);

@@ -103,7 +103,7 @@ class Generator : public RandomFeatures {
 RandomGraphOptions all_features() {
     RandomGraphOptions options;
     options.history = options.keep = options.queues = options.after = true;
-    options.chains = options.ranges = options.depth_input = true;
+    options.chains = options.ranges = options.depth_input = options.layers = true;
     return options;
 }
 

@@ -34,6 +34,7 @@ struct RandomGraphOptions {
     bool chains = false;       // mip by mip, down and up again, layer by layer
     bool ranges = false;       // clears and copies of several mips and layers
     bool depth_input = false;  // depth as attachment and input at once
+    bool layers = false;       // several passes that draw over one another, to merge into one scope
 };
 
 // Everything above.

@@ -54,6 +54,7 @@ void GraphCoverage::add(const FramePlan& plan) {
         plan, [](const PassDecl& pass) { return pass.name.find("_down_") != std::string::npos; });
     after += any(plan.graph.edges, [](const EdgeDecl& edge) { return edge.kind == EdgeKind::after; });
     depth_inputs += any_live_pass(plan, tests_against_its_input);
+    merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.continues_scope; });
     culled += plan.schedule.order.size() < plan.graph.passes.size() ? 1 : 0;
 }
 
@@ -74,6 +75,7 @@ std::string GraphCoverage::text() const {
     share("after edges", after);
     share("depth as input", depth_inputs);
     share("culled passes", culled);
+    share("merged scopes", merged_scopes);
     return all;
 }
 

@@ -22,6 +22,7 @@ struct GraphCoverage {
     uint32_t after = 0;         // edges
     uint32_t depth_inputs = 0;  // attachment and input at once
     uint32_t culled = 0;
+    uint32_t merged_scopes = 0;
 
     void add(const FramePlan& plan);
     [[nodiscard]] std::string text() const;  // shares in percent

@@ -14,7 +14,9 @@ bool RandomFeatures::add_feature() {
     if (options_.ranges)
         features.insert(features.end(), {&RandomFeatures::clear_range, &RandomFeatures::copy_range});
     if (options_.depth_input) features.push_back(&RandomFeatures::test_against_input);
-    if (features.empty() || !chance(20)) return false;
+    if (options_.layers)
+        features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers});
+    if (features.empty() || !chance(24)) return false;
     (this->*features[below(static_cast<uint32_t>(features.size()))])();
     return true;
 }
@@ -171,6 +173,50 @@ void RandomFeatures::test_against_input() {
     test.state.depth_test = true;
     test.state.depth_compare = CompareOp::always;
     test.colors.front().covers = true;
+    images_.push_back(cell);
+}
+
+// One drawing over the whole of an image and some over parts of it. Mostly they read the same, which leaves
+// nothing to wait for between them; now and then one reads something else.
+void RandomFeatures::draw_layers() {
+    const std::vector<RandomCell> inputs = take(images_, between(1, 2));
+    const RandomCell cell = new_image(16u * between(1, 3));
+    const char* shader = inputs.size() == 1 ? "mix_color_1.frag" : "mix_color_2.frag";
+    for (uint32_t layer = 0, layers = between(2, 4); layer < layers; ++layer) {
+        std::vector<BuilderUse> uses = inputs_of(inputs, Access::sampled_read);
+        if (chance(15)) uses.front() = inputs_of(take(images_, 1), Access::sampled_read).front();
+        uses.push_back(destination(cell, layer == 0 ? Access::color_write : Access::color_read_write));
+        PassDecl& pass = add("layer", PassKind::fullscreen, shader, uses);
+        pass.colors.front().covers = layer == 0 && chance(50);
+        const uint32_t side = side_px(cell);
+        if (layer > 0) pass.state.scissor = RectPx{0, 0, std::max(1u, side / (layer + 1)), side};
+    }
+    images_.push_back(cell);
+}
+
+// The same with depth, written by all of them or tested by all of them.
+void RandomFeatures::draw_depth_layers() {
+    const std::vector<RandomCell> inputs = take(images_, 1);
+    const uint32_t side = 16u * between(1, 3);
+    const ResourceId z = builder_.image(fresh_name("depth"), Format::d32f, side);
+    const uint32_t layers = between(2, 3);
+    const auto draw = [&](const char* shader, uint32_t layer, const BuilderUse& output, Access depth) {
+        std::vector<BuilderUse> uses = inputs_of(inputs, Access::sampled_read);
+        if (output.resource != kNoId) uses.push_back(output);
+        uses.push_back({"depth", z, depth, {}, kNoId});
+        PassDecl& pass = add("depthlayer", PassKind::fullscreen, shader, uses);
+        pass.state.depth_test = true;
+        pass.state.depth_write = writes(depth);
+        pass.state.depth_compare = CompareOp::always;
+        if (layer > 0) pass.state.scissor = RectPx{0, 0, side, std::max(1u, side / (layer + 1))};
+    };
+    for (uint32_t layer = 0; layer < layers; ++layer)
+        draw("write_depth.frag", layer, {}, layer == 0 ? Access::depth_write : Access::depth_read_write);
+    const RandomCell cell{builder_.image(fresh_name("image"), Format::r32u, side), one_cell(0), false};
+    for (uint32_t layer = 0; layer < layers; ++layer)
+        draw("mix_color_1.frag", layer,
+             destination(cell, layer == 0 ? Access::color_write : Access::color_read_write),
+             Access::depth_read);
     images_.push_back(cell);
 }
 

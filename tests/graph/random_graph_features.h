@@ -1,4 +1,5 @@
-// Purpose: what random frames have on demand: rings, kept resources, mip chains, ranges, depth as an input.
+// Purpose: what random frames have on demand: rings, kept resources, mip chains, ranges, depth as an input,
+// layers of drawings.
 #pragma once
 
 #include "random_graph_passes.h"
@@ -24,6 +25,8 @@ class RandomFeatures : public RandomPasses {
     void clear_range();
     void copy_range();
     void test_against_input();
+    void draw_layers();
+    void draw_depth_layers();
     void draw_builtin_seed(PassDecl& pass, ResourceId role);
 };
 

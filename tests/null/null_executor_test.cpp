@@ -210,5 +210,39 @@ TEST_F(NullResolve, TheTargetIsWrittenByThePass) {
     EXPECT_FALSE(broken(plan).empty());
 }
 
+// "second" draws over what "first" drew, and looks into the buffer that it wrote, or doesn't.
+FramePlan drawing(bool looks) {
+    GraphBuilder b;
+    const ResourceId target = b.image("target"), words = b.buffer("words");
+    b.pass("first", PassKind::fullscreen,
+           {{"words", words, Access::storage_write}, {"color", target, Access::color_write}});
+    std::vector<BuilderUse> uses{{"color", target, Access::color_read_write}};
+    if (looks) uses.push_back({"words", words, Access::storage_read});
+    b.pass("second", PassKind::fullscreen, uses);
+    b.pass("read_back", PassKind::readback, {{"src", target, Access::copy_read}});
+    b.pass("read_words", PassKind::readback, {{"src", words, Access::copy_read}});
+    const ResolvedGraph graph = b.build();
+    return compile(graph, content_needs(graph), {});
+}
+
+TEST(NullScopes, OrderWhatIsDrawn) {
+    FramePlan plan = drawing(false);
+    PassStep& second = plan.barriers.steps[1];
+    ASSERT_TRUE(second.continues_scope);
+    EXPECT_TRUE(broken(plan).empty());
+    second.continues_scope = false;
+    EXPECT_FALSE(broken(plan).empty());
+}
+
+TEST(NullScopes, OrderNothingElse) {
+    FramePlan plan = drawing(true);
+    PassStep& second = plan.barriers.steps[1];
+    ASSERT_EQ(second.barriers.size(), 2u);
+    EXPECT_TRUE(broken(plan).empty());
+    second.barriers.clear();
+    second.continues_scope = true;
+    EXPECT_FALSE(broken(plan).empty());
+}
+
 }  // namespace
 }  // namespace weft::test

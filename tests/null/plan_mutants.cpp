@@ -18,6 +18,10 @@ class Mutator {
             const std::string& pass = plan_.graph.passes[step.pass].name;
             mutate(step.barriers, "before " + pass);
             mutate(step.after, "after " + pass);
+            if (!step.continues_scope) continue;
+            step.continues_scope = false;
+            show(MutantKind::parted_scope, pass + " begins a scope of its own");
+            step.continues_scope = true;
         }
         mutate(barriers.epilogue, "at the end");
         weakened_ = MutantKind::weakened_prologue;

@@ -15,8 +15,9 @@ enum class MutantKind : uint8_t {
     removed_wait,
     removed_transfer,
     removed_owner,
+    parted_scope,
 };
-inline constexpr int kMutantKinds = 6;
+inline constexpr int kMutantKinds = 7;
 
 struct Mutant {
     MutantKind kind = MutantKind::removed_barrier;
@@ -25,7 +26,8 @@ struct Mutant {
 };
 
 // Visits every barrier removed, or weaker by one stage or access bit on either side; every wait removed;
-// every half of an ownership transfer removed; every hand-over without one of the owners that it waits for.
+// every half of an ownership transfer removed; every hand-over without one of the owners that it waits for;
+// every pass that continues a rendering scope put into one of its own, with no barrier before it.
 void for_each_mutant(const FramePlan& plan, const std::function<void(const Mutant&)>& visit);
 
 }  // namespace weft::test

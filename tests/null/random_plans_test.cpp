@@ -55,6 +55,7 @@ TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesOnOneToFourQueues) {
     EXPECT_GE(coverage.hand_overs * 2, graphs);
     for (const uint32_t count : {coverage.waits, coverage.history, coverage.ranges, coverage.repeats})
         EXPECT_GE(count * 10, graphs * 3);
+    EXPECT_GE(coverage.merged_scopes * 10, graphs);
 }
 
 TEST(RandomPlans, TheNaivePlanGivesItToo) {

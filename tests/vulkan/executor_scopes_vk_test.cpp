@@ -1,0 +1,156 @@
+// Passes that share a rendering scope draw in their order, each with its own state, and the scope keeps what
+// its last pass says.
+#include <cmath>
+
+#include "check/check_plan.h"
+#include "graph/naive_plan.h"
+#include "vulkan/executor_fixture.h"
+#include "vulkan/triangle_source.h"
+
+namespace weft::vk {
+namespace {
+
+using test::GraphBuilder;
+
+constexpr uint32_t kSide = 8;
+constexpr uint32_t kFrames = 3;
+
+float from_half(uint16_t bits) {
+    const int exponent = bits >> 10 & 31;
+    if (exponent == 0) return std::ldexp(static_cast<float>(bits & 1023), -24);
+    return std::ldexp(static_cast<float>(1024 | (bits & 1023)), exponent - 25);
+}
+
+uint32_t continued(const FramePlan& plan) {
+    uint32_t count = 0;
+    for (const PassStep& step : plan.barriers.steps) count += step.continues_scope ? 1 : 0;
+    return count;
+}
+
+class ExecutorScopesVk : public ExecutorTest {
+ protected:
+    std::vector<ReadbackData> run(FramePlan plan, bool timestamps, const TriangleSource* source = nullptr) {
+        ExecutorInput input = input_for(std::move(plan));
+        input.timestamps = timestamps;
+        if (source != nullptr) {
+            imports_.imports.emplace("opaque", TriangleSource::draw_list("opaque"));
+            input.imports = &imports_;
+            input.draws = source;
+        }
+        const auto executor = executor_for(std::move(input));
+        if (executor == nullptr) return {};
+        std::vector<ReadbackData> read = run_frames(*executor, kFrames);
+        EXPECT_EQ(read.size(), kFrames);
+        for (const FrameTiming& frame : executor->take_timings())
+            for (const auto& pass : frame.passes) EXPECT_EQ(pass.gpu_ms >= 0, timestamps) << pass.pass;
+        EXPECT_EQ(device().messages().count(), 0u);
+        return read;
+    }
+
+    // A fullscreen pass that gives `value` everywhere.
+    void add_fill(GraphBuilder& builder, const char* name, const char* value, ResourceId target,
+                  const BlendState& blend, const std::optional<RectPx>& scissor) {
+        const std::string file = std::string(name) + ".frag";
+        write_shader(file, "layout(location = 0) out vec4 dst;\nvoid main() { dst = vec4(" +
+                               std::string(value) + "); }");
+        const Access access = blend.enabled ? Access::color_read_write : Access::color_write;
+        PassDecl& pass = builder.pass(name, PassKind::fullscreen, {{"dst", target, access, {}, kNoId}});
+        pass.colors.front().blend = blend;
+        pass.state.scissor = scissor;
+        use_shader(pass, file, ProgramKind::fullscreen);
+    }
+
+    // Draws the triangle of the list at depth `z`.
+    PassDecl& add_draw(GraphBuilder& builder, const std::string& name, const char* z, const char* color,
+                       const std::vector<test::BuilderUse>& uses) {
+        write_shader(name + "/" + name + ".vert",
+                     "layout(location = 0) in vec2 position;\n"
+                     "void main() { gl_Position = vec4(position, " +
+                         std::string(z) + ", 1.0); }");
+        write_shader(name + "/" + name + ".frag",
+                     "layout(constant_id = 3) const bool TINT = false;\n"
+                     "layout(location = 0) out vec4 target;\n"
+                     "void main() { target = vec4(" +
+                         std::string(color) + " + (TINT ? 1.0 : 0.0)); }");
+        PassDecl& draw = builder.pass(name, PassKind::raster, uses);
+        draw.state.depth_test = draw.state.depth_write = true;
+        draw.state.depth_compare = CompareOp::greater_equal;
+        draw.draw_lists = {"opaque"};
+        use_shader(draw, name, ProgramKind::raster);
+        return draw;
+    }
+
+    ImportCatalog imports_;
+};
+
+// (x + y) * 3 where the scissors say so, which any other order would give differently.
+TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors) {
+    BlendState add, multiply;
+    add.enabled = multiply.enabled = true;
+    add.dst_color = add.dst_alpha = BlendFactor::one;
+    multiply.src_color = BlendFactor::dst_color;
+    multiply.src_alpha = BlendFactor::dst_alpha;
+    GraphBuilder builder;
+    const ResourceId target = builder.image("target", Format::rgba16f, kSide);
+    add_fill(builder, "base", "gl_FragCoord.x - 0.5", target, {}, {});
+    add_fill(builder, "plus", "gl_FragCoord.y - 0.5", target, add, RectPx{0, 0, kSide / 2, kSide});
+    add_fill(builder, "times", "3.0", target, multiply, RectPx{0, 2, kSide, kSide - 2});
+    builder.pass("read", PassKind::readback, {{"src", target, Access::copy_read, {}, kNoId}});
+    const FramePlan plan = compile_plan(builder);
+    ASSERT_EQ(continued(plan), 2u);
+    ASSERT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
+    const std::vector<ReadbackData> naive =
+        run(test::naive_plan(plan.graph, query_memory_needs(device(), plan.graph)), false);
+    for (const bool timestamps : {false, true}) {
+        const std::vector<ReadbackData> read = run(plan, timestamps);
+        for (size_t frame = 0; frame < read.size() && frame < naive.size(); ++frame) {
+            EXPECT_TRUE(read[frame].bytes == naive[frame].bytes);
+            const std::vector<uint16_t> halves = values_of<uint16_t>(read[frame]);
+            ASSERT_EQ(halves.size(), kSide * kSide * 4);
+            for (uint32_t i = 0; i < halves.size(); ++i) {
+                const uint32_t x = i / 4 % kSide, y = i / 4 / kSide;
+                const uint32_t sum = x < kSide / 2 ? x + y : x;
+                ASSERT_EQ(from_half(halves[i]), static_cast<float>(y < 2 ? sum : sum * 3)) << x << ", " << y;
+            }
+        }
+    }
+}
+
+// The near triangle is cut to the left half; the far one, drawn later, is seen beside it only.
+TEST_F(ExecutorScopesVk, a_depth_tested_pair_in_one_scope_sees_its_depth) {
+    const TriangleSource source(device());
+    GraphBuilder builder;
+    const ResourceId target = builder.image("target", Format::rgba32f, kSide);
+    const ResourceId depth = builder.image("depth", Format::d32f, kSide);
+    PassDecl& near = add_draw(builder, "near", "0.75", "3.0",
+                              {{"color", target, Access::color_write, {}, kNoId},
+                               {"depth", depth, Access::depth_write, {}, kNoId}});
+    near.colors[0].clear = {-1, -1, -1, -1};
+    near.state.scissor = RectPx{0, 0, kSide / 2, kSide};
+    add_draw(builder, "far", "0.25", "5.0",
+             {{"color", target, Access::color_read_write, {}, kNoId},
+              {"depth", depth, Access::depth_read_write, {}, kNoId}});
+    builder.pass("read", PassKind::readback, {{"src", target, Access::copy_read, {}, kNoId}});
+    const FramePlan plan = compile_plan(builder);
+    ASSERT_EQ(continued(plan), 1u);
+    ASSERT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
+    const std::vector<ReadbackData> naive =
+        run(test::naive_plan(plan.graph, query_memory_needs(device(), plan.graph)), false, &source);
+    for (const bool timestamps : {false, true}) {
+        const std::vector<ReadbackData> read = run(plan, timestamps, &source);
+        for (size_t frame = 0; frame < read.size() && frame < naive.size(); ++frame) {
+            EXPECT_TRUE(read[frame].bytes == naive[frame].bytes);
+            const std::vector<float> texels = values_of<float>(read[frame]);
+            ASSERT_EQ(texels.size(), kSide * kSide * 4);
+            for (uint32_t i = 0; i < texels.size(); ++i) {
+                const uint32_t x = i / 4 % kSide, y = i / 4 / kSide;
+                if (x + y == kSide - 1) continue;            // centres on the edge: the fill rule's business
+                const float inside = x < kSide / 2 ? 4 : 6;  // the second variant adds one
+                ASSERT_EQ(texels[i], x + y < kSide - 1 ? inside : -1) << x << ", " << y;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace weft::vk
