@@ -30,12 +30,12 @@ class TextGenerator : public RandomTextRepeats {
             Piece piece;
         };
         constexpr Share kPieces[] = {
-            {24, &TextGenerator::mix},      {10, &TextGenerator::draw},     {9, &TextGenerator::update},
+            {20, &TextGenerator::mix},      {10, &TextGenerator::draw},     {9, &TextGenerator::update},
             {6, &TextGenerator::blend},     {4, &TextGenerator::overwrite}, {6, &TextGenerator::alternatives},
             {5, &TextGenerator::scene},     {4, &TextGenerator::wipe},      {4, &TextGenerator::copy},
             {3, &TextGenerator::stretch},   {6, &TextGenerator::buffers},   {1, &TextGenerator::read_back},
-            {4, &TextGenerator::pyramid},   {3, &TextGenerator::rounds},    {2, &TextGenerator::bounce},
-            {2, &TextGenerator::staircase}, {2, &TextGenerator::remember},  {2, &TextGenerator::recall},
+            {6, &TextGenerator::pyramid},   {3, &TextGenerator::rounds},    {3, &TextGenerator::bounce},
+            {3, &TextGenerator::staircase}, {2, &TextGenerator::remember},  {2, &TextGenerator::recall},
             {3, &TextGenerator::keep},
         };
         uint32_t roll = below(100);
