@@ -3,14 +3,20 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "weft/device_profile.h"
 #include "weft/plan.h"
 
 namespace weft::test {
+
+// Ten thousand graphs take minutes: only when asked for.
+inline bool extended() {
+    return std::getenv("WEFT_EXTENDED") != nullptr;
+}
 
 struct ProfilePlan {
     FramePlan plan;

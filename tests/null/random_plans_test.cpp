@@ -2,13 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <map>
 
 #include "check/check_plan.h"
 #include "graph/naive_plan.h"
+#include "graph/random_graph.h"
 #include "graph/random_graph_coverage.h"
 #include "null/null_executor.h"
 #include "profile_plans.h"
-#include "random_plans.h"
+#include "weft/compile.h"
 
 namespace weft::test {
 namespace {
