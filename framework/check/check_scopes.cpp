@@ -54,7 +54,7 @@ class ScopeRule {
         if (!first_.after.empty() || !second_.barriers.empty())
             return fault("barriers are recorded between them");
         if (first_pass_.turns != 0 || second_pass_.turns != 0)
-            return fault("one of them draws elsewhere every frame");
+            return fault("one of them does not draw in every frame");
         if (first_pass_.render_extent != second_pass_.render_extent)
             return fault("they draw to different extents");
         const std::vector<Bound> before = bound_by(first_pass_), after = bound_by(second_pass_);

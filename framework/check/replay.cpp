@@ -119,14 +119,16 @@ void Replay::prologue() {
     barriers(prologue.after, kNoId);
 }
 
-// What was this frame's becomes what was a frame ago, and the oldest copy is free.
+// What was this frame's becomes what was a frame ago, and the oldest copy is free. What nobody has written
+// yet stays.
 void Replay::rotate_rings() {
     for (const std::vector<ResourceId>& ring : rings_) {
         if (ring.size() < 2) continue;
         std::vector<Cell> oldest = std::move(cells_[ring.back()]);
         for (size_t age = ring.size() - 1; age > 0; --age)
             cells_[ring[age]] = std::move(cells_[ring[age - 1]]);
-        for (Cell& cell : oldest) cell.content = {};
+        for (Cell& cell : oldest)
+            if (cell.content.kind != Content::Kind::initial) cell.content = {};
         cells_[ring.front()] = std::move(oldest);
     }
 }

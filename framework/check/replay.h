@@ -90,7 +90,8 @@ class Replay {
     [[nodiscard]] std::string missing(const AccessRecord& record, const std::string& barrier) const;
 
     void expect_content(PassId id, const UseDecl& use, const Cell& cell);
-    [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Content& found, PassId wanted) const;
+    [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const;
+    [[nodiscard]] bool anybody_writes(ResourceId resource, const SubresourceRange& range) const;
     void expect_order(const Actor& by, const UseDecl& use, const Cell& cell, const AccessState& state,
                       bool writes);
     void expect_owner(const Actor& by, const UseDecl& use, Cell& cell);

@@ -76,14 +76,28 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell,
     }
 }
 
-// Of `age` frames ago, or the first-frame value while there was no such frame.
-bool Replay::is_wanted_content(const UseDecl& use, const Content& found, PassId wanted) const {
+// In any frame.
+bool Replay::anybody_writes(ResourceId resource, const SubresourceRange& range) const {
+    const auto write_it = [&](const UseDecl& use) {
+        return use.resource == resource && writes(use.access) && overlaps(use.range, range);
+    };
+    return std::any_of(plan_.schedule.order.begin(), plan_.schedule.order.end(), [&](PassId pass) {
+        const std::vector<UseDecl>& uses = plan_.graph.passes[pass].uses;
+        return std::any_of(uses.begin(), uses.end(), write_it);
+    });
+}
+
+// Of `age` frames ago, or the first-frame value while there was no such frame, or for good where nobody is
+// left who writes it.
+bool Replay::is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const {
+    const Content& found = cell.content;
     if (wanted != kNoId)
         return found.kind == Content::Kind::written && found.pass == wanted && found.frame == frame_;
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.ring == kNoId) return found.kind == Content::Kind::outside;
     const uint32_t age = std::max(resource.age, 1u);  // a ring of one keeps what the frame before left
-    if (frame_ < age) return found.kind == Content::Kind::initial;
+    const bool never_written = resource.history > 0 && !anybody_writes(resource.ring, cell.range);
+    if (frame_ < age || never_written) return found.kind == Content::Kind::initial;
     return found.kind == Content::Kind::carried && found.frame == frame_ - age;
 }
 
@@ -109,7 +123,7 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell) {
                                      [&](const VersionSource& s) { return contains(s.range, cell.range); });
     const PassId wanted = source == use.sources.end() ? kNoId : source->producer;
     const Content& found = cell.content;
-    if (is_wanted_content(use, found, wanted)) return;
+    if (is_wanted_content(use, cell, wanted)) return;
     std::string holds = "holds nothing";
     if (found.kind == Content::Kind::written)
         holds = "holds what " + faults_.actor_text({found.pass, found.frame}, frame_) + " wrote";

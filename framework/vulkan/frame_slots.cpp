@@ -50,10 +50,25 @@ VkResult wait_for(const Device& device, const std::vector<TimelinePoint>& points
     return device.fn().vkWaitSemaphores(device.handle(), &info, device.timeout_ns());
 }
 
-VkResult begin_commands(const Device& device, VkCommandBuffer commands) {
+// lavapipe (Mesa 22.3) drops the barriers that begin or end a command buffer, though what an earlier
+// submission draws may still be under way. Any other command before and behind them makes it heed them.
+void fence_off_barriers(const Device& device, VkCommandBuffer commands, uint32_t family) {
+    if ((device.families()[family].flags & VK_QUEUE_GRAPHICS_BIT) == 0) return;
+    const VkRect2D anywhere{{0, 0}, {1, 1}};
+    device.fn().vkCmdSetScissor(commands, 0, 1, &anywhere);
+}
+
+VkResult begin_commands(const Device& device, VkCommandBuffer commands, uint32_t family) {
     VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    return device.fn().vkBeginCommandBuffer(commands, &info);
+    const VkResult result = device.fn().vkBeginCommandBuffer(commands, &info);
+    if (result == VK_SUCCESS) fence_off_barriers(device, commands, family);
+    return result;
+}
+
+VkResult end_commands(const Device& device, VkCommandBuffer commands, uint32_t family) {
+    fence_off_barriers(device, commands, family);
+    return device.fn().vkEndCommandBuffer(commands);
 }
 
 }  // namespace
@@ -140,9 +155,10 @@ Status FrameSlots::begin(uint32_t index, uint64_t frame) {
     VkResult result = VK_SUCCESS;
     for (const CommandPoolHandle& pool : slot.pools)
         if (result == VK_SUCCESS) result = device_->fn().vkResetCommandPool(device_->handle(), pool.get(), 0);
-    for (const VkCommandBuffer commands : slot.commands)
-        if (result == VK_SUCCESS) result = begin_commands(*device_, commands);
-    if (result == VK_SUCCESS && frame == 0) result = begin_commands(*device_, slot.prologue);
+    for (size_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch)
+        result = begin_commands(*device_, slot.commands[batch], queues_[queue_of_[batch]].family);
+    if (result == VK_SUCCESS && frame == 0)
+        result = begin_commands(*device_, slot.prologue, queues_[0].family);
     if (result != VK_SUCCESS) return failed_call("V418", "beginning a frame's commands", result);
     return Unit{};
 }
@@ -188,9 +204,9 @@ VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame) const {
 VkResult FrameSlots::submit(uint32_t index, uint64_t frame) {
     Slot& slot = slots_[index];
     VkResult result = VK_SUCCESS;
-    if (frame == 0) result = device_->fn().vkEndCommandBuffer(slot.prologue);
-    for (const VkCommandBuffer commands : slot.commands)
-        if (result == VK_SUCCESS) result = device_->fn().vkEndCommandBuffer(commands);
+    if (frame == 0) result = end_commands(*device_, slot.prologue, queues_[0].family);
+    for (size_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch)
+        result = end_commands(*device_, slot.commands[batch], queues_[queue_of_[batch]].family);
     if (result != VK_SUCCESS) return result;
     return timelines_.in_use() ? submit_batches(slot, frame) : submit_alone(slot, frame);
 }

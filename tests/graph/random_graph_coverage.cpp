@@ -33,7 +33,7 @@ bool tests_against_its_input(const PassDecl& pass) {
 
 }  // namespace
 
-void GraphCoverage::add(const FramePlan& plan) {
+void GraphCoverage::add(const FramePlan& plan, bool left_out) {
     ++graphs;
     hand_overs += any(plan.memory.hand_overs, [](const HandOver& h) { return h.from != h.to; });
     several_queues += any(plan.schedule.queue, [](QueueIndex queue) { return queue != 0; });
@@ -50,8 +50,12 @@ void GraphCoverage::add(const FramePlan& plan) {
                    return b.range != plan.graph.resources[b.resource].whole();
                }) != 0;
     });
-    repeats += any_live_pass(
-        plan, [](const PassDecl& pass) { return pass.name.find("_down_") != std::string::npos; });
+    const auto is_round = [](const PassDecl& pass) { return pass.name.find('#') != std::string::npos; };
+    repeats += any_live_pass(plan, is_round);
+    chains += any_live_pass(plan, [&](const PassDecl& pass) {
+        return !is_round(pass) && pass.name.find("_down_") != std::string::npos;
+    });
+    conditionals += left_out ? 1 : 0;
     after += any(plan.graph.edges, [](const EdgeDecl& edge) { return edge.kind == EdgeKind::after; });
     depth_inputs += any_live_pass(plan, tests_against_its_input);
     merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.continues_scope; });
@@ -72,6 +76,8 @@ std::string GraphCoverage::text() const {
     share("kept", kept);
     share("subresource ranges", ranges);
     share("repeats", repeats);
+    share("mip chains made in memory", chains);
+    share("conditionals", conditionals);
     share("after edges", after);
     share("depth as input", depth_inputs);
     share("culled passes", culled);

@@ -18,13 +18,16 @@ struct GraphCoverage {
     uint32_t history = 0;    // live
     uint32_t kept = 0;
     uint32_t ranges = 0;        // barriers on parts of images
-    uint32_t repeats = 0;       // live mip chains
+    uint32_t repeats = 0;       // live rounds of repeats
+    uint32_t chains = 0;        // live mip chains of graphs made in memory
+    uint32_t conditionals = 0;  // something was left out for a condition, or read instead
     uint32_t after = 0;         // edges
     uint32_t depth_inputs = 0;  // attachment and input at once
     uint32_t culled = 0;
     uint32_t merged_scopes = 0;
 
-    void add(const FramePlan& plan);
+    // `left_out`: what RandomText says.
+    void add(const FramePlan& plan, bool left_out = false);
     [[nodiscard]] std::string text() const;  // shares in percent
 };
 

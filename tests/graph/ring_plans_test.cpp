@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "check/check_plan.h"
+#include "graph_builder.h"
 #include "plan_expectations.h"
 #include "random_graph.h"
 #include "weft/compile.h"
@@ -134,6 +135,23 @@ TEST(RingPlans, AForgottenPrologueIsAFault) {
     plan = compile(graph, content_needs(graph), on_queues(1));
     plan.barriers.prologue.after.clear();
     EXPECT_FALSE(check_plan(plan).empty());
+}
+
+// As when `if` leaves its writer out: every frame finds the first-frame value in it.
+TEST(RingPlans, APastThatNobodyWritesStaysAsItWasAtFirst) {
+    for (const uint32_t history : {1u, 2u}) {
+        GraphBuilder builder;
+        const ResourceId result = builder.image("result");
+        const ResourceId past = builder.ring(builder.image("never"), history)[1];
+        builder.compute("look", {{"a", past, Access::sampled_read}, {"dst", result, Access::storage_write}});
+        builder.pass("read_back", PassKind::readback, {{"src", result, Access::copy_read}});
+        const ResolvedGraph graph = builder.build();
+        FramePlan plan = compile(graph, content_needs(graph), on_queues(1));
+        const Diagnostics faults = check_plan(plan);
+        EXPECT_TRUE(faults.empty()) << to_text(faults);
+        plan.barriers.prologue.cleared.clear();
+        EXPECT_NE(to_text(check_plan(plan)).find("C330"), std::string::npos);
+    }
 }
 
 TEST(RingPlans, HistoryKeepsItsWritersAlive) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Compiles every source of weft_graph, weft_check and weft_shader with a first include directory whose vulkan/vulkan.h
-# and volk.h are #error. A precompiled header of what most of them include makes it quick; it is made under the same
-# directory. The C++ pass of docs/writing-a-pass.md is compiled too, so that the page stays true.
+# Compiles every source of weft_graph, weft_check, weft_null and weft_shader with a first include directory whose
+# vulkan/vulkan.h and volk.h are #error. A precompiled header of what most of them include makes it quick; it is made
+# under the same directory. The C++ pass of docs/writing-a-pass.md is compiled too, so that the page stays true.
 #   no_vulkan_headers.sh COMPILER SOURCE_ROOT SCRATCH_FOLDER
 set -euo pipefail
 compiler=$1 root=$2 scratch=$3
@@ -38,8 +38,8 @@ awk -v into="$scratch/docs" '
     folder = name; sub("/[^/]*$", "", folder); system("mkdir -p \"" folder "\"") } next }
   inside { print > name }' "$root/docs/writing-a-pass.md"
 
-sources=("$root"/framework/graph/*.cpp "$root"/framework/check/*.cpp "$root"/framework/shader/*.cpp
-  "$scratch"/docs/passes/*/*.cpp)
+sources=("$root"/framework/graph/*.cpp "$root"/framework/check/*.cpp "$root"/framework/null/*.cpp
+  "$root"/framework/shader/*.cpp "$scratch"/docs/passes/*/*.cpp)
 printf '%s\0' "${sources[@]}" |
   xargs -0 -P "$(nproc)" -n 1 "$compiler" "${flags[@]}" -I"$scratch/docs/passes" -include "$scratch/most.h" \
     -Winvalid-pch -fsyntax-only

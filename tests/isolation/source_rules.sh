@@ -25,7 +25,7 @@ report "more than 600 lines" < <(sources "${everything[@]}" | xargs wc -l | awk 
 report "name says nothing" < <(files "${everything[@]}" | grep -iE '/[a-z_]*(util|common|helper|manager)[a-z_]*\.' || true)
 
 report "Vulkan name in a module that knows no Vulkan" < <(
-  sources framework/include framework/graph framework/check framework/shader framework/scene passes | code |
+  sources framework/include framework/graph framework/check framework/null framework/shader framework/scene passes | code |
     grep -E '\b(Vk[A-Z]|VK_[A-Z]|vkCmd[A-Z]|vk[A-Z][a-z]+[A-Z(])|volk\.h|vulkan/' || true)
 
 report "unfinished" < <(
@@ -43,6 +43,11 @@ report "framework/check includes more than plans, declarations and the standard 
   grep -nE '^ *# *include' framework/check/*.h framework/check/*.cpp |
     grep -vE '#include ("check/[a-z_]+\.h"|<[a-z_]+>)' |
     grep -vE '"weft/(plan|transition|declaration|access|result|source|format|shader_interface|device_profile)\.h"' || true)
+
+# Nor does the null executor, which judges both.
+report "framework/null includes more than plans, declarations and the standard library" < <(
+  grep -nE '^ *# *include' framework/null/*.h framework/null/*.cpp |
+    grep -vE '#include ("null/[a-z_]+\.h"|<[a-z_]+>|"weft/(plan|declaration)\.h")' || true)
 
 report "diagnostic without a row in docs/diagnostics.md" < <(
   grep -rhoE '"[WSVCX][0-9]{3}"' framework viewer passes | tr -d '"' | sort -u |

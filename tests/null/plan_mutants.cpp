@@ -25,6 +25,7 @@ class Mutator {
         }
         mutate(barriers.epilogue, "at the end");
         weakened_ = MutantKind::weakened_prologue;
+        mutate(barriers.prologue.before, "before the prologue");
         mutate(barriers.prologue.after, "after the prologue");
         for (Batch& batch : mutant_.plan.submissions.batches) drop_waits(batch);
     }

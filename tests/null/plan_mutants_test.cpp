@@ -3,7 +3,7 @@
 
 #include "check/check_plan.h"
 #include "mutant_judge.h"
-#include "random_plans.h"
+#include "profile_plans.h"
 
 namespace weft::test {
 namespace {
@@ -11,10 +11,11 @@ namespace {
 TEST(PlanMutants, WhatTheNullExecutorBreaksTheCheckerCatches) {
     const uint32_t graphs = extended() ? 100 : 40;
     const uint32_t max_passes = extended() ? 60 : 20;
+    const ProfilePlans plans;
     Tallies tallies;
     for (uint32_t seed = 0; seed < graphs; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(max_passes) + " passes");
-        const FramePlan plan = random_plan(seed, max_passes);
+        const FramePlan plan = plans.make(seed, max_passes).plan;
         ASSERT_TRUE(check_plan(plan).empty());
         judge_mutants(plan, extended() ? 4 : 8, tallies);
     }

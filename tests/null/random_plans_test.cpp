@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <map>
 
 #include "check/check_plan.h"
 #include "graph/naive_plan.h"
+#include "graph/random_graph.h"
 #include "graph/random_graph_coverage.h"
 #include "null/null_executor.h"
-#include "random_plans.h"
+#include "profile_plans.h"
+#include "weft/compile.h"
 
 namespace weft::test {
 namespace {
@@ -38,24 +41,37 @@ TEST(RandomPlans, GiveWhatTheGraphMeansOnOneQueue) {
     }
 }
 
-TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesOnOneToFourQueues) {
+// What the sets of graphs must have in them, so that this test shows something.
+void expect_shares(const GraphCoverage& coverage) {
+    EXPECT_GE(coverage.hand_overs * 2, coverage.graphs);
+    for (const uint32_t count :
+         {coverage.waits, coverage.history, coverage.ranges, coverage.repeats, coverage.conditionals})
+        EXPECT_GE(count * 10, coverage.graphs * 3);
+    EXPECT_GE(coverage.merged_scopes * 10, coverage.graphs);
+}
+
+TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesForAllProfiles) {
     const uint32_t graphs = extended() ? 10000 : 300;
+    const ProfilePlans plans;
+    ASSERT_EQ(plans.count(), 5u);
     GraphCoverage coverage;
-    uint32_t failures = 0;
+    std::map<std::string, uint32_t> by_profile;
+    uint32_t texts = 0, failures = 0;
     for (uint32_t seed = 0; seed < graphs && failures < 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        const FramePlan plan = random_plan(seed);
-        coverage.add(plan);
-        const Diagnostics faults = check_plan(plan);
+        const ProfilePlan made = plans.make(seed);
+        coverage.add(made.plan, made.left_out);
+        ++by_profile[made.profile];
+        texts += made.from_text ? 1 : 0;
+        const Diagnostics faults = check_plan(made.plan);
         EXPECT_TRUE(faults.empty()) << to_text(faults.front());
-        expect_reference(plan);
+        expect_reference(made.plan);
         failures += HasFailure() ? 1 : 0;
     }
-    std::cout << "seeds 0.." << graphs - 1 << ", " << coverage.text() << "\n";
-    EXPECT_GE(coverage.hand_overs * 2, graphs);
-    for (const uint32_t count : {coverage.waits, coverage.history, coverage.ranges, coverage.repeats})
-        EXPECT_GE(count * 10, graphs * 3);
-    EXPECT_GE(coverage.merged_scopes * 10, graphs);
+    std::cout << "seeds 0.." << graphs - 1 << ", " << coverage.text() << "; " << texts << " from texts";
+    for (const auto& [profile, count] : by_profile) std::cout << ", " << count << " for " << profile;
+    std::cout << "\n";
+    expect_shares(coverage);
 }
 
 TEST(RandomPlans, TheNaivePlanGivesItToo) {

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
 
 #include "check/check_plan.h"
 #include "graph/naive_plan.h"
 #include "graph/random_graph.h"
+#include "graph/random_graph_coverage.h"
 #include "vulkan/device_fixture.h"
 #include "vulkan/plan_runner.h"
 #include "weft/compile.h"
@@ -15,7 +17,7 @@ namespace weft::vk {
 namespace {
 
 constexpr uint32_t kFirstSeed = 1;
-constexpr uint32_t kSeeds = 50;
+constexpr uint32_t kSeeds = 16;
 
 using RandomGraphsVk = DeviceTest;
 
@@ -40,45 +42,41 @@ void expect_equal(const PlanResult& compiled, const PlanResult& naive) {
             << "import \"" << name << "\" ends differently from the naive run";
 }
 
-// With all that graphs can have, on one to four logical queues of the given families. Here they share what
-// queues the device has, so that every order between batches is the one of the plan.
-void expect_same_on_queues(Device& device, const DeviceProfile& families, uint32_t first_seed,
-                           uint32_t seeds) {
-    TestShaders shaders;
-    uint32_t several = 0;
-    for (uint32_t seed = first_seed; seed < first_seed + seeds; ++seed) {
-        const uint32_t queues = 1 + seed % 4;
-        SCOPED_TRACE("seed " + std::to_string(seed) + " on " + std::to_string(queues) + " queues");
-        const ResolvedGraph graph = test::random_graph(seed, test::all_features());
-        const MemoryNeeds needs = query_memory_needs(device, graph);
-        CompileOptions options;
-        options.queues = logical_queues(families, queues);
-        const FramePlan plan = compile(graph, needs, options);
-        const Diagnostics faults = check_plan(plan);
-        EXPECT_TRUE(faults.empty()) << to_text(faults);
-        several += plan.submissions.batches.size() > 1 ? 1 : 0;
-        const RunOptions run{4, {}, seed % 2 == 0};
-        expect_equal(run_plan(device, plan, shaders, run),
-                     run_plan(device, test::naive_plan(graph, needs), shaders, run));
-        EXPECT_EQ(device.messages().count(), 0u);
-        if (testing::Test::HasFailure()) return;
-    }
-    std::printf("%u of %u frames use several queues\n", several, seeds);
-    EXPECT_GE(several, seeds / 2);
-}
-
 DeviceProfile three_families() {
     DeviceProfile profile;
     profile.queue_families = {{QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
     return profile;
 }
 
-TEST_F(RandomGraphsVk, RunsBitForBitOnSeveralQueuesOfOneFamily) {
-    expect_same_on_queues(device(), DeviceProfile{}, 100, 12);
-}
-
-TEST_F(RandomGraphsVk, RunsBitForBitWithFamiliesThatTheDeviceLacks) {
-    expect_same_on_queues(device(), three_families(), 200, 12);
+// With all that graphs can have, on one to four logical queues, of one family or of several that the device
+// lacks. Here they share what queues the device has, so that every order between batches is the one of the
+// plan. Three frames, so that what is remembered for two is read.
+TEST_F(RandomGraphsVk, RunsBitForBitWithAllFeaturesOnSeveralQueues) {
+    constexpr uint32_t kFirst = 100;
+    const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 200 : 36;
+    TestShaders shaders;
+    test::GraphCoverage coverage;
+    for (uint32_t seed = kFirst; seed < kFirst + seeds; ++seed) {
+        const uint32_t queues = 1 + seed / 2 % 4;
+        SCOPED_TRACE("seed " + std::to_string(seed) + " on " + std::to_string(queues) + " queues");
+        const ResolvedGraph graph = test::random_graph(seed, test::all_features());
+        const MemoryNeeds needs = query_memory_needs(device(), graph);
+        CompileOptions options;
+        options.queues = logical_queues(seed % 2 == 0 ? DeviceProfile{} : three_families(), queues);
+        const FramePlan plan = compile(graph, needs, options);
+        const Diagnostics faults = check_plan(plan);
+        EXPECT_TRUE(faults.empty()) << to_text(faults);
+        coverage.add(plan);
+        const RunOptions run{3, {}, seed % 3 == 0};
+        expect_equal(run_plan(device(), plan, shaders, run),
+                     run_plan(device(), test::naive_plan(graph, needs), shaders, run));
+        EXPECT_EQ(device().messages().count(), 0u);
+        if (HasFailure()) return;
+    }
+    std::printf("seeds %u..%u, %s\n", kFirst, kFirst + seeds - 1, coverage.text().c_str());
+    EXPECT_GE(coverage.several_queues * 2, seeds);
+    EXPECT_GE(coverage.history * 10, seeds * 3);
+    EXPECT_GE(coverage.hand_overs * 2, seeds);
 }
 
 TEST_F(RandomGraphsVk, RunsBitForBitLikeTheNaivePlan) {

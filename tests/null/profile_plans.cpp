@@ -1,0 +1,68 @@
+#include "profile_plans.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "graph/random_graph.h"
+#include "graph/random_text.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+FramePlan plan_for(const ResolvedGraph& graph, const DeviceProfile& profile, uint32_t queues) {
+    CompileOptions options;
+    options.queues = logical_queues(profile, queues);
+    options.granularity_bytes = profile.buffer_image_granularity_bytes;
+    return compile(graph, profile_needs(graph, profile), options);
+}
+
+}  // namespace
+
+ProfilePlans::ProfilePlans() {
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::path(WEFT_SOURCE_DIR) / "framework/profiles")) {
+        std::ifstream in(entry.path(), std::ios::binary);
+        std::ostringstream text;
+        text << in.rdbuf();
+        Result<DeviceProfile> profile = parse_profile(text.str(), entry.path().string());
+        if (profile)
+            profiles_.emplace_back(entry.path().stem().string(), std::move(*profile));
+        else
+            ADD_FAILURE() << to_text(profile.errors());
+    }
+    std::sort(profiles_.begin(), profiles_.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+ProfilePlan ProfilePlans::make(uint32_t seed, uint32_t max_passes) const {
+    // Texts and graphs made in memory get each profile with each number of queues.
+    const auto& [name, profile] = profiles_[seed / 2 % profiles_.size()];
+    const auto queues = static_cast<uint32_t>(1 + seed / 2 / profiles_.size() % 4);
+    ProfilePlan made;
+    made.profile = name;
+    made.from_text = seed % 2 == 0;
+    if (!made.from_text) {
+        RandomGraphOptions options = all_features();
+        options.max_passes = max_passes;
+        made.plan = plan_for(random_graph(seed, options), profile, queues);
+        return made;
+    }
+    const RandomText text = random_text(seed);
+    const Result<ResolvedGraph> graph = resolve_text(text.text, text.params, profile);
+    if (graph)
+        made.plan = plan_for(*graph, profile, queues);
+    else
+        ADD_FAILURE() << "seed " << seed << " for " << name << " is rejected\n"
+                      << to_text(graph.errors()) << text.text;
+    made.left_out = text.left_out;
+    return made;
+}
+
+}  // namespace weft::test
