@@ -46,7 +46,10 @@ ReplayExecutor::~ReplayExecutor() {
     for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
         // After a time-out a second wait would only double it; but a frame may be late and no more.
         idle &= timed_out_ ? slots_->is_over(slot) : slots_->wait(slot) == VK_SUCCESS;
-    if (!idle) device_.abandon();
+    if (!idle)
+        device_.abandon();
+    else if (!followed_)
+        slots_->let_go();
 }
 
 Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {

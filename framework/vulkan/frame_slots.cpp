@@ -135,6 +135,11 @@ VkResult FrameSlots::wait(uint32_t index) {
     return result;
 }
 
+void FrameSlots::let_go() const {
+    if (!timelines_.in_use()) return;
+    for (const PlanQueue& queue : queues_) static_cast<void>(device_->fn().vkQueueWaitIdle(queue.handle));
+}
+
 bool FrameSlots::is_over(uint32_t index) const {
     const Slot& slot = slots_[index];
     if (!slot.in_flight) return true;

@@ -24,6 +24,9 @@ class FrameSlots {
     [[nodiscard]] bool in_flight(uint32_t slot) const { return slots_[slot].in_flight; }
     // VK_SUCCESS at once when nothing is in flight.
     [[nodiscard]] VkResult wait(uint32_t slot);
+    // Once all frames are over, before the semaphores go, if nothing was submitted to their queues since:
+    // lavapipe (Mesa 22.3) signals a submission's end a moment before it lets go of the semaphores.
+    void let_go() const;
     // Without waiting. On a lost device everything is.
     [[nodiscard]] bool is_over(uint32_t slot) const;
 

@@ -65,6 +65,7 @@ class ReplayExecutor final : public Executor {
     std::vector<ReadbackData> readbacks_;
     Diagnostics lost_;  // after a time-out or a lost device nothing runs any more
     bool timed_out_ = false;
+    bool followed_ = false;  // another executor's frames came after these
     // Until the first frame is over; its executor is one of these.
     std::optional<Predecessor> predecessor_;
 };

@@ -42,6 +42,7 @@ Status ReplayExecutor::be_followed(const FramePlan& next) {
     if (frames_run_ == 0) {
         if (Status started = start_without_frame(); !started) return started;
     }
+    followed_ = true;
     // What runs on one queue runs in order. With several, only the host knows when all of them are done.
     const bool one_queue = plan().submissions.batches.size() <= 1 && next.submissions.batches.size() <= 1;
     return one_queue ? Status(Unit{}) : finish();
