@@ -96,7 +96,7 @@ class Replay {
                       bool writes);
     void expect_owner(const Actor& by, const UseDecl& use, Cell& cell);
     void expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
-                            const Scopes* transition);
+                            const BarrierDecl* transition);
     void overwrite_neighbours(PassId by, ResourceId resource);
 
     const FramePlan& plan_;

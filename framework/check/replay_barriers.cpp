@@ -114,7 +114,7 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
         if (cell.has_write) expect_over(cell.write);
         for (const AccessRecord& record : cell.reads) expect_over(record);
     }
-    if (drops_content(barrier)) expect_free_memory(by, barrier.resource, resource.loc, 0, &scopes);
+    if (drops_content(barrier)) expect_free_memory(by, barrier.resource, resource.loc, 0, &barrier);
 }
 
 // Barriers order only what their own queue did.

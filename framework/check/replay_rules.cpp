@@ -146,9 +146,16 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell) {
 // `resource` is about to be written: whoever else uses its memory must be done. `transition` is the barrier
 // that writes first, or null when the pass itself does, in `stages`.
 void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
-                                const Scopes* transition) {
+                                const BarrierDecl* transition) {
+    const Scopes scopes = transition ? scopes_of(*transition) : Scopes{};
+    // A barrier makes available what was written through the owners that it names, and nothing else.
+    const auto is_flushed = [&](ResourceId owner, const AccessRecord& record) {
+        const std::vector<ResourceId>& from = transition->hand_over_from;
+        if (std::find(from.begin(), from.end(), owner) != from.end()) return flushed(record, scopes);
+        return !record.is_write() || covered(record) || record.available_before(scopes);
+    };
     const auto expect_over = [&](ResourceId owner, const AccessRecord& record) {
-        const bool over = transition ? ordered(record, *transition) && flushed(record, *transition)
+        const bool over = transition ? ordered(record, scopes) && is_flushed(owner, record)
                                      : ordered(record, stages) && flushed(record, stages);
         if (over) return;
         faults_.add("C341", loc,
