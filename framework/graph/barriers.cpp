@@ -7,9 +7,23 @@
 #include <utility>
 
 #include "graph/stages.h"
+#include "graph/written_whole.h"
 
 namespace weft {
 namespace {
+
+// All that these stages may write.
+AccessMask writes_of(StageMask stages) {
+    constexpr StageMask kShaders = stage::kComputeShader | stage::kVertexShader | stage::kFragmentShader;
+    constexpr StageMask kTransfers = stage::kCopy | stage::kBlit | stage::kResolve | stage::kClear;
+    constexpr StageMask kTests = stage::kEarlyFragmentTests | stage::kLateFragmentTests;
+    AccessMask mask = access::kNone;
+    if (stages & kShaders) mask |= access::kStorageWrite;
+    if (stages & kTransfers) mask |= access::kTransferWrite;
+    if (stages & kTests) mask |= access::kDepthStencilWrite;
+    if (stages & stage::kColorOutput) mask |= access::kColorWrite;
+    return mask;
+}
 
 struct HandOverRows {
     const std::vector<HandOver>& all;
@@ -23,6 +37,49 @@ struct HandOverRows {
         return {first, last};
     }
 };
+
+// Whose last users a hand-over names besides those of the owners just before. Where an owner wrote only parts
+// of itself, what earlier owners did to the rest was waited for when it took over. That order is a chain
+// through barriers on other resources, which the validation layer of Vulkan 1.3.239 doesn't follow; nor does
+// it see that a buffer overwrites an image, or an image a buffer.
+class EarlierOwners {
+ public:
+    EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const HandOverRows& rows)
+        : graph_(graph), rows_(rows), whole_(written_whole(graph, order)) {}
+
+    [[nodiscard]] std::vector<ResourceId> of(ResourceId to, const std::vector<HandOver>& owners) const {
+        std::vector<ResourceId> found, left;
+        const auto look_behind = [&](ResourceId owner) {
+            const bool hides = whole_[owner] && graph_.resources[owner].kind == graph_.resources[to].kind;
+            if (!hides) left.push_back(owner);
+        };
+        for (const HandOver& owner : owners) look_behind(owner.from);
+        while (!left.empty()) {
+            const ResourceId owner = left.back();
+            left.pop_back();
+            for (const HandOver& before : rows_.into(owner)) {
+                if (std::find(found.begin(), found.end(), before.from) != found.end()) continue;
+                found.push_back(before.from);
+                look_behind(before.from);
+            }
+        }
+        return found;
+    }
+
+ private:
+    const ResolvedGraph& graph_;
+    const HandOverRows& rows_;
+    std::vector<uint8_t> whole_;
+};
+
+// What an owner's last users on this queue did.
+void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) {
+    for (const LastUse& last : owner.last_uses) {
+        if (last.queue != queue) continue;
+        src.stages |= last.stages;
+        src.access |= writes_of(last.stages);
+    }
+}
 
 // Waits for whoever used the memory last: by a barrier on the same queue, by a semaphore on another. Within a
 // frame memory is shared only where the order of the queues is known already.
@@ -105,12 +162,17 @@ BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const Sy
         plan.steps[position].continues_scope = sync.scopes[position] != kNoId;
     }
     const HandOverRows rows{memory.hand_overs};
+    const EarlierOwners earlier(graph, order, rows);
     for (ResourceId id = 0; id < graph.resources.size(); ++id) {
         const std::vector<HandOver> owners = rows.into(id);
         for (PlacedBarrier placed : sync.histories[id].barriers) {
             placed.barrier.resource = id;
-            if (placed.barrier.reason == BarrierReason::hand_over)
-                take_over(sync, owners, order.queue[placed.position], placed, dependencies);
+            if (placed.barrier.reason == BarrierReason::hand_over) {
+                const QueueIndex queue = order.queue[placed.position];
+                take_over(sync, owners, queue, placed, dependencies);
+                for (const ResourceId before : earlier.of(id, owners))
+                    wait_for(sync.histories[before], queue, placed.barrier.src);
+            }
             put(std::move(placed), order, plan);
         }
         if (!sync.histories[id].entry.empty()) add_to_prologue(graph, id, sync.histories[id], plan.prologue);
