@@ -12,7 +12,7 @@ namespace {
 constexpr size_t kShortList = 16;
 
 // Keys of the format that this version does not have: more helpful than "unknown".
-constexpr std::array<std::string_view, 5> kLaterKeys{"tiers", "include", "debug", "tests", "perFrame"};
+constexpr std::array<std::string_view, 4> kLaterKeys{"tiers", "include", "debug", "tests"};
 
 }  // namespace
 

@@ -245,7 +245,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"CopyNeedsIn", marked_pass("\"type\": \"copy\", \"out\": [\"a\"]"), {"W108"}, "\"in\""},
         FaultCase{
             "UnknownPassKey", compute("$$\"shaders\": 1"), {"W101"}, "unknown key \"shaders\"", "\"shader\""},
-        FaultCase{"LaterPassKey", compute("$$\"perFrame\": 1"), {"W101"}, "\"perFrame\"", "not available"},
+        FaultCase{"PerFrameNumber", compute("\"perFrame\": $$1"), {"W102"}, "true or false"},
         FaultCase{"RepeatOfNothing", compute("\"repeat\": $${}"), {"W109"}, "without an index", "\"0..3\""},
         FaultCase{"RepeatNumber", compute("\"repeat\": {\"i\": $$4}"), {"W102"}, "a range in a string"},
         FaultCase{

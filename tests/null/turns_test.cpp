@@ -3,11 +3,18 @@
 #include <gtest/gtest.h>
 
 #include "check/check_plan.h"
+#include "graph/random_graph.h"
 #include "null/null_executor.h"
-#include "random_plans.h"
+#include "weft/compile.h"
 
 namespace weft::test {
 namespace {
+
+CompileOptions several_queues(uint32_t seed) {
+    CompileOptions options;
+    options.queues = logical_queues({}, 1 + seed % 4);
+    return options;
+}
 
 // Every pass that only writes what stays anyway gets a turn of three.
 uint32_t spread_over_frames(ResolvedGraph& graph) {
@@ -33,7 +40,7 @@ TEST(Turns, RandomFramesGiveWhatTheyMean) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         ResolvedGraph graph = random_graph(seed, all_features());
         passes += spread_over_frames(graph);
-        const FramePlan plan = compile(graph, content_needs(graph), random_options(seed));
+        const FramePlan plan = compile(graph, content_needs(graph), several_queues(seed));
         const Diagnostics faults = check_plan(plan);
         ASSERT_TRUE(faults.empty()) << to_text(faults.front());
         const NullRun wanted = run_reference(plan.graph, plan.live, 5);
