@@ -35,7 +35,10 @@ Diagnostic unreadable(const std::string& path, const std::string& message, const
     return d;
 }
 
-Diagnostic undecodable(const std::string& path, const std::string& what, const std::string& why) {
+// Decoders quote the file as it is; a terminal gets printable characters only.
+Diagnostic undecodable(const std::string& path, const std::string& what, std::string why) {
+    std::replace_if(
+        why.begin(), why.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return unreadable(path, "the " + what + " can't be decoded" + (why.empty() ? "" : ": " + why),
                       "write it again; PNG, EXR and PFM as `weft render -o` writes them can be read");
 }
@@ -65,7 +68,7 @@ Result<Image> read_png(const std::string& path, const std::string& content) {
     if (!size) return undecodable(path, "PNG", "its header is cut short");
     if (auto fault = size_fault(path, {size->width_px, size->height_px})) return *fault;
     const scene::DecodedImage decoded = scene::decode_image(bytes_of(content));
-    if (!decoded.error.empty()) return undecodable(path, "PNG", decoded.error);
+    if (decoded.rgba.empty()) return undecodable(path, "PNG", decoded.error);
     Image result{decoded.size.width_px, decoded.size.height_px, image::Encoding::display, {}};
     result.texels.reserve(decoded.rgba.size() / 4);
     for (size_t i = 0; i < decoded.rgba.size(); i += 4)
