@@ -1,7 +1,7 @@
 // Purpose: differences of channels, texel by texel: PSNR, the largest one, and a map of them. Shapes:
 // pictures of one size, not empty. Two linear pictures are compared in their raw values; otherwise both are
 // compared as 8-bit display values (to_display(), rounded). Neither picture is the reference: all are
-// symmetric. Source: PSNR: ISO/IEC 29170-1; over red, green and blue together, peak 255.
+// symmetric. Source: PSNR is 10 log10(255² / mean square) over red, green and blue together.
 #pragma once
 
 #include "image/image.h"

@@ -1,7 +1,7 @@
 // Purpose: a map of errors in a few numbers. Units: the map's. Quantiles are values that occur in the map.
 // Weighted ones count every error by its own size, so a large black area does not hide what is visible: a
 // share q of the whole error comes from errors up to the q-quantile; 0 for a map without errors. Source: the
-// paper that flip.h names, section 5.
+// paper that flip.h names, on pooling.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // Purpose: FLIP's kernels, each a product of two one-dimensional ones. Shapes: odd numbers of taps.
-// Units: pixels per degree. Source: sections 4.1.1 and 4.2.1 of the paper that flip.h names; the contrast
-// sensitivities are sums of Gaussians as in G. Johnson and M. Fairchild, "A Top Down Description of S-CIELAB
-// and CIEDE2000", 2003.
+// Units: pixels per degree. Source: the paper that flip.h names, on spatial filtering and on feature
+// detection; the contrast sensitivities are sums of Gaussians as in G. Johnson and M. Fairchild, "A Top Down
+// Description of S-CIELAB and CIEDE2000", 2003.
 #pragma once
 
 #include <array>

@@ -30,7 +30,7 @@ TEST(Psnr, IsWhatAHandComputes) {
     EXPECT_NEAR(psnr_db(constant(3, 3, {0, 0, 0}), constant(3, 3, {255, 255, 255})), 0, 1e-9);
 }
 
-// Linear 0.2140 is 0.5 on the display, 127.5 steps; 2 is 255 like 1.
+// Linear 0.2159 is 128 steps on the display; 2 is 255 steps like 1.
 TEST(Psnr, OfLinearPicturesIsOverDisplayValues) {
     EXPECT_EQ(psnr_db(raw({glm::vec3(2)}), raw({glm::vec3(1)})), std::numeric_limits<double>::infinity());
     EXPECT_NEAR(psnr_db(raw({glm::vec3(0.2159f)}), raw({glm::vec3(0)})), 20 * std::log10(255.0 / 128), 0.01);
