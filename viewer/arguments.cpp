@@ -34,7 +34,7 @@ constexpr std::array kFutureFlags{
     FutureFlags{"render", kFutureRenderFlags}, FutureFlags{"check", kFutureCheckFlags},
     FutureFlags{"plan", kFuturePlanFlags}, FutureFlags{"explain", kFuturePlanFlags},
     FutureFlags{"diff", kFuturePlanFlags}};
-constexpr std::array<const char*, 3> kFutureCommands{"view", "schema", "compare"};
+constexpr std::array<const char*, 2> kFutureCommands{"view", "schema"};
 
 std::optional<double> number_of(const std::string& text) {
     if (text == "true" || text == "false") return text == "true" ? 1 : 0;
@@ -66,6 +66,11 @@ std::string param_fault(const std::string& text) {
     if (equals == std::string::npos || equals == 0) return "a parameter is NAME=VALUE, not \"" + text + "\"";
     const std::string value = text.substr(equals + 1);
     return number_of(value) ? "" : "\"" + value + "\" is not a number, true or false";
+}
+
+std::string limit_fault(const std::string& text) {
+    const std::optional<double> number = text == "true" || text == "false" ? std::nullopt : number_of(text);
+    return number ? "" : "\"" + text + "\" is not a finite number";
 }
 
 std::map<std::string, double> parse_params(const std::vector<std::string>& texts) {

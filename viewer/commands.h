@@ -25,12 +25,14 @@ enum class ExitCode : int {
 [[nodiscard]] ExitCode run_plan(const PlanOptions& options);
 [[nodiscard]] ExitCode run_explain(const ExplainOptions& options);
 [[nodiscard]] ExitCode run_diff(const DiffOptions& options);
+[[nodiscard]] ExitCode run_compare(const CompareOptions& options);
 [[nodiscard]] ExitCode run_bench_compile(const BenchOptions& options);
 [[nodiscard]] ExitCode run_doctor(const DoctorOptions& options);
 
 // Prints to stderr.
 void report(const Diagnostics& diagnostics);
-// The exit code that the first error's code stands for: W, S: input; V40x: device; V407, V408: lost; X520: usage.
+// The exit code that the first error's code stands for: W, S, X53x: input; V40x: device; V407, V408: lost;
+// X520: usage.
 [[nodiscard]] ExitCode exit_code_for(const Diagnostics& errors);
 
 }  // namespace weft::viewer

@@ -27,6 +27,10 @@ CLI::Validator param_validator() {
     return CLI::Validator([](std::string& text) { return param_fault(text); }, "NAME=VALUE");
 }
 
+CLI::Validator limit_validator() {
+    return CLI::Validator([](std::string& text) { return limit_fault(text); }, "NUMBER");
+}
+
 // Texts that need a second look after parsing.
 struct RawTexts {
     std::string size = "1280x720";
@@ -114,6 +118,21 @@ void add_diff(CLI::App& command, DiffOptions& o, RawTexts& raw) {
     command.add_flag("--json", o.json, "as JSON");
 }
 
+void add_compare(CLI::App& command, CompareOptions& o) {
+    command.add_option("REFERENCE", o.reference, "a .png, .exr or .pfm")->required();
+    command.add_option("TEST", o.test, "another of the same size")->required();
+    command
+        .add_option("--metric", o.metric,
+                    "flip: what a viewer sees, 0 to 1; psnr: in dB; max: the largest difference of a channel")
+        ->check(CLI::IsMember({"flip", "psnr", "max"}).description(""))
+        ->capture_default_str();
+    command.add_option("--max", o.max, "exit code 6 when the mean FLIP, or max, is above this")
+        ->check(limit_validator());
+    command.add_option("--min", o.min, "exit code 6 when the PSNR is below this")->check(limit_validator());
+    command.add_option("-o,--output", o.output, "write where they differ to this .png");
+    command.add_flag("--json", o.json, "as JSON");
+}
+
 // `bench compile`.
 CLI::App* add_bench(CLI::App& app, BenchOptions& o) {
     CLI::App* bench = app.add_subcommand("bench", "measure: `weft bench compile`");
@@ -153,6 +172,7 @@ int run(int argc, char** argv) {
     DoctorOptions doctor_options;
     ExplainOptions explain_options;
     DiffOptions diff_options;
+    CompareOptions compare_options;
     BenchOptions bench_options;
     CLI::App* render = app.add_subcommand("render", "render a scene through a graph to a picture");
     add_render(*render, render_options, raw);
@@ -164,6 +184,8 @@ int run(int argc, char** argv) {
     add_explain(*explain, explain_options, raw);
     CLI::App* diff = app.add_subcommand("diff", "say what two plans have not in common");
     add_diff(*diff, diff_options, raw);
+    CLI::App* compare = app.add_subcommand("compare", "say how far apart two pictures are");
+    add_compare(*compare, compare_options);
     CLI::App* doctor = app.add_subcommand("doctor", "say what this machine has and lacks");
     doctor->add_flag("--json", doctor_options.json, "the chosen device's profile, as JSON on stdout");
     doctor->add_option("--device", doctor_options.device, "a device's index or part of its name");
@@ -190,10 +212,12 @@ int run(int argc, char** argv) {
     if (plan->parsed()) return exit_with(run_plan(plan_options));
     if (explain->parsed()) return exit_with(run_explain(explain_options));
     if (diff->parsed()) return exit_with(run_diff(diff_options));
+    if (compare->parsed()) return exit_with(run_compare(compare_options));
     if (doctor->parsed()) return exit_with(run_doctor(doctor_options));
     if (bench_compile->parsed()) return exit_with(run_bench_compile(bench_options));
     std::fputs(
-        "weft: say what to do: render, check, plan, explain, diff, bench or doctor\nRun `weft --help`.\n",
+        "weft: say what to do: render, check, plan, explain, diff, compare, bench or doctor\nRun `weft "
+        "--help`.\n",
         stderr);
     return exit_with(ExitCode::usage);
 }

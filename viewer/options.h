@@ -65,6 +65,15 @@ struct DiffOptions {
     bool json = false;
 };
 
+struct CompareOptions {
+    std::string reference, test;
+    std::string metric = "flip";  // flip, psnr, max
+    std::optional<double> max;    // of flip (the mean) and max
+    std::optional<double> min;    // of psnr, in dB
+    std::string output;           // the heat map; empty: none
+    bool json = false;
+};
+
 struct BenchOptions {
     uint32_t passes = 1000;
     std::string shape = "random";

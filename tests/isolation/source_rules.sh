@@ -25,7 +25,8 @@ report "more than 600 lines" < <(sources "${everything[@]}" | xargs wc -l | awk 
 report "name says nothing" < <(files "${everything[@]}" | grep -iE '/[a-z_]*(util|common|helper|manager)[a-z_]*\.' || true)
 
 report "Vulkan name in a module that knows no Vulkan" < <(
-  sources framework/include framework/graph framework/check framework/null framework/shader framework/scene passes | code |
+  sources framework/include framework/graph framework/check framework/null framework/shader framework/scene \
+    framework/image passes | code |
     grep -E '\b(Vk[A-Z]|VK_[A-Z]|vkCmd[A-Z]|vk[A-Z][a-z]+[A-Z(])|volk\.h|vulkan/' || true)
 
 report "unfinished" < <(

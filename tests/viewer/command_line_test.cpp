@@ -62,7 +62,12 @@ const std::vector<BadUsage>& bad_usages() {
         {"BenchOfNoPasses", {"bench", "compile", "--passes", "0"}, "--passes"},
         {"LaterBenchFrame", {"bench", "frame"}, "`bench frame` is not there yet"},
         {"TooManyQueues", {"plan", kDeferred, "--queues", "5"}, "--queues"},
-        {"LaterCompare", {"compare", "a.png", "b.png"}, "`compare` is not there yet"},
+        {"CompareOfOne", {"compare", "a.png"}, "TEST"},
+        {"CompareUnknownMetric", {"compare", "a.png", "b.png", "--metric", "ssim"}, "--metric"},
+        {"CompareMaxOfPsnr", {"compare", "a", "b", "--metric", "psnr", "--max", "9"}, "--min limits it"},
+        {"CompareMinOfFlip", {"compare", "a", "b", "--min", "9"}, "--max the others"},
+        {"CompareLimitThatIsNoNumber", {"compare", "a", "b", "--max", "nan"}, "is not a finite number"},
+        {"CompareHeatMapThatIsNoPng", {"compare", "a", "b", "-o", "heat.exr"}, "the heat map is a .png"},
     };
     return usages;
 }

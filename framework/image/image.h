@@ -1,0 +1,36 @@
+// Purpose: a picture, and one number for each of its texels, as plain data that metrics take and give.
+// Shapes: width_px × height_px, row 0 on top. Units: `display` is sRGB-encoded, [0, 1] in steps of 1/255;
+// `linear` is scene-linear, in any unit, and may be anything but NaN where it is made into a display value.
+// Source: sRGB: IEC 61966-2-1.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace weft::image {
+
+enum class Encoding : uint8_t { display, linear };
+
+struct Image {
+    uint32_t width_px = 0;
+    uint32_t height_px = 0;
+    Encoding encoding = Encoding::display;
+    std::vector<glm::vec3> texels;
+};
+
+struct Plane {
+    uint32_t width_px = 0;
+    uint32_t height_px = 0;
+    std::vector<float> values;
+};
+
+[[nodiscard]] bool same_size(const Image& a, const Image& b);
+
+// Linear values are clamped to [0, 1] and encoded, and not rounded; display values stay as they are.
+[[nodiscard]] Image to_display(Image image);
+
+[[nodiscard]] float encode_srgb(float linear);
+[[nodiscard]] float decode_srgb(float encoded);
+
+}  // namespace weft::image

@@ -1,0 +1,23 @@
+// Purpose: the colour spaces that FLIP filters and compares in. Units: linear RGB in [0, 1] with Rec.709
+// primaries; XYZ with Y = 1 for white; YCxCz and L*a*b* with Y and L* in [0, 100] (black has Y = -16). White
+// is RGB (1, 1, 1), so greys have no chroma. Source: IEC 61966-2-1; B. Kolpatzik and C. Bouman, "Optimized
+// Error Diffusion for Image Display", 1992 (YCxCz: L*a*b* without its cube root, so that filtering is
+// linear); R. Hunt, "Light and Dark Adaptation and the Perception of Color", 1952; S. Abasi, M. Tehran, M.
+// Fairchild, "Distance Metrics for Very Large Color Differences", 2019 (HyAB).
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace weft::image {
+
+[[nodiscard]] glm::vec3 linear_to_ycxcz(glm::vec3 rgb);
+// May leave [0, 1].
+[[nodiscard]] glm::vec3 ycxcz_to_linear(glm::vec3 ycxcz);
+
+// L*a*b* with chroma scaled by lightness: differences in colour matter less in the dark.
+[[nodiscard]] glm::vec3 linear_to_hunt_lab(glm::vec3 rgb);
+
+// City-block distance in lightness plus Euclidean distance in chroma.
+[[nodiscard]] float hyab_distance(glm::vec3 lab_a, glm::vec3 lab_b);
+
+}  // namespace weft::image

@@ -1,0 +1,203 @@
+#include "image_reader.h"
+
+#include <tinyexr.h>
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "files.h"
+#include "scene/image_decode.h"
+
+namespace weft::viewer {
+namespace {
+
+using image::Image;
+
+struct Size {
+    int64_t width_px = 0, height_px = 0;
+};
+
+Diagnostic unreadable(const std::string& path, const std::string& message, const std::string& help) {
+    Diagnostic d;
+    d.code = "X530";
+    d.file = path;
+    d.message = message;
+    d.help = {help};
+    return d;
+}
+
+// Decoders quote the file as it is; a terminal gets printable characters only.
+Diagnostic undecodable(const std::string& path, const std::string& what, std::string why) {
+    std::replace_if(
+        why.begin(), why.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return unreadable(path, "the " + what + " can't be decoded" + (why.empty() ? "" : ": " + why),
+                      "write it again; PNG, EXR and PFM as `weft render -o` writes them can be read");
+}
+
+// Asked before anything of that size is allocated.
+std::optional<Diagnostic> size_fault(const std::string& path, const Size& size) {
+    if (size.width_px > 0 && size.height_px > 0 && size.width_px <= kMaxImageSide_px &&
+        size.height_px <= kMaxImageSide_px &&
+        static_cast<uint64_t>(size.width_px * size.height_px) <= kMaxImageTexels)
+        return std::nullopt;
+    Diagnostic d;
+    d.code = "X531";
+    d.file = path;
+    d.message = "the picture says that it is " + std::to_string(size.width_px) + "x" +
+                std::to_string(size.height_px) + "; a side has 1 to " + std::to_string(kMaxImageSide_px) +
+                " px, and all have " + std::to_string(kMaxImageTexels) + " texels at most";
+    d.help = {"compare parts of it"};
+    return d;
+}
+
+std::span<const uint8_t> bytes_of(const std::string& content) {
+    return {reinterpret_cast<const uint8_t*>(content.data()), content.size()};
+}
+
+Result<Image> read_png(const std::string& path, const std::string& content) {
+    const std::optional<scene::ImageSize> size = scene::read_image_size(bytes_of(content));
+    if (!size) return undecodable(path, "PNG", "its header is cut short");
+    if (auto fault = size_fault(path, {size->width_px, size->height_px})) return *fault;
+    const scene::DecodedImage decoded = scene::decode_image(bytes_of(content));
+    if (decoded.rgba.empty()) return undecodable(path, "PNG", decoded.error);
+    Image result{decoded.size.width_px, decoded.size.height_px, image::Encoding::display, {}};
+    result.texels.reserve(decoded.rgba.size() / 4);
+    for (size_t i = 0; i < decoded.rgba.size(); i += 4)
+        result.texels.push_back(glm::vec3(decoded.rgba[i], decoded.rgba[i + 1], decoded.rgba[i + 2]) /
+                                255.0f);
+    return result;
+}
+
+// tinyexr's messages are its own to free.
+std::string taken(const char* message) {
+    std::string text = message ? message : "";
+    FreeEXRErrorMessage(message);
+    return text;
+}
+
+Result<Size> exr_size(const std::string& path, std::span<const uint8_t> bytes) {
+    EXRVersion version{};
+    if (ParseEXRVersionFromMemory(&version, bytes.data(), bytes.size()) != TINYEXR_SUCCESS)
+        return undecodable(path, "EXR", "its header is cut short");
+    if (version.multipart != 0 || version.non_image != 0)
+        return undecodable(path, "EXR", "it has several parts, or deep texels");
+    EXRHeader header;
+    InitEXRHeader(&header);
+    const char* why = nullptr;
+    if (ParseEXRHeaderFromMemory(&header, &version, bytes.data(), bytes.size(), &why) != TINYEXR_SUCCESS)
+        return undecodable(path, "EXR", taken(why));
+    const EXRBox2i box = header.data_window;
+    FreeEXRHeader(&header);
+    return Size{int64_t{box.max_x} - box.min_x + 1, int64_t{box.max_y} - box.min_y + 1};
+}
+
+Result<Image> read_exr(const std::string& path, const std::string& content) {
+    const std::span<const uint8_t> bytes = bytes_of(content);
+    const Result<Size> size = exr_size(path, bytes);
+    if (!size) return size.errors();
+    if (auto fault = size_fault(path, *size)) return *fault;
+    float* rgba = nullptr;
+    int width = 0, height = 0;
+    const char* why = nullptr;
+    const int status = LoadEXRFromMemory(&rgba, &width, &height, bytes.data(), bytes.size(), &why);
+    const std::unique_ptr<float, decltype(&std::free)> owner(rgba, &std::free);
+    if (status != TINYEXR_SUCCESS) return undecodable(path, "EXR", taken(why));
+    Image result{static_cast<uint32_t>(width), static_cast<uint32_t>(height), image::Encoding::linear, {}};
+    const size_t count = size_t{result.width_px} * result.height_px;
+    result.texels.reserve(count);
+    for (size_t i = 0; i < count; ++i)
+        result.texels.emplace_back(rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]);
+    return result;
+}
+
+// "PF" or "Pf", width, height and scale, one white space behind each.
+struct PfmHeader {
+    uint32_t channels = 0;
+    Size size;
+    bool little_endian = false;
+    size_t length_bytes = 0;
+};
+
+std::optional<PfmHeader> pfm_header(std::string_view content) {
+    size_t at = 0;
+    const auto word = [&] {
+        const size_t end = std::min(content.find_first_of(" \t\r\n", at), content.size());
+        const std::string_view text = content.substr(at, end - at);
+        at = std::min(end + 1, content.size());
+        return text;
+    };
+    const auto number = [](std::string_view text, auto& value) {
+        return std::from_chars(text.data(), text.data() + text.size(), value).ptr ==
+                   text.data() + text.size() &&
+               !text.empty();
+    };
+    PfmHeader header;
+    header.channels = word() == "PF" ? 3 : 1;
+    float scale = 0;
+    if (!number(word(), header.size.width_px) || !number(word(), header.size.height_px) ||
+        !number(word(), scale) || !std::isfinite(scale) || scale == 0)
+        return std::nullopt;
+    header.little_endian = scale < 0;
+    header.length_bytes = at;
+    return header;
+}
+
+Result<Image> read_pfm(const std::string& path, const std::string& content) {
+    const std::optional<PfmHeader> header = pfm_header(content);
+    if (!header) return undecodable(path, "PFM", "its header isn't \"PF\", width, height and scale");
+    if (auto fault = size_fault(path, header->size)) return *fault;
+    Image result{static_cast<uint32_t>(header->size.width_px),
+                 static_cast<uint32_t>(header->size.height_px),
+                 image::Encoding::linear,
+                 {}};
+    const size_t row_bytes = size_t{result.width_px} * header->channels * sizeof(float);
+    const size_t wanted_bytes = header->length_bytes + row_bytes * result.height_px;
+    if (content.size() < wanted_bytes)
+        return undecodable(path, "PFM",
+                           "it has " + std::to_string(content.size()) + " bytes and should have " +
+                               std::to_string(wanted_bytes));
+    const auto value = [&](size_t index) {
+        std::array<char, 4> bytes;
+        std::memcpy(bytes.data(), content.data() + header->length_bytes + index * sizeof(float), 4);
+        if (header->little_endian != (std::endian::native == std::endian::little))
+            std::reverse(bytes.begin(), bytes.end());
+        return std::bit_cast<float>(bytes);
+    };
+    result.texels.reserve(size_t{result.width_px} * result.height_px);
+    for (size_t y = result.height_px; y-- > 0;)
+        for (size_t x = 0; x < result.width_px; ++x) {
+            const size_t first = (y * result.width_px + x) * header->channels;
+            const size_t step = header->channels == 3 ? 1 : 0;
+            result.texels.emplace_back(value(first), value(first + step), value(first + 2 * step));
+        }
+    return result;
+}
+
+}  // namespace
+
+Result<Image> read_image(const std::string& path) {
+    const std::optional<std::string> content = read_file(path);
+    if (!content)
+        return unreadable(path, "there is no readable picture of that name",
+                          "check the path; it is relative to the current folder");
+    try {
+        if (content->starts_with("\x89PNG")) return read_png(path, *content);
+        if (content->starts_with("\x76\x2f\x31\x01")) return read_exr(path, *content);
+        if (content->starts_with("PF") || content->starts_with("Pf")) return read_pfm(path, *content);
+    } catch (const std::exception& error) {  // tinyexr may throw, and memory may run out
+        return undecodable(path, "picture", error.what());
+    }
+    return unreadable(path, "this is neither a PNG nor an EXR nor a PFM",
+                      "`weft render -o` writes all three; convert other formats first");
+}
+
+}  // namespace weft::viewer
