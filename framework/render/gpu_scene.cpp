@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <numeric>
 
 #include "render/import_catalog.h"
 #include "shared/draw_command.glsl"
@@ -11,6 +13,9 @@ namespace {
 
 constexpr VkDescriptorSetLayoutBinding kInstanceBinding{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
                                                         VK_SHADER_STAGE_VERTEX_BIT, nullptr};
+
+// What goes over something else comes after it.
+constexpr std::string_view kSortedList = "transparent";
 
 constexpr uint32_t kCommandBytes = sizeof(VkDrawIndexedIndirectCommand);
 static_assert(sizeof(shared::DrawCommand) == kCommandBytes);
@@ -43,14 +48,34 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Material& material = scene.materials[instance.material];
         const bool mirrored = glm::determinant(glm::mat3(instance.transform)) < 0;
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        const glm::vec3 center =
+            instance.transform * glm::vec4((mesh.bounds_min + mesh.bounds_max) * 0.5f, 1);
         lists_[draw_list_of(material)].push_back(
-            {geometry_.meshes[instance.mesh], i, instance.material, material.double_sided, mirrored});
+            {geometry_.meshes[instance.mesh], i, instance.material, material.double_sided, mirrored, center});
     }
     // Few state changes; stable, so that equal draws keep the scene's order and the picture is always the
     // same.
     for (auto& [name, draws] : lists_)
         std::stable_sort(draws.begin(), draws.end(),
                          [](const Draw& a, const Draw& b) { return a.material < b.material; });
+}
+
+void GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
+                         const shared::ViewConstants& camera) {
+    frame_.write(slot, frame, camera);
+    const std::vector<Draw>& draws = lists_[std::string(kSortedList)];
+    far_to_near_.resize(draws.size());
+    std::iota(far_to_near_.begin(), far_to_near_.end(), 0u);
+    const auto distance2 = [&](uint32_t i) {
+        const glm::vec3 way = draws[i].center - camera.eye;
+        return glm::dot(way, way);
+    };
+    std::ranges::stable_sort(far_to_near_, std::greater{}, distance2);
+}
+
+uint32_t GpuScene::place_of(std::string_view list, uint32_t i) const {
+    return list == kSortedList ? far_to_near_[i] : i;
 }
 
 Status GpuScene::upload_commands(vk::Device& device) {
@@ -109,7 +134,8 @@ void GpuScene::record(const vk::DrawContext& context) const {
                                    instances_.sets.data(), 0, nullptr);
     uint32_t bound_material = scene::kNone;
     for (uint32_t i = 0; i < found->second.size(); ++i) {
-        const Draw& draw = found->second[i];
+        const uint32_t place = place_of(context.list, i);
+        const Draw& draw = found->second[place];
         if (context.uses_materials && draw.material != bound_material) {
             const VkDescriptorSet set = materials_.set(draw.material);
             fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 2, 1, &set,
@@ -121,8 +147,8 @@ void GpuScene::record(const vk::DrawContext& context) const {
         if (context.cull == CullMode::material)
             fn.vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
         if (context.draw_commands != VK_NULL_HANDLE)
-            fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{i} * kCommandBytes, 1,
-                                        kCommandBytes);
+            fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{place} * kCommandBytes,
+                                        1, kCommandBytes);
         else
             fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, 1, draw.mesh.first_index,
                                 draw.mesh.vertex_offset, draw.instance);

@@ -1,6 +1,6 @@
-// Purpose: a scene on the GPU as graphs draw it: the lists opaque, masked and transparent, sorted by
-// material, a buffer of draw commands for each, and the sets 0 (frame), 2 (material) and 3 (draw) that
-// shaders/include/*_set.glsl declare.
+// Purpose: a scene on the GPU as graphs draw it: the lists opaque and masked, sorted by material, and
+// transparent, sorted by distance in every frame; a buffer of draw commands for each, and the sets 0 (frame),
+// 2 (material) and 3 (draw) that shaders/include/*_set.glsl declare.
 #pragma once
 
 #include <map>
@@ -20,10 +20,9 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] static Result<std::unique_ptr<GpuScene>> create(vk::Device& device,
                                                                   const scene::Scene& scene);
 
-    // Fills the slot's constants; call between Executor::begin_frame() and run().
-    void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera) {
-        frame_.write(slot, frame, camera);
-    }
+    // Fills the slot's constants and sorts what is transparent; call between Executor::begin_frame() and
+    // run().
+    void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
@@ -38,7 +37,10 @@ class GpuScene final : public vk::DrawSource {
         uint32_t material = 0;
         bool double_sided = false;
         bool mirrored = false;  // negative determinant: the winding is swapped
+        glm::vec3 center{0};    // of its bounds, in the world
     };
+    // Where in its list the i-th draw is.
+    [[nodiscard]] uint32_t place_of(std::string_view list, uint32_t i) const;
 
     GpuScene() = default;
     void sort_draws(const scene::Scene& scene);
@@ -49,6 +51,7 @@ class GpuScene final : public vk::DrawSource {
     GpuFrame frame_;
     DescriptorSets instances_;  // one set
     std::map<std::string, std::vector<Draw>, std::less<>> lists_;
+    std::vector<uint32_t> far_to_near_;                        // the transparent list, as the camera sees it
     std::map<std::string, vk::Buffer, std::less<>> commands_;  // by list
 };
 
