@@ -18,24 +18,18 @@ uniform sampler2D depth;
 layout(std430) readonly buffer Lights { Light items[]; } lights;
 layout(rgba16f) uniform image2D hdr;
 
+#include "surface_light.glsl"
+
 // Half floats end at 65504; what is brighter stays finite.
 const float kMaxStored = 65000.0;
 
 vec3 lit_surface(ivec2 pixel, vec2 uv, float z) {
-    const vec3 position = world_position(uv, z);
-    const vec3 v = normalize(view.eye - position);
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
     const vec3 base_root = texelFetch(albedo, pixel, 0).rgb;
     const vec4 coat = texelFetch(specular, pixel, 0);
     const Surface s = make_surface(octahedral_decode(texelFetch(normal, pixel, 0).xy),
                                    base_root * base_root, material.b, material.g, coat.rgb * coat.rgb, coat.a);
-    vec3 radiance = vec3(0.0);
-    const uint count = min(frame.light_count, uint(lights.items.length()));
-    for (uint i = 0u; i < count; ++i) {
-        const Incident light = light_at(lights.items[i], position);
-        radiance += reflect_light(s, v, light.direction) * light.irradiance;
-    }
-    return radiance + material.r * ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, material.g);
+    return reflected_radiance(s, world_position(uv, z), material);
 }
 
 void main() {

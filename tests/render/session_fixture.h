@@ -48,11 +48,12 @@ class SessionTest : public ::testing::Test {
     // Null: the test has failed.
     std::unique_ptr<render::Session> start(const scene::Scene& scene, const scene::Camera& camera,
                                            const std::string& graph, Extent3D size,
-                                           std::vector<std::string> observed, float exposure_ev = 0) {
+                                           std::vector<std::string> observed, float exposure_ev = 0,
+                                           const FileReader& reader = read_text) {
         passes_ = registered_passes();
         render::SessionInput input;
         input.graph_path = graph;
-        input.reader = read_text;
+        input.reader = reader;
         input.shader_root = WEFT_SOURCE_DIR "/shaders";
         input.passes = &passes_;
         input.size = size;

@@ -2,6 +2,7 @@
 // to say.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -38,6 +39,31 @@ TEST(Queues, OnePictureForAnyNumber) {
     }
     EXPECT_EQ(pictures.size(), 1u);
     EXPECT_GE(plans.size(), 3u) << "plans for one, two and three queues differ";
+}
+
+// As they are shipped.
+TEST(Queues, EveryShippedGraphGivesOnePicture) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder folder;
+    size_t graphs = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(WEFT_SOURCE_DIR "/graphs")) {
+        if (entry.path().extension() != ".json") continue;
+        SCOPED_TRACE(entry.path().filename().string());
+        ++graphs;
+        std::set<std::string> pictures;
+        for (const char* queues : {"1", "2", "3"}) {
+            const RunResult run =
+                run_weft({"render", "builtin:spheres", "--graph", entry.path().string(), "--size", "96x64",
+                          "--frames", "3", "--queues", queues, "--validate", "-o", folder / "a.png",
+                          "--stats", folder / "stats.json"});
+            ASSERT_EQ(run.exit_code, 0) << run.text();
+            pictures.insert(nlohmann::json::parse(read_text(folder / "stats.json"))
+                                .at("output_sha256")
+                                .get<std::string>());
+        }
+        EXPECT_EQ(pictures.size(), 1u);
+    }
+    EXPECT_GE(graphs, 2u);
 }
 
 TEST(Queues, AreOneToFour) {

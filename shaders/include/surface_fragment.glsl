@@ -1,0 +1,34 @@
+// What a material makes of a fragment: the inputs of surface_vertex.glsl, and the material's textures there. Fragment
+// stages only. Needs material_set.glsl.
+layout(location = 0) in vec3 world_normal;
+layout(location = 1) in vec4 world_tangent;
+layout(location = 2) in vec2 surface_uv;
+
+vec4 base_color() {
+    return texture(base_color_texture, transformed(material.base_color_uv, surface_uv)) * material.base_color;
+}
+
+vec3 shading_normal() {
+    const float facing = gl_FrontFacing ? 1.0 : -1.0;
+    const vec3 n = normalize(world_normal) * facing;
+    vec3 t = world_tangent.xyz - n * dot(n, world_tangent.xyz);
+    const float length2 = dot(t, t);
+    if (length2 < 1e-12) return n;
+    t *= inversesqrt(length2);
+    const vec3 b = cross(n, t) * world_tangent.w * facing;
+    vec3 m = texture(normal_texture, transformed(material.normal_uv, surface_uv)).xyz * 2.0 - 1.0;
+    m.xy *= material.normal_scale;
+    return normalize(t * m.x + b * m.y + n * m.z);
+}
+
+// Occlusion, perceptual roughness, metalness.
+vec3 occlusion_roughness_metalness() {
+    const vec3 mr = texture(metallic_roughness_texture, transformed(material.metallic_roughness_uv, surface_uv)).rgb;
+    const float ao = texture(occlusion_texture, transformed(material.occlusion_uv, surface_uv)).r;
+    return vec3(mix(1.0, ao, material.occlusion_strength), material.roughness * mr.g, material.metallic * mr.b);
+}
+
+// cd/m².
+vec3 emission() {
+    return texture(emissive_texture, transformed(material.emissive_uv, surface_uv)).rgb * material.emissive;
+}
