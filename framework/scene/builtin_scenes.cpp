@@ -1,16 +1,19 @@
 #include "scene/builtin_scenes.h"
 
 #include "scene/builtin_atrium.h"
+#include "scene/builtin_cornell.h"
 #include "scene/builtin_spheres.h"
 
 namespace weft::scene {
 
 std::vector<std::string> builtin_scene_names() {
-    return {"atrium", "spheres"};
+    return {"atrium", "cornell", "mirror", "spheres"};
 }
 
 Result<Scene> make_builtin(std::string_view name) {
     if (name == "atrium") return make_atrium();
+    if (name == "cornell") return make_cornell();
+    if (name == "mirror") return make_mirror();
     if (name == "spheres") return make_spheres();
     Diagnostic error;
     error.code = "S120";
