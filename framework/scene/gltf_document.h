@@ -57,6 +57,8 @@ struct Accessor {
 };
 
 inline constexpr uint32_t kTriangles = 4;
+inline constexpr uint32_t kTriangleStrip = 5;
+inline constexpr uint32_t kTriangleFan = 6;
 
 struct Primitive {
     uint32_t mode = kTriangles;

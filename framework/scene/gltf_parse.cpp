@@ -179,6 +179,18 @@ void apply_material_extensions(const tinygltf::ExtensionMap& extensions, Materia
     }
 }
 
+// KHR_materials_unlit: the surface shows its base colour and answers no light. That is a black one which
+// glows.
+void make_unlit(Material& out) {
+    out.emissive = glm::vec3(out.base_color);
+    out.emissive_texture = out.base_color_texture;
+    out.base_color = glm::vec4(0, 0, 0, out.base_color.a);
+    out.metallic = 0;
+    out.specular = 0;
+    out.roughness = 1;
+    out.normal_texture = {};
+}
+
 Material convert(const tinygltf::Material& source, const tinygltf::Model& model) {
     const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
     Material out;
@@ -200,6 +212,7 @@ Material convert(const tinygltf::Material& source, const tinygltf::Model& model)
     out.occlusion_texture = convert_slot(source.occlusionTexture, model);
     out.emissive_texture = convert_slot(source.emissiveTexture, model);
     apply_material_extensions(source.extensions, out);
+    if (find_extension(source.extensions, "KHR_materials_unlit") != nullptr) make_unlit(out);
     return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include "scene/accessor_reader.h"
 #include "scene/mesh_attributes.h"
+#include "scene/mesh_topology.h"
 
 namespace weft::scene::gltf {
 namespace {
@@ -69,11 +70,12 @@ class Builder {
         const std::optional<AccessorReader> reader = open(primitive.indices, pointer + "/indices");
         if (primitive.indices != kNone && !reader) return indices;
         uint64_t count = reader ? reader->count() : vertices;
-        if (count / 3 > limits_.triangles) {
-            report_over_limit(pointer, count / 3, "triangles", limits_.triangles);
+        const uint64_t triangles = triangle_count(primitive.mode, count);
+        if (triangles > limits_.triangles) {
+            report_over_limit(pointer, triangles, "triangles", limits_.triangles);
             return indices;
         }
-        if (count % 3 != 0) {
+        if (primitive.mode == kTriangles && count % 3 != 0) {
             report_.warn("S156", pointer,
                          std::to_string(count) + " corners are not a multiple of 3, the rest is left out",
                          "export the mesh as triangles");
@@ -82,7 +84,7 @@ class Builder {
         indices.resize(count);
         if (!reader) {
             std::iota(indices.begin(), indices.end(), 0u);
-            return indices;
+            return triangle_list(primitive.mode, indices);
         }
         for (uint64_t i = 0; i < count; ++i) {
             indices[i] = reader->index(i);
@@ -93,7 +95,7 @@ class Builder {
                           "export the scene again");
             return {};
         }
-        return indices;
+        return triangle_list(primitive.mode, indices);
     }
 
     // Counts what the primitive will take before anything is allocated for it.
@@ -218,11 +220,10 @@ class Builder {
 };
 
 bool is_drawable(const Primitive& primitive, const std::string& pointer, Report& report) {
-    static constexpr std::array<const char*, 7> kModes{
-        "points", "lines", "a line loop", "a line strip", "triangles", "a triangle strip", "a triangle fan"};
-    if (primitive.mode != kTriangles) {
+    static constexpr std::array<const char*, 4> kModes{"points", "lines", "a line loop", "a line strip"};
+    if (!has_triangles(primitive.mode)) {
         report.warn("S151", pointer + "/mode",
-                    "the primitive is " + std::string(kModes[std::min<uint32_t>(primitive.mode, 6)]) +
+                    "the primitive is " + std::string(kModes[std::min<uint32_t>(primitive.mode, 3)]) +
                         " and is left out: only triangles are drawn",
                     "export the mesh as triangles");
         return false;

@@ -1,7 +1,9 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/gltf_document.h"
 #include "scene/gltf_fixture.h"
+#include "scene/mesh_topology.h"
 
 namespace weft::scene::test {
 namespace {
@@ -125,6 +127,45 @@ TEST_F(GltfGeometry, OtherPrimitivesAreNamedAndLeftOut) {
     EXPECT_EQ(scene.meshes.size(), 1u);
     ASSERT_TRUE(warned("S151"));
     EXPECT_EQ(where(warnings_[0]), "S151 /meshes/0/primitives/0/mode");
+}
+
+TEST_F(GltfGeometry, StripsAndFansBecomeTriangles) {
+    using List = std::vector<uint32_t>;
+    EXPECT_EQ(gltf::triangle_list(gltf::kTriangles, {4, 5, 6, 7}), (List{4, 5, 6}));
+    EXPECT_EQ(gltf::triangle_list(gltf::kTriangleStrip, {0, 1, 2, 3, 4}), (List{0, 1, 2, 1, 3, 2, 2, 3, 4}));
+    EXPECT_EQ(gltf::triangle_list(gltf::kTriangleFan, {9, 1, 2, 3}), (List{1, 2, 9, 2, 3, 9}));
+    EXPECT_EQ(gltf::triangle_list(gltf::kTriangleStrip, {0, 1, 2, 3, 3, 4, 4, 5, 6}),
+              (List{0, 1, 2, 1, 3, 2, 4, 5, 6}))
+        << "two strips joined by empty triangles";
+    for (const uint32_t mode : {gltf::kTriangles, gltf::kTriangleStrip, gltf::kTriangleFan})
+        EXPECT_TRUE(gltf::triangle_list(mode, {1, 2}).empty());
+}
+
+// A quad as a strip is the same mesh as its two triangles: same corners, same sides.
+TEST_F(GltfGeometry, AStripIsDrawnLikeItsTriangles) {
+    const auto quad = [&](const std::string& mode, const std::vector<uint16_t>& corners) {
+        GltfText text;
+        const size_t at = text.buffer.size();
+        for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 1.f, 0.f})
+            append<float>(text.buffer, {x});
+        for (const uint16_t corner : corners) append<uint16_t>(text.buffer, {corner});
+        text.members["bufferViews"] = R"([{"buffer":0,"byteOffset":)" + std::to_string(at) +
+                                      R"(,"byteLength":48},{"buffer":0,"byteOffset":)" +
+                                      std::to_string(at + 48) + R"(,"byteLength":)" +
+                                      std::to_string(corners.size() * 2) + "}]";
+        text.members["accessors"] =
+            R"([{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+            {"bufferView":1,"componentType":5123,"count":)" +
+            std::to_string(corners.size()) + R"(,"type":"SCALAR"}])";
+        text.members["meshes"] =
+            R"([{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":)" + mode + "}]}]";
+        return load(text).meshes.at(0);
+    };
+    const Mesh list = quad("4", {0, 1, 2, 1, 3, 2}), strip = quad("5", {0, 1, 2, 3});
+    ASSERT_EQ(list.indices.size(), 6u);
+    EXPECT_EQ(list.indices, strip.indices);
+    EXPECT_TRUE(list.positions == strip.positions);
+    for (const glm::vec3& normal : strip.normals) expect_near(normal, {0, 0, 1});
 }
 
 TEST_F(GltfGeometry, ReadsAGlb) {

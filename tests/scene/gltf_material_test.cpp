@@ -39,6 +39,21 @@ TEST_F(GltfMaterial, ReadsFactors) {
     EXPECT_FLOAT_EQ(material.ior, 2);
 }
 
+TEST_F(GltfMaterial, UnlitShowsItsBaseColour) {
+    const Material material = load(with_material(R"({"alphaMode":"BLEND","emissiveFactor":[1,1,1],
+        "pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],"baseColorTexture":{"index":0}},
+        "extensions":{"KHR_materials_unlit":{}}})"))
+                                  .materials.at(0);
+    EXPECT_EQ(material.emissive, glm::vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(material.emissive_texture.texture, material.base_color_texture.texture);
+    EXPECT_NE(material.emissive_texture.texture, kNone);
+    EXPECT_EQ(material.base_color, glm::vec4(0, 0, 0, 0.4f));
+    EXPECT_EQ(material.metallic, 0);
+    EXPECT_EQ(material.specular, 0);
+    for (const Diagnostic& warning : warnings_)
+        EXPECT_EQ(warning.message.find("unlit"), std::string::npos) << warning.message;
+}
+
 TEST_F(GltfMaterial, DefaultsAreThoseOfGltf) {
     const Material material = load(GltfText()).materials.at(0);
     EXPECT_EQ(material.base_color, glm::vec4(1));
