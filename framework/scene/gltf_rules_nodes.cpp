@@ -109,6 +109,26 @@ void check_scene(Checker& c, const Fields& scene, const std::vector<uint32_t>& p
                    "list each root node once");
 }
 
+// One scene is loaded; whoever expected another should read which there are. At most eight are named.
+void warn_of_other_scenes(Checker& c, uint32_t chosen) {
+    constexpr uint32_t kMaxNamed = 8;
+    if (c.sizes["scenes"] < 2) return;
+    std::string others;
+    uint32_t self = 0;
+    uint32_t named = 0;
+    c.root.each("scenes", c.limits.array_items, [&](const Fields& scene) {
+        const uint32_t index = self++;
+        if (index == chosen || named++ >= kMaxNamed) return;
+        const std::string name = scene.has("name") ? scene.text("name", Need::optional).value_or("") : "";
+        others += (others.empty() ? "" : ", ") + std::to_string(index);
+        if (!name.empty()) others += " \"" + name.substr(0, 64) + "\"";
+    });
+    if (named > kMaxNamed) others += ", ...";
+    c.report.warn("S153", "/scenes",
+                  "scene " + std::to_string(chosen) + " is shown, the others are left out: " + others,
+                  "set \"scene\" to the index of the one to show");
+}
+
 }  // namespace
 
 void check_nodes(Checker& c) {
@@ -122,8 +142,9 @@ void check_nodes(Checker& c) {
     c.root.each("nodes", c.limits.array_items,
                 [&](const Fields& node) { check_node(c, node, self++, parent); });
     check_forest(c, parent);
-    c.root.index("scene", Need::optional, c.sizes["scenes"], "scenes");
+    const uint32_t chosen = c.root.index("scene", Need::optional, c.sizes["scenes"], "scenes");
     c.root.each("scenes", c.limits.array_items, [&](const Fields& scene) { check_scene(c, scene, parent); });
+    warn_of_other_scenes(c, chosen == kNone ? 0 : chosen);
 }
 
 }  // namespace weft::scene::gltf
