@@ -16,9 +16,7 @@ struct FutureFlag {
 };
 constexpr std::array kFutureRenderFlags{
     FutureFlag{"--tier", "quality tiers"},
-    FutureFlag{"--seed", "seeded lights"},
     FutureFlag{"--time", "the time of day"},
-    FutureFlag{"--lights", "generated lights"},
     FutureFlag{"--profile", "rendering to a profile"},
     FutureFlag{"--limits", "limits from a file"},
 };

@@ -8,6 +8,7 @@
 #include "render/session.h"
 #include "render/texels.h"
 #include "scene_source.h"
+#include "seeded_lights.h"
 #include "stats.h"
 #include "weft/registry.h"
 
@@ -113,6 +114,7 @@ ExitCode run_render(const RenderOptions& options) {
     Result<scene::Scene> scene = open_scene(options.scene, options.env, warnings);
     report(warnings);
     if (!scene) return fail(scene.errors());
+    if (options.lights) scene->lights = seeded_lights(*scene, *options.lights, options.seed);
     const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
     Result<scene::Camera> camera = choose_camera(*scene, options.camera, aspect);
     if (!camera) return fail(camera.errors());

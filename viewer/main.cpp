@@ -53,6 +53,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("--env", o.env, "what surrounds the scene: sky or none")
         ->check(CLI::IsMember({"sky", "none"}).description(""))
         ->capture_default_str();
+    command.add_option("--lights", o.lights, "so many seeded lights in place of the scene's")
+        ->check(CLI::Range(1u, 65536u));
+    command.add_option("--seed", o.seed, "of --lights")->capture_default_str();
     command.add_option("--exposure", raw.exposure, "in EV, in place of the scene's")
         ->check(CLI::Range(-40.0, 40.0));
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")

@@ -39,8 +39,6 @@ const std::vector<BadUsage>& bad_usages() {
         {"CheckWithoutFile", {"check"}, "FILE"},
         {"UnknownPlanFormat", {"plan", kDeferred, "--format", "pdf"}, "--format"},
         {"LaterTier", {"render", "--tier", "low"}, "--tier: quality tiers are not there yet"},
-        {"LaterLights", {"render", "--lights", "5"}, "not there yet"},
-        {"LaterSeed", {"render", "--seed", "5"}, "not there yet"},
         {"LaterTime", {"render", "--time", "12"}, "not there yet"},
         {"LaterProfile", {"render", "--profile", "a.json"}, "not there yet"},
         {"LaterLimits", {"render", "--limits", "a.json"}, "not there yet"},

@@ -30,5 +30,29 @@ TEST(Determinism, OneHashForEveryRunAndThreadCount) {
     RecordProperty("output_sha256", *hashes.begin());
 }
 
+std::string picture_of(const std::vector<std::string>& more) {
+    const ScratchFolder folder;
+    std::vector<std::string> arguments{"render",  "builtin:mirror",
+                                       "--graph", WEFT_SOURCE_DIR "/graphs/forward.json",
+                                       "--size",  "64x36",
+                                       "-o",      folder / "a.png",
+                                       "--stats", folder / "stats.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult run = run_weft(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    if (run.exit_code != 0) return "";
+    return nlohmann::json::parse(read_text(folder / "stats.json")).at("output_sha256");
+}
+
+TEST(Determinism, SeededLightsAreTheSameForTheSameSeed) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const std::string one = picture_of({"--lights", "64", "--seed", "7"});
+    EXPECT_EQ(picture_of({"--lights", "64", "--seed", "7"}), one);
+    EXPECT_NE(picture_of({"--lights", "64", "--seed", "8"}), one);
+    EXPECT_NE(picture_of({"--lights", "65", "--seed", "7"}), one);
+    for (const char* count : {"0", "-1", "65537", "many"})
+        EXPECT_EQ(run_weft({"render", "--lights", count}).exit_code, 2) << count;
+}
+
 }  // namespace
 }  // namespace weft::test
