@@ -16,7 +16,6 @@ struct FutureFlag {
 };
 constexpr std::array kFutureRenderFlags{
     FutureFlag{"--tier", "quality tiers"},
-    FutureFlag{"--time", "the time of day"},
     FutureFlag{"--profile", "rendering to a profile"},
     FutureFlag{"--limits", "limits from a file"},
 };

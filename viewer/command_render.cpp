@@ -9,7 +9,6 @@
 #include "render/session.h"
 #include "render/texels.h"
 #include "scene_source.h"
-#include "seeded_lights.h"
 #include "stats.h"
 #include "weft/registry.h"
 
@@ -132,11 +131,11 @@ ExitCode run_render(const RenderOptions& options) {
         return ExitCode::usage;
     }
     Diagnostics warnings;
-    Result<scene::Scene> scene = open_scene(options.scene, options.env, warnings);
+    Result<scene::Scene> scene =
+        open_scene({options.scene, options.env, options.hour, options.lights, options.seed}, warnings);
     report(warnings);
     if (!scene) return fail(scene.errors());
     warn_of_exposure(*scene, options.exposure_ev.value_or(scene->exposure_ev));
-    if (options.lights) scene->lights = seeded_lights(*scene, *options.lights, options.seed);
     const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
     Result<scene::Camera> camera = choose_camera(*scene, options.camera, aspect);
     if (!camera) return fail(camera.errors());

@@ -57,6 +57,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("--env", o.env, "what surrounds the scene: sky, none, or a Radiance picture (.hdr)")
         ->check(env_validator())
         ->capture_default_str();
+    command
+        .add_option("--time", o.hour, "the hour of the day, 0 to 24, of builtin:atrium and builtin:lights")
+        ->check(CLI::Range(0.0f, 24.0f));
     command.add_option("--lights", o.lights, "so many seeded lights in place of the scene's")
         ->check(CLI::Range(1u, 65536u));
     command.add_option("--seed", o.seed, "of --lights")->capture_default_str();

@@ -20,6 +20,7 @@ struct RenderOptions {
     double fixed_dt_s = 1.0 / 60.0;
     std::string camera;
     std::string env = "sky";
+    std::optional<float> hour;
     std::optional<uint32_t> lights;  // so many seeded ones in place of the scene's
     uint32_t seed = 1;
     std::optional<float> exposure_ev;

@@ -15,7 +15,7 @@ ExitCode exit_code_for(const Diagnostics& errors) {
     if (it == errors.end() || it->code.empty()) return ExitCode::failed;
     if (it->code == "V407" || it->code == "V408") return ExitCode::lost;
     if (it->code.starts_with("V40")) return ExitCode::no_device;
-    if (it->code == "X520") return ExitCode::usage;
+    if (it->code == "X520" || it->code == "X521") return ExitCode::usage;
     if (it->code.starts_with("X53")) return ExitCode::invalid_input;
     const char kind = it->code.front();
     return kind == 'W' || kind == 'S' ? ExitCode::invalid_input : ExitCode::failed;

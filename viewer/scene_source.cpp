@@ -8,6 +8,7 @@
 #include "scene/builtin_scenes.h"
 #include "scene/load_environment.h"
 #include "scene/load_gltf.h"
+#include "scene/seeded_lights.h"
 
 namespace weft::viewer {
 namespace {
@@ -59,7 +60,7 @@ std::vector<float> numbers(const std::string& text) {
     return values;
 }
 
-Diagnostic camera_error(const std::string& code, std::string message, std::string help) {
+Diagnostic choice_error(const std::string& code, std::string message, std::string help) {
     Diagnostic d;
     d.code = code;
     d.message = std::move(message);
@@ -67,14 +68,19 @@ Diagnostic camera_error(const std::string& code, std::string message, std::strin
     return d;
 }
 
+Diagnostic no_hours(const std::string& scene) {
+    return choice_error("X521", "\"" + scene + "\" has no time of day",
+                        "leave --time out; builtin:atrium and builtin:lights have one");
+}
+
 Result<scene::Camera> placed_camera(const std::string& choice) {
     const std::vector<float> n = numbers(choice);
     const std::string help = "--camera EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG: metres and degrees";
     if (n.size() != 7)
-        return camera_error("X520", "a camera is a name or seven numbers, not \"" + choice + "\"", help);
+        return choice_error("X520", "a camera is a name or seven numbers, not \"" + choice + "\"", help);
     const glm::vec3 eye(n[0], n[1], n[2]), at(n[3], n[4], n[5]);
     if (glm::distance(eye, at) < 1e-6f || n[6] <= 0 || n[6] >= 180)
-        return camera_error(
+        return choice_error(
             "X520", "this camera looks nowhere: \"" + choice + "\"",
             "eye and target must differ, and the field of view lie between 0 and 180 degrees");
     const glm::vec3 forward = glm::normalize(at - eye);
@@ -88,12 +94,21 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
 
 }  // namespace
 
-Result<scene::Scene> open_scene(const std::string& name, const std::string& env, Diagnostics& warnings) {
-    Result<scene::Scene> scene = name.starts_with(kBuiltinPrefix)
-                                     ? scene::make_builtin(name.substr(kBuiltinPrefix.size()))
-                                     : scene::load_gltf(name, warnings);
+Result<scene::Scene> open_scene(const SceneChoice& choice, Diagnostics& warnings) {
+    const bool builtin = choice.name.starts_with(kBuiltinPrefix);
+    const std::string name = builtin ? choice.name.substr(kBuiltinPrefix.size()) : choice.name;
+    if (choice.hour && !(builtin && scene::has_hours(name))) return no_hours(choice.name);
+    scene::BuiltinOptions options;
+    options.hour = choice.hour;
+    options.lights = choice.lights.value_or(options.lights);
+    options.seed = choice.seed;
+    Result<scene::Scene> scene =
+        builtin ? scene::make_builtin(name, options) : scene::load_gltf(name, warnings);
     if (!scene) return scene;
-    if (Status applied = apply_environment(*scene, env); !applied) return applied.take_errors();
+    if (Status applied = apply_environment(*scene, choice.env); !applied) return applied.take_errors();
+    const bool has_seeded_lights = builtin && name == "lights";
+    if (choice.lights && !has_seeded_lights)
+        scene->lights = scene::seeded_lights(*scene, *choice.lights, choice.seed);
     return scene;
 }
 
@@ -108,7 +123,7 @@ Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string
     for (const scene::Camera& camera : scene.cameras) names.push_back(camera.name);
     std::string known = "this scene has no cameras of its own: give seven numbers, or leave --camera out";
     for (size_t i = 0; i < names.size(); ++i) known = (i == 0 ? "its cameras are " : known + ", ") + names[i];
-    Diagnostic fault = camera_error("S130", "the scene has no camera \"" + choice + "\"", known);
+    Diagnostic fault = choice_error("S130", "the scene has no camera \"" + choice + "\"", known);
     const std::string guess = did_you_mean_text(choice, names);
     if (!guess.empty()) fault.help.insert(fault.help.begin(), guess);
     return fault;

@@ -1,7 +1,8 @@
-// Purpose: from the command line's SCENE, --camera and --env to a scene and a camera.
-// Errors: S… of the loaders; S130 unknown camera, X520 malformed camera.
+// Purpose: from the command line's SCENE, --camera, --env, --time and --lights to a scene and a camera.
+// Errors: S… of the loaders; S130 unknown camera, X520 malformed camera, X521 a scene without hours.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "scene/scene.h"
@@ -9,10 +10,18 @@
 
 namespace weft::viewer {
 
+struct SceneChoice {
+    std::string name;
+    std::string env = "sky";
+    std::optional<float> hour;       // of a built-in scene that has a day
+    std::optional<uint32_t> lights;  // that many seeded ones
+    uint32_t seed = 1;
+};
+
 // A .gltf or .glb, a folder that holds one, or "builtin:NAME". `env` is "sky", "none" or a Radiance picture.
-// With a sky, a scene that brings no light at all gets a sun, so that it can be seen.
-[[nodiscard]] Result<scene::Scene> open_scene(const std::string& name, const std::string& env,
-                                              Diagnostics& warnings);
+// With a sky, a scene that brings no light at all gets a sun, so that it can be seen. Seeded lights take
+// the place of the scene's own; those of builtin:lights move.
+[[nodiscard]] Result<scene::Scene> open_scene(const SceneChoice& choice, Diagnostics& warnings);
 
 // A camera of the scene by name, seven numbers EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, or, when `choice`
 // is empty, the scene's first camera or one that frames its bounds. `aspect` is width / height.

@@ -64,7 +64,6 @@ shared::FrameConstants scene_constants(const scene::Scene& scene) {
     frame.sky_zenith = scene.sky_zenith;
     frame.sky_horizon = scene.sky_horizon;
     frame.sky_ground = scene.sky_horizon * kGroundAlbedo;
-    frame.light_count = static_cast<uint32_t>(scene.lights.size());
     if (scene.environment.mips.empty()) return frame;
     frame.environment_scale = scene.environment.scale;
     for (size_t i = 0; i < scene.environment.irradiance_over_pi.size(); ++i)
@@ -72,9 +71,9 @@ shared::FrameConstants scene_constants(const scene::Scene& scene) {
     return frame;
 }
 
-shared::Light gpu_light(const scene::Light& light) {
+shared::Light gpu_light(const scene::Light& light, double time_s) {
     shared::Light gpu{};
-    gpu.position = light.position;
+    gpu.position = scene::position_at(light, time_s);
     gpu.range_m = light.range_m;
     gpu.intensity = light.color * light.intensity;
     gpu.type = gpu_light_type(light.type);
@@ -85,10 +84,11 @@ shared::Light gpu_light(const scene::Light& light) {
     return gpu;
 }
 
-std::vector<shared::Light> gpu_lights(const scene::Scene& scene) {
+std::vector<shared::Light> gpu_lights(std::span<const scene::Light> scene_lights, double time_s) {
     std::vector<shared::Light> lights;
-    lights.reserve(scene.lights.size());
-    for (const scene::Light& light : scene.lights) lights.push_back(gpu_light(light));
+    lights.reserve(scene_lights.size());
+    for (const scene::Light& light : scene_lights)
+        if (light.intensity > 0) lights.push_back(gpu_light(light, time_s));
     std::stable_partition(lights.begin(), lights.end(),
                           [](const shared::Light& light) { return light.type == shared::kLightDirectional; });
     return lights;

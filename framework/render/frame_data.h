@@ -2,6 +2,7 @@
 // functions. Units and layouts: shaders/include/shared/.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -19,13 +20,13 @@ namespace weft::render {
                                                    const glm::mat4& prev_view_projection, uint32_t width_px,
                                                    uint32_t height_px);
 
-// What is the same in every frame: the sky or the environment, and the number of lights.
+// What is the same in every frame: the sky or the environment.
 [[nodiscard]] shared::FrameConstants scene_constants(const scene::Scene& scene);
 
-[[nodiscard]] shared::Light gpu_light(const scene::Light& light);
-// Directional lights first, then the others as the scene has them: what a full buffer cannot hold is its
-// tail.
-[[nodiscard]] std::vector<shared::Light> gpu_lights(const scene::Scene& scene);
+[[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
+// Those that shine, directional ones first, then the others as the scene has them: what a full buffer cannot
+// hold is its tail.
+[[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s);
 
 [[nodiscard]] shared::Material gpu_material(const scene::Material& material);
 [[nodiscard]] shared::Instance gpu_instance(const glm::mat4& transform);

@@ -133,7 +133,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene);
     if (!gpu) return gpu.take_errors();
     session->scene_ = std::move(*gpu);
-    session->lights_ = gpu_lights(scene);
+    session->scene_lights_ = scene.lights;
+    session->lights_ = gpu_lights(scene.lights, 0);
     session->scene_constants_ = scene_constants(scene);
     Result<Stage> stage = session->make_stage(std::move(imports), session->loaded_.graph);
     if (!stage) return stage.take_errors();
@@ -172,6 +173,7 @@ Status Session::resize(Extent3D size, Diagnostics& warnings) {
 
 shared::FrameConstants Session::frame_constants(double time_s, double delta_time_s) const {
     shared::FrameConstants frame = scene_constants_;
+    frame.light_count = static_cast<uint32_t>(lights_.size());
     frame.frame_index = static_cast<uint32_t>(frame_index_);
     frame.time_s = static_cast<float>(time_s);
     frame.delta_time_s = static_cast<float>(delta_time_s);
@@ -183,6 +185,7 @@ shared::FrameConstants Session::frame_constants(double time_s, double delta_time
 Status Session::render_frame(double time_s, double delta_time_s) {
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
+    lights_ = gpu_lights(scene_lights_, time_s);
     scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_);
     const LightList lights{lights_};
     HostInputs host;

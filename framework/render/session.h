@@ -72,7 +72,8 @@ class Session {
     PassCatalog passes_;
     LoadedGraph loaded_;
     std::unique_ptr<GpuScene> scene_;
-    std::vector<shared::Light> lights_;
+    std::vector<scene::Light> scene_lights_;
+    std::vector<shared::Light> lights_;  // of this frame
     shared::ViewConstants view_{};
     shared::FrameConstants scene_constants_{};
     float pre_exposure_ = 1;

@@ -6,8 +6,9 @@
 
 namespace weft::scene {
 
-Scene make_atrium() {
+Scene make_atrium(float hour) {
     atrium::Parts parts;
+    parts.daylight = daylight_at(hour);
     parts.scene.name = "atrium";
     parts.noise = make_noise_bank(atrium::kTextureSize);
     make_stone_materials(parts);
@@ -31,6 +32,8 @@ Scene make_atrium() {
     add_climbers(parts);
     add_lanterns(parts);
     add_lights(parts);
+    add_garlands(parts);
+    add_candles(parts);
     add_cameras(parts);
     bake_floor_occlusion(parts);
 

@@ -1,10 +1,10 @@
-// Purpose: the default scene, "atrium", made from nothing but numbers.
+// Purpose: the default scene, "atrium", made from nothing but numbers, as it looks at an hour of its day.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace weft::scene {
 
-[[nodiscard]] Scene make_atrium();
+[[nodiscard]] Scene make_atrium(float hour);
 
 }  // namespace weft::scene

@@ -62,12 +62,12 @@ std::vector<glm::vec3> lantern_places() {
     return places;
 }
 
-void add_spot(Parts& parts, const char* name, glm::vec3 from, glm::vec3 to, float candela, float outer_rad) {
+void add_spot(Parts& parts, const char* name, glm::vec3 from, glm::vec3 to, float outer_rad) {
     Light light;
     light.name = name;
     light.type = LightType::spot;
     light.color = glm::vec3(1, 0.72f, 0.42f);
-    light.intensity = candela;
+    light.intensity = lamp_intensity(parts, 2.2f);
     light.position = from;
     light.direction = glm::normalize(to - from);
     light.range_m = 14;
@@ -100,30 +100,35 @@ void add_lanterns(Parts& parts) {
 
 void add_lights(Parts& parts) {
     Scene& scene = parts.scene;
+    const Daylight& day = parts.daylight;
     Light sun;
-    sun.name = "sun";
+    sun.name = day.lamps < 1 ? "sun" : "moon";
     sun.type = LightType::directional;
-    sun.color = glm::vec3(1, 0.80f, 0.54f);
-    sun.intensity = 11000;
-    sun.direction = -glm::normalize(glm::vec3(-0.64f, 0.36f, 0.66f));
+    sun.color = day.color;
+    sun.intensity = day.illuminance_lx;
+    sun.direction = -day.to_source;
     scene.lights.push_back(sun);
     for (const glm::vec3& at : lantern_places()) {
         Light light;
         light.name = "lantern_" + std::to_string(scene.lights.size());
         light.type = LightType::point;
         light.color = glm::vec3(1, 0.62f, 0.28f);
-        light.intensity = 22000;
+        light.intensity = lamp_intensity(parts, 5.4f);
         light.position = at;
         light.range_m = 7;
         scene.lights.push_back(light);
     }
-    add_spot(parts, "spot_bougainvillea", {-3.2f, 0.3f, -6.4f}, {-5.4f, 3.2f, -8.8f}, 9000, 0.6f);
-    add_spot(parts, "spot_armillary", {2.5f, 4.55f, -8.6f}, {0, 1.6f, -6.3f}, 9000, 0.35f);
-    add_spot(parts, "spot_banner_left", {-3.4f, 0.2f, 0.6f}, {-5.4f, 4.6f, 0}, 9000, 0.5f);
-    add_spot(parts, "spot_banner_right", {3.4f, 0.2f, -0.6f}, {5.4f, 4.6f, 0}, 9000, 0.5f);
-    scene.sky_zenith = glm::vec3(330, 800, 2200);
-    scene.sky_horizon = glm::vec3(1900, 2250, 2600);
-    scene.exposure_ev = -12.0f;
+    add_spot(parts, "spot_bougainvillea", {-3.2f, 0.3f, -6.4f}, {-5.4f, 3.2f, -8.8f}, 0.6f);
+    add_spot(parts, "spot_armillary", {2.5f, 4.55f, -8.6f}, {0, 1.6f, -6.3f}, 0.35f);
+    add_spot(parts, "spot_banner_left", {-3.4f, 0.2f, 0.6f}, {-5.4f, 4.6f, 0}, 0.5f);
+    add_spot(parts, "spot_banner_right", {3.4f, 0.2f, -0.6f}, {5.4f, 4.6f, 0}, 0.5f);
+    scene.sky_zenith = day.sky_zenith;
+    scene.sky_horizon = day.sky_horizon;
+    scene.exposure_ev = day.exposure_ev;
+}
+
+float lamp_intensity(const Parts& parts, float displayed) {
+    return displayed * std::exp2(-parts.daylight.exposure_ev);
 }
 
 void add_cameras(Parts& parts) {

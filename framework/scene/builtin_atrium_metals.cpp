@@ -87,6 +87,16 @@ Surface glass(const NoiseBank& bank) {
     });
 }
 
+Surface bulb(const NoiseBank& bank) {
+    return make_surface(kSize, 1, [&](uint32_t x, uint32_t y) {
+        Texel texel;
+        texel.color_srgb = rgb(0xe9d9b8);
+        texel.height_m = 0.0005f * noise_at(bank, x, y, kSize).medium(1);
+        texel.roughness = 0.12f;
+        return texel;
+    });
+}
+
 }  // namespace
 
 void make_metal_materials(Parts& parts) {
@@ -98,10 +108,13 @@ void make_metal_materials(Parts& parts) {
     m.iron = add_material(parts, "wrought_iron", iron(bank));
     m.glass = add_material(parts, "lantern_glass", glass(bank));
     Material& pane = parts.scene.materials[m.glass];
-    pane.emissive = glm::vec3(9000, 7400, 5600);
+    pane.emissive = lamp_intensity(parts, 2.2f) * glm::vec3(1, 0.82f, 0.62f);
     pane.emissive_texture.texture = glow_texture(parts);
     pane.emissive_texture.wrap_u = Wrap::clamp_to_edge;
     pane.emissive_texture.wrap_v = Wrap::clamp_to_edge;
+    m.bulb = add_material(parts, "bulb_glass", bulb(bank));
+    parts.scene.materials[m.bulb].emissive =
+        parts.daylight.lamps * lamp_intensity(parts, 3) * glm::vec3(1, 0.72f, 0.4f);
 }
 
 }  // namespace weft::scene::atrium

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/daylight.h"
 #include "scene/procedural_mesh.h"
 #include "scene/procedural_noise.h"
 #include "scene/scene.h"
@@ -35,7 +36,7 @@ struct Materials {
     uint32_t ashlar, trim, trim_shaded, trim_floor, coping, voussoir, marble, checker, inlay, flags, azulejo,
         zellige;
     uint32_t plaster_red, plaster_ochre, water, beam, planks, door, clay, roof;
-    uint32_t bronze, gold, steel, iron, glass;
+    uint32_t bronze, gold, steel, iron, glass, bulb;
     uint32_t cloth_red, cloth_saffron, cloth_indigo;
     uint32_t bark, soil, citrus, ivy, fern, blossom, cypress, lily, orange;
 };
@@ -51,6 +52,7 @@ struct Footprint {
 
 struct Parts {
     Scene scene;
+    Daylight daylight;
     NoiseBank noise;
     Materials materials{};
     std::vector<Footprint> footprints;
@@ -79,6 +81,8 @@ void add_plants(Parts& parts);
 void add_climbers(Parts& parts);
 void add_lanterns(Parts& parts);
 void add_lights(Parts& parts);
+void add_garlands(Parts& parts);
+void add_candles(Parts& parts);
 void add_cameras(Parts& parts);
 void bake_floor_occlusion(Parts& parts);
 
@@ -86,6 +90,9 @@ void bake_floor_occlusion(Parts& parts);
 uint32_t place(Parts& parts, Mesh mesh, uint32_t material);
 uint32_t add_mesh(Parts& parts, Mesh mesh);
 void place_copy(Parts& parts, uint32_t mesh, uint32_t material, const glm::mat4& transform);
+
+// What shows as `displayed` at the hour's exposure: lamps look alike by day and night. cd or cd/m².
+[[nodiscard]] float lamp_intensity(const Parts& parts, float displayed);
 
 // A timber along x whose top is hidden: two flanks, the underside and both ends.
 void add_beam(MeshBuilder& builder, glm::vec3 low, glm::vec3 high);

@@ -11,6 +11,7 @@ namespace {
 constexpr float kPi = 3.14159265f;
 constexpr float kRimWidth = 0.36f;
 constexpr float kWaterLevel = 0.3f;
+constexpr float kPoolFloor = 0.04f;
 constexpr float kPadRadius = 0.2f;
 
 // Two drifts of floating leaves that don't lie on one another. Returns x, z and radius of each.
@@ -58,7 +59,7 @@ void add_lilies(Parts& parts) {
 // A foot, a stem and two bowls, from the pool's floor upwards.
 Mesh fountain_stone() {
     MeshBuilder builder;
-    builder.add_lathe({{0.36f, 0.2f},
+    builder.add_lathe({{0.36f, kPoolFloor},
                        {0.36f, 0.42f},
                        {0.34f, 0.44f},
                        {0.27f, 0.45f},
@@ -114,7 +115,9 @@ void add_pool(Parts& parts) {
                       loop, true);
     place(parts, builder.finish("pool_rim"), m.coping);
     builder.add_sweep({{0.01f, 0.08f}, {0.01f, kPoolRim - 0.09f}}, loop, true);
-    builder.add_sweep({{-kRimWidth, kPoolRim - 0.08f}, {-kRimWidth, 0.2f}}, loop, true);
+    builder.add_sweep({{-kRimWidth, kPoolRim - 0.08f}, {-kRimWidth, kPoolFloor}}, loop, true);
+    builder.add_rectangle({kRimWidth - x, kPoolFloor, z - kRimWidth}, {2 * (x - kRimWidth), 0, 0},
+                          {0, 0, -2 * (z - kRimWidth)});
     place(parts, builder.finish("pool_tiles"), m.zellige);
     const glm::vec2 half{x - kRimWidth, z - kRimWidth};
     builder.add_rectangle({-half.x, kWaterLevel, half.y}, {2 * half.x, 0, 0}, {0, 0, -2 * half.y});

@@ -121,7 +121,8 @@ float caustic(glm::vec2 uv, uint32_t cells, uint32_t seed) {
     return 1 - smooth_step(0.02f, 0.22f, cell.second - cell.nearest);
 }
 
-// Opaque: the tiles on the floor are painted in, bent by the ripples that the normal map shows.
+// The tiles on the floor are painted in faintly, bent by the ripples that the normal map shows; the floor
+// itself shows through.
 Surface water(const NoiseBank& bank) {
     constexpr float kPeriod = 4;
     return make_surface(kTextureSize, kPeriod, [&](uint32_t x, uint32_t y) {
@@ -156,7 +157,10 @@ void make_tile_materials(Parts& parts) {
     shade_by_height(parts, m.azulejo, {0.25f, 0.38f, 0.42f, 0.42f}, kFloor, kFloor + 1.2f);
     m.zellige = add_material(parts, "zellige_tiles", zellige(bank));
     m.water = add_material(parts, "water", water(bank));
-    parts.scene.materials[m.water].ior = 1.33f;
+    Material& surface = parts.scene.materials[m.water];
+    surface.ior = 1.33f;
+    surface.alpha_mode = AlphaMode::blend;
+    surface.base_color.a = 0.6f;
 }
 
 }  // namespace weft::scene::atrium

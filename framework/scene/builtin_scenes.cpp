@@ -3,15 +3,34 @@
 #include "scene/builtin_atrium.h"
 #include "scene/builtin_cornell.h"
 #include "scene/builtin_spheres.h"
+#include "scene/daylight.h"
+#include "scene/seeded_lights.h"
 
 namespace weft::scene {
+namespace {
 
-std::vector<std::string> builtin_scene_names() {
-    return {"atrium", "cornell", "mirror", "spheres"};
+constexpr float kNight = 22;
+
+Scene make_lights(const BuiltinOptions& options) {
+    Scene scene = make_atrium(options.hour.value_or(kNight));
+    scene.name = "lights";
+    scene.lights = moving_lights(scene, options.lights, options.seed);
+    return scene;
 }
 
-Result<Scene> make_builtin(std::string_view name) {
-    if (name == "atrium") return make_atrium();
+}  // namespace
+
+std::vector<std::string> builtin_scene_names() {
+    return {"atrium", "cornell", "lights", "mirror", "spheres"};
+}
+
+bool has_hours(std::string_view name) {
+    return name == "atrium" || name == "lights";
+}
+
+Result<Scene> make_builtin(std::string_view name, const BuiltinOptions& options) {
+    if (name == "atrium") return make_atrium(options.hour.value_or(kDefaultHour));
+    if (name == "lights") return make_lights(options);
     if (name == "cornell") return make_cornell();
     if (name == "mirror") return make_mirror();
     if (name == "spheres") return make_spheres();

@@ -5,6 +5,15 @@
 #include <limits>
 
 namespace weft::scene {
+
+glm::vec3 position_at(const Light& light, double time_s) {
+    const LightPath& path = light.path;
+    if (path.turns_per_s == 0) return light.position;
+    const double turns = double{path.phase} + double{path.turns_per_s} * time_s;
+    const double angle = 6.283185307179586 * (turns - std::floor(turns));
+    return light.position + path.across * static_cast<float>(std::cos(angle)) +
+           path.along * static_cast<float>(std::sin(angle));
+}
 namespace {
 
 // Above this many transformed vertices the corners of each mesh's box stand in for its vertices.

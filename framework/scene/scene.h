@@ -84,6 +84,15 @@ struct Instance {
 
 enum class LightType : uint8_t { directional, point, spot };
 
+// A closed path around a light's position: position + across · cos(2π t) + along · sin(2π t), where t is
+// phase + turns_per_s · seconds.
+struct LightPath {
+    glm::vec3 across{0};
+    glm::vec3 along{0};
+    float turns_per_s = 0;  // 0: at rest in `position`
+    float phase = 0;
+};
+
 struct Light {
     std::string name;
     LightType type = LightType::point;
@@ -94,6 +103,7 @@ struct Light {
     float range_m = 0;              // 0: unlimited
     float inner_cone_rad = 0;       // half angles, spot only
     float outer_cone_rad = 0.7853981634f;
+    LightPath path;
 };
 
 // Perspective only. Looks along -z of `transform`, y up.
@@ -117,8 +127,10 @@ struct Scene {
     glm::vec3 sky_zenith{0};  // background radiance, cd/m², as a gradient; 0 with --env none
     glm::vec3 sky_horizon{0};
     Environment environment;  // in place of the sky, where there is one
-    float exposure_ev = 0;  // what a photographer would choose here; 0 multiplies by 1
+    float exposure_ev = 0;    // what a photographer would choose here; 0 multiplies by 1
 };
+
+[[nodiscard]] glm::vec3 position_at(const Light& light, double time_s);
 
 struct Bounds {
     glm::vec3 min{0};

@@ -31,13 +31,26 @@ TEST(FrameData, TheInverseTakesPixelsBackToTheWorld) {
     EXPECT_NEAR(glm::distance(view.eye, glm::vec3(3, 2, 5)), 0, 1e-5f);
 }
 
-TEST(FrameData, DirectionalLightsComeFirst) {
-    scene::Scene scene;
-    scene.lights.resize(3);
-    scene.lights[2].type = scene::LightType::directional;
-    const std::vector<shared::Light> lights = gpu_lights(scene);
+TEST(FrameData, DirectionalLightsComeFirstAndDarkOnesNot) {
+    std::vector<scene::Light> in_scene(4);
+    in_scene[1].intensity = 0;
+    in_scene[3].type = scene::LightType::directional;
+    const std::vector<shared::Light> lights = gpu_lights(in_scene, 0);
+    ASSERT_EQ(lights.size(), 3u);
     EXPECT_EQ(lights[0].type, shared::kLightDirectional);
     EXPECT_EQ(lights[1].type, shared::kLightPoint);
+}
+
+TEST(FrameData, LightsAreWhereTheirPathsHaveLedThem) {
+    scene::Light light;
+    light.position = {1, 2, 3};
+    light.path.across = {4, 0, 0};
+    light.path.along = {0, 0, 5};
+    light.path.turns_per_s = 0.25f;
+    const std::vector<scene::Light> in_scene{light};
+    EXPECT_NEAR(glm::distance(gpu_lights(in_scene, 0)[0].position, glm::vec3(5, 2, 3)), 0, 1e-5f);
+    EXPECT_NEAR(glm::distance(gpu_lights(in_scene, 1)[0].position, glm::vec3(1, 2, 8)), 0, 1e-5f);
+    EXPECT_NEAR(glm::distance(gpu_lights(in_scene, 4000002)[0].position, glm::vec3(-3, 2, 3)), 0, 1e-5f);
 }
 
 TEST(FrameData, SpotConesAreFullInsideAndDarkOutside) {

@@ -39,7 +39,8 @@ const std::vector<BadUsage>& bad_usages() {
         {"CheckWithoutFile", {"check"}, "FILE"},
         {"UnknownPlanFormat", {"plan", kDeferred, "--format", "pdf"}, "--format"},
         {"LaterTier", {"render", "--tier", "low"}, "--tier: quality tiers are not there yet"},
-        {"LaterTime", {"render", "--time", "12"}, "not there yet"},
+        {"TimeOutsideTheDay", {"render", "--time", "25"}, "--time"},
+        {"TimeOfASceneWithoutHours", {"render", "builtin:spheres", "--time", "12"}, "has no time of day"},
         {"LaterProfile", {"render", "--profile", "a.json"}, "not there yet"},
         {"LaterLimits", {"render", "--limits", "a.json"}, "not there yet"},
         {"LaterRun", {"check", kDeferred, "--run"}, "not there yet"},
@@ -125,14 +126,14 @@ TEST(Check, JsonHoldsEveryFieldOfTheContract) {
 TEST(Plan, SpeaksTextJsonAndDot) {
     const RunResult text = run_weft({"plan", kDeferred});
     EXPECT_EQ(text.exit_code, 0) << text.text();
-    for (const char* pass : {"lightUpload", "gbuffer", "lighting", "tonemap"})
+    for (const char* pass : {"lightUpload", "gbuffer", "lighting", "glass", "tonemap"})
         EXPECT_NE(text.out.find(pass), std::string::npos) << text.text();
 
     const RunResult json = run_weft({"plan", kDeferred, "--format", "json"});
     EXPECT_EQ(json.exit_code, 0) << json.text();
     const Json plan = Json::parse(json.out);
     EXPECT_EQ(plan.at("hash").get<std::string>().size(), 32u);
-    EXPECT_EQ(plan.at("schedule").at("order").size(), 4u);
+    EXPECT_EQ(plan.at("schedule").at("order").size(), 5u);
 
     const RunResult dot = run_weft({"plan", kDeferred, "--format", "dot"});
     EXPECT_EQ(dot.exit_code, 0) << dot.text();

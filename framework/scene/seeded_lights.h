@@ -7,11 +7,13 @@
 
 #include "scene/scene.h"
 
-namespace weft::viewer {
+namespace weft::scene {
 
 // Every second one a spot. So bright that at `scene.exposure_ev` a light shows what is around it, and with a
 // range that lets each point be reached by some tens of them at most.
-[[nodiscard]] std::vector<scene::Light> seeded_lights(const scene::Scene& scene, uint32_t count,
-                                                      uint32_t seed);
+[[nodiscard]] std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t seed);
 
-}  // namespace weft::viewer
+// The same, each on a level ellipse of its own within the bounds, once around in 4 to 12 seconds.
+[[nodiscard]] std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t seed);
+
+}  // namespace weft::scene
