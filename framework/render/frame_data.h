@@ -25,6 +25,7 @@ namespace weft::render {
 [[nodiscard]] std::vector<shared::Light> gpu_lights(const scene::Scene& scene);
 
 [[nodiscard]] shared::Material gpu_material(const scene::Material& material);
+// Of a mesh without vertex colours and second uvs.
 [[nodiscard]] shared::Instance gpu_instance(const glm::mat4& transform);
 
 }  // namespace weft::render

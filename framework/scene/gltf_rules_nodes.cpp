@@ -5,13 +5,6 @@
 namespace weft::scene::gltf {
 namespace {
 
-// At most 64 bytes of a name, and no part of a character.
-std::string shortened(const std::string& name) {
-    size_t end = std::min<size_t>(name.size(), 64);
-    while (end > 0 && end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0u) == 0x80u) --end;
-    return name.substr(0, end);
-}
-
 constexpr double kUnbounded = 1e18;
 constexpr double kHalfPi = 1.5707963267948966;
 constexpr double kMaxFovRad = 3.1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "scene/alpha_settle.h"
 #include "scene/gltf_check.h"
 #include "scene/gltf_container.h"
 #include "scene/gltf_parse.h"
@@ -74,9 +75,10 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
                   gltf::Report& report) {
     Scene scene;
     scene.name = document.name.empty() ? file.stem().string() : document.name;
+    gltf::BuiltMeshes built = gltf::build_meshes(document, limits, report);
     scene.materials = std::move(document.materials);
     scene.textures = gltf::build_textures(document, limits, report, scene.materials);
-    gltf::BuiltMeshes built = gltf::build_meshes(document, limits, report);
+    if (!report.failed()) gltf::settle_alpha(built, scene.textures, scene.materials);
     const uint32_t fallback = default_material(built, scene);
     gltf::place_nodes(document, built, fallback, limits, report, scene);
     scene.meshes = std::move(built.meshes);

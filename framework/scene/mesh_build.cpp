@@ -4,31 +4,40 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <string>
 
-#include "scene/accessor_reader.h"
 #include "scene/mesh_attributes.h"
 #include "scene/mesh_topology.h"
+#include "scene/vertex_streams.h"
 
 namespace weft::scene::gltf {
 namespace {
-
-// Farther out, differences of positions and areas overflow float.
-constexpr float kMaxCoordinateM = 1e12f;
 
 bool is_usable(const glm::vec3& p) {
     return std::abs(p.x) <= kMaxCoordinateM && std::abs(p.y) <= kMaxCoordinateM &&
            std::abs(p.z) <= kMaxCoordinateM;
 }
 
+bool reads_second_uvs(const Material& material) {
+    for (const TextureSlot* slot :
+         {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+          &material.occlusion_texture, &material.emissive_texture}) {
+        if (slot->texture != kNone && slot->uv_set == 1) return true;
+    }
+    return false;
+}
+
 class Builder {
  public:
     Builder(const Document& document, const SceneLimits& limits, Report& report)
-        : document_(document), limits_(limits), report_(report) {}
+        : document_(document), limits_(limits), report_(report), streams_(document, report) {}
 
     // The mesh of a primitive at `pointer`; without indices when nothing is left of it.
-    Mesh build(const Primitive& primitive, const std::string& pointer) {
+    Mesh build(const Primitive& primitive, std::string name, const std::string& pointer) {
         Mesh mesh;
-        std::optional<AccessorReader> positions = open(primitive.position, pointer + "/attributes/POSITION");
+        mesh.name = std::move(name);
+        std::optional<AccessorReader> positions =
+            streams_.open(primitive.position, pointer + "/attributes/POSITION");
         if (!positions) return mesh;
         std::vector<uint32_t> indices = read_indices(primitive, positions->count(), pointer);
         if (indices.empty() || !within_limits(indices, primitive.normal == kNone, pointer)) return mesh;
@@ -37,14 +46,7 @@ class Builder {
         const std::vector<uint32_t> used = make_compact(indices);
         mesh.indices = std::move(indices);
         for (const uint32_t vertex : used) mesh.positions.push_back(positions->vector<glm::vec3>(vertex));
-        read_uvs(primitive, used, pointer, mesh);
-        if (primitive.normal == kNone) {
-            make_flat(mesh);
-        } else {
-            read_normals(primitive, used, pointer, mesh);
-        }
-        const bool own_tangents = primitive.normal != kNone && primitive.tangent != kNone;
-        if (!own_tangents || !read_tangents(primitive, used, pointer, mesh)) generate_tangents(mesh);
+        read_attributes(primitive, used, pointer + "/attributes/", mesh);
         // Every vertex has uvs from here on, so that one vertex layout serves all meshes.
         mesh.uvs.resize(mesh.positions.size(), glm::vec2(0));
         compute_bounds(mesh);
@@ -52,22 +54,43 @@ class Builder {
     }
 
  private:
-    std::optional<AccessorReader> open(uint32_t accessor, const std::string& pointer) {
-        if (accessor == kNone) return std::nullopt;
-        std::optional<AccessorReader> reader = AccessorReader::open(document_, accessor);
-        if (!reader) {
-            report_.error("S104", pointer,
-                          "accessor " + std::to_string(accessor) +
-                              " reaches past its bytes, or its sparse indices do not ascend within its count",
-                          "export the scene again");
+    void read_attributes(const Primitive& primitive, const std::vector<uint32_t>& used,
+                         const std::string& attributes, Mesh& mesh) {
+        mesh.uvs = streams_.uvs(primitive.uv, used, attributes + "TEXCOORD_0");
+        mesh.colors = streams_.colors(primitive.color, used, attributes + "COLOR_0");
+        read_second_uvs(primitive, used, attributes, mesh);
+        if (primitive.normal == kNone) {
+            make_flat(mesh);
+        } else {
+            streams_.read_normals(primitive.normal, used, attributes + "NORMAL", mesh);
         }
-        return reader;
+        const bool own_tangents = primitive.normal != kNone && primitive.tangent != kNone;
+        if (own_tangents && streams_.read_tangents(primitive.tangent, used, attributes + "TANGENT", mesh))
+            return;
+        const bool of_second =
+            primitive.material != kNone && document_.materials[primitive.material].normal_texture.uv_set == 1;
+        generate_tangents(mesh, of_second ? 1 : 0);
+    }
+
+    // Only where a texture of the material reads them.
+    void read_second_uvs(const Primitive& primitive, const std::vector<uint32_t>& used,
+                         const std::string& attributes, Mesh& mesh) {
+        if (primitive.material == kNone) return;
+        const Material& material = document_.materials[primitive.material];
+        if (!reads_second_uvs(material)) return;
+        mesh.second_uvs = streams_.uvs(primitive.second_uv, used, attributes + "TEXCOORD_1");
+        if (primitive.second_uv != kNone) return;
+        report_.warn("S160", attributes + "TEXCOORD_1",
+                     "a texture of material \"" + shortened(material.name) +
+                         "\" reads TEXCOORD_1, which mesh \"" + shortened(mesh.name) +
+                         "\" lacks; set 0 is used instead",
+                     "give the mesh a second set of texture coordinates");
     }
 
     std::vector<uint32_t> read_indices(const Primitive& primitive, uint64_t vertices,
                                        const std::string& pointer) {
         std::vector<uint32_t> indices;
-        const std::optional<AccessorReader> reader = open(primitive.indices, pointer + "/indices");
+        const std::optional<AccessorReader> reader = streams_.open(primitive.indices, pointer + "/indices");
         if (primitive.indices != kNone && !reader) return indices;
         uint64_t count = reader ? reader->count() : vertices;
         const uint64_t triangles = triangle_count(primitive.mode, count);
@@ -151,70 +174,10 @@ class Builder {
         return used;
     }
 
-    void read_uvs(const Primitive& primitive, const std::vector<uint32_t>& used, const std::string& pointer,
-                  Mesh& mesh) {
-        const std::optional<AccessorReader> reader = open(primitive.uv, pointer + "/attributes/TEXCOORD_0");
-        if (!reader) return;
-        size_t mended = 0;
-        for (const uint32_t vertex : used) {
-            glm::vec2 uv = reader->vector<glm::vec2>(vertex);
-            if (!(std::abs(uv.x) <= kMaxCoordinateM && std::abs(uv.y) <= kMaxCoordinateM)) {
-                uv = glm::vec2(0);
-                ++mended;
-            }
-            mesh.uvs.push_back(uv);
-        }
-        warn_mended(pointer + "/attributes/TEXCOORD_0", mended, "texture coordinates");
-    }
-
-    void read_normals(const Primitive& primitive, const std::vector<uint32_t>& used,
-                      const std::string& pointer, Mesh& mesh) {
-        const std::optional<AccessorReader> reader = open(primitive.normal, pointer + "/attributes/NORMAL");
-        generate_normals(mesh);
-        if (!reader) return;
-        size_t mended = 0;
-        for (size_t i = 0; i < used.size(); ++i) {
-            const glm::vec3 normal = reader->vector<glm::vec3>(used[i]);
-            const float length = glm::length(normal);
-            if (std::isfinite(length) && length > 1e-6f) {
-                mesh.normals[i] = normal / length;
-            } else {
-                ++mended;
-            }
-        }
-        warn_mended(pointer + "/attributes/NORMAL", mended, "normals");
-    }
-
-    // False when the file's tangents cannot be used and must be generated.
-    bool read_tangents(const Primitive& primitive, const std::vector<uint32_t>& used,
-                       const std::string& pointer, Mesh& mesh) {
-        const std::optional<AccessorReader> reader = open(primitive.tangent, pointer + "/attributes/TANGENT");
-        if (!reader) return false;
-        size_t mended = 0;
-        for (size_t i = 0; i < used.size(); ++i) {
-            glm::vec4 tangent = reader->vector<glm::vec4>(used[i]);
-            const float length = glm::length(glm::vec3(tangent));
-            if (!std::isfinite(length) || length < 1e-6f || !std::isfinite(tangent.w)) {
-                tangent = {0, 0, 0, 1};
-                ++mended;
-            }
-            mesh.tangents.emplace_back(orthonormal_tangent(mesh.normals[i], glm::vec3(tangent)),
-                                       tangent.w < 0 ? -1.0f : 1.0f);
-        }
-        warn_mended(pointer + "/attributes/TANGENT", mended, "tangents");
-        return true;
-    }
-
-    void warn_mended(const std::string& pointer, size_t count, const char* what) {
-        if (count == 0) return;
-        report_.warn("S152", pointer,
-                     std::to_string(count) + " " + what + " are not finite or zero and were replaced",
-                     "recompute the " + std::string(what) + " before exporting");
-    }
-
     const Document& document_;
     const SceneLimits& limits_;
     Report& report_;
+    VertexStreams streams_;
     uint64_t triangles_ = 0;
     uint64_t vertices_ = 0;
 };
@@ -253,9 +216,8 @@ BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, Re
             const Primitive& primitive = source.primitives[p];
             const std::string pointer = "/meshes/" + std::to_string(m) + "/primitives/" + std::to_string(p);
             if (!is_drawable(primitive, pointer, report)) continue;
-            Mesh mesh = builder.build(primitive, pointer);
+            Mesh mesh = builder.build(primitive, mesh_name(source, m, p), pointer);
             if (mesh.indices.empty()) continue;
-            mesh.name = mesh_name(source, m, p);
             primitives.push_back({static_cast<uint32_t>(built.meshes.size()), primitive.material});
             built.meshes.push_back(std::move(mesh));
         }

@@ -115,31 +115,6 @@ Texture make_texture(const std::string& name, const ImageSize& size, std::vector
     return texture;
 }
 
-bool is_opaque(const Texture& texture) {
-    const std::vector<uint8_t>& rgba = texture.mips.front();
-    for (size_t i = 3; i < rgba.size(); i += 4) {
-        if (rgba[i] != 255) return false;
-    }
-    return true;
-}
-
-void settle_alpha(const std::vector<Texture>& textures, Report& report, std::vector<Material>& materials) {
-    for (size_t i = 0; i < materials.size(); ++i) {
-        Material& material = materials[i];
-        if (material.alpha_mode != AlphaMode::blend) continue;
-        const uint32_t texture = material.base_color_texture.texture;
-        if (material.base_color.a >= 1 && (texture == kNone || is_opaque(textures[texture]))) {
-            // Blending with an alpha of 1 is the same picture, and opaque surfaces are drawn by every graph.
-            material.alpha_mode = AlphaMode::opaque;
-            continue;
-        }
-        report.warn("S155", "/materials/" + std::to_string(i) + "/alphaMode",
-                    "material \"" + material.name +
-                        "\" is transparent (BLEND); graphs without a pass for it leave it out",
-                    "use MASK where a hard edge will do");
-    }
-}
-
 }  // namespace
 
 std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits, Report& report,
@@ -167,7 +142,6 @@ std::vector<Texture> build_textures(const Document& document, const SceneLimits&
             make_texture(name, decoded.size, last_use ? std::move(decoded.rgba) : decoded.rgba, use));
     }
     for (const SlotUse& slot : slots) slot.slot->texture = texture_of.at(slot.use);
-    if (!report.failed()) settle_alpha(textures, report, materials);
     return textures;
 }
 

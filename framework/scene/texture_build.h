@@ -12,7 +12,7 @@
 namespace weft::scene::gltf {
 
 // Returns the textures and points the slots of `materials` from glTF textures to them. A slot whose texture
-// has no image becomes empty. Materials that blend with an alpha of 1 everywhere become opaque.
+// has no image becomes empty.
 [[nodiscard]] std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
                                                   Report& report, std::vector<Material>& materials);
 
