@@ -199,9 +199,6 @@ void check_primitive(Checker& c, const Fields& primitive) {
     if (const std::optional<Fields> attributes = primitive.object("attributes", Need::required)) {
         check_attributes(c, *attributes);
     }
-    if (!primitive.has("targets")) return;
-    c.report.warn("S153", primitive.pointer_to("targets"), "morph targets are ignored",
-                  "apply the shape before exporting");
 }
 
 }  // namespace

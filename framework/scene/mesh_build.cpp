@@ -30,14 +30,15 @@ bool reads_second_uvs(const Material& material) {
 class Builder {
  public:
     Builder(const Document& document, const SceneLimits& limits, Report& report)
-        : document_(document), limits_(limits), report_(report), streams_(document, report) {}
+        : document_(document), limits_(limits), report_(report) {}
 
-    // The mesh of a primitive at `pointer`; without indices when nothing is left of it.
-    Mesh build(const Primitive& primitive, std::string name, const std::string& pointer) {
+    // The mesh of a primitive at `pointer`; without indices when nothing is left of it. `label` is for
+    // messages.
+    Mesh build(const Primitive& primitive, const std::string& label, const std::string& pointer) {
         Mesh mesh;
-        mesh.name = std::move(name);
+        label_ = label;
         std::optional<AccessorReader> positions =
-            streams_.open(primitive.position, pointer + "/attributes/POSITION");
+            open_accessor(document_, primitive.position, pointer + "/attributes/POSITION", report_);
         if (!positions) return mesh;
         std::vector<uint32_t> indices = read_indices(primitive, positions->count(), pointer);
         if (indices.empty() || !within_limits(indices, primitive.normal == kNone, pointer)) return mesh;
@@ -46,7 +47,7 @@ class Builder {
         const std::vector<uint32_t> used = make_compact(indices);
         mesh.indices = std::move(indices);
         for (const uint32_t vertex : used) mesh.positions.push_back(positions->vector<glm::vec3>(vertex));
-        read_attributes(primitive, used, pointer + "/attributes/", mesh);
+        read_attributes(primitive, {document_, report_, label, pointer + "/attributes", used}, mesh);
         // Every vertex has uvs from here on, so that one vertex layout serves all meshes.
         mesh.uvs.resize(mesh.positions.size(), glm::vec2(0));
         compute_bounds(mesh);
@@ -54,43 +55,40 @@ class Builder {
     }
 
  private:
-    void read_attributes(const Primitive& primitive, const std::vector<uint32_t>& used,
-                         const std::string& attributes, Mesh& mesh) {
-        mesh.uvs = streams_.uvs(primitive.uv, used, attributes + "TEXCOORD_0");
-        mesh.colors = streams_.colors(primitive.color, used, attributes + "COLOR_0");
-        read_second_uvs(primitive, used, attributes, mesh);
+    void read_attributes(const Primitive& primitive, const StreamSource& from, Mesh& mesh) {
+        mesh.uvs = read_uvs(from, primitive.uv, "TEXCOORD_0");
+        mesh.colors = read_colors(from, primitive.color);
+        read_second_uvs(primitive, from, mesh);
         if (primitive.normal == kNone) {
             make_flat(mesh);
         } else {
-            streams_.read_normals(primitive.normal, used, attributes + "NORMAL", mesh);
+            read_normals(from, primitive.normal, mesh);
         }
         const bool own_tangents = primitive.normal != kNone && primitive.tangent != kNone;
-        if (own_tangents && streams_.read_tangents(primitive.tangent, used, attributes + "TANGENT", mesh))
-            return;
+        if (own_tangents && read_tangents(from, primitive.tangent, mesh)) return;
         const bool of_second =
             primitive.material != kNone && document_.materials[primitive.material].normal_texture.uv_set == 1;
         generate_tangents(mesh, of_second ? 1 : 0);
     }
 
     // Only where a texture of the material reads them.
-    void read_second_uvs(const Primitive& primitive, const std::vector<uint32_t>& used,
-                         const std::string& attributes, Mesh& mesh) {
+    void read_second_uvs(const Primitive& primitive, const StreamSource& from, Mesh& mesh) {
         if (primitive.material == kNone) return;
         const Material& material = document_.materials[primitive.material];
         if (!reads_second_uvs(material)) return;
-        mesh.second_uvs = streams_.uvs(primitive.second_uv, used, attributes + "TEXCOORD_1");
+        mesh.second_uvs = read_uvs(from, primitive.second_uv, "TEXCOORD_1");
         if (primitive.second_uv != kNone) return;
-        report_.warn("S160", attributes + "TEXCOORD_1",
-                     "a texture of material \"" + shortened(material.name) +
-                         "\" reads TEXCOORD_1, which mesh \"" + shortened(mesh.name) +
-                         "\" lacks; set 0 is used instead",
+        report_.warn("S160", from.attributes + "/TEXCOORD_1",
+                     "a texture of " + gltf::label("material", primitive.material, material.name) +
+                         " reads TEXCOORD_1, which " + label_ + " lacks; set 0 is used instead",
                      "give the mesh a second set of texture coordinates");
     }
 
     std::vector<uint32_t> read_indices(const Primitive& primitive, uint64_t vertices,
                                        const std::string& pointer) {
         std::vector<uint32_t> indices;
-        const std::optional<AccessorReader> reader = streams_.open(primitive.indices, pointer + "/indices");
+        const std::optional<AccessorReader> reader =
+            open_accessor(document_, primitive.indices, pointer + "/indices", report_);
         if (primitive.indices != kNone && !reader) return indices;
         uint64_t count = reader ? reader->count() : vertices;
         const uint64_t triangles = triangle_count(primitive.mode, count);
@@ -100,7 +98,8 @@ class Builder {
         }
         if (primitive.mode == kTriangles && count % 3 != 0) {
             report_.warn("S156", pointer,
-                         std::to_string(count) + " corners are not a multiple of 3, the rest is left out",
+                         label_ + ": " + std::to_string(count) +
+                             " corners are not a multiple of 3, the rest is left out",
                          "export the mesh as triangles");
             count -= count % 3;
         }
@@ -151,7 +150,7 @@ class Builder {
         if (kept == indices.size()) return;
         report_.warn(
             "S152", pointer + "/attributes/POSITION",
-            std::to_string((indices.size() - kept) / 3) +
+            label_ + ": " + std::to_string((indices.size() - kept) / 3) +
                 " triangles have a position that is not finite, or farther out than 1e12 m, and are left out",
             "remove NaN and infinite positions from the mesh");
         indices.resize(kept);
@@ -177,22 +176,23 @@ class Builder {
     const Document& document_;
     const SceneLimits& limits_;
     Report& report_;
-    VertexStreams streams_;
+    std::string label_;  // of the primitive at hand
     uint64_t triangles_ = 0;
     uint64_t vertices_ = 0;
 };
 
-bool is_drawable(const Primitive& primitive, const std::string& pointer, Report& report) {
+bool is_drawable(const Primitive& primitive, const std::string& label, const std::string& pointer,
+                 Report& report) {
     static constexpr std::array<const char*, 4> kModes{"points", "lines", "a line loop", "a line strip"};
     if (!has_triangles(primitive.mode)) {
         report.warn("S151", pointer + "/mode",
-                    "the primitive is " + std::string(kModes[std::min<uint32_t>(primitive.mode, 3)]) +
+                    label + " is " + std::string(kModes[std::min<uint32_t>(primitive.mode, 3)]) +
                         " and is left out: only triangles are drawn",
                     "export the mesh as triangles");
         return false;
     }
     if (primitive.position == kNone) {
-        report.warn("S156", pointer + "/attributes", "the primitive has no POSITION and is left out",
+        report.warn("S156", pointer + "/attributes", label + " has no POSITION and is left out",
                     "add positions or remove the primitive");
         return false;
     }
@@ -202,6 +202,12 @@ bool is_drawable(const Primitive& primitive, const std::string& pointer, Report&
 std::string mesh_name(const MeshSource& source, size_t mesh, size_t primitive) {
     const std::string name = source.name.empty() ? "mesh " + std::to_string(mesh) : source.name;
     return source.primitives.size() > 1 ? name + "/" + std::to_string(primitive) : name;
+}
+
+// For messages: `mesh "Body"`, or `part 2 of mesh "Body"`.
+std::string primitive_label(const MeshSource& source, size_t mesh, size_t primitive) {
+    const std::string whole = label("mesh", mesh, source.name);
+    return source.primitives.size() > 1 ? "part " + std::to_string(primitive) + " of " + whole : whole;
 }
 
 }  // namespace
@@ -215,9 +221,11 @@ BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, Re
         for (size_t p = 0; p < source.primitives.size(); ++p) {
             const Primitive& primitive = source.primitives[p];
             const std::string pointer = "/meshes/" + std::to_string(m) + "/primitives/" + std::to_string(p);
-            if (!is_drawable(primitive, pointer, report)) continue;
-            Mesh mesh = builder.build(primitive, mesh_name(source, m, p), pointer);
+            const std::string name = primitive_label(source, m, p);
+            if (!is_drawable(primitive, name, pointer, report)) continue;
+            Mesh mesh = builder.build(primitive, name, pointer);
             if (mesh.indices.empty()) continue;
+            mesh.name = mesh_name(source, m, p);
             primitives.push_back({static_cast<uint32_t>(built.meshes.size()), primitive.material});
             built.meshes.push_back(std::move(mesh));
         }

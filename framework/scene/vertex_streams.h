@@ -16,32 +16,27 @@ namespace weft::scene::gltf {
 // Farther out, differences of positions and areas overflow float.
 inline constexpr float kMaxCoordinateM = 1e12f;
 
-// Each reader returns one element for every vertex of `used`. `pointer` is the accessor's place in the file.
-class VertexStreams {
- public:
-    VertexStreams(const Document& document, Report& report) : document_(document), report_(report) {}
+// nullopt for kNone, and after an error at `pointer`.
+[[nodiscard]] std::optional<AccessorReader> open_accessor(const Document& document, uint32_t accessor,
+                                                          const std::string& pointer, Report& report);
 
-    // nullopt for kNone, and after an error.
-    [[nodiscard]] std::optional<AccessorReader> open(uint32_t accessor, const std::string& pointer) const;
-
-    // Empty when absent.
-    [[nodiscard]] std::vector<glm::vec2> uvs(uint32_t accessor, const std::vector<uint32_t>& used,
-                                             const std::string& pointer) const;
-    // In [0, 1]; empty when absent or white throughout.
-    [[nodiscard]] std::vector<glm::vec4> colors(uint32_t accessor, const std::vector<uint32_t>& used,
-                                                const std::string& pointer) const;
-    // Of `mesh`, which has positions and indices; those that are no directions come from its triangles.
-    void read_normals(uint32_t accessor, const std::vector<uint32_t>& used, const std::string& pointer,
-                      Mesh& mesh) const;
-    // False when the file's tangents cannot be used and must be generated. Needs normals.
-    [[nodiscard]] bool read_tangents(uint32_t accessor, const std::vector<uint32_t>& used,
-                                     const std::string& pointer, Mesh& mesh) const;
-
- private:
-    void warn_mended(const std::string& pointer, size_t count, const char* what) const;
-
-    const Document& document_;
-    Report& report_;
+// What a primitive's attributes are read with.
+struct StreamSource {
+    const Document& document;
+    Report& report;
+    std::string mesh;                   // for messages: `mesh "Body"`
+    std::string attributes;             // their JSON pointer
+    const std::vector<uint32_t>& used;  // the vertices; each reader returns an element for each of them
 };
+
+// Empty when absent.
+[[nodiscard]] std::vector<glm::vec2> read_uvs(const StreamSource& from, uint32_t accessor,
+                                              const std::string& name);
+// In [0, 1]; empty when absent or white throughout.
+[[nodiscard]] std::vector<glm::vec4> read_colors(const StreamSource& from, uint32_t accessor);
+// Of `mesh`, which has positions and indices; those that are no directions come from its triangles.
+void read_normals(const StreamSource& from, uint32_t accessor, Mesh& mesh);
+// False when the file's tangents cannot be used and must be generated. Needs normals.
+[[nodiscard]] bool read_tangents(const StreamSource& from, uint32_t accessor, Mesh& mesh);
 
 }  // namespace weft::scene::gltf
