@@ -16,6 +16,12 @@ if [ -n "$pictures" ]; then mkdir -p "$pictures"; fi
 faults=0
 runs=0
 
+# The first error of the last run, else its first warning, without the file's name.
+said() {
+  { grep -E 'error\[|validation:' "$scratch/err" || grep 'warning\[' "$scratch/err"; } | head -n 1 |
+    sed -E 's/^[^ ]*: (error|warning)/\1/' | cut -c1-160
+}
+
 # LABEL FILE PICTURE [FLAGS]: one row; `code` is its exit code.
 run() {
   local label=$1 file=$2 picture=$3 begin end seconds verdict=""
@@ -32,7 +38,7 @@ run() {
   if [ "${seconds%.*}" -ge "$most_s" ]; then verdict+="TOO SLOW "; fi
   if [ -n "$verdict" ]; then faults=$((faults + 1)); fi
   printf '%s | %s | %s | %s | %s%s\n' "${file#"$folder"/}" "$label" "$code" "$seconds" "$verdict" \
-    "$(grep -E '(error|warning)\[|validation:' "$scratch/err" | head -n 1 | sed "s|^$folder/||" | cut -c1-160)"
+    "$(said)"
 }
 
 printf 'file | run | exit | s | first message\n'
