@@ -1,10 +1,16 @@
 #include "scene_source.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
+#include "progress_text.h"
 #include "scene/builtin_scenes.h"
 #include "scene/load_gltf.h"
 
@@ -80,12 +86,27 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
     return camera;
 }
 
+// Loads with progress on stderr.
+Result<scene::Scene> load_file(const std::string& name, Diagnostics& warnings) {
+    const auto begin = std::chrono::steady_clock::now();
+    ProgressText text("loading " + std::filesystem::path(name).filename().string(),
+                      isatty(STDERR_FILENO) == 1);
+    scene::LoadOptions options;
+    options.progress = [&](const scene::LoadProgress& now) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+        std::fputs(text.at(elapsed.count(), now.what, now.done, now.total).c_str(), stderr);
+    };
+    Result<scene::Scene> scene = scene::load_gltf(name, warnings, {}, options);
+    std::fputs(text.finish().c_str(), stderr);
+    return scene;
+}
+
 }  // namespace
 
 Result<scene::Scene> open_scene(const std::string& name, const std::string& env, Diagnostics& warnings) {
     Result<scene::Scene> scene = name.starts_with(kBuiltinPrefix)
                                      ? scene::make_builtin(name.substr(kBuiltinPrefix.size()))
-                                     : scene::load_gltf(name, warnings);
+                                     : load_file(name, warnings);
     if (scene) apply_environment(*scene, env);
     return scene;
 }

@@ -212,9 +212,11 @@ std::string primitive_label(const MeshSource& source, size_t mesh, size_t primit
 
 }  // namespace
 
-BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, Report& report) {
+BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, const LoadOptions& options,
+                         Report& report) {
     BuiltMeshes built;
     Builder builder(document, limits, report);
+    StageProgress progress(options, "meshes", document.meshes.size());
     for (size_t m = 0; m < document.meshes.size(); ++m) {
         const MeshSource& source = document.meshes[m];
         std::vector<BuiltPrimitive>& primitives = built.of_gltf_mesh.emplace_back();
@@ -229,6 +231,7 @@ BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, Re
             primitives.push_back({static_cast<uint32_t>(built.meshes.size()), primitive.material});
             built.meshes.push_back(std::move(mesh));
         }
+        progress.step();
     }
     return built;
 }

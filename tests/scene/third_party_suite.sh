@@ -6,7 +6,7 @@
 # Debian's assimp-testmodels holds such a suite: third_party_suite.sh weft /usr/share/assimp/models/glTF2 pictures
 set -uo pipefail
 weft=$1
-folder=$2
+folder=${2%/}
 pictures=${3:-}
 most_s=10
 graphs=$(dirname "$(readlink -f "$0")")/../../graphs
