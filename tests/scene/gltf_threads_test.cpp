@@ -1,7 +1,9 @@
 // Images are decoded on several threads: the scene and the messages are those of one thread.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "scene/gltf_fixture.h"
 #include "scene/worker_threads.h"
@@ -109,6 +111,7 @@ TEST(WorkerThreads, TheBudgetHoldsAndOneLargeJobStillRuns) {
         } else {
             EXPECT_EQ(taken, 500u) << "alone";
         }
+        std::this_thread::sleep_for(std::chrono::microseconds(100));  // so that jobs overlap
         ++ran;
         now -= bytes;
     });
