@@ -10,8 +10,11 @@ vec2 texture_uv(TextureTransform transform) {
     return transformed(transform, transform.row0.w > 0.0 ? surface_second_uv : surface_uv);
 }
 
+// Interpolation may leave it a rounding step outside [0, 1].
+vec4 vertex_color() { return clamp(1.0 - color_lack, 0.0, 1.0); }
+
 vec4 base_color() {
-    return texture(base_color_texture, texture_uv(material.base_color_uv)) * material.base_color * (1.0 - color_lack);
+    return texture(base_color_texture, texture_uv(material.base_color_uv)) * material.base_color * vertex_color();
 }
 
 vec3 shading_normal() {
@@ -36,6 +39,6 @@ vec3 occlusion_roughness_metalness() {
 
 // cd/m².
 vec3 emission() {
-    const vec3 tint = 1.0 - color_lack.rgb * material.emission_tint;
+    const vec3 tint = mix(vec3(1.0), vertex_color().rgb, material.emission_tint);
     return texture(emissive_texture, texture_uv(material.emissive_uv)).rgb * material.emissive * tint;
 }
