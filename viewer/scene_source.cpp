@@ -1,10 +1,16 @@
 #include "scene_source.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
+#include "progress_text.h"
 #include "scene/builtin_scenes.h"
 #include "scene/load_environment.h"
 #include "scene/load_gltf.h"
@@ -92,6 +98,21 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
     return camera;
 }
 
+// Loads with progress on stderr.
+Result<scene::Scene> load_file(const std::string& name, Diagnostics& warnings) {
+    const auto begin = std::chrono::steady_clock::now();
+    ProgressText text("loading " + std::filesystem::path(name).filename().string(),
+                      isatty(STDERR_FILENO) == 1);
+    scene::LoadOptions options;
+    options.progress = [&](const scene::LoadProgress& now) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+        std::fputs(text.at(elapsed.count(), now.what, now.done, now.total).c_str(), stderr);
+    };
+    Result<scene::Scene> scene = scene::load_gltf(name, warnings, {}, options);
+    std::fputs(text.finish().c_str(), stderr);
+    return scene;
+}
+
 }  // namespace
 
 Result<scene::Scene> open_scene(const SceneChoice& choice, Diagnostics& warnings) {
@@ -103,7 +124,7 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, Diagnostics& warnings
     options.lights = choice.lights.value_or(options.lights);
     options.seed = choice.seed;
     Result<scene::Scene> scene =
-        builtin ? scene::make_builtin(name, options) : scene::load_gltf(name, warnings);
+        builtin ? scene::make_builtin(name, options) : load_file(name, warnings);
     if (!scene) return scene;
     if (Status applied = apply_environment(*scene, choice.env); !applied) return applied.take_errors();
     const bool has_seeded_lights = builtin && name == "lights";

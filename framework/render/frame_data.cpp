@@ -7,14 +7,15 @@ namespace weft::render {
 namespace {
 
 static_assert(sizeof(shared::FrameConstants) == 208 && sizeof(shared::ViewConstants) == 352);
-static_assert(sizeof(shared::Light) == 64 && sizeof(shared::Material) == 224 &&
-              sizeof(shared::Instance) == 192);
+static_assert(sizeof(shared::Light) == 64 && sizeof(shared::Material) == 240 &&
+              sizeof(shared::Instance) == 208);
 
 // What the ground below the horizon sends up: daylight on something of a quarter's albedo.
 constexpr float kGroundAlbedo = 0.25f;
 
-shared::TextureTransform rows(const glm::mat3x2& m) {
-    return {{m[0][0], m[1][0], m[2][0], 0}, {m[0][1], m[1][1], m[2][1], 0}};
+shared::TextureTransform uv_of(const scene::TextureSlot& slot) {
+    const glm::mat3x2& m = slot.transform;
+    return {{m[0][0], m[1][0], m[2][0], static_cast<float>(slot.uv_set)}, {m[0][1], m[1][1], m[2][1], 0}};
 }
 
 uint32_t gpu_light_type(scene::LightType type) {
@@ -109,11 +110,12 @@ shared::Material gpu_material(const scene::Material& m) {
     // untouched.
     gpu.normal_scale = m.normal_texture.texture == scene::kNone ? 0.0f : m.normal_scale;
     gpu.occlusion_strength = m.occlusion_strength;
-    gpu.base_color_uv = rows(m.base_color_texture.transform);
-    gpu.metallic_roughness_uv = rows(m.metallic_roughness_texture.transform);
-    gpu.normal_uv = rows(m.normal_texture.transform);
-    gpu.occlusion_uv = rows(m.occlusion_texture.transform);
-    gpu.emissive_uv = rows(m.emissive_texture.transform);
+    gpu.base_color_uv = uv_of(m.base_color_texture);
+    gpu.metallic_roughness_uv = uv_of(m.metallic_roughness_texture);
+    gpu.normal_uv = uv_of(m.normal_texture);
+    gpu.occlusion_uv = uv_of(m.occlusion_texture);
+    gpu.emissive_uv = uv_of(m.emissive_texture);
+    gpu.emission_tint = m.tinted_emission ? 1.0f : 0.0f;
     return gpu;
 }
 
@@ -127,7 +129,7 @@ shared::Instance gpu_instance(const glm::mat4& transform) {
     normal[1] = glm::vec4(glm::cross(linear[2], linear[0]) * sign, 0);
     normal[2] = glm::vec4(glm::cross(linear[0], linear[1]) * sign, 0);
     normal[3][3] = 1;
-    return {transform, transform, normal};
+    return {transform, transform, normal, shared::kNoStream, shared::kNoStream, 0, 0};
 }
 
 }  // namespace weft::render

@@ -29,6 +29,7 @@ namespace weft::render {
 [[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s);
 
 [[nodiscard]] shared::Material gpu_material(const scene::Material& material);
+// Of a mesh without vertex colours and second uvs.
 [[nodiscard]] shared::Instance gpu_instance(const glm::mat4& transform);
 
 }  // namespace weft::render

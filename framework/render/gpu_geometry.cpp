@@ -38,19 +38,39 @@ Result<vk::Buffer> filled(vk::Device& device, std::vector<T> items, VkBufferUsag
     return buffer;
 }
 
+// rgba16, as unpackUnorm2x16 reads it.
+std::array<uint16_t, 4> unorm16(const glm::vec4& v) {
+    std::array<uint16_t, 4> out{};
+    for (int i = 0; i < 4; ++i)
+        out[static_cast<size_t>(i)] =
+            static_cast<uint16_t>(std::lround(glm::clamp(v[i], 0.0f, 1.0f) * 65535.0f));
+    return out;
+}
+
 struct Streams {
     std::vector<glm::vec4> positions;
     std::vector<VertexAttributes> attributes;
     std::vector<uint32_t> indices;
+    std::vector<std::array<uint16_t, 4>> colors;
+    std::vector<glm::vec2> second_uvs;
     std::vector<MeshRange> ranges;
 };
+
+// What leads from the vertices' indices to the stream of a mesh that starts at `vertex_offset`.
+int32_t stream_offset(bool present, size_t begins, int32_t vertex_offset) {
+    return present ? static_cast<int32_t>(begins) - vertex_offset : shared::kNoStream;
+}
 
 Streams streams_of(const scene::Scene& scene) {
     Streams streams;
     for (const scene::Mesh& mesh : scene.meshes) {
-        streams.ranges.push_back({static_cast<uint32_t>(streams.indices.size()),
-                                  static_cast<uint32_t>(mesh.indices.size()),
-                                  static_cast<int32_t>(streams.positions.size())});
+        const auto vertex_offset = static_cast<int32_t>(streams.positions.size());
+        streams.ranges.push_back(
+            {static_cast<uint32_t>(streams.indices.size()), static_cast<uint32_t>(mesh.indices.size()),
+             vertex_offset, stream_offset(!mesh.colors.empty(), streams.colors.size(), vertex_offset),
+             stream_offset(!mesh.second_uvs.empty(), streams.second_uvs.size(), vertex_offset)});
+        for (const glm::vec4& color : mesh.colors) streams.colors.push_back(unorm16(color));
+        streams.second_uvs.insert(streams.second_uvs.end(), mesh.second_uvs.begin(), mesh.second_uvs.end());
         for (size_t i = 0; i < mesh.positions.size(); ++i) {
             streams.positions.emplace_back(mesh.positions[i], 1.0f);
             streams.attributes.push_back(
@@ -67,8 +87,11 @@ Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& 
     Streams streams = streams_of(scene);
     std::vector<shared::Instance> placed;
     placed.reserve(scene.instances.size());
-    for (const scene::Instance& instance : scene.instances)
+    for (const scene::Instance& instance : scene.instances) {
         placed.push_back(gpu_instance(instance.transform));
+        placed.back().color_offset = streams.ranges[instance.mesh].color_offset;
+        placed.back().second_uv_offset = streams.ranges[instance.mesh].second_uv_offset;
+    }
 
     GpuGeometry geometry;
     geometry.meshes = std::move(streams.ranges);
@@ -84,6 +107,14 @@ Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& 
     Result<vk::Buffer> instances =
         filled(device, std::move(placed), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "scene instances");
     if (!instances) return instances.take_errors();
+    Result<vk::Buffer> colors =
+        filled(device, std::move(streams.colors), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "scene vertex colours");
+    if (!colors) return colors.take_errors();
+    Result<vk::Buffer> second_uvs =
+        filled(device, std::move(streams.second_uvs), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "scene second uvs");
+    if (!second_uvs) return second_uvs.take_errors();
+    geometry.colors = std::move(*colors);
+    geometry.second_uvs = std::move(*second_uvs);
     geometry.positions = std::move(*positions);
     geometry.attributes = std::move(*attributes);
     geometry.indices = std::move(*indices);

@@ -1,6 +1,6 @@
 // Purpose: a scene's meshes in GPU memory, in the canonical vertex format of import_catalog.h: one buffer of
-// positions, one of attributes, one of indices, one of instances.
-// Errors: those of vk::Buffer and the upload.
+// positions, one of attributes, one of indices, one of instances; vertex colours and second uvs, which few
+// meshes have, in buffers that hold those meshes alone. Errors: those of vk::Buffer and the upload.
 #pragma once
 
 #include <vector>
@@ -14,6 +14,8 @@ struct MeshRange {
     uint32_t first_index = 0;
     uint32_t index_count = 0;
     int32_t vertex_offset = 0;
+    int32_t color_offset = 0;  // as in shared::Instance
+    int32_t second_uv_offset = 0;
 };
 
 struct GpuGeometry {
@@ -21,6 +23,8 @@ struct GpuGeometry {
     vk::Buffer attributes;
     vk::Buffer indices;
     vk::Buffer instances;
+    vk::Buffer colors;
+    vk::Buffer second_uvs;
     std::vector<MeshRange> meshes;  // by scene::Scene::meshes
 
     [[nodiscard]] static Result<GpuGeometry> create(vk::Device& device, const scene::Scene& scene);

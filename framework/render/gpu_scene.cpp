@@ -11,8 +11,11 @@
 namespace weft::render {
 namespace {
 
-constexpr VkDescriptorSetLayoutBinding kInstanceBinding{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1,
-                                                        VK_SHADER_STAGE_VERTEX_BIT, nullptr};
+constexpr VkDescriptorSetLayoutBinding draw_binding(uint32_t binding) {
+    return {binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_VERTEX_BIT, nullptr};
+}
+// Instances, vertex colours, second uvs.
+constexpr std::array kDrawBindings{draw_binding(0), draw_binding(1), draw_binding(2)};
 
 // What goes over something else comes after it.
 constexpr std::string_view kSortedList = "transparent";
@@ -30,14 +33,17 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     if (!materials) return materials.take_errors();
     Result<GpuFrame> frame = GpuFrame::create(device, scene.environment);
     if (!frame) return frame.take_errors();
-    Result<DescriptorSets> instances = DescriptorSets::create(device, {&kInstanceBinding, 1}, 1, "instances");
+    Result<DescriptorSets> instances = DescriptorSets::create(device, kDrawBindings, 1, "instances");
     if (!instances) return instances.take_errors();
     gpu->geometry_ = std::move(*geometry);
     gpu->materials_ = std::move(*materials);
     gpu->frame_ = std::move(*frame);
     gpu->instances_ = std::move(*instances);
-    const VkDescriptorBufferInfo buffer{gpu->geometry_.instances.handle(), 0, VK_WHOLE_SIZE};
-    write_buffers(device, gpu->instances_.sets[0], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {&buffer, 1});
+    const std::array buffers{VkDescriptorBufferInfo{gpu->geometry_.instances.handle(), 0, VK_WHOLE_SIZE},
+                             VkDescriptorBufferInfo{gpu->geometry_.colors.handle(), 0, VK_WHOLE_SIZE},
+                             VkDescriptorBufferInfo{gpu->geometry_.second_uvs.handle(), 0, VK_WHOLE_SIZE}};
+    // One write goes on from binding to binding.
+    write_buffers(device, gpu->instances_.sets[0], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffers);
     gpu->sort_draws(scene);
     if (Status uploaded = gpu->upload_commands(device); !uploaded) return uploaded.take_errors();
     return gpu;

@@ -5,6 +5,7 @@
 #include "check/check_plan.h"
 #include "check/check_transition.h"
 #include "render/import_catalog.h"
+#include "render/left_out.h"
 #include "weft/compile.h"
 #include "weft/light_list.h"
 
@@ -139,6 +140,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     Result<Stage> stage = session->make_stage(std::move(imports), session->loaded_.graph);
     if (!stage) return stage.take_errors();
     session->stage_ = std::move(*stage);
+    for (Diagnostic& warning : left_out_by(session->plan(), scene)) warnings.push_back(std::move(warning));
     for (Diagnostic& warning : lights_left_out(session->plan(), session->lights_.size()))
         warnings.push_back(std::move(warning));
     return session;

@@ -68,6 +68,8 @@ struct Primitive {
     uint32_t normal = kNone;
     uint32_t tangent = kNone;
     uint32_t uv = kNone;
+    uint32_t second_uv = kNone;
+    uint32_t color = kNone;
 };
 
 struct MeshSource {

@@ -68,6 +68,7 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     check_geometry(c);
     check_materials(c);
     check_nodes(c);
+    check_motion(c);
     if (report.failed()) return std::nullopt;
     for (const char* key : {"images", "animations", "skins"}) root->erase(key);
     for (size_t i = 0; i < c.out.buffers.size(); ++i) (*root)["buffers"][i]["uri"] = std::to_string(i);

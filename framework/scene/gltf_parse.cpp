@@ -116,7 +116,8 @@ MeshSource convert(const tinygltf::Mesh& source) {
         };
         out.primitives.push_back({static_cast<uint32_t>(primitive.mode), index_or_none(primitive.material),
                                   index_or_none(primitive.indices), attribute("POSITION"),
-                                  attribute("NORMAL"), attribute("TANGENT"), attribute("TEXCOORD_0")});
+                                  attribute("NORMAL"), attribute("TANGENT"), attribute("TEXCOORD_0"),
+                                  attribute("TEXCOORD_1"), attribute("COLOR_0")});
     }
     return out;
 }
@@ -153,11 +154,14 @@ TextureSlot convert_slot(const TextureInfo& info, const tinygltf::Model& model) 
     TextureSlot slot;
     if (info.index < 0) return slot;
     slot.texture = static_cast<uint32_t>(info.index);
+    double uv_set = info.texCoord;
     const int sampler = model.textures[slot.texture].sampler;
     if (sampler >= 0) apply_sampler(model.samplers[static_cast<size_t>(sampler)], slot);
     if (const tinygltf::Value* extension = find_extension(info.extensions, "KHR_texture_transform")) {
         slot.transform = uv_transform(*extension);
+        uv_set = number_or(*extension, "texCoord", uv_set);
     }
+    slot.uv_set = uv_set == 1 ? 1 : 0;
     return slot;
 }
 
@@ -184,6 +188,7 @@ void apply_material_extensions(const tinygltf::ExtensionMap& extensions, Materia
 void make_unlit(Material& out) {
     out.emissive = glm::vec3(out.base_color);
     out.emissive_texture = out.base_color_texture;
+    out.tinted_emission = true;
     out.base_color = glm::vec4(0, 0, 0, out.base_color.a);
     out.metallic = 0;
     out.specular = 0;

@@ -1,5 +1,6 @@
 #include "scene/gltf_report.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace weft::scene::gltf {
@@ -18,6 +19,16 @@ Diagnostic make(Severity severity, std::string code, const std::string& file, st
 }
 
 }  // namespace
+
+std::string shortened(const std::string& name) {
+    size_t end = std::min<size_t>(name.size(), 64);
+    while (end > 0 && end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0u) == 0x80u) --end;
+    return name.substr(0, end);
+}
+
+std::string label(const char* kind, size_t index, const std::string& name) {
+    return std::string(kind) + " " + (name.empty() ? std::to_string(index) : "\"" + shortened(name) + "\"");
+}
 
 void Report::error(const char* code, std::string pointer, std::string message, std::string help) {
     if (++error_count_ > kMaxErrors) return;

@@ -10,6 +10,11 @@
 
 namespace weft::scene::gltf {
 
+// A name from the file as messages show it: at most 64 bytes, and no part of a character.
+[[nodiscard]] std::string shortened(const std::string& name);
+// `mesh "Body"`, or `mesh 3` where it has no name.
+[[nodiscard]] std::string label(const char* kind, size_t index, const std::string& name);
+
 class Report {
  public:
     explicit Report(std::string file) : file_(std::move(file)) {}

@@ -151,7 +151,8 @@ void check_attribute(Checker& c, const Fields& attributes, const char* key, uint
     const uint32_t index = attributes.index(key, Need::optional, c.accessors.size(), "accessors");
     if (index == kNone) return;
     const AccessorShape& shape = c.accessors[index];
-    if (shape.components != components) {
+    const bool without_alpha = std::string_view(key) == "COLOR_0" && shape.components == 3;
+    if (shape.components != components && !without_alpha) {
         attributes.wrong(key, "an accessor of " + std::to_string(shape.components) + " components",
                          "one of " + std::to_string(components));
     }
@@ -165,8 +166,12 @@ void check_attribute(Checker& c, const Fields& attributes, const char* key, uint
 }
 
 void check_attributes(Checker& c, const Fields& attributes) {
-    static constexpr std::array<std::pair<std::string_view, uint32_t>, 4> kRead{
-        {{"POSITION", 3}, {"NORMAL", 3}, {"TANGENT", 4}, {"TEXCOORD_0", 2}}};
+    static constexpr std::array<std::pair<std::string_view, uint32_t>, 6> kRead{{{"POSITION", 3},
+                                                                                 {"NORMAL", 3},
+                                                                                 {"TANGENT", 4},
+                                                                                 {"TEXCOORD_0", 2},
+                                                                                 {"TEXCOORD_1", 2},
+                                                                                 {"COLOR_0", 4}}};
     const uint32_t position = attributes.index("POSITION", Need::optional, c.accessors.size(), "accessors");
     const uint64_t count = position != kNone ? c.accessors[position].count : 0;
     for (const std::string& key : attributes.keys()) {
@@ -178,9 +183,6 @@ void check_attributes(Checker& c, const Fields& attributes) {
             check_attribute(c, attributes, key.c_str(), known->second, count);
         }
     }
-    if (!attributes.has("COLOR_0")) return;
-    c.report.warn("S153", attributes.pointer_to("COLOR_0"), "vertex colours are ignored",
-                  "bake them into the base colour texture");
 }
 
 void check_primitive(Checker& c, const Fields& primitive) {
@@ -197,9 +199,6 @@ void check_primitive(Checker& c, const Fields& primitive) {
     if (const std::optional<Fields> attributes = primitive.object("attributes", Need::required)) {
         check_attributes(c, *attributes);
     }
-    if (!primitive.has("targets")) return;
-    c.report.warn("S153", primitive.pointer_to("targets"), "morph targets are ignored",
-                  "apply the shape before exporting");
 }
 
 }  // namespace

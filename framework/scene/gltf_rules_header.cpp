@@ -8,8 +8,9 @@ namespace {
 
 constexpr uint64_t kMaxExtensions = 1024;
 constexpr std::array<std::string_view, 7> kKnownExtensions{
-    "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
-    "KHR_materials_specular", "KHR_materials_unlit",             "KHR_mesh_quantization",
+    "KHR_lights_punctual",  "KHR_materials_emissive_strength",
+    "KHR_materials_ior",    "KHR_materials_specular",
+    "KHR_materials_unlit",  "KHR_mesh_quantization",
     "KHR_texture_transform"};
 
 void check_version(const Fields& asset, const char* key, bool fine, const std::string& version,
@@ -66,10 +67,7 @@ void check_header(Checker& c) {
         c.sizes[name] = c.root.array_size(name, c.limits.materials);
     }
     for (const char* name : {"animations", "skins"}) {
-        if (c.root.array_size(name, c.limits.array_items) == 0) continue;
-        c.report.warn("S153", c.root.pointer_to(name),
-                      std::string(name) + " are ignored: the scene is shown at rest",
-                      "bake the pose into the meshes if it matters");
+        c.sizes[name] = c.root.array_size(name, c.limits.array_items);
     }
 }
 

@@ -52,10 +52,10 @@ void check_texture_info(Checker& c, const Fields& parent, const char* key) {
         transform->number("rotation", Need::optional);
         set = transform->integer("texCoord", Need::optional, 0, 64).value_or(set);
     }
-    if (set == 0) return;
+    if (set <= 1) return;
     c.report.warn("S153", info->pointer_to("texCoord"),
                   "texture coordinate set " + std::to_string(set) + " is not read, set 0 is used instead",
-                  "export this texture with TEXCOORD_0");
+                  "export this texture with TEXCOORD_0 or TEXCOORD_1");
 }
 
 void check_material_extensions(Checker& c, const Fields& material) {

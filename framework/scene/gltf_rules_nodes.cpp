@@ -5,13 +5,6 @@
 namespace weft::scene::gltf {
 namespace {
 
-// At most 64 bytes of a name, and no part of a character.
-std::string shortened(const std::string& name) {
-    size_t end = std::min<size_t>(name.size(), 64);
-    while (end > 0 && end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0u) == 0x80u) --end;
-    return name.substr(0, end);
-}
-
 constexpr double kUnbounded = 1e18;
 constexpr double kHalfPi = 1.5707963267948966;
 constexpr double kMaxFovRad = 3.1;
@@ -30,12 +23,13 @@ void check_light(const Fields& light) {
     cone->number_in("outerConeAngle", 0, kHalfPi);
 }
 
-void check_camera(Checker& c, const Fields& camera) {
-    camera.text("name", Need::optional);
+void check_camera(Checker& c, const Fields& camera, size_t self) {
+    const std::string name = camera.text("name", Need::optional).value_or("");
     const std::string type = camera.text("type", Need::required).value_or("perspective");
     if (type == "orthographic") {
         camera.object("orthographic", Need::required);
-        c.report.warn("S153", camera.pointer(), "orthographic cameras are left out",
+        c.report.warn("S153", camera.pointer(),
+                      label("camera", self, name) + " is orthographic and is left out",
                       "use a perspective camera");
         return;
     }
@@ -143,7 +137,9 @@ void check_nodes(Checker& c) {
         c.sizes["lights"] = punctual->array_size("lights", c.limits.array_items);
         punctual->each("lights", c.limits.array_items, check_light);
     }
-    c.root.each("cameras", c.limits.array_items, [&](const Fields& camera) { check_camera(c, camera); });
+    size_t cameras = 0;
+    c.root.each("cameras", c.limits.array_items,
+                [&](const Fields& camera) { check_camera(c, camera, cameras++); });
     std::vector<uint32_t> parent(c.sizes["nodes"], kNone);
     uint32_t self = 0;
     c.root.each("nodes", c.limits.array_items,

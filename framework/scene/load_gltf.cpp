@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "scene/alpha_settle.h"
 #include "scene/gltf_check.h"
 #include "scene/gltf_container.h"
 #include "scene/gltf_parse.h"
@@ -71,12 +72,13 @@ uint32_t default_material(const gltf::BuiltMeshes& built, Scene& scene) {
 }
 
 Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLimits& limits,
-                  gltf::Report& report) {
+                  const LoadOptions& options, gltf::Report& report) {
     Scene scene;
     scene.name = document.name.empty() ? file.stem().string() : document.name;
+    gltf::BuiltMeshes built = gltf::build_meshes(document, limits, options, report);
     scene.materials = std::move(document.materials);
-    scene.textures = gltf::build_textures(document, limits, report, scene.materials);
-    gltf::BuiltMeshes built = gltf::build_meshes(document, limits, report);
+    scene.textures = gltf::build_textures(document, limits, options, report, scene.materials);
+    if (!report.failed()) gltf::settle_alpha(built, scene.textures, scene.materials);
     const uint32_t fallback = default_material(built, scene);
     gltf::place_nodes(document, built, fallback, limits, report, scene);
     scene.meshes = std::move(built.meshes);
@@ -90,7 +92,8 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     return scene;
 }
 
-std::optional<Scene> load(const fs::path& file, const SceneLimits& limits, gltf::Report& report) {
+std::optional<Scene> load(const fs::path& file, const SceneLimits& limits, const LoadOptions& options,
+                          gltf::Report& report) {
     const FileBytes bytes = read_scene_file(file, limits, report);
     if (report.failed()) return std::nullopt;
     const std::optional<gltf::Container> container = gltf::open_container(bytes.bytes, report);
@@ -103,17 +106,18 @@ std::optional<Scene> load(const fs::path& file, const SceneLimits& limits, gltf:
     if (!resources) return std::nullopt;
     std::optional<gltf::Document> document = gltf::parse_document(*checked, std::move(*resources), report);
     if (!document) return std::nullopt;
-    return build_scene(*document, file, limits, report);
+    return build_scene(*document, file, limits, options, report);
 }
 
 }  // namespace
 
-Result<Scene> load_gltf(const fs::path& file_or_folder, Diagnostics& warnings, const SceneLimits& limits) {
+Result<Scene> load_gltf(const fs::path& file_or_folder, Diagnostics& warnings, const SceneLimits& limits,
+                        const LoadOptions& options) {
     gltf::Report unnamed(file_or_folder.string());
     const fs::path file = find_file(file_or_folder, unnamed);
     if (file.empty()) return unnamed.take_errors();
     gltf::Report report(file.string());
-    std::optional<Scene> scene = load(file, limits, report);
+    std::optional<Scene> scene = load(file, limits, options, report);
     for (Diagnostic& warning : report.take_warnings()) warnings.push_back(std::move(warning));
     if (report.failed()) return report.take_errors();
     return std::move(*scene);

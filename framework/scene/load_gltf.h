@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "scene/load_progress.h"
 #include "scene/scene.h"
 #include "weft/result.h"
 
@@ -31,6 +32,6 @@ struct SceneLimits {
 
 // `file_or_folder`: a .gltf, a .glb, or a folder that holds exactly one of them.
 [[nodiscard]] Result<Scene> load_gltf(const std::filesystem::path& file_or_folder, Diagnostics& warnings,
-                                      const SceneLimits& limits = {});
+                                      const SceneLimits& limits = {}, const LoadOptions& options = {});
 
 }  // namespace weft::scene

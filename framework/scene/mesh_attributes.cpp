@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 namespace weft::scene {
 namespace {
@@ -31,13 +32,13 @@ struct UvFrame {
     bool mirrored = false;
 };
 
-UvFrame uv_frame(const Mesh& mesh, const uint32_t* corner) {
+UvFrame uv_frame(const Mesh& mesh, const std::vector<glm::vec2>& uvs, const uint32_t* corner) {
     const glm::dvec3 p0(mesh.positions[corner[0]]);
     const glm::dvec3 e1 = glm::dvec3(mesh.positions[corner[1]]) - p0;
     const glm::dvec3 e2 = glm::dvec3(mesh.positions[corner[2]]) - p0;
-    const glm::dvec2 uv0(mesh.uvs[corner[0]]);
-    const glm::dvec2 d1 = glm::dvec2(mesh.uvs[corner[1]]) - uv0;
-    const glm::dvec2 d2 = glm::dvec2(mesh.uvs[corner[2]]) - uv0;
+    const glm::dvec2 uv0(uvs[corner[0]]);
+    const glm::dvec2 d1 = glm::dvec2(uvs[corner[1]]) - uv0;
+    const glm::dvec2 d2 = glm::dvec2(uvs[corner[2]]) - uv0;
     const double area = d1.x * d2.y - d1.y * d2.x;
     if (area == 0 || !std::isfinite(area)) return {};
     const glm::dvec3 along_u = (e1 * d2.y - e2 * d1.y) * (area > 0 ? 1.0 : -1.0);
@@ -53,14 +54,21 @@ float corner_angle(const Mesh& mesh, const uint32_t* corner, int k) {
     return std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f));
 }
 
+// Appends a copy of `stream[from]`, unless the mesh has no such stream.
+template <class T>
+void append_copy(std::vector<T>& stream, size_t from) {
+    if (stream.empty()) return;
+    const T copy = stream[from];  // by value: the vector may move while it grows
+    stream.push_back(copy);
+}
+
+// Tangents are not there yet.
 uint32_t duplicate_vertex(Mesh& mesh, uint32_t vertex) {
-    // By value: the vectors may move while they grow.
-    const glm::vec3 position = mesh.positions[vertex];
-    const glm::vec3 normal = mesh.normals[vertex];
-    const glm::vec2 uv = mesh.uvs[vertex];
-    mesh.positions.push_back(position);
-    mesh.normals.push_back(normal);
-    mesh.uvs.push_back(uv);
+    append_copy(mesh.positions, vertex);
+    append_copy(mesh.normals, vertex);
+    append_copy(mesh.uvs, vertex);
+    append_copy(mesh.colors, vertex);
+    append_copy(mesh.second_uvs, vertex);
     return static_cast<uint32_t>(mesh.positions.size() - 1);
 }
 
@@ -90,6 +98,16 @@ std::vector<uint8_t> split_mirrored(Mesh& mesh, const std::vector<UvFrame>& fram
     return side;
 }
 
+// The element of each index; nothing of a stream that is not there.
+template <class T>
+std::vector<T> picked(const std::vector<T>& stream, const std::vector<uint32_t>& indices) {
+    std::vector<T> out;
+    if (stream.empty()) return out;
+    out.reserve(indices.size());
+    for (const uint32_t index : indices) out.push_back(stream[index]);
+    return out;
+}
+
 }  // namespace
 
 void generate_normals(Mesh& mesh) {
@@ -105,16 +123,14 @@ void generate_normals(Mesh& mesh) {
 }
 
 void make_flat(Mesh& mesh) {
-    const bool has_uvs = !mesh.uvs.empty();
     Mesh flat;
     flat.name = mesh.name;
-    flat.positions.reserve(mesh.indices.size());
-    flat.indices.reserve(mesh.indices.size());
-    for (const uint32_t index : mesh.indices) {
-        flat.indices.push_back(static_cast<uint32_t>(flat.positions.size()));
-        flat.positions.push_back(mesh.positions[index]);
-        if (has_uvs) flat.uvs.push_back(mesh.uvs[index]);
-    }
+    flat.positions = picked(mesh.positions, mesh.indices);
+    flat.uvs = picked(mesh.uvs, mesh.indices);
+    flat.colors = picked(mesh.colors, mesh.indices);
+    flat.second_uvs = picked(mesh.second_uvs, mesh.indices);
+    flat.indices.resize(mesh.indices.size());
+    std::iota(flat.indices.begin(), flat.indices.end(), 0u);
     generate_normals(flat);
     mesh = std::move(flat);
 }
@@ -127,16 +143,17 @@ glm::vec3 orthonormal_tangent(const glm::vec3& normal, const glm::vec3& tangent)
     return normalized_or(projected, glm::vec3(1, 0, 0));
 }
 
-void generate_tangents(Mesh& mesh) {
+void generate_tangents(Mesh& mesh, uint32_t uv_set) {
     assert(mesh.normals.size() == mesh.positions.size());
     const size_t triangles = mesh.indices.size() / 3;
-    if (mesh.uvs.empty()) {
+    const std::vector<glm::vec2>& uvs = uv_set == 1 && !mesh.second_uvs.empty() ? mesh.second_uvs : mesh.uvs;
+    if (uvs.empty()) {
         mesh.tangents.clear();
         for (const glm::vec3& normal : mesh.normals) mesh.tangents.emplace_back(any_orthogonal(normal), 1.0f);
         return;
     }
     std::vector<UvFrame> frames(triangles);
-    for (size_t t = 0; t < triangles; ++t) frames[t] = uv_frame(mesh, &mesh.indices[3 * t]);
+    for (size_t t = 0; t < triangles; ++t) frames[t] = uv_frame(mesh, uvs, &mesh.indices[3 * t]);
     const std::vector<uint8_t> mirrored = split_mirrored(mesh, frames);
     std::vector<glm::vec3> sum(mesh.positions.size(), glm::vec3(0));
     for (size_t t = 0; t < triangles; ++t) {

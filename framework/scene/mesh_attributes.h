@@ -16,8 +16,8 @@ void generate_normals(Mesh& mesh);
 void make_flat(Mesh& mesh);
 
 // Needs normals. A vertex shared by triangles of mirrored uvs is split in two. Without uvs, any orthonormal
-// tangent.
-void generate_tangents(Mesh& mesh);
+// tangent. `uv_set` 1: of second_uvs, where the mesh has them.
+void generate_tangents(Mesh& mesh, uint32_t uv_set = 0);
 
 // Unit tangent orthogonal to unit `normal`, as near to `tangent` as possible; any one when it has no such
 // part.

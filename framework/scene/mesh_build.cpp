@@ -4,20 +4,27 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <string>
 
-#include "scene/accessor_reader.h"
 #include "scene/mesh_attributes.h"
 #include "scene/mesh_topology.h"
+#include "scene/vertex_streams.h"
 
 namespace weft::scene::gltf {
 namespace {
 
-// Farther out, differences of positions and areas overflow float.
-constexpr float kMaxCoordinateM = 1e12f;
-
 bool is_usable(const glm::vec3& p) {
     return std::abs(p.x) <= kMaxCoordinateM && std::abs(p.y) <= kMaxCoordinateM &&
            std::abs(p.z) <= kMaxCoordinateM;
+}
+
+bool reads_second_uvs(const Material& material) {
+    for (const TextureSlot* slot :
+         {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
+          &material.occlusion_texture, &material.emissive_texture}) {
+        if (slot->texture != kNone && slot->uv_set == 1) return true;
+    }
+    return false;
 }
 
 class Builder {
@@ -25,10 +32,13 @@ class Builder {
     Builder(const Document& document, const SceneLimits& limits, Report& report)
         : document_(document), limits_(limits), report_(report) {}
 
-    // The mesh of a primitive at `pointer`; without indices when nothing is left of it.
-    Mesh build(const Primitive& primitive, const std::string& pointer) {
+    // The mesh of a primitive at `pointer`; without indices when nothing is left of it. `label` is for
+    // messages.
+    Mesh build(const Primitive& primitive, const std::string& label, const std::string& pointer) {
         Mesh mesh;
-        std::optional<AccessorReader> positions = open(primitive.position, pointer + "/attributes/POSITION");
+        label_ = label;
+        std::optional<AccessorReader> positions =
+            open_accessor(document_, primitive.position, pointer + "/attributes/POSITION", report_);
         if (!positions) return mesh;
         std::vector<uint32_t> indices = read_indices(primitive, positions->count(), pointer);
         if (indices.empty() || !within_limits(indices, primitive.normal == kNone, pointer)) return mesh;
@@ -37,14 +47,7 @@ class Builder {
         const std::vector<uint32_t> used = make_compact(indices);
         mesh.indices = std::move(indices);
         for (const uint32_t vertex : used) mesh.positions.push_back(positions->vector<glm::vec3>(vertex));
-        read_uvs(primitive, used, pointer, mesh);
-        if (primitive.normal == kNone) {
-            make_flat(mesh);
-        } else {
-            read_normals(primitive, used, pointer, mesh);
-        }
-        const bool own_tangents = primitive.normal != kNone && primitive.tangent != kNone;
-        if (!own_tangents || !read_tangents(primitive, used, pointer, mesh)) generate_tangents(mesh);
+        read_attributes(primitive, {document_, report_, label, pointer + "/attributes", used}, mesh);
         // Every vertex has uvs from here on, so that one vertex layout serves all meshes.
         mesh.uvs.resize(mesh.positions.size(), glm::vec2(0));
         compute_bounds(mesh);
@@ -52,22 +55,40 @@ class Builder {
     }
 
  private:
-    std::optional<AccessorReader> open(uint32_t accessor, const std::string& pointer) {
-        if (accessor == kNone) return std::nullopt;
-        std::optional<AccessorReader> reader = AccessorReader::open(document_, accessor);
-        if (!reader) {
-            report_.error("S104", pointer,
-                          "accessor " + std::to_string(accessor) +
-                              " reaches past its bytes, or its sparse indices do not ascend within its count",
-                          "export the scene again");
+    void read_attributes(const Primitive& primitive, const StreamSource& from, Mesh& mesh) {
+        mesh.uvs = read_uvs(from, primitive.uv, "TEXCOORD_0");
+        mesh.colors = read_colors(from, primitive.color);
+        read_second_uvs(primitive, from, mesh);
+        if (primitive.normal == kNone) {
+            make_flat(mesh);
+        } else {
+            read_normals(from, primitive.normal, mesh);
         }
-        return reader;
+        const bool own_tangents = primitive.normal != kNone && primitive.tangent != kNone;
+        if (own_tangents && read_tangents(from, primitive.tangent, mesh)) return;
+        const bool of_second =
+            primitive.material != kNone && document_.materials[primitive.material].normal_texture.uv_set == 1;
+        generate_tangents(mesh, of_second ? 1 : 0);
+    }
+
+    // Only where a texture of the material reads them.
+    void read_second_uvs(const Primitive& primitive, const StreamSource& from, Mesh& mesh) {
+        if (primitive.material == kNone) return;
+        const Material& material = document_.materials[primitive.material];
+        if (!reads_second_uvs(material)) return;
+        mesh.second_uvs = read_uvs(from, primitive.second_uv, "TEXCOORD_1");
+        if (primitive.second_uv != kNone) return;
+        report_.warn("S160", from.attributes + "/TEXCOORD_1",
+                     "a texture of " + gltf::label("material", primitive.material, material.name) +
+                         " reads TEXCOORD_1, which " + label_ + " lacks; set 0 is used instead",
+                     "give the mesh a second set of texture coordinates");
     }
 
     std::vector<uint32_t> read_indices(const Primitive& primitive, uint64_t vertices,
                                        const std::string& pointer) {
         std::vector<uint32_t> indices;
-        const std::optional<AccessorReader> reader = open(primitive.indices, pointer + "/indices");
+        const std::optional<AccessorReader> reader =
+            open_accessor(document_, primitive.indices, pointer + "/indices", report_);
         if (primitive.indices != kNone && !reader) return indices;
         uint64_t count = reader ? reader->count() : vertices;
         const uint64_t triangles = triangle_count(primitive.mode, count);
@@ -77,7 +98,8 @@ class Builder {
         }
         if (primitive.mode == kTriangles && count % 3 != 0) {
             report_.warn("S156", pointer,
-                         std::to_string(count) + " corners are not a multiple of 3, the rest is left out",
+                         label_ + ": " + std::to_string(count) +
+                             " corners are not a multiple of 3, the rest is left out",
                          "export the mesh as triangles");
             count -= count % 3;
         }
@@ -128,7 +150,7 @@ class Builder {
         if (kept == indices.size()) return;
         report_.warn(
             "S152", pointer + "/attributes/POSITION",
-            std::to_string((indices.size() - kept) / 3) +
+            label_ + ": " + std::to_string((indices.size() - kept) / 3) +
                 " triangles have a position that is not finite, or farther out than 1e12 m, and are left out",
             "remove NaN and infinite positions from the mesh");
         indices.resize(kept);
@@ -151,85 +173,26 @@ class Builder {
         return used;
     }
 
-    void read_uvs(const Primitive& primitive, const std::vector<uint32_t>& used, const std::string& pointer,
-                  Mesh& mesh) {
-        const std::optional<AccessorReader> reader = open(primitive.uv, pointer + "/attributes/TEXCOORD_0");
-        if (!reader) return;
-        size_t mended = 0;
-        for (const uint32_t vertex : used) {
-            glm::vec2 uv = reader->vector<glm::vec2>(vertex);
-            if (!(std::abs(uv.x) <= kMaxCoordinateM && std::abs(uv.y) <= kMaxCoordinateM)) {
-                uv = glm::vec2(0);
-                ++mended;
-            }
-            mesh.uvs.push_back(uv);
-        }
-        warn_mended(pointer + "/attributes/TEXCOORD_0", mended, "texture coordinates");
-    }
-
-    void read_normals(const Primitive& primitive, const std::vector<uint32_t>& used,
-                      const std::string& pointer, Mesh& mesh) {
-        const std::optional<AccessorReader> reader = open(primitive.normal, pointer + "/attributes/NORMAL");
-        generate_normals(mesh);
-        if (!reader) return;
-        size_t mended = 0;
-        for (size_t i = 0; i < used.size(); ++i) {
-            const glm::vec3 normal = reader->vector<glm::vec3>(used[i]);
-            const float length = glm::length(normal);
-            if (std::isfinite(length) && length > 1e-6f) {
-                mesh.normals[i] = normal / length;
-            } else {
-                ++mended;
-            }
-        }
-        warn_mended(pointer + "/attributes/NORMAL", mended, "normals");
-    }
-
-    // False when the file's tangents cannot be used and must be generated.
-    bool read_tangents(const Primitive& primitive, const std::vector<uint32_t>& used,
-                       const std::string& pointer, Mesh& mesh) {
-        const std::optional<AccessorReader> reader = open(primitive.tangent, pointer + "/attributes/TANGENT");
-        if (!reader) return false;
-        size_t mended = 0;
-        for (size_t i = 0; i < used.size(); ++i) {
-            glm::vec4 tangent = reader->vector<glm::vec4>(used[i]);
-            const float length = glm::length(glm::vec3(tangent));
-            if (!std::isfinite(length) || length < 1e-6f || !std::isfinite(tangent.w)) {
-                tangent = {0, 0, 0, 1};
-                ++mended;
-            }
-            mesh.tangents.emplace_back(orthonormal_tangent(mesh.normals[i], glm::vec3(tangent)),
-                                       tangent.w < 0 ? -1.0f : 1.0f);
-        }
-        warn_mended(pointer + "/attributes/TANGENT", mended, "tangents");
-        return true;
-    }
-
-    void warn_mended(const std::string& pointer, size_t count, const char* what) {
-        if (count == 0) return;
-        report_.warn("S152", pointer,
-                     std::to_string(count) + " " + what + " are not finite or zero and were replaced",
-                     "recompute the " + std::string(what) + " before exporting");
-    }
-
     const Document& document_;
     const SceneLimits& limits_;
     Report& report_;
+    std::string label_;  // of the primitive at hand
     uint64_t triangles_ = 0;
     uint64_t vertices_ = 0;
 };
 
-bool is_drawable(const Primitive& primitive, const std::string& pointer, Report& report) {
+bool is_drawable(const Primitive& primitive, const std::string& label, const std::string& pointer,
+                 Report& report) {
     static constexpr std::array<const char*, 4> kModes{"points", "lines", "a line loop", "a line strip"};
     if (!has_triangles(primitive.mode)) {
         report.warn("S151", pointer + "/mode",
-                    "the primitive is " + std::string(kModes[std::min<uint32_t>(primitive.mode, 3)]) +
+                    label + " is " + std::string(kModes[std::min<uint32_t>(primitive.mode, 3)]) +
                         " and is left out: only triangles are drawn",
                     "export the mesh as triangles");
         return false;
     }
     if (primitive.position == kNone) {
-        report.warn("S156", pointer + "/attributes", "the primitive has no POSITION and is left out",
+        report.warn("S156", pointer + "/attributes", label + " has no POSITION and is left out",
                     "add positions or remove the primitive");
         return false;
     }
@@ -241,24 +204,34 @@ std::string mesh_name(const MeshSource& source, size_t mesh, size_t primitive) {
     return source.primitives.size() > 1 ? name + "/" + std::to_string(primitive) : name;
 }
 
+// For messages: `mesh "Body"`, or `part 2 of mesh "Body"`.
+std::string primitive_label(const MeshSource& source, size_t mesh, size_t primitive) {
+    const std::string whole = label("mesh", mesh, source.name);
+    return source.primitives.size() > 1 ? "part " + std::to_string(primitive) + " of " + whole : whole;
+}
+
 }  // namespace
 
-BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, Report& report) {
+BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, const LoadOptions& options,
+                         Report& report) {
     BuiltMeshes built;
     Builder builder(document, limits, report);
+    StageProgress progress(options, "meshes", document.meshes.size());
     for (size_t m = 0; m < document.meshes.size(); ++m) {
         const MeshSource& source = document.meshes[m];
         std::vector<BuiltPrimitive>& primitives = built.of_gltf_mesh.emplace_back();
         for (size_t p = 0; p < source.primitives.size(); ++p) {
             const Primitive& primitive = source.primitives[p];
             const std::string pointer = "/meshes/" + std::to_string(m) + "/primitives/" + std::to_string(p);
-            if (!is_drawable(primitive, pointer, report)) continue;
-            Mesh mesh = builder.build(primitive, pointer);
+            const std::string name = primitive_label(source, m, p);
+            if (!is_drawable(primitive, name, pointer, report)) continue;
+            Mesh mesh = builder.build(primitive, name, pointer);
             if (mesh.indices.empty()) continue;
             mesh.name = mesh_name(source, m, p);
             primitives.push_back({static_cast<uint32_t>(built.meshes.size()), primitive.material});
             built.meshes.push_back(std::move(mesh));
         }
+        progress.step();
     }
     return built;
 }

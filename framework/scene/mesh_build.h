@@ -24,6 +24,7 @@ struct BuiltMeshes {
 };
 
 // Faults are reported and leave their primitive out.
-[[nodiscard]] BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, Report& report);
+[[nodiscard]] BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits,
+                                       const LoadOptions& options, Report& report);
 
 }  // namespace weft::scene::gltf

@@ -86,7 +86,8 @@ void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t d
         const glm::mat4 world = visit.parent * node.local;
         if (!is_usable(world)) {
             report.warn("S152", "/nodes/" + std::to_string(visit.node),
-                        "the node's transform leaves the range of numbers; it and its children are left out",
+                        label("node", visit.node, node.name) +
+                            ": its transform leaves the range of numbers; it and its children are left out",
                         "correct the matrix or scale of the node or of its parents");
             continue;
         }

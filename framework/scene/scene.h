@@ -16,14 +16,16 @@ namespace weft::scene {
 
 inline constexpr uint32_t kNone = UINT32_MAX;
 
-// One indexed triangle list. Every stream has the length of `positions`.
+// One indexed triangle list. Every stream has the length of `positions`; the last two may be empty instead.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> tangents;  // xyz, w = sign of the bitangent: B = cross(N, T) * w
     std::vector<glm::vec2> uvs;
-    std::vector<uint32_t> indices;  // three a triangle
+    std::vector<uint32_t> indices;      // three a triangle
+    std::vector<glm::vec4> colors;      // of base colour and alpha a factor in [0, 1]; empty: 1 everywhere
+    std::vector<glm::vec2> second_uvs;  // for slots whose uv_set is 1; empty: those read `uvs`
     glm::vec3 bounds_min{0};
     glm::vec3 bounds_max{0};
 };
@@ -49,6 +51,7 @@ struct TextureSlot {
     bool mipmapped = true;
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
+    uint32_t uv_set = 0;                      // 1: Mesh::second_uvs
     glm::mat3x2 transform{1, 0, 0, 1, 0, 0};  // columns: u, v, offset
 };
 
@@ -58,8 +61,9 @@ struct Material {
     std::string name;
     glm::vec4 base_color{1};
     float metallic = 1;
-    float roughness = 1;    // perceptual
-    glm::vec3 emissive{0};  // cd/m² after KHR_materials_emissive_strength
+    float roughness = 1;           // perceptual
+    glm::vec3 emissive{0};         // cd/m² after KHR_materials_emissive_strength
+    bool tinted_emission = false;  // vertex colours multiply `emissive` too, as where a surface is unlit
     float normal_scale = 1;
     float occlusion_strength = 1;
     float specular = 1;           // KHR_materials_specular: specularFactor

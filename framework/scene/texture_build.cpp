@@ -1,11 +1,13 @@
 #include "scene/texture_build.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <tuple>
 
 #include "scene/image_decode.h"
 #include "scene/mip_chain.h"
+#include "scene/worker_threads.h"
 
 namespace weft::scene::gltf {
 namespace {
@@ -115,59 +117,69 @@ Texture make_texture(const std::string& name, const ImageSize& size, std::vector
     return texture;
 }
 
-bool is_opaque(const Texture& texture) {
-    const std::vector<uint8_t>& rgba = texture.mips.front();
-    for (size_t i = 3; i < rgba.size(); i += 4) {
-        if (rgba[i] != 255) return false;
+// Beside what is decoded already, so much is decoded at a time, unless one image is larger.
+constexpr uint64_t kDecodedInHandBytes = 128ull << 20;
+
+// One image and the textures it becomes.
+struct ImageJob {
+    uint32_t image = kNone;
+    std::vector<Use> uses;
+    size_t first_texture = 0;
+    std::string error;  // filled by the job
+};
+
+// By image, in the file's order; `texture_of` gets the index that each use will have.
+std::vector<ImageJob> jobs_for(std::map<Use, uint32_t>& texture_of) {
+    std::vector<ImageJob> jobs;
+    uint32_t textures = 0;
+    for (auto& [use, texture] : texture_of) {
+        if (jobs.empty() || jobs.back().image != use.image) jobs.push_back({use.image, {}, textures, {}});
+        jobs.back().uses.push_back(use);
+        texture = textures++;
     }
-    return true;
+    return jobs;
 }
 
-void settle_alpha(const std::vector<Texture>& textures, Report& report, std::vector<Material>& materials) {
-    for (size_t i = 0; i < materials.size(); ++i) {
-        Material& material = materials[i];
-        if (material.alpha_mode != AlphaMode::blend) continue;
-        const uint32_t texture = material.base_color_texture.texture;
-        if (material.base_color.a >= 1 && (texture == kNone || is_opaque(textures[texture]))) {
-            // Blending with an alpha of 1 is the same picture, and opaque surfaces are drawn by every graph.
-            material.alpha_mode = AlphaMode::opaque;
-            continue;
+void decode(const Document& document, ByteBudget& in_hand, ImageJob& job, std::vector<Texture>& textures) {
+    try {
+        const std::span<const uint8_t> encoded = encoded_bytes(document, job.image);
+        const ImageSize size = read_image_size(encoded).value_or(ImageSize{});
+        const ByteBudget::Share share(in_hand, uint64_t{size.width_px} * size.height_px * 4);
+        DecodedImage decoded = decode_image(encoded);
+        job.error = decoded.error;
+        for (size_t i = 0; i < job.uses.size() && !decoded.rgba.empty(); ++i) {
+            const bool last_use = i + 1 == job.uses.size();
+            textures[job.first_texture + i] =
+                make_texture(document.images[job.image].name, decoded.size,
+                             last_use ? std::move(decoded.rgba) : decoded.rgba, job.uses[i]);
         }
-        report.warn("S155", "/materials/" + std::to_string(i) + "/alphaMode",
-                    "material \"" + material.name +
-                        "\" is transparent (BLEND); graphs without a pass for it leave it out",
-                    "use MASK where a hard edge will do");
+    } catch (const std::exception& fault) {
+        job.error = fault.what();  // out of memory: nothing else throws here
     }
 }
 
 }  // namespace
 
-std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits, Report& report,
+std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
+                                    const LoadOptions& options, Report& report,
                                     std::vector<Material>& materials) {
-    std::vector<Texture> textures;
     const std::vector<SlotUse> slots = slot_uses(document, materials);
     std::map<Use, uint32_t> texture_of;
     for (const SlotUse& slot : slots) texture_of.emplace(slot.use, kNone);
-    if (!sizes_within_limits(document, texture_of, limits, report)) return textures;
-    // The map is ordered by image first, so each is decoded once and its pixels live no longer than needed.
-    DecodedImage decoded;
-    uint32_t decoded_image = kNone;
-    for (auto it = texture_of.begin(); it != texture_of.end(); ++it) {
-        const Use& use = it->first;
-        const std::string& name = document.images[use.image].name;
-        if (use.image != decoded_image) {
-            decoded = decode_image(encoded_bytes(document, use.image));
-            decoded_image = use.image;
-            if (decoded.rgba.empty()) report_undecodable(report, use.image, name, decoded.error);
-        }
-        if (decoded.rgba.empty()) continue;
-        const bool last_use = std::next(it) == texture_of.end() || std::next(it)->first.image != use.image;
-        it->second = static_cast<uint32_t>(textures.size());
-        textures.push_back(
-            make_texture(name, decoded.size, last_use ? std::move(decoded.rgba) : decoded.rgba, use));
+    if (!sizes_within_limits(document, texture_of, limits, report)) return {};
+    std::vector<ImageJob> jobs = jobs_for(texture_of);
+    std::vector<Texture> textures(texture_of.size());
+    ByteBudget in_hand(kDecodedInHandBytes);
+    StageProgress progress(options, "textures", jobs.size());
+    run_on_threads(jobs.size(), options.threads, [&](size_t i) {
+        decode(document, in_hand, jobs[i], textures);
+        progress.step();
+    });
+    for (const ImageJob& job : jobs) {
+        if (!job.error.empty())
+            report_undecodable(report, job.image, document.images[job.image].name, job.error);
     }
     for (const SlotUse& slot : slots) slot.slot->texture = texture_of.at(slot.use);
-    if (!report.failed()) settle_alpha(textures, report, materials);
     return textures;
 }
 

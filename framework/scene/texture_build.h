@@ -11,9 +11,11 @@
 
 namespace weft::scene::gltf {
 
-// Returns the textures and points the slots of `materials` from glTF textures to them. A slot whose texture
-// has no image becomes empty. Materials that blend with an alpha of 1 everywhere become opaque.
+// The images are decoded side by side; the result does not depend on how many threads there are. Returns the
+// textures and points the slots of `materials` from glTF textures to them. A slot whose texture has no image
+// becomes empty.
 [[nodiscard]] std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
-                                                  Report& report, std::vector<Material>& materials);
+                                                  const LoadOptions& options, Report& report,
+                                                  std::vector<Material>& materials);
 
 }  // namespace weft::scene::gltf

@@ -15,7 +15,7 @@ layout(constant_id = 1) const bool BLENDED = false;
 // Sees what the G-buffer of the deferred pipeline would have kept, so that the two can be compared.
 layout(constant_id = 2) const bool QUANTIZED = false;
 
-layout(location = 3) in vec3 world_point;
+layout(location = 5) in vec3 world_point;
 layout(location = 0) out vec4 hdr;
 
 layout(std430) readonly buffer Lights { Light items[]; } lights;

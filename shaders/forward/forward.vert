@@ -3,7 +3,7 @@
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"
 
-layout(location = 3) out vec3 world_point;
+layout(location = 5) out vec3 world_point;
 
 void main() {
     const Instance instance = place_surface();

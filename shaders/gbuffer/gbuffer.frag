@@ -8,8 +8,8 @@
 
 layout(constant_id = 0) const bool MASKED = false;
 
-layout(location = 3) in vec4 clip_now;
-layout(location = 4) in vec4 clip_before;
+layout(location = 5) in vec4 clip_now;
+layout(location = 6) in vec4 clip_before;
 
 layout(location = 0) out vec4 albedo;    // rgb: √ base colour; drivers differ in how they decode sRGB, roots are exact
 layout(location = 1) out vec2 normal;    // octahedral, world space

@@ -3,8 +3,8 @@
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"
 
-layout(location = 3) out vec4 clip_now;
-layout(location = 4) out vec4 clip_before;
+layout(location = 5) out vec4 clip_now;
+layout(location = 6) out vec4 clip_before;
 
 void main() {
     const Instance instance = place_surface();

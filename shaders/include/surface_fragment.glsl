@@ -3,9 +3,18 @@
 layout(location = 0) in vec3 world_normal;
 layout(location = 1) in vec4 world_tangent;
 layout(location = 2) in vec2 surface_uv;
+layout(location = 3) in vec2 surface_second_uv;
+layout(location = 4) in vec4 color_lack;
+
+vec2 texture_uv(TextureTransform transform) {
+    return transformed(transform, transform.row0.w > 0.0 ? surface_second_uv : surface_uv);
+}
+
+// Interpolation may leave it a rounding step outside [0, 1].
+vec4 vertex_color() { return clamp(1.0 - color_lack, 0.0, 1.0); }
 
 vec4 base_color() {
-    return texture(base_color_texture, transformed(material.base_color_uv, surface_uv)) * material.base_color;
+    return texture(base_color_texture, texture_uv(material.base_color_uv)) * material.base_color * vertex_color();
 }
 
 vec3 shading_normal() {
@@ -16,19 +25,20 @@ vec3 shading_normal() {
     if (length2 < 1e-12) return n;
     t *= inversesqrt(length2);
     const vec3 b = cross(n, t) * world_tangent.w * facing;
-    vec3 m = texture(normal_texture, transformed(material.normal_uv, surface_uv)).xyz * 2.0 - 1.0;
+    vec3 m = texture(normal_texture, texture_uv(material.normal_uv)).xyz * 2.0 - 1.0;
     m.xy *= material.normal_scale;
     return normalize(t * m.x + b * m.y + n * m.z);
 }
 
 // Occlusion, perceptual roughness, metalness.
 vec3 occlusion_roughness_metalness() {
-    const vec3 mr = texture(metallic_roughness_texture, transformed(material.metallic_roughness_uv, surface_uv)).rgb;
-    const float ao = texture(occlusion_texture, transformed(material.occlusion_uv, surface_uv)).r;
+    const vec3 mr = texture(metallic_roughness_texture, texture_uv(material.metallic_roughness_uv)).rgb;
+    const float ao = texture(occlusion_texture, texture_uv(material.occlusion_uv)).r;
     return vec3(mix(1.0, ao, material.occlusion_strength), material.roughness * mr.g, material.metallic * mr.b);
 }
 
 // cd/m².
 vec3 emission() {
-    return texture(emissive_texture, transformed(material.emissive_uv, surface_uv)).rgb * material.emissive;
+    const vec3 tint = mix(vec3(1.0), vertex_color().rgb, material.emission_tint);
+    return texture(emissive_texture, texture_uv(material.emissive_uv)).rgb * material.emissive * tint;
 }

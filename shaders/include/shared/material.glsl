@@ -4,7 +4,7 @@
 #include "begin.glsl"
 
 struct TextureTransform {
-    vec4 row0;
+    vec4 row0;               // w: the uv set that is transformed, 0 or 1
     vec4 row1;
 };
 
@@ -23,6 +23,10 @@ struct Material {
     TextureTransform normal_uv;
     TextureTransform occlusion_uv;
     TextureTransform emissive_uv;
+    float emission_tint;     // 1: vertex colours multiply the emission too
+    float reserved0;
+    float reserved1;
+    float reserved2;
 };
 
 #include "end.glsl"

@@ -1,0 +1,60 @@
+#include "render/left_out.h"
+
+#include <algorithm>
+#include <set>
+
+#include "render/import_catalog.h"
+
+namespace weft::render {
+namespace {
+
+constexpr size_t kMaxNamed = 4;
+
+std::set<std::string> drawn_lists(const FramePlan& plan) {
+    std::set<std::string> lists;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        lists.insert(pass.draw_lists.begin(), pass.draw_lists.end());
+    }
+    return lists;
+}
+
+// "glass", "water" and 3 more
+std::string names_of(const std::set<uint32_t>& materials, const scene::Scene& scene) {
+    std::string names;
+    size_t named = 0;
+    for (const uint32_t material : materials) {
+        if (named == kMaxNamed) break;
+        const std::string& name = scene.materials[material].name;
+        names += (named++ == 0 ? "" : ", ") +
+                 (name.empty() ? "material " + std::to_string(material) : "\"" + name + "\"");
+    }
+    if (materials.size() > named) names += " and " + std::to_string(materials.size() - named) + " more";
+    return names;
+}
+
+}  // namespace
+
+Diagnostics left_out_by(const FramePlan& plan, const scene::Scene& scene) {
+    const std::set<std::string> drawn = drawn_lists(plan);
+    if (drawn.empty() || drawn.contains("transparent")) return {};
+    std::set<uint32_t> materials;
+    size_t objects = 0;
+    for (const scene::Instance& instance : scene.instances) {
+        if (std::string_view(draw_list_of(scene.materials[instance.material])) != "transparent") continue;
+        materials.insert(instance.material);
+        ++objects;
+    }
+    if (objects == 0) return {};
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.code = "S155";
+    warning.message =
+        (objects == 1 ? "1 transparent object is" : std::to_string(objects) + " transparent objects are") +
+        std::string(" left out (BLEND: ") + names_of(materials, scene) + "): no pass of graph \"" +
+        plan.graph.name + "\" draws the list \"transparent\"";
+    warning.help = {"--graph graphs/forward.json draws them"};
+    return {warning};
+}
+
+}  // namespace weft::render

@@ -1,0 +1,41 @@
+// Purpose: how far loading a scene is, for whoever wants to show it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+
+namespace weft::scene {
+
+struct LoadProgress {
+    const char* what = "";  // "meshes", "textures"
+    uint64_t done = 0;
+    uint64_t total = 0;
+};
+
+struct LoadOptions {
+    uint32_t threads = 0;  // that decode images and make mips; 0: as many as the machine has
+    // Called after every step, from any of the threads but never by two at once. May be empty.
+    std::function<void(const LoadProgress&)> progress;
+};
+
+// Counts the steps of one stage, from any thread.
+class StageProgress {
+ public:
+    StageProgress(const LoadOptions& options, const char* what, uint64_t total)
+        : options_(options), now_{what, 0, total} {}
+
+    void step() {
+        if (!options_.progress) return;
+        const std::scoped_lock lock(mutex_);
+        ++now_.done;
+        options_.progress(now_);
+    }
+
+ private:
+    const LoadOptions& options_;
+    std::mutex mutex_;
+    LoadProgress now_;
+};
+
+}  // namespace weft::scene

@@ -1,0 +1,54 @@
+// The warning about what a graph does not draw.
+#include "render/left_out.h"
+
+#include <gtest/gtest.h>
+
+namespace weft::render {
+namespace {
+
+FramePlan plan_that_draws(std::vector<std::string> lists) {
+    FramePlan plan;
+    plan.graph.name = "deferred";
+    plan.graph.passes.resize(2);  // the second one is culled
+    plan.graph.passes[0].draw_lists = std::move(lists);
+    plan.graph.passes[1].draw_lists = {"transparent"};
+    plan.schedule.order = {0};
+    return plan;
+}
+
+scene::Scene scene_of(const std::vector<scene::AlphaMode>& modes) {
+    scene::Scene scene;
+    for (const scene::AlphaMode mode : modes) {
+        scene::Material material;
+        material.name = "m" + std::to_string(scene.materials.size());
+        material.alpha_mode = mode;
+        scene.instances.push_back({"", 0, static_cast<uint32_t>(scene.materials.size()), glm::mat4(1)});
+        scene.materials.push_back(material);
+    }
+    return scene;
+}
+
+constexpr auto kBlend = scene::AlphaMode::blend;
+constexpr auto kMask = scene::AlphaMode::mask;
+
+TEST(LeftOut, TransparentObjectsAreNamedOnce) {
+    const Diagnostics said = left_out_by(plan_that_draws({"opaque", "masked"}),
+                                         scene_of({kMask, kBlend, kBlend, kBlend, kBlend, kBlend}));
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0].code, "S155");
+    EXPECT_EQ(said[0].severity, Severity::warning);
+    EXPECT_EQ(
+        said[0].message,
+        "5 transparent objects are left out (BLEND: \"m1\", \"m2\", \"m3\", \"m4\" and 1 more): no pass of "
+        "graph \"deferred\" draws the list \"transparent\"");
+    EXPECT_EQ(said[0].help.at(0), "--graph graphs/forward.json draws them");
+}
+
+TEST(LeftOut, NothingIsSaidOfWhatIsDrawnOrAbsent) {
+    EXPECT_TRUE(left_out_by(plan_that_draws({"opaque", "transparent"}), scene_of({kBlend})).empty());
+    EXPECT_TRUE(left_out_by(plan_that_draws({"opaque"}), scene_of({kMask})).empty());
+    EXPECT_TRUE(left_out_by(plan_that_draws({}), scene_of({kBlend})).empty()) << "a graph without surfaces";
+}
+
+}  // namespace
+}  // namespace weft::render
