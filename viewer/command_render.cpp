@@ -73,6 +73,7 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
     input.reader = read_file;
     input.shader_root = root / "shaders";
     input.shader_cache = shader_cache();
+    input.shader_worker = find_shader_worker();
     input.passes = &passes;
     input.size = options.size;
     input.params = options.params;

@@ -25,7 +25,8 @@ Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOption
                                              *profile,
                                              options.size,
                                              options.params,
-                                             {}},
+                                             {},
+                                             find_shader_worker()},
                                             warnings);
     if (!loaded) return loaded.take_errors();
     CompileOptions compile_options;

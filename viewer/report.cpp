@@ -16,7 +16,7 @@ ExitCode exit_code_for(const Diagnostics& errors) {
     if (it->code == "V407" || it->code == "V408") return ExitCode::lost;
     if (it->code.starts_with("V40")) return ExitCode::no_device;
     if (it->code == "X520") return ExitCode::usage;
-    if (it->code.starts_with("X53")) return ExitCode::invalid_input;
+    if (it->code.starts_with("X53") || it->code.starts_with("X56")) return ExitCode::invalid_input;
     const char kind = it->code.front();
     return kind == 'W' || kind == 'S' ? ExitCode::invalid_input : ExitCode::failed;
 }

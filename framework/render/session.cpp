@@ -76,8 +76,9 @@ Session::Session(vk::Device& device, const SessionInput& input)
 }
 
 LoadInput Session::load_input(const ImportCatalog& imports, Extent3D size) const {
-    return {input_.graph_path, input_.reader, input_.shader_root, input_.shader_cache, passes_, imports,
-            device_.profile(), size,          input_.params,      input_.observed};
+    return {input_.graph_path, input_.reader,   input_.shader_root,   input_.shader_cache,
+            passes_,           imports,         device_.profile(),    size,
+            input_.params,     input_.observed, input_.shader_worker, input_.limits};
 }
 
 Result<Session::Stage> Session::make_stage(ImportCatalog imports, const ResolvedGraph& graph) {
