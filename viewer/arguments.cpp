@@ -18,7 +18,6 @@ constexpr std::array kFutureRenderFlags{
     FutureFlag{"--tier", "quality tiers"},
     FutureFlag{"--time", "the time of day"},
     FutureFlag{"--profile", "rendering to a profile"},
-    FutureFlag{"--limits", "limits from a file"},
 };
 constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--sarif", "SARIF"},
                                        FutureFlag{"--run", "graph tests"}};

@@ -4,9 +4,21 @@
 #include "commands.h"
 
 namespace weft::viewer {
+namespace {
+
+// Of errors and of warnings: a file can hold one in every line.
+constexpr size_t kMostShown = 200;
+
+}  // namespace
 
 void report(const Diagnostics& diagnostics) {
-    if (!diagnostics.empty()) std::fprintf(stderr, "%s\n", to_text(diagnostics).c_str());
+    size_t errors = 0, warnings = 0, hidden = 0;
+    for (const Diagnostic& d : diagnostics) {
+        const size_t seen = d.severity == Severity::error ? ++errors : ++warnings;
+        if (seen <= kMostShown) std::fprintf(stderr, "%s\n", to_text(d).c_str());
+        if (seen > kMostShown) ++hidden;
+    }
+    if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
 }
 
 ExitCode exit_code_for(const Diagnostics& errors) {

@@ -82,10 +82,11 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
 
 }  // namespace
 
-Result<scene::Scene> open_scene(const std::string& name, const std::string& env, Diagnostics& warnings) {
+Result<scene::Scene> open_scene(const std::string& name, const std::string& env, const SceneLimits& limits,
+                                Diagnostics& warnings) {
     Result<scene::Scene> scene = name.starts_with(kBuiltinPrefix)
                                      ? scene::make_builtin(name.substr(kBuiltinPrefix.size()))
-                                     : scene::load_gltf(name, warnings);
+                                     : scene::load_gltf(name, warnings, limits);
     if (scene) apply_environment(*scene, env);
     return scene;
 }

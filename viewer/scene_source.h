@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scene/scene.h"
+#include "weft/limits.h"
 #include "weft/result.h"
 
 namespace weft::viewer {
@@ -12,7 +13,7 @@ namespace weft::viewer {
 // A .gltf or .glb, a folder that holds one, or "builtin:NAME". `env` is "sky" or "none". With a sky, a scene
 // that brings no light at all gets a sun, so that it can be seen.
 [[nodiscard]] Result<scene::Scene> open_scene(const std::string& name, const std::string& env,
-                                              Diagnostics& warnings);
+                                              const SceneLimits& limits, Diagnostics& warnings);
 
 // A camera of the scene by name, seven numbers EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, or, when `choice`
 // is empty, the scene's first camera or one that frames its bounds. `aspect` is width / height.

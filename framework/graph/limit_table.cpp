@@ -27,6 +27,8 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.graph.string_bytes; }},
     LimitRow{"graph.passes", "", "passes after `repeat`", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.passes; }},
+    LimitRow{"graph.ports", "", "ports of all these passes", kMostItems,
+             [](Limits& l) -> uint64_t& { return l.graph.ports; }},
     LimitRow{"graph.resources", "", "resources, each copy of a history counted", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.resources; }},
     LimitRow{"graph.imageSidePx", "px", "a side of an image, before what the device says", kMostSide_px,

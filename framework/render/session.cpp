@@ -4,6 +4,7 @@
 
 #include "check/check_plan.h"
 #include "check/check_transition.h"
+#include "graph/memory_report.h"
 #include "render/import_catalog.h"
 #include "weft/compile.h"
 #include "weft/light_list.h"
@@ -51,6 +52,17 @@ Result<FramePlan> checked_plan(vk::Device& device, const ResolvedGraph& graph, c
     return plan;
 }
 
+// Before anything of it is allocated.
+Diagnostics too_large(const vk::Device& device, const FramePlan& plan, const SessionInput& input) {
+    Diagnostics faults = budget_faults(plan, input.limits.graph, input.graph_path);
+    for (Diagnostic& fault : memory_faults(plan, device.profile(), input.graph_path)) {
+        fault.severity = Severity::error;
+        fault.code = "W143";
+        faults.push_back(std::move(fault));
+    }
+    return faults;
+}
+
 // Draws say by their first instance what they draw, which indirect ones need a feature for.
 Diagnostics missing_features(const vk::Device& device, const FramePlan& plan) {
     Diagnostics missing;
@@ -84,6 +96,8 @@ LoadInput Session::load_input(const ImportCatalog& imports, Extent3D size) const
 Result<Session::Stage> Session::make_stage(ImportCatalog imports, const ResolvedGraph& graph) {
     Result<FramePlan> plan = checked_plan(device_, graph, input_);
     if (!plan) return plan.take_errors();
+    Diagnostics faults = too_large(device_, *plan, input_);
+    if (!faults.empty()) return faults;
     Diagnostics missing = missing_features(device_, *plan);
     if (!missing.empty()) return missing;
     Result<vk::Image> output = vk::Image::create(device_, imports.imports.at("backbuffer").resource);

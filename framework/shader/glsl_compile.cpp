@@ -29,13 +29,19 @@ IncludeAnswer refused(std::string why) {
 
 // The same rules whoever asks, the worker or this process's own compiler.
 IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) {
-    return [&reader, limits, followed = uint64_t{0}](const IncludeRequest& request) mutable {
+    return [&reader, limits, followed = uint64_t{0},
+            refusal = std::pair<std::string, std::string>()](const IncludeRequest& request) mutable {
         if (request.depth > limits.include_depth)
             return refused("includes nest deeper than " + std::to_string(limits.include_depth));
         if (followed >= limits.includes)
             return refused("more than " + std::to_string(limits.includes) + " includes");
         const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
-        if (lookup.source == nullptr) return refused(lookup.reason);
+        if (lookup.source == nullptr) {
+            // "x" is asked for twice, beside and not; why the first was refused says more than that the
+            // second is not there.
+            if (lookup.refused) refusal = {request.name, lookup.reason};
+            return refused(refusal.first == request.name ? refusal.second : lookup.reason);
+        }
         ++followed;
         return IncludeAnswer{true, lookup.source->name, lookup.source->text};
     };
@@ -105,7 +111,7 @@ Diagnostic StageCompiler::stopped(ShaderStage stage, const SourceText& source, u
     };
     switch (worker_->end()) {
         case WorkerEnd::out_of_memory:
-            return fault("takes more than " + bytes_text(limits_.worker_bytes) + " of memory",
+            return fault("takes more than " + limit_bytes_text(limits_.worker_bytes) + " of memory",
                          "look for macros that double themselves, " + raise_limit_text("shader.workerBytes"));
         case WorkerEnd::out_of_time:
             if (time_ms < limits_.stage_ms)
@@ -115,7 +121,7 @@ Diagnostic StageCompiler::stopped(ShaderStage stage, const SourceText& source, u
             return fault("takes more than " + std::to_string(limits_.stage_ms) + " ms",
                          "look for macros and loops without end, " + raise_limit_text("shader.stageMs"));
         case WorkerEnd::babbled:
-            return fault("gives more than " + bytes_text(limits_.spirv_bytes) + " of SPIR-V, or none",
+            return fault("gives more than " + limit_bytes_text(limits_.spirv_bytes) + " of SPIR-V, or none",
                          "make it smaller, " + raise_limit_text("shader.spirvBytes"));
         case WorkerEnd::crashed:
         case WorkerEnd::running:

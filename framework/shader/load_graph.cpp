@@ -43,7 +43,7 @@ void add_pointers(const JsonDoc& document, Diagnostics& faults) {
 Result<ResolvedGraph> resolved(const GraphDesc& desc, const ShaderCatalog& shaders, const LoadInput& input,
                                Diagnostics& warnings) {
     return resolve({desc, input.passes, shaders, input.imports, input.profile, input.params,
-                    input.output_extent, input.observed},
+                    input.output_extent, input.observed, input.limits.graph},
                    warnings);
 }
 
@@ -76,7 +76,7 @@ ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, 
 }  // namespace
 
 Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
-    Result<JsonDoc> document = read_json(input.path, input.reader);
+    Result<JsonDoc> document = read_json(input.path, input.reader, input.limits.graph);
     if (!document) return document.take_errors();
     Result<JsonDoc> merged = merge(std::move(*document));
     if (!merged) return merged.take_errors();

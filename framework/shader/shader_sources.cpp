@@ -73,7 +73,7 @@ SourceLookup SourceReader::load(size_t root, const fs::path& relative, const fs:
     if (!fs::is_regular_file(file, error)) return {nullptr, true, "it is not a file"};
     const uintmax_t bytes = fs::file_size(file, error);
     if (error || bytes > limits_.file_bytes)
-        return {nullptr, true, "it is larger than " + bytes_text(limits_.file_bytes)};
+        return {nullptr, true, "it is larger than " + limit_bytes_text(limits_.file_bytes)};
     if (texts_.size() >= limits_.files)
         return {nullptr, true, "a shader may have at most " + std::to_string(limits_.files) + " files"};
     std::string text(bytes, '\0');
@@ -83,7 +83,8 @@ SourceLookup SourceReader::load(size_t root, const fs::path& relative, const fs:
     }
     total_bytes_ += text.size();
     if (total_bytes_ > limits_.text_bytes)
-        return {nullptr, true, "a shader may have at most " + bytes_text(limits_.text_bytes) + " of text"};
+        return {nullptr, true,
+                "a shader may have at most " + limit_bytes_text(limits_.text_bytes) + " of text"};
 
     const std::string key = relative.generic_string();
     SourceText source;

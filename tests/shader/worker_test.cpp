@@ -65,7 +65,7 @@ TEST_F(Worker, IsStoppedWhenItTakesTooMuchMemory) {
     const Diagnostics faults = errors("bomb.comp", ProgramKind::compute);
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_EQ(faults[0].code, "W207") << to_text(faults);
-    EXPECT_NE(faults[0].message.find("the compute stage takes more than 256.0 MiB of memory"),
+    EXPECT_NE(faults[0].message.find("the compute stage takes more than 256 MiB of memory"),
               std::string::npos)
         << to_text(faults);
     EXPECT_NE(faults[0].file.find("bomb.comp"), std::string::npos);

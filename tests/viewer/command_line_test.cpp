@@ -41,7 +41,6 @@ const std::vector<BadUsage>& bad_usages() {
         {"LaterTier", {"render", "--tier", "low"}, "--tier: quality tiers are not there yet"},
         {"LaterTime", {"render", "--time", "12"}, "not there yet"},
         {"LaterProfile", {"render", "--profile", "a.json"}, "not there yet"},
-        {"LaterLimits", {"render", "--limits", "a.json"}, "not there yet"},
         {"LaterRun", {"check", kDeferred, "--run"}, "not there yet"},
         {"LaterSarif", {"check", kDeferred, "--sarif"}, "not there yet"},
         {"LaterPlanTier", {"plan", kDeferred, "--tier", "low"}, "not there yet"},

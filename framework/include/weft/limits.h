@@ -19,6 +19,7 @@ struct GraphLimits {
     uint64_t json_values = 1ull << 18;
     uint64_t string_bytes = 4096;
     uint64_t passes = 4096;
+    uint64_t ports = 1ull << 18;
     uint64_t resources = 16'384;
     uint64_t image_side_px = 16'384;
     uint64_t mips = 15;
