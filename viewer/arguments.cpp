@@ -17,7 +17,6 @@ struct FutureFlag {
 constexpr std::array kFutureRenderFlags{
     FutureFlag{"--tier", "quality tiers"},
     FutureFlag{"--profile", "rendering to a profile"},
-    FutureFlag{"--limits", "limits from a file"},
 };
 constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--sarif", "SARIF"},
                                        FutureFlag{"--run", "graph tests"}};

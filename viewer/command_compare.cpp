@@ -138,7 +138,8 @@ ExitCode run_compare(const CompareOptions& options) {
         std::fprintf(stderr, "weft: %s\n", fault.c_str());
         return ExitCode::usage;
     }
-    const Result<Image> a = read_image(options.reference), b = read_image(options.test);
+    const Result<Image> a = read_image(options.reference, options.limits.picture),
+                        b = read_image(options.test, options.limits.picture);
     Diagnostics errors;
     for (const Result<Image>* read : {&a, &b})
         if (!*read) errors.insert(errors.end(), read->errors().begin(), read->errors().end());

@@ -70,9 +70,11 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
     const std::filesystem::path root = shipped_root();
     render::SessionInput input;
     input.graph_path = options.graph.empty() ? (root / "graphs" / "deferred.json").string() : options.graph;
-    input.reader = read_file;
+    input.reader = reader_up_to(options.limits.graph.json_bytes);
     input.shader_root = root / "shaders";
     input.shader_cache = shader_cache();
+    input.shader_worker = find_shader_worker();
+    input.limits = options.limits;
     input.passes = &passes;
     input.size = options.size;
     input.params = options.params;
@@ -132,7 +134,8 @@ ExitCode run_render(const RenderOptions& options) {
     }
     Diagnostics warnings;
     Result<scene::Scene> scene =
-        open_scene({options.scene, options.env, options.hour, options.lights, options.seed}, warnings);
+        open_scene({options.scene, options.env, options.hour, options.lights, options.seed},
+                   options.limits.scene, warnings);
     report(warnings);
     if (!scene) return fail(scene.errors());
     warn_of_exposure(*scene, options.exposure_ev.value_or(scene->exposure_ev));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <vector>
 
 namespace weft::viewer {
@@ -40,14 +39,26 @@ std::filesystem::path shader_cache() {
     return {};
 }
 
-std::optional<std::string> read_file(const std::string& path) {
+std::optional<std::string> read_file(const std::string& path, uint64_t most_bytes) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
     std::ifstream in(path, std::ios::binary);
     if (!in) return std::nullopt;
-    std::ostringstream content;
-    content << in.rdbuf();
-    return content.str();
+    const uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (error) return std::nullopt;
+    std::string content(std::min<uintmax_t>(bytes, most_bytes + 1), '\0');
+    in.read(content.data(), static_cast<std::streamsize>(content.size()));
+    content.resize(static_cast<size_t>(in.gcount()));
+    return content;
+}
+
+FileReader reader_up_to(uint64_t most_bytes) {
+    return [most_bytes](const std::string& path) { return read_file(path, most_bytes); };
+}
+
+Result<Limits> load_limits(const std::string& file) {
+    if (file.empty()) return Limits{};
+    return read_limits(file, reader_up_to(GraphLimits{}.json_bytes));
 }
 
 Status write_file(const std::string& path, const std::string& content) {
@@ -60,6 +71,8 @@ Status write_file(const std::string& path, const std::string& content) {
 }
 
 namespace {
+
+constexpr uint64_t kMostProfileBytes = 1 << 20;
 
 std::filesystem::path profile_folder() {
     return shipped_root() / "framework" / "profiles";
@@ -91,12 +104,16 @@ Diagnostic no_such_profile(const std::string& name) {
 Result<DeviceProfile> load_profile(const std::string& file_or_name) {
     const std::string name = file_or_name.empty() ? "lavapipe" : file_or_name;
     std::string file = name;
-    std::optional<std::string> text = file_or_name.empty() ? std::nullopt : read_file(file);
+    std::optional<std::string> text =
+        file_or_name.empty() ? std::nullopt : read_file(file, kMostProfileBytes);
     if (!text && name.find_first_of("/.") == std::string::npos) {
         file = (profile_folder() / (name + ".json")).string();
-        text = read_file(file);
+        text = read_file(file, kMostProfileBytes);
     }
     if (!text) return no_such_profile(name);
+    if (text->size() > kMostProfileBytes)
+        return file_error("W140", file, "the file has more than 1 MiB",
+                          "a profile is what `weft doctor --json` writes");
     return parse_profile(*text, file);
 }
 

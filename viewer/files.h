@@ -7,7 +7,9 @@
 #include <string>
 
 #include "weft/device_profile.h"
+#include "weft/limits.h"
 #include "weft/result.h"
+#include "weft/source.h"
 
 namespace weft::viewer {
 
@@ -18,9 +20,14 @@ namespace weft::viewer {
 // set.
 [[nodiscard]] std::filesystem::path shader_cache();
 
-[[nodiscard]] std::optional<std::string> read_file(const std::string& path);
+// Reads one byte more than `most_bytes` at most, so that whoever limits a file sees when it is too large.
+[[nodiscard]] std::optional<std::string> read_file(const std::string& path, uint64_t most_bytes);
+[[nodiscard]] FileReader reader_up_to(uint64_t most_bytes);
 // Errors: X510, the file cannot be written.
 [[nodiscard]] Status write_file(const std::string& path, const std::string& content);
+
+// What a --limits file says; the defaults when `file` is empty. Errors: X560, W001 to W005.
+[[nodiscard]] Result<Limits> load_limits(const std::string& file);
 
 // A profile file, or one of the shipped profiles by its name ("tiler"); empty: lavapipe.
 // Errors: W140, W141.

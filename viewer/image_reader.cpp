@@ -35,27 +35,25 @@ Diagnostic unreadable(const std::string& path, const std::string& message, const
     return d;
 }
 
-// Decoders quote the file as it is; a terminal gets printable characters only.
-Diagnostic undecodable(const std::string& path, const std::string& what, std::string why) {
-    std::replace_if(
-        why.begin(), why.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+Diagnostic undecodable(const std::string& path, const std::string& what, const std::string& why) {
     return unreadable(path, "the " + what + " can't be decoded" + (why.empty() ? "" : ": " + why),
                       "write it again; PNG, EXR and PFM as `weft render -o` writes them can be read");
 }
 
 // Asked before anything of that size is allocated.
-std::optional<Diagnostic> size_fault(const std::string& path, const Size& size) {
-    if (size.width_px > 0 && size.height_px > 0 && size.width_px <= kMaxImageSide_px &&
-        size.height_px <= kMaxImageSide_px &&
-        static_cast<uint64_t>(size.width_px * size.height_px) <= kMaxImageTexels)
+std::optional<Diagnostic> size_fault(const std::string& path, const Size& size, const PictureLimits& limits) {
+    const auto side_limit_px = static_cast<int64_t>(limits.side_px);
+    if (size.width_px > 0 && size.height_px > 0 && size.width_px <= side_limit_px &&
+        size.height_px <= side_limit_px &&
+        static_cast<uint64_t>(size.width_px * size.height_px) <= limits.texels)
         return std::nullopt;
     Diagnostic d;
     d.code = "X531";
     d.file = path;
     d.message = "the picture says that it is " + std::to_string(size.width_px) + "x" +
-                std::to_string(size.height_px) + "; a side has 1 to " + std::to_string(kMaxImageSide_px) +
-                " px, and all have " + std::to_string(kMaxImageTexels) + " texels at most";
-    d.help = {"compare parts of it"};
+                std::to_string(size.height_px) + "; a side has 1 to " + std::to_string(limits.side_px) +
+                " px, and all have " + std::to_string(limits.texels) + " texels at most";
+    d.help = {"compare parts of it, or raise picture.sidePx or picture.texels with --limits"};
     return d;
 }
 
@@ -63,10 +61,10 @@ std::span<const uint8_t> bytes_of(const std::string& content) {
     return {reinterpret_cast<const uint8_t*>(content.data()), content.size()};
 }
 
-Result<Image> read_png(const std::string& path, const std::string& content) {
+Result<Image> read_png(const std::string& path, const std::string& content, const PictureLimits& limits) {
     const std::optional<scene::ImageSize> size = scene::read_image_size(bytes_of(content));
     if (!size) return undecodable(path, "PNG", "its header is cut short");
-    if (auto fault = size_fault(path, {size->width_px, size->height_px})) return *fault;
+    if (auto fault = size_fault(path, {size->width_px, size->height_px}, limits)) return *fault;
     const scene::DecodedImage decoded = scene::decode_image(bytes_of(content));
     if (decoded.rgba.empty()) return undecodable(path, "PNG", decoded.error);
     Image result{decoded.size.width_px, decoded.size.height_px, image::Encoding::display, {}};
@@ -100,11 +98,11 @@ Result<Size> exr_size(const std::string& path, std::span<const uint8_t> bytes) {
     return Size{int64_t{box.max_x} - box.min_x + 1, int64_t{box.max_y} - box.min_y + 1};
 }
 
-Result<Image> read_exr(const std::string& path, const std::string& content) {
+Result<Image> read_exr(const std::string& path, const std::string& content, const PictureLimits& limits) {
     const std::span<const uint8_t> bytes = bytes_of(content);
     const Result<Size> size = exr_size(path, bytes);
     if (!size) return size.errors();
-    if (auto fault = size_fault(path, *size)) return *fault;
+    if (auto fault = size_fault(path, *size, limits)) return *fault;
     float* rgba = nullptr;
     int width = 0, height = 0;
     const char* why = nullptr;
@@ -151,10 +149,10 @@ std::optional<PfmHeader> pfm_header(std::string_view content) {
     return header;
 }
 
-Result<Image> read_pfm(const std::string& path, const std::string& content) {
+Result<Image> read_pfm(const std::string& path, const std::string& content, const PictureLimits& limits) {
     const std::optional<PfmHeader> header = pfm_header(content);
     if (!header) return undecodable(path, "PFM", "its header isn't \"PF\", width, height and scale");
-    if (auto fault = size_fault(path, header->size)) return *fault;
+    if (auto fault = size_fault(path, header->size, limits)) return *fault;
     Image result{static_cast<uint32_t>(header->size.width_px),
                  static_cast<uint32_t>(header->size.height_px),
                  image::Encoding::linear,
@@ -184,15 +182,18 @@ Result<Image> read_pfm(const std::string& path, const std::string& content) {
 
 }  // namespace
 
-Result<Image> read_image(const std::string& path) {
-    const std::optional<std::string> content = read_file(path);
+Result<Image> read_image(const std::string& path, const PictureLimits& limits) {
+    const std::optional<std::string> content = read_file(path, limits.file_bytes);
     if (!content)
         return unreadable(path, "there is no readable picture of that name",
                           "check the path; it is relative to the current folder");
+    if (content->size() > limits.file_bytes)
+        return unreadable(path, "the file has more than " + std::to_string(limits.file_bytes) + " bytes",
+                          "compare parts of it, " + raise_limit_text("picture.fileBytes"));
     try {
-        if (content->starts_with("\x89PNG")) return read_png(path, *content);
-        if (content->starts_with("\x76\x2f\x31\x01")) return read_exr(path, *content);
-        if (content->starts_with("PF") || content->starts_with("Pf")) return read_pfm(path, *content);
+        if (content->starts_with("\x89PNG")) return read_png(path, *content, limits);
+        if (content->starts_with("\x76\x2f\x31\x01")) return read_exr(path, *content, limits);
+        if (content->starts_with("PF") || content->starts_with("Pf")) return read_pfm(path, *content, limits);
     } catch (const std::exception& error) {  // tinyexr may throw, and memory may run out
         return undecodable(path, "picture", error.what());
     }

@@ -7,14 +7,11 @@
 #include <string>
 
 #include "image/image.h"
+#include "weft/limits.h"
 #include "weft/result.h"
 
 namespace weft::viewer {
 
-inline constexpr uint32_t kMaxImageSide_px = 16384;
-// 576 MiB as 8-bit RGBA.
-inline constexpr uint64_t kMaxImageTexels = 144ull << 20;
-
-[[nodiscard]] Result<image::Image> read_image(const std::string& path);
+[[nodiscard]] Result<image::Image> read_image(const std::string& path, const PictureLimits& limits);
 
 }  // namespace weft::viewer

@@ -11,6 +11,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "files.h"
 
 namespace weft::viewer {
 namespace {
@@ -40,7 +41,12 @@ struct RawTexts {
     std::string size = "1280x720";
     std::vector<std::string> params;
     double exposure = 0;
+    std::string limits;
 };
+
+void add_limits(CLI::App& command, RawTexts& raw) {
+    command.add_option("--limits", raw.limits, "a JSON file of limits on what inputs may ask for");
+}
 
 void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("SCENE", o.scene, "a .gltf or .glb file, a folder that holds one, or builtin:NAME")
@@ -80,6 +86,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("--timeout", o.timeout_s, "seconds to wait for a frame")
         ->check(CLI::Range(0.001, 3600.0))
         ->capture_default_str();
+    add_limits(command, raw);
     command.add_option("--test-drop-barriers", o.drop_barriers_before)->group("");
 }
 
@@ -93,6 +100,7 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
+    add_limits(command, raw);
 }
 
 void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
@@ -128,7 +136,7 @@ void add_diff(CLI::App& command, DiffOptions& o, RawTexts& raw) {
     command.add_flag("--json", o.json, "as JSON");
 }
 
-void add_compare(CLI::App& command, CompareOptions& o) {
+void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
     command.add_option("REFERENCE", o.reference, "a .png, .exr or .pfm")->required();
     command.add_option("TEST", o.test, "another of the same size")->required();
     command
@@ -141,6 +149,7 @@ void add_compare(CLI::App& command, CompareOptions& o) {
     command.add_option("--min", o.min, "exit code 6 when the PSNR is below this")->check(limit_validator());
     command.add_option("-o,--output", o.output, "write where they differ to this .png");
     command.add_flag("--json", o.json, "as JSON");
+    add_limits(command, raw);
 }
 
 // `bench compile`.
@@ -195,7 +204,7 @@ int run(int argc, char** argv) {
     CLI::App* diff = app.add_subcommand("diff", "say what two plans have not in common");
     add_diff(*diff, diff_options, raw);
     CLI::App* compare = app.add_subcommand("compare", "say how far apart two pictures are");
-    add_compare(*compare, compare_options);
+    add_compare(*compare, compare_options, raw);
     CLI::App* doctor = app.add_subcommand("doctor", "say what this machine has and lacks");
     doctor->add_flag("--json", doctor_options.json, "the chosen device's profile, as JSON on stdout");
     doctor->add_option("--device", doctor_options.device, "a device's index or part of its name");
@@ -209,12 +218,19 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return usage_exit(app, error);
     }
+    const Result<Limits> limits = load_limits(raw.limits);
+    if (!limits) {
+        report(limits.errors());
+        return exit_with(exit_code_for(limits.errors()));
+    }
+    render_options.limits = compare_options.limits = *limits;
     render_options.size = parse_size(raw.size);
     render_options.params = parse_params(raw.params);
     for (OfflineOptions* offline :
          {&check_options.offline, &plan_options.offline, &explain_options.offline, &diff_options.offline}) {
         offline->size = render_options.size;
         offline->params = render_options.params;
+        offline->limits = *limits;
     }
     if (render->count("--exposure") > 0) render_options.exposure_ev = static_cast<float>(raw.exposure);
     if (render->parsed()) return exit_with(run_render(render_options));

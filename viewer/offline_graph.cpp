@@ -17,7 +17,7 @@ Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOption
     const PassCatalog passes = registered_passes();
     const ImportCatalog imports = render::scene_imports(options.size);
     Result<LoadedGraph> loaded = load_graph({file,
-                                             read_file,
+                                             reader_up_to(options.limits.graph.json_bytes),
                                              shipped_root() / "shaders",
                                              shader_cache(),
                                              passes,
@@ -25,7 +25,9 @@ Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOption
                                              *profile,
                                              options.size,
                                              options.params,
-                                             {}},
+                                             {},
+                                             find_shader_worker(),
+                                             options.limits},
                                             warnings);
     if (!loaded) return loaded.take_errors();
     CompileOptions compile_options;
@@ -33,7 +35,8 @@ Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOption
     compile_options.queues = logical_queues(*profile, options.queues);
     OfflinePlan made{compile(loaded->graph, profile_needs(loaded->graph, *profile), compile_options),
                      std::move(*profile)};
-    Diagnostics faults = check_plan(made.plan);
+    Diagnostics faults = budget_faults(made.plan, options.limits.graph, file);
+    if (faults.empty()) faults = check_plan(made.plan);
     if (!faults.empty()) return faults;
     const Diagnostics tight = memory_faults(made.plan, made.profile, file);
     warnings.insert(warnings.end(), tight.begin(), tight.end());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "weft/declaration.h"
+#include "weft/limits.h"
 
 namespace weft::viewer {
 
@@ -32,6 +33,7 @@ struct RenderOptions {
     double timeout_s = 60;
     uint32_t queues = 1;
     std::string drop_barriers_before;  // test hook
+    Limits limits;
 };
 
 // How a graph is compiled where there is no device.
@@ -40,6 +42,7 @@ struct OfflineOptions {
     Extent3D size{1280, 720, 1};
     uint32_t queues = 1;
     std::map<std::string, double> params;
+    Limits limits;
 };
 
 struct CheckOptions {
@@ -75,6 +78,7 @@ struct CompareOptions {
     std::optional<double> min;    // of psnr, in dB
     std::string output;           // the heat map; empty: none
     bool json = false;
+    Limits limits;
 };
 
 struct BenchOptions {

@@ -4,9 +4,21 @@
 #include "commands.h"
 
 namespace weft::viewer {
+namespace {
+
+// Of errors and of warnings: a file can hold one in every line.
+constexpr size_t kMostShown = 200;
+
+}  // namespace
 
 void report(const Diagnostics& diagnostics) {
-    if (!diagnostics.empty()) std::fprintf(stderr, "%s\n", to_text(diagnostics).c_str());
+    size_t errors = 0, warnings = 0, hidden = 0;
+    for (const Diagnostic& d : diagnostics) {
+        const size_t seen = d.severity == Severity::error ? ++errors : ++warnings;
+        if (seen <= kMostShown) std::fprintf(stderr, "%s\n", to_text(d).c_str());
+        if (seen > kMostShown) ++hidden;
+    }
+    if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
 }
 
 ExitCode exit_code_for(const Diagnostics& errors) {
@@ -16,7 +28,7 @@ ExitCode exit_code_for(const Diagnostics& errors) {
     if (it->code == "V407" || it->code == "V408") return ExitCode::lost;
     if (it->code.starts_with("V40")) return ExitCode::no_device;
     if (it->code == "X520" || it->code == "X521") return ExitCode::usage;
-    if (it->code.starts_with("X53")) return ExitCode::invalid_input;
+    if (it->code.starts_with("X53") || it->code.starts_with("X56")) return ExitCode::invalid_input;
     const char kind = it->code.front();
     return kind == 'W' || kind == 'S' ? ExitCode::invalid_input : ExitCode::failed;
 }

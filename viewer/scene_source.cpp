@@ -35,11 +35,11 @@ scene::Light plain_sun() {
     return sun;
 }
 
-Status apply_environment(scene::Scene& scene, const std::string& env) {
+Status apply_environment(scene::Scene& scene, const std::string& env, const SceneLimits& limits) {
     if (env != "sky") scene.sky_zenith = scene.sky_horizon = glm::vec3(0);
     if (env == "none") return Unit{};
     if (env != "sky") {
-        Result<scene::Environment> picture = scene::load_environment(env);
+        Result<scene::Environment> picture = scene::load_environment(env, limits);
         if (!picture) return picture.take_errors();
         scene.environment = std::move(*picture);
         return Unit{};
@@ -99,7 +99,7 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
 }
 
 // Loads with progress on stderr.
-Result<scene::Scene> load_file(const std::string& name, Diagnostics& warnings) {
+Result<scene::Scene> load_file(const std::string& name, const SceneLimits& limits, Diagnostics& warnings) {
     const auto begin = std::chrono::steady_clock::now();
     ProgressText text("loading " + std::filesystem::path(name).filename().string(),
                       isatty(STDERR_FILENO) == 1);
@@ -108,14 +108,15 @@ Result<scene::Scene> load_file(const std::string& name, Diagnostics& warnings) {
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
         std::fputs(text.at(elapsed.count(), now.what, now.done, now.total).c_str(), stderr);
     };
-    Result<scene::Scene> scene = scene::load_gltf(name, warnings, {}, options);
+    Result<scene::Scene> scene = scene::load_gltf(name, warnings, limits, options);
     std::fputs(text.finish().c_str(), stderr);
     return scene;
 }
 
 }  // namespace
 
-Result<scene::Scene> open_scene(const SceneChoice& choice, Diagnostics& warnings) {
+Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits,
+                                Diagnostics& warnings) {
     const bool builtin = choice.name.starts_with(kBuiltinPrefix);
     const std::string name = builtin ? choice.name.substr(kBuiltinPrefix.size()) : choice.name;
     if (choice.hour && !(builtin && scene::has_hours(name))) return no_hours(choice.name);
@@ -124,9 +125,9 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, Diagnostics& warnings
     options.lights = choice.lights.value_or(options.lights);
     options.seed = choice.seed;
     Result<scene::Scene> scene =
-        builtin ? scene::make_builtin(name, options) : load_file(name, warnings);
+        builtin ? scene::make_builtin(name, options) : load_file(name, limits, warnings);
     if (!scene) return scene;
-    if (Status applied = apply_environment(*scene, choice.env); !applied) return applied.take_errors();
+    if (Status applied = apply_environment(*scene, choice.env, limits); !applied) return applied.take_errors();
     const bool has_seeded_lights = builtin && name == "lights";
     if (choice.lights && !has_seeded_lights)
         scene->lights = scene::seeded_lights(*scene, *choice.lights, choice.seed);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "scene/scene.h"
+#include "weft/limits.h"
 #include "weft/result.h"
 
 namespace weft::viewer {
@@ -21,7 +22,8 @@ struct SceneChoice {
 // A .gltf or .glb, a folder that holds one, or "builtin:NAME". `env` is "sky", "none" or a Radiance picture.
 // With a sky, a scene that brings no light at all gets a sun, so that it can be seen. Seeded lights take
 // the place of the scene's own; those of builtin:lights move.
-[[nodiscard]] Result<scene::Scene> open_scene(const SceneChoice& choice, Diagnostics& warnings);
+[[nodiscard]] Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits,
+                                              Diagnostics& warnings);
 
 // A camera of the scene by name, seven numbers EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, or, when `choice`
 // is empty, the scene's first camera or one that frames its bounds. `aspect` is width / height.

@@ -1,5 +1,5 @@
 // Purpose: JSON with comments and trailing commas, in which every value and key knows where it was written.
-// Limits: 8 MiB, depth 64, 262,144 values, strings of 4,096 bytes.
+// Limits: of bytes, depth, values and strings, as given.
 // Errors: W001 syntax, W002 no such file, W003 duplicate key (all of them are reported), W004 too large or
 // too deep, W005 not UTF-8; each with its line and column and a remedy. Source: RFC 8259, with // and /* */
 // comments and a comma allowed behind the last value.
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "weft/limits.h"
 #include "weft/result.h"
 #include "weft/source.h"
 
@@ -44,7 +45,8 @@ struct JsonDoc {
 };
 
 // `path` is read through `reader`; a missing file is an error that says so.
-[[nodiscard]] Result<JsonDoc> read_json(const std::string& path, const FileReader& reader);
+[[nodiscard]] Result<JsonDoc> read_json(const std::string& path, const FileReader& reader,
+                                        const GraphLimits& limits = {});
 [[nodiscard]] const char* json_kind_name(JsonKind kind);
 // RFC 6901 pointer of the value or key written at that place; empty when there is none.
 [[nodiscard]] std::string pointer_at(const JsonDoc& document, uint32_t line, uint32_t column);

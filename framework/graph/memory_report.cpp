@@ -133,4 +133,17 @@ Diagnostics memory_faults(const FramePlan& plan, const DeviceProfile& profile, c
     return faults;
 }
 
+Diagnostics budget_faults(const FramePlan& plan, const GraphLimits& limits, const std::string& file) {
+    const uint64_t wanted = plan.memory.heap_bytes + plan.memory.persistent_bytes;
+    if (wanted <= limits.transient_bytes) return {};
+    Diagnostic d;
+    d.code = "W143";
+    d.file = file;
+    d.message = "the frame's resources take " + bytes_text(wanted) + " of memory; the limit is " +
+                limit_bytes_text(limits.transient_bytes);
+    d.help = {"a smaller --size, or smaller formats, " + raise_limit_text("graph.transientBytes") +
+              "; largest where most is alive: " + largest_at_peak(plan)};
+    return {std::move(d)};
+}
+
 }  // namespace weft

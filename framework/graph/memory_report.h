@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "weft/device_profile.h"
+#include "weft/limits.h"
 #include "weft/plan.h"
 #include "weft/result.h"
 
@@ -22,6 +23,10 @@ namespace weft {
 // Warning W142 for each of the device's heaps that is too small; `file` names the graph. Lazily allocated
 // memory counts nothing.
 [[nodiscard]] Diagnostics memory_faults(const FramePlan& plan, const DeviceProfile& profile,
+                                        const std::string& file);
+
+// Error W143 when all heaps together are beyond the limit; `file` names the graph.
+[[nodiscard]] Diagnostics budget_faults(const FramePlan& plan, const GraphLimits& limits,
                                         const std::string& file);
 
 }  // namespace weft

@@ -32,4 +32,13 @@ std::string count_text(size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
+std::string limit_bytes_text(uint64_t bytes) {
+    constexpr std::array<const char*, 4> kUnits{" GiB", " MiB", " KiB", " B"};
+    for (size_t i = 0; i + 1 < kUnits.size(); ++i) {
+        const uint64_t unit = 1ull << (30 - 10 * i);
+        if (bytes >= unit && bytes % unit == 0) return std::to_string(bytes / unit) + kUnits[i];
+    }
+    return bytes_text(bytes);
+}
+
 }  // namespace weft

@@ -3,15 +3,11 @@
 
 #include "graph/json_doc.h"
 #include "graph/json_scan.h"
+#include "graph/quantity_text.h"
 
 namespace weft {
 namespace {
 
-constexpr size_t kMaxFileBytes = size_t{8} << 20;
-constexpr size_t kMaxDepth = 64;
-// A tree takes far more memory than its text; no graph comes near this.
-constexpr size_t kMaxValues = size_t{1} << 18;
-constexpr size_t kMaxStringBytes = 4096;
 constexpr size_t kMaxDuplicatesReported = 50;
 
 bool begins_number(char c) {
@@ -24,10 +20,11 @@ bool begins_value(char c) {
     return c == '"' || c == '{' || c == '[' || begins_number(c) || begins_word(c);
 }
 
-// Recursive descent, at most kMaxDepth deep. A syntax fault ends it; duplicate keys are collected on the way.
+// Recursive descent, so its depth is limited. A syntax fault ends it; duplicate keys are collected on the
+// way.
 class JsonReader {
  public:
-    explicit JsonReader(std::string_view text) : cursor_(text) {}
+    JsonReader(std::string_view text, const GraphLimits& limits) : cursor_(text), limits_(limits) {}
 
     bool read(JsonNode& root) {
         constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -51,6 +48,10 @@ class JsonReader {
     bool syntax(SourceLoc loc, std::string message, std::string help) {
         return fail(JsonFault{"W001", loc, std::move(message), std::move(help), std::nullopt, {}});
     }
+    bool over(SourceLoc loc, std::string message, const std::string& help, const std::string& limit) {
+        return fail(JsonFault{
+            "W004", loc, std::move(message), help + ", " + raise_limit_text(limit), std::nullopt, {}});
+    }
     bool blank() {
         auto fault = skip_blank(cursor_);
         return !fault || fail(std::move(fault));
@@ -58,13 +59,10 @@ class JsonReader {
 
     bool value(JsonNode& node) {
         node.loc = cursor_.here();
-        if (++values_ > kMaxValues)
-            return fail(JsonFault{"W004",
-                                  node.loc,
-                                  "the file holds more than 262,144 values",
-                                  "split it into smaller graphs",
-                                  std::nullopt,
-                                  {}});
+        if (++values_ > limits_.json_values)
+            return over(node.loc,
+                        "the file holds more than " + std::to_string(limits_.json_values) + " values",
+                        "split it into smaller graphs", "graph.jsonValues");
         const char c = cursor_.peek();
         if (c == '{') return nested(node, '}');
         if (c == '[') return nested(node, ']');
@@ -95,13 +93,11 @@ class JsonReader {
         const SourceLoc loc = cursor_.here();
         auto fault = scan_string(cursor_, out);
         if (fault) return fail(std::move(fault));
-        if (out.size() <= kMaxStringBytes) return true;
-        return fail(JsonFault{"W004",
-                              loc,
-                              "the string has " + std::to_string(out.size()) + " bytes, more than 4,096",
-                              "look for a missing quote",
-                              std::nullopt,
-                              {}});
+        if (out.size() <= limits_.string_bytes) return true;
+        return over(loc,
+                    "the string has " + std::to_string(out.size()) + " bytes, more than " +
+                        std::to_string(limits_.string_bytes),
+                    "look for a missing quote", "graph.stringBytes");
     }
 
     bool word(JsonNode& node) {
@@ -120,13 +116,11 @@ class JsonReader {
 
     bool nested(JsonNode& node, char close) {
         node.kind = close == '}' ? JsonKind::object : JsonKind::array;
-        if (++depth_ > kMaxDepth)
-            return fail(JsonFault{"W004",
-                                  node.loc,
-                                  "objects and arrays are nested more than 64 deep",
-                                  "no graph needs this: look for a missing bracket",
-                                  std::nullopt,
-                                  {}});
+        if (++depth_ > limits_.json_depth)
+            return over(
+                node.loc,
+                "objects and arrays are nested more than " + std::to_string(limits_.json_depth) + " deep",
+                "no graph needs this: look for a missing bracket", "graph.jsonDepth");
         cursor_.advance();
         for (;;) {
             if (!blank()) return false;
@@ -219,6 +213,7 @@ class JsonReader {
     }
 
     JsonCursor cursor_;
+    const GraphLimits& limits_;
     size_t depth_ = 0;
     size_t values_ = 0;
     size_t duplicates_ = 0;
@@ -269,15 +264,14 @@ const char* json_kind_name(JsonKind kind) {
     return "";
 }
 
-Result<JsonDoc> read_json(const std::string& path, const FileReader& reader) {
+Result<JsonDoc> read_json(const std::string& path, const FileReader& reader, const GraphLimits& limits) {
     std::optional<std::string> text = reader(path);
     if (!text)
         return file_error(path, "W002", "there is no readable file \"" + path + "\"",
                           "check its spelling; a relative path starts at the current folder");
-    if (text->size() > kMaxFileBytes)
-        return file_error(path, "W004",
-                          "the file has " + std::to_string(text->size()) + " bytes, more than 8 MiB",
-                          "check that this is a graph; split it if so");
+    if (text->size() > limits.json_bytes)
+        return file_error(path, "W004", "the file has more than " + limit_bytes_text(limits.json_bytes),
+                          "check that this is a graph, " + raise_limit_text("graph.jsonBytes"));
     JsonDoc doc;
     doc.sources.files.push_back({path, std::move(*text)});
     const std::string_view source = doc.sources.files.front().text;
@@ -285,7 +279,7 @@ Result<JsonDoc> read_json(const std::string& path, const FileReader& reader) {
     if (auto fault = check_utf8(source)) {
         faults.push_back(std::move(*fault));
     } else {
-        JsonReader json(source);
+        JsonReader json(source, limits);
         json.read(doc.root);
         faults = json.take_faults();
     }

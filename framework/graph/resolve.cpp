@@ -9,7 +9,9 @@ Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) 
 
     resolve_values(state);
     resolve_resources(state);
-    declare_passes(state);
+    if (!state.over_limit) declare_passes(state);
+    // Of a graph that is too large, nothing more is worth saying.
+    if (state.over_limit) return std::move(state.errors);
     bind_ports(state);
     choose_formats(state);
     check_interfaces(state);

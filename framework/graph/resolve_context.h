@@ -79,6 +79,10 @@ struct ResolveState {
     std::vector<ResourceWork> resources = {};     // by ResourceId
     std::vector<PassWork> passes = {};            // by PassId
     std::map<std::string, PassDesc> observers = {};
+    uint64_t repeat_steps = 0;  // of all passes so far
+    uint64_t tried_passes = 0;  // those that `if` leaves out are counted too
+    uint64_t tried_ports = 0;
+    bool over_limit = false;  // reported already
     // By the name that the author gave: a repeat makes several passes, or none.
     std::map<std::string, std::vector<PassId>, std::less<>> instances = {};
     std::map<std::string, const PassDesc*, std::less<>> dropped = {};  // left out by `if` or an empty repeat

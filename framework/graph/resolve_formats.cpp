@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/quantity_text.h"
 #include "graph/resolve_context.h"
 
 namespace weft {
@@ -210,6 +211,35 @@ void complete_use(const ResolveState& state, UseDecl& use, const PortWork& port)
 
 }  // namespace
 
+namespace {
+
+// As floating point first: the product could pass 2^64.
+bool fits(const ResourceDecl& resource, uint64_t limit_bytes) {
+    const Extent3D& e = resource.extent;
+    const double first_mip_bytes = double{1} * e.width * e.height * e.depth * resource.layers *
+                                   resource.samples * format_info(resource.format).bytes_per_texel;
+    const bool image = resource.kind == ResourceKind::image;
+    if (image && first_mip_bytes > static_cast<double>(limit_bytes)) return false;
+    return content_bytes(resource) <= limit_bytes;
+}
+
+// One resource that can't be placed is refused where it is written; their sum is the plan's affair.
+void check_sizes(ResolveState& state) {
+    const uint64_t limit_bytes = state.input.limits.transient_bytes;
+    for (ResourceId id = 0; id < state.resources.size(); ++id) {
+        const ResourceDesc* desc = state.resources[id].desc;
+        if (!desc || state.resources[id].suspect_shape || state.graph.resources[id].age > 0) continue;
+        if (fits(state.graph.resources[id], limit_bytes)) continue;
+        state.resources[id].suspect_shape = true;
+        Diagnostic& d = state.error(
+            desc->loc, "W125",
+            quoted(desc->name) + " takes more than " + limit_bytes_text(limit_bytes) + " of memory");
+        add_help(d, "make it smaller, " + raise_limit_text("graph.transientBytes"));
+    }
+}
+
+}  // namespace
+
 void choose_formats(ResolveState& state) {
     need_transfers(state);
     std::vector<Needs> needs = gather_needs(state);
@@ -220,6 +250,7 @@ void choose_formats(ResolveState& state) {
         if (!choose_format(state, state.graph.resources[id], *desc, needs[id]))
             state.resources[id].suspect_shape = true;
     }
+    check_sizes(state);
     spread_over_rings(state);
     for (PassId id = 0; id < state.passes.size(); ++id) {
         PassDecl& pass = state.graph.passes[id];

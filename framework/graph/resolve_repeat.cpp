@@ -1,13 +1,15 @@
 // One description may stand for several passes (`repeat`) or none (`if`).
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "graph/resolve_context.h"
 
 namespace weft {
 namespace {
 
-constexpr size_t kMaxInstances = 4096;
+// Nested repeats take some steps for each pass; empty inner ones take steps for none.
+constexpr uint64_t kMostStepsPerPass = 16;
 
 class RepeatStep {
  public:
@@ -40,6 +42,8 @@ class RepeatStep {
         bool any = false;
         for (double i = *first; *step > 0 ? i <= *last : i >= *last; i += *step) {
             any = true;
+            if (++state_.repeat_steps > kMostStepsPerPass * state_.input.limits.passes)
+                return over("passes", "passes", state_.input.limits.passes);
             indices_[repeat.index] = i;
             if (!descend(level + 1)) return false;
         }
@@ -49,6 +53,10 @@ class RepeatStep {
     }
 
     bool add() {
+        const GraphLimits& limits = state_.input.limits;
+        if (++state_.tried_passes > limits.passes) return over("passes", "passes", limits.passes);
+        state_.tried_ports += desc_.in.size() + written_ports(desc_).size();
+        if (state_.tried_ports > limits.ports) return over("ports", "ports", limits.ports);
         const std::optional<bool> runs = condition();
         if (!runs) return false;
         state_.repeats_itself = true;
@@ -56,14 +64,21 @@ class RepeatStep {
             state_.dropped[desc_.name] = &desc_;
             return true;
         }
-        if (found_.size() == kMaxInstances) {
-            Diagnostic& d = state_.error(desc_.repeat.front().range_loc, "W109",
-                                         "pass " + quoted(desc_.name) + " is repeated more than 4,096 times");
-            add_help(d, "let one dispatch do the work of many: use layers, or the third side of \"groups\"");
-            return false;
-        }
         found_.push_back({name(), indices_});
         return true;
+    }
+
+    // Reported once: the first pass too many is as good as any.
+    bool over(const char* what, const std::string& limit, uint64_t most) {
+        if (std::exchange(state_.over_limit, true)) return false;
+        const SourceLoc loc = desc_.repeat.empty() ? desc_.loc : desc_.repeat.front().range_loc;
+        Diagnostic& d =
+            state_.error(loc, "W125",
+                         "with pass " + quoted(desc_.name) + " the graph has more than " +
+                             std::to_string(most) + " " + what + ", those counted that \"if\" leaves out");
+        add_help(d, "let one dispatch do the work of many: use layers, or the third side of \"groups\"; " +
+                        raise_limit_text("graph." + limit));
+        return false;
     }
 
     std::optional<bool> condition() {

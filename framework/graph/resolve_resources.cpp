@@ -115,23 +115,33 @@ class ResourceStep {
     }
 
     void check_image_limits() {
-        const uint32_t side_limit = state_.input.profile.max_image_2d_px;
+        const GraphLimits& limits = state_.input.limits;
+        const DeviceProfile& device = state_.input.profile;
         const Extent3D& e = decl_.extent;
-        if (std::max({e.width, e.height, e.depth}) > side_limit) {
-            over_limit("image " + quoted(desc_.name) + " is " + extent_text(e) + " px",
-                       std::to_string(side_limit) + " px a side");
-        }
-        const uint32_t layer_limit = state_.input.profile.max_image_layers;
-        if (decl_.layers > layer_limit) {
-            over_limit("image " + quoted(desc_.name) + " has " + std::to_string(decl_.layers) + " layers",
-                       std::to_string(layer_limit) + " layers");
-        }
+        check_limit("image " + quoted(desc_.name) + " is " + extent_text(e) + " px",
+                    std::max({e.width, e.height, e.depth}), device.max_image_2d_px, limits.image_side_px,
+                    "graph.imageSidePx", " px a side");
+        check_limit("image " + quoted(desc_.name) + " has " + std::to_string(decl_.layers) + " layers",
+                    decl_.layers, device.max_image_layers, limits.layers, "graph.layers", " layers");
+        check_limit("image " + quoted(desc_.name) + " has " + std::to_string(decl_.mips) + " mips",
+                    decl_.mips, UINT32_MAX, limits.mips, "graph.mips", " mips");
         if (decl_.samples != 1 && (decl_.mips != 1 || !std::has_single_bit(decl_.samples))) {
             Diagnostic& d =
                 state_.error(desc_.loc, "W119",
                              "image " + quoted(desc_.name) + " can't have these samples and mips together");
             add_help(d, "multisampled images have one mip and 2, 4 or 8 samples");
         }
+    }
+
+    // What the device offers first: no limit can be raised beyond it.
+    void check_limit(const std::string& what, uint32_t value, uint32_t device, uint64_t limit,
+                     const std::string& name, const std::string& unit) {
+        if (value > device) return over_limit(what, std::to_string(device) + unit);
+        if (value <= limit) return;
+        work_.suspect_shape = true;
+        Diagnostic& d =
+            state_.error(desc_.loc, "W125", what + "; the limit is " + std::to_string(limit) + unit);
+        add_help(d, "make it smaller, " + raise_limit_text(name));
     }
 
     void over_limit(const std::string& what, const std::string& limit) {
@@ -221,6 +231,17 @@ void name_resources(ResolveState& state) {
         }
         names[name] = {&desc, 0};
         for (uint32_t age = 1; age <= desc.history; ++age) names[role_name(name, age)] = {&desc, age};
+    }
+    if (names.size() > state.input.limits.resources) {
+        state.over_limit = true;
+        Diagnostic& d =
+            state.error(state.input.graph.resources.empty() ? SourceLoc{}
+                                                            : state.input.graph.resources.begin()->second.loc,
+                        "W125",
+                        "the graph has " + std::to_string(names.size()) +
+                            " resources, each copy of a history counted; the limit is " +
+                            std::to_string(state.input.limits.resources));
+        add_help(d, "use layers or mips of fewer images, " + raise_limit_text("graph.resources"));
     }
     for (const auto& [name, role] : names) {
         ResourceDecl decl;

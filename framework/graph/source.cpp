@@ -1,5 +1,9 @@
 #include "weft/source.h"
 
+#include <algorithm>
+
+#include "graph/json_doc.h"
+
 namespace weft {
 namespace {
 
@@ -10,7 +14,10 @@ std::string line_of(const std::string& text, uint32_t line) {
         if (start == std::string::npos) return "";
         ++start;
     }
-    std::string found = text.substr(start, text.find('\n', start) - start);
+    const size_t length = std::min(text.find('\n', start), text.size()) - start;
+    // A minified file is one line, and every diagnostic would carry a copy of it.
+    if (length > kMaxExcerptBytes) return "";
+    std::string found = text.substr(start, length);
     if (!found.empty() && found.back() == '\r') found.pop_back();
     return found;
 }

@@ -13,6 +13,7 @@
 #include "weft/device_profile.h"
 #include "weft/graph_desc.h"
 #include "weft/imports.h"
+#include "weft/limits.h"
 #include "weft/pass.h"
 #include "weft/plan.h"
 #include "weft/result.h"
@@ -37,6 +38,7 @@ struct ResolveInput {
     std::map<std::string, double> params;  // overrides, by name
     Extent3D output_extent{1280, 720, 1};
     std::vector<std::string> observed;  // references ("name@pass.mip(e)") that must be produced as well
+    GraphLimits limits = {};
 };
 // Warnings go to `warnings`.
 [[nodiscard]] Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings);

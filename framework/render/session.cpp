@@ -4,6 +4,7 @@
 
 #include "check/check_plan.h"
 #include "check/check_transition.h"
+#include "graph/memory_report.h"
 #include "render/import_catalog.h"
 #include "render/left_out.h"
 #include "weft/compile.h"
@@ -47,6 +48,17 @@ Result<FramePlan> checked_plan(vk::Device& device, const ResolvedGraph& graph, c
     Diagnostics faults = check_plan(plan);
     if (!faults.empty()) return faults;
     return plan;
+}
+
+// Before anything of it is allocated.
+Diagnostics too_large(const vk::Device& device, const FramePlan& plan, const SessionInput& input) {
+    Diagnostics faults = budget_faults(plan, input.limits.graph, input.graph_path);
+    for (Diagnostic& fault : memory_faults(plan, device.profile(), input.graph_path)) {
+        fault.severity = Severity::error;
+        fault.code = "W143";
+        faults.push_back(std::move(fault));
+    }
+    return faults;
 }
 
 // Draws say by their first instance what they draw, which indirect ones need a feature for.
@@ -96,13 +108,16 @@ Session::Session(vk::Device& device, const SessionInput& input)
 }
 
 LoadInput Session::load_input(const ImportCatalog& imports, Extent3D size) const {
-    return {input_.graph_path, input_.reader, input_.shader_root, input_.shader_cache, passes_, imports,
-            device_.profile(), size,          input_.params,      input_.observed};
+    return {input_.graph_path, input_.reader,   input_.shader_root,   input_.shader_cache,
+            passes_,           imports,         device_.profile(),    size,
+            input_.params,     input_.observed, input_.shader_worker, input_.limits};
 }
 
 Result<Session::Stage> Session::make_stage(ImportCatalog imports, const ResolvedGraph& graph) {
     Result<FramePlan> plan = checked_plan(device_, graph, input_);
     if (!plan) return plan.take_errors();
+    Diagnostics faults = too_large(device_, *plan, input_);
+    if (!faults.empty()) return faults;
     Diagnostics missing = missing_features(device_, *plan);
     if (!missing.empty()) return missing;
     Result<vk::Image> output = vk::Image::create(device_, imports.imports.at("backbuffer").resource);

@@ -18,6 +18,8 @@ struct SessionInput {
     FileReader reader;
     std::filesystem::path shader_root;
     std::filesystem::path shader_cache;
+    std::filesystem::path shader_worker;  // find_shader_worker(); empty: glslang runs in this process
+    Limits limits;
     const PassCatalog* passes = nullptr;
     Extent3D size{1280, 720, 1};
     std::map<std::string, double> params;

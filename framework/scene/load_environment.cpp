@@ -7,7 +7,6 @@ namespace weft::scene {
 namespace {
 
 constexpr uint64_t kBytesPerTexel = sizeof(glm::vec3);
-constexpr uint64_t kMaxFileBytes = 1ull << 30;
 
 Diagnostic fault(const char* code, const std::filesystem::path& file, std::string message, std::string help) {
     Diagnostic d;
@@ -21,7 +20,7 @@ Diagnostic fault(const char* code, const std::filesystem::path& file, std::strin
 }  // namespace
 
 Result<Environment> load_environment(const std::filesystem::path& file, const SceneLimits& limits) {
-    const FileBytes read = read_plain_file(file, kMaxFileBytes);
+    const FileBytes read = read_plain_file(file, limits.resource_bytes);
     if (read.fault)
         return fault("S180", file, "the environment can't be read: " + read.message,
                      "--env takes a Radiance picture (.hdr), sky or none");

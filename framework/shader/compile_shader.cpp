@@ -104,7 +104,8 @@ std::optional<Diagnostic> wrong_extension(const std::string& reference, ProgramK
 }
 
 Result<std::vector<CompiledStage>> compile_stages(const std::string& reference, ProgramKind kind,
-                                                  const ShaderRoots& roots, SourceReader& reader) {
+                                                  const ShaderRoots& roots, SourceReader& reader,
+                                                  StageCompiler& compiler) {
     if (auto diagnostic = wrong_extension(reference, kind, reader)) return std::move(*diagnostic);
     Diagnostics errors;
     std::vector<CompiledStage> stages;
@@ -115,7 +116,7 @@ Result<std::vector<CompiledStage>> compile_stages(const std::string& reference, 
             errors.push_back(not_found(reference, kind, file, lookup.reason, roots, reader));
             continue;
         }
-        auto stage = compile_stage(file.stage, *lookup.source, reader);
+        auto stage = compiler.compile(file.stage, *lookup.source, reader);
         if (stage) {
             stages.push_back(std::move(*stage));
         } else {
@@ -153,10 +154,10 @@ Diagnostics invalid_modules(const std::vector<CompiledStage>& stages) {
     return errors;
 }
 
-Result<ShaderProgram> build_program(const std::string& reference, ProgramKind kind,
-                                    const ShaderRoots& roots) {
+Result<ShaderProgram> build_program(const std::string& reference, ProgramKind kind, const ShaderRoots& roots,
+                                    StageCompiler& compiler) {
     SourceReader reader(roots);
-    auto compiled = compile_stages(reference, kind, roots, reader);
+    auto compiled = compile_stages(reference, kind, roots, reader, compiler);
     if (!compiled) return compiled.take_errors();
     std::vector<CompiledStage>& stages = *compiled;
 
@@ -195,8 +196,23 @@ std::optional<ShaderProgram> cached_program(const std::string& reference, Progra
 
 Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
                                      const ShaderRoots& roots) {
+    StageCompiler compiler(roots);
+    return compile_shader(reference, kind, roots, compiler);
+}
+
+Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind, const ShaderRoots& roots,
+                                     StageCompiler& compiler) {
     if (auto program = cached_program(reference, kind, roots)) return std::move(*program);
-    return build_program(reference, kind, roots);
+    return build_program(reference, kind, roots, compiler);
+}
+
+fs::path find_shader_worker(const fs::path& install_folder) {
+    constexpr const char* kName = "weft-shader-worker";
+    std::error_code error;
+    const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / kName;
+    if (install_folder.empty() || fs::exists(beside, error)) return beside;
+    const fs::path installed = install_folder / "bin" / kName;
+    return fs::exists(installed, error) ? installed : beside;
 }
 
 }  // namespace weft

@@ -5,7 +5,8 @@
 // pass's ports and go to set 1, where bindings are dealt out by name over all stages; sets 0, 2 and 3 keep
 // what they say. Stage inputs and outputs without a location are joined by name. Errors: W201 shader not
 // found, W202 GLSL error, W203 include not found or outside the roots, W204 invalid SPIR-V, W205 stages that
-// do not fit together, W206 an interface that no pass can offer.
+// do not fit together, W206 an interface that no pass can offer, W207 a stage that takes too much memory or
+// time to compile, X570 no compiler to start.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +14,25 @@
 #include <string>
 #include <vector>
 
+#include "weft/limits.h"
 #include "weft/result.h"
 #include "weft/shader_interface.h"
 
 namespace weft {
+
+namespace shader {
+class StageCompiler;
+}
 
 // No file outside these folders is ever opened, whatever references, includes or links say.
 struct ShaderRoots {
     std::vector<std::filesystem::path> roots;  // searched in order: the graph's own folder, then shaders/
     std::filesystem::path include_root;        // shaders/include; also holds fullscreen.vert
     std::filesystem::path cache_dir;           // compiled programs by content; empty: no cache
+    // The program weft-shader-worker, which compiles what is not in the cache. Empty: this process does,
+    // where nothing limits the memory and the time that a hostile shader takes.
+    std::filesystem::path worker = {};
+    ShaderLimits limits = {};
 };
 
 enum class ProgramKind : uint8_t {
@@ -34,5 +44,12 @@ enum class ProgramKind : uint8_t {
 // Deterministic: equal contents give equal words, wherever the roots lie. Safe to call from several threads.
 [[nodiscard]] Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
                                                    const ShaderRoots& roots);
+// With a compiler made from the same roots, whose worker lives on for the next one.
+[[nodiscard]] Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
+                                                   const ShaderRoots& roots, shader::StageCompiler& compiler);
+
+// Where weft-shader-worker is: beside the running program, or else in `bin/` below `install_folder`; beside
+// the program too when it is in neither, so that the error names a place.
+[[nodiscard]] std::filesystem::path find_shader_worker(const std::filesystem::path& install_folder = {});
 
 }  // namespace weft

@@ -1,154 +1,145 @@
 #include "shader/glsl_compile.h"
 
-#include <glslang/Include/intermediate.h>
-#include <glslang/MachineIndependent/localintermediate.h>
-#include <glslang/Public/ResourceLimits.h>
-#include <glslang/Public/ShaderLang.h>
-#include <glslang/SPIRV/GlslangToSpv.h>
-
-#include <memory>
+#include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "graph/quantity_text.h"
 #include "shader/glsl_log.h"
 
 namespace weft::shader {
 
 namespace {
 
-constexpr int kGlslVersion = 460;
-constexpr size_t kMaxIncludeDepth = 32;
-constexpr size_t kMaxIncludes = 1000;
-constexpr const char* kPortSet = "1";
-// Raise when the options below change what the same text compiles to.
-constexpr int kOptionsRevision = 1;
-
-// glslang wants this once a process; the static ties it to the first compilation, whichever thread does it.
-void start_glslang() {
-    struct Process {
-        Process() { glslang::InitializeProcess(); }
-        ~Process() { glslang::FinalizeProcess(); }
-        Process(const Process&) = delete;
-        Process& operator=(const Process&) = delete;
-    };
-    static const Process process;
-}
-
-class RootedIncluder final : public glslang::TShader::Includer {
- public:
-    explicit RootedIncluder(SourceReader& reader) : reader_(reader) {}
-
-    IncludeResult* includeLocal(const char* name, const char* includer, size_t depth) override {
-        return include(name, includer, depth, true);
-    }
-    IncludeResult* includeSystem(const char* name, const char* includer, size_t depth) override {
-        return include(name, includer, depth, false);
-    }
-    void releaseInclude(IncludeResult* result) override { std::unique_ptr<IncludeResult>(result).reset(); }
-
- private:
-    // glslang asks "beside" first and then again without; an empty name with a text is its form of failure.
-    IncludeResult* include(const std::string& name, const char* includer, size_t depth, bool beside) {
-        if (depth > kMaxIncludeDepth) return fail("includes nest deeper than 32");
-        if (includes_ >= kMaxIncludes) return fail("more than 1000 includes");
-        const SourceLookup lookup = reader_.read_include(name, includer, beside);
-        if (lookup.source == nullptr) return fail(lookup.reason);
-        ++includes_;
-        return std::make_unique<IncludeResult>(lookup.source->name, lookup.source->text.data(),
-                                               lookup.source->text.size(), nullptr)
-            .release();
-    }
-
-    IncludeResult* fail(std::string reason) {
-        reason_ = std::move(reason);
-        return std::make_unique<IncludeResult>(std::string(), reason_.data(), reason_.size(), nullptr)
-            .release();
-    }
-
-    SourceReader& reader_;
-    std::string reason_;
-    size_t includes_ = 0;
-};
-
-EShLanguage to_glslang(ShaderStage stage) {
+std::string stage_name(ShaderStage stage) {
     switch (stage) {
         case ShaderStage::vertex:
-            return EShLangVertex;
+            return "vertex";
         case ShaderStage::fragment:
-            return EShLangFragment;
+            return "fragment";
         case ShaderStage::compute:
-            return EShLangCompute;
+            return "compute";
     }
-    return EShLangCompute;
+    return "";
 }
 
-void set_up(glslang::TShader& shader, EShLanguage language) {
-    shader.setPreamble("#extension GL_GOOGLE_include_directive : require\n");
-    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
-    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
-    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
-    shader.setResourceSetBinding({kPortSet});
-    shader.setAutoMapBindings(true);
-    shader.setAutoMapLocations(true);
+IncludeAnswer refused(std::string why) {
+    return {false, {}, std::move(why)};
 }
 
-std::set<std::string> unplaced_variables(const glslang::TIntermediate& intermediate) {
-    std::set<std::string> names;
-    const glslang::TIntermAggregate* objects = intermediate.findLinkerObjects();
-    if (objects == nullptr) return names;
-    for (TIntermNode* node : objects->getSequence()) {
-        const glslang::TIntermSymbol* symbol = node->getAsSymbolNode();
-        if (symbol == nullptr) continue;
-        const glslang::TQualifier& qualifier = symbol->getType().getQualifier();
-        const bool crosses_stages = qualifier.isPipeInput() || qualifier.isPipeOutput();
-        if (crosses_stages && qualifier.builtIn == glslang::EbvNone && !qualifier.hasLocation()) {
-            names.emplace(symbol->getName().c_str());
+// The same rules whoever asks, the worker or this process's own compiler.
+IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) {
+    return [&reader, limits, followed = uint64_t{0},
+            refusal = std::pair<std::string, std::string>()](const IncludeRequest& request) mutable {
+        if (request.depth > limits.include_depth)
+            return refused("includes nest deeper than " + std::to_string(limits.include_depth));
+        if (followed >= limits.includes)
+            return refused("more than " + std::to_string(limits.includes) + " includes");
+        const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
+        if (lookup.source == nullptr) {
+            // "x" is asked for twice, beside and not; why the first was refused says more than that the
+            // second is not there.
+            if (lookup.refused) refusal = {request.name, lookup.reason};
+            return refused(refusal.first == request.name ? refusal.second : lookup.reason);
         }
-    }
-    return names;
+        ++followed;
+        return IncludeAnswer{true, lookup.source->name, lookup.source->text};
+    };
 }
 
-std::vector<uint32_t> to_spirv(const glslang::TIntermediate& intermediate) {
-    glslang::SpvOptions options;
-    options.generateDebugInfo = true;  // reflection and validation messages live on the names
-    options.disableOptimizer = true;
-    spv::SpvBuildLogger logger;  // what it would say, spirv-val says better
-    std::vector<uint32_t> words;
-    glslang::GlslangToSpv(intermediate, words, &logger, &options);
-    return words;
+// Nothing when the worker's answer is none.
+std::optional<GlslOutcome> outcome_of(Message answer) {
+    if (answer.texts.empty()) return std::nullopt;
+    if (answer.kind == MessageKind::failed) return GlslOutcome{false, {}, {}, std::move(answer.texts[0])};
+    std::optional<std::vector<uint32_t>> words = bytes_to_words(answer.texts[0]);
+    if (answer.kind != MessageKind::done || !words) return std::nullopt;
+    return GlslOutcome{true, std::move(*words), {answer.texts.begin() + 1, answer.texts.end()}, {}};
+}
+
+uint64_t ms_since(WorkerClock::time_point begin) {
+    return static_cast<uint64_t>(
+        std::chrono::duration_cast<std::chrono::milliseconds>(WorkerClock::now() - begin).count());
 }
 
 }  // namespace
 
-Result<CompiledStage> compile_stage(ShaderStage stage, const SourceText& source, SourceReader& reader) {
-    start_glslang();
-    const EShLanguage language = to_glslang(stage);
-    const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgDebugInfo |
-                                                   EShMsgSuppressWarnings);
-    const char* text = source.text.data();
-    const char* name = source.name.c_str();
-    const int length = static_cast<int>(source.text.size());
-
-    glslang::TShader shader(language);
-    shader.setStringsWithLengthsAndNames(&text, &length, &name, 1);
-    set_up(shader, language);
-    RootedIncluder includer(reader);
-    if (!shader.parse(GetDefaultResources(), kGlslVersion, false, messages, includer)) {
-        return parse_glsl_log(shader.getInfoLog(), reader, source);
+// What the worker says last; in between it asks for includes.
+std::optional<Message> StageCompiler::converse(ShaderStage stage, const SourceText& source,
+                                               const IncludeReader& includes,
+                                               WorkerClock::time_point deadline) {
+    const Message request{MessageKind::compile, static_cast<uint64_t>(stage), {source.name, source.text}};
+    if (!worker_->send(request, deadline)) return std::nullopt;
+    std::optional<Message> said = worker_->receive(deadline);
+    for (; said && said->kind == MessageKind::include && said->texts.size() == 2;
+         said = worker_->receive(deadline)) {
+        IncludeAnswer answer =
+            includes({said->texts[0], said->texts[1], said->number / 2, said->number % 2 == 1});
+        Message reply{MessageKind::no_source, 0, {answer.text}};
+        if (answer.found) reply = {MessageKind::source, 0, {answer.name, std::move(answer.text)}};
+        if (!worker_->send(reply, deadline)) return std::nullopt;
     }
-    glslang::TProgram program;
-    program.addShader(&shader);
-    if (!program.link(messages)) return parse_glsl_log(program.getInfoLog(), reader, source);
-    std::set<std::string> unplaced = unplaced_variables(*program.getIntermediate(language));
-    if (!program.mapIO()) return parse_glsl_log(program.getInfoLog(), reader, source);
-    return CompiledStage{stage, &source, to_spirv(*program.getIntermediate(language)), std::move(unplaced)};
+    return said;
 }
 
-std::string compiler_version() {
-    const glslang::Version version = glslang::GetVersion();
-    return "glslang " + std::to_string(version.major) + "." + std::to_string(version.minor) + "." +
-           std::to_string(version.patch) + version.flavor + " generator " +
-           std::to_string(glslang::GetSpirvGeneratorVersion()) + " options " +
-           std::to_string(kOptionsRevision);
+Result<GlslOutcome> StageCompiler::run_worker(ShaderStage stage, const SourceText& source,
+                                              const IncludeReader& includes) {
+    if (!worker_) {
+        auto started = WorkerProcess::start(program_, limits_, compiler_version());
+        if (!started) return started.take_errors();
+        worker_ = std::move(*started);
+    }
+    const uint64_t left_ms = limits_.graph_ms - std::min(limits_.graph_ms, spent_ms_);
+    const uint64_t time_ms = std::min(limits_.stage_ms, left_ms);
+    const WorkerClock::time_point begin = WorkerClock::now();
+    std::optional<Message> answer =
+        converse(stage, source, includes, begin + std::chrono::milliseconds(time_ms));
+    spent_ms_ += ms_since(begin);
+    std::optional<GlslOutcome> outcome = answer ? outcome_of(std::move(*answer)) : std::nullopt;
+    if (outcome) return std::move(*outcome);
+    if (worker_->end() == WorkerEnd::running) worker_->give_up_on();
+    Diagnostic fault = stopped(stage, source, time_ms);
+    worker_.reset();
+    return fault;
+}
+
+Diagnostic StageCompiler::stopped(ShaderStage stage, const SourceText& source, uint64_t time_ms) const {
+    const auto fault = [&](const std::string& what, std::string help) {
+        Diagnostic d =
+            diagnostic_at({&source, 0, 0}, "W207", "compiling the " + stage_name(stage) + " stage " + what);
+        d.help.push_back(std::move(help));
+        return d;
+    };
+    switch (worker_->end()) {
+        case WorkerEnd::out_of_memory:
+            return fault("takes more than " + limit_bytes_text(limits_.worker_bytes) + " of memory",
+                         "look for macros that double themselves, " + raise_limit_text("shader.workerBytes"));
+        case WorkerEnd::out_of_time:
+            if (time_ms < limits_.stage_ms)
+                return fault(
+                    "came too late: all stages together have " + std::to_string(limits_.graph_ms) + " ms",
+                    "split the graph, " + raise_limit_text("shader.graphMs"));
+            return fault("takes more than " + std::to_string(limits_.stage_ms) + " ms",
+                         "look for macros and loops without end, " + raise_limit_text("shader.stageMs"));
+        case WorkerEnd::babbled:
+            return fault("gives more than " + limit_bytes_text(limits_.spirv_bytes) + " of SPIR-V, or none",
+                         "make it smaller, " + raise_limit_text("shader.spirvBytes"));
+        case WorkerEnd::crashed:
+        case WorkerEnd::running:
+            break;
+    }
+    const std::string signal =
+        worker_->signal() == 0 ? "" : " (signal " + std::to_string(worker_->signal()) + ")";
+    return fault("crashed the compiler" + signal, "look for very deep nesting, in expressions too");
+}
+
+Result<CompiledStage> StageCompiler::compile(ShaderStage stage, const SourceText& source,
+                                             SourceReader& reader) {
+    const IncludeReader includes = rooted_includes(reader, limits_);
+    Result<GlslOutcome> outcome = program_.empty() ? run_glslang(stage, source.name, source.text, includes)
+                                                   : run_worker(stage, source, includes);
+    if (!outcome) return outcome.take_errors();
+    if (!outcome->good) return parse_glsl_log(outcome->log, reader, source);
+    return CompiledStage{stage, &source, std::move(outcome->spirv), std::move(outcome->unplaced)};
 }
 
 }  // namespace weft::shader

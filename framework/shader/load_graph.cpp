@@ -1,9 +1,11 @@
 #include "shader/load_graph.h"
 
+#include <algorithm>
 #include <iterator>
 #include <optional>
 
 #include "graph/stages.h"
+#include "shader/glsl_compile.h"
 
 namespace weft {
 namespace {
@@ -41,21 +43,29 @@ void add_pointers(const JsonDoc& document, Diagnostics& faults) {
 Result<ResolvedGraph> resolved(const GraphDesc& desc, const ShaderCatalog& shaders, const LoadInput& input,
                                Diagnostics& warnings) {
     return resolve({desc, input.passes, shaders, input.imports, input.profile, input.params,
-                    input.output_extent, input.observed},
+                    input.output_extent, input.observed, input.limits.graph},
                    warnings);
+}
+
+bool says_no_compiler(const Diagnostic& fault) {
+    return fault.code == "X570";
 }
 
 ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, Diagnostics& faults) {
     ShaderCatalog catalog;
+    shader::StageCompiler compiler(roots);
+    bool no_compiler = false;  // said once
     for (const auto& [name, pass] : graph.passes) {
         const std::optional<ProgramKind> kind = program_kind(pass);
         if (!kind || pass.shader.empty() || catalog.contains(pass.shader)) continue;
-        Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots);
+        Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots, compiler);
         if (program) {
             catalog.emplace(pass.shader, std::move(*program));
             continue;
         }
         Diagnostics errors = program.take_errors();
+        if (no_compiler) std::erase_if(errors, says_no_compiler);
+        no_compiler = no_compiler || std::ranges::any_of(errors, says_no_compiler);
         locate(graph, pass, errors);
         append(faults, std::move(errors));
         catalog.emplace(pass.shader, ShaderProgram{pass.shader, {}, {}, 0});
@@ -66,7 +76,7 @@ ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, 
 }  // namespace
 
 Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
-    Result<JsonDoc> document = read_json(input.path, input.reader);
+    Result<JsonDoc> document = read_json(input.path, input.reader, input.limits.graph);
     if (!document) return document.take_errors();
     Result<JsonDoc> merged = merge(std::move(*document));
     if (!merged) return merged.take_errors();
@@ -76,7 +86,9 @@ Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
     Diagnostics faults;
     const ShaderRoots roots{{std::filesystem::absolute(input.path).parent_path(), input.shader_root},
                             input.shader_root / "include",
-                            input.shader_cache};
+                            input.shader_cache,
+                            input.shader_worker,
+                            input.limits.shader};
     ShaderCatalog shaders = compile_shaders(*desc, roots, faults);
     Result<ResolvedGraph> graph = resolved(*desc, shaders, input, warnings);
     if (!graph) append(faults, graph.take_errors());

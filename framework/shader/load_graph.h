@@ -11,6 +11,7 @@
 #include "weft/declaration.h"
 #include "weft/graph_desc.h"
 #include "weft/imports.h"
+#include "weft/limits.h"
 #include "weft/pass.h"
 #include "weft/result.h"
 #include "weft/source.h"
@@ -28,6 +29,8 @@ struct LoadInput {
     Extent3D output_extent{1280, 720, 1};
     std::map<std::string, double> params;
     std::vector<std::string> observed;
+    std::filesystem::path shader_worker = {};  // find_shader_worker(); empty: glslang runs in this process
+    Limits limits = {};
 };
 
 struct LoadedGraph {

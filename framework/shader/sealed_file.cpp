@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "shader/content_hash.h"
+#include "shader/payload.h"
 
 namespace weft::shader {
 
@@ -18,37 +19,6 @@ constexpr std::string_view kMagic = "WEFTSHD1";
 constexpr size_t kHeaderBytes = 24;
 constexpr uintmax_t kMaxFileBytes = 64u << 20;
 }  // namespace
-
-void PayloadWriter::number(uint64_t value) {
-    for (uint32_t i = 0; i < 8; ++i) payload_ += static_cast<char>(static_cast<uint8_t>(value >> (8 * i)));
-}
-
-void PayloadWriter::text(std::string_view value) {
-    number(value.size());
-    payload_ += value;
-}
-
-std::optional<uint64_t> PayloadReader::number() {
-    if (rest_.size() < 8) {
-        rest_ = {};
-        return std::nullopt;
-    }
-    uint64_t value = 0;
-    for (uint32_t i = 0; i < 8; ++i) value |= uint64_t{static_cast<uint8_t>(rest_[i])} << (8 * i);
-    rest_.remove_prefix(8);
-    return value;
-}
-
-std::optional<std::string_view> PayloadReader::text() {
-    const auto length = number();
-    if (!length || *length > rest_.size()) {
-        rest_ = {};
-        return std::nullopt;
-    }
-    const std::string_view value = rest_.substr(0, *length);
-    rest_.remove_prefix(*length);
-    return value;
-}
 
 std::optional<std::string> read_sealed(const fs::path& file) {
     std::error_code error;

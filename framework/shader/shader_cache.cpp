@@ -6,7 +6,8 @@
 #include <system_error>
 
 #include "shader/content_hash.h"
-#include "shader/glsl_compile.h"
+#include "shader/glsl_run.h"
+#include "shader/payload.h"
 #include "shader/sealed_file.h"
 
 namespace weft::shader {

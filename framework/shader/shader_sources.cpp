@@ -4,6 +4,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "graph/quantity_text.h"
 #include "shader/content_hash.h"
 
 namespace weft::shader {
@@ -12,9 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr uintmax_t kMaxFileBytes = 1u << 20;
-constexpr size_t kMaxTotalBytes = 16u << 20;
-constexpr size_t kMaxFiles = 1000;
 constexpr int kMaxSuggestionDepth = 3;
 constexpr size_t kMaxSuggestionEntries = 2000;
 
@@ -28,7 +26,7 @@ constexpr const char* kClimbing = "the path is absolute or climbs with \"..\"";
 
 }  // namespace
 
-SourceReader::SourceReader(const ShaderRoots& roots) {
+SourceReader::SourceReader(const ShaderRoots& roots) : limits_(roots.limits) {
     const auto add = [&](const fs::path& folder) {
         std::error_code error;
         const fs::path real = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
@@ -74,15 +72,19 @@ SourceLookup SourceReader::load(size_t root, const fs::path& relative, const fs:
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return {nullptr, true, "it is not a file"};
     const uintmax_t bytes = fs::file_size(file, error);
-    if (error || bytes > kMaxFileBytes) return {nullptr, true, "it is larger than 1 MiB"};
-    if (texts_.size() >= kMaxFiles) return {nullptr, true, "a shader may have at most 1000 files"};
+    if (error || bytes > limits_.file_bytes)
+        return {nullptr, true, "it is larger than " + limit_bytes_text(limits_.file_bytes)};
+    if (texts_.size() >= limits_.files)
+        return {nullptr, true, "a shader may have at most " + std::to_string(limits_.files) + " files"};
     std::string text(bytes, '\0');
     std::ifstream stream(file, std::ios::binary);
     if (!stream.read(text.data(), static_cast<std::streamsize>(bytes))) {
         return {nullptr, true, "it cannot be read"};
     }
     total_bytes_ += text.size();
-    if (total_bytes_ > kMaxTotalBytes) return {nullptr, true, "a shader may have at most 16 MiB of text"};
+    if (total_bytes_ > limits_.text_bytes)
+        return {nullptr, true,
+                "a shader may have at most " + limit_bytes_text(limits_.text_bytes) + " of text"};
 
     const std::string key = relative.generic_string();
     SourceText source;

@@ -1,6 +1,6 @@
 // Purpose: reads shader files, only from under the given roots, and remembers every place it looked at, so
-// that a cache can tell whether looking again would give the same texts. Limits: 1 MiB a file, 1,000 files
-// and 16 MiB a program.
+// that a cache can tell whether looking again would give the same texts. What it reads has the limits of the
+// roots: bytes of a file, files and bytes of a program.
 #pragma once
 
 #include <cstddef>
@@ -62,6 +62,7 @@ class SourceReader {
     SourceLookup load(size_t root, const std::filesystem::path& relative, const std::filesystem::path& file);
     [[nodiscard]] bool inside_roots(const std::filesystem::path& canonical) const;
 
+    ShaderLimits limits_;
     std::vector<Root> roots_;  // the searched ones, then the include root
     std::map<std::pair<size_t, std::string>, SourceText> texts_;
     std::vector<SourceProbe> probes_;

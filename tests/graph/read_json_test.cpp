@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "\"c\" is here twice"},
         FaultCase{"DuplicateAndSyntax", "[{\"a\": 1, $$\"a\": 2}, $$}", {"W003", "W001"}, "twice"},
         FaultCase{"TooDeep", std::string(64, '[') + "$$[", {"W004"}, "64 deep"},
-        FaultCase{"LongString", "[$$\"" + std::string(5000, 'x') + "\"]", {"W004"}, "more than 4,096"}),
+        FaultCase{"LongString", "[$$\"" + std::string(5000, 'x') + "\"]", {"W004"}, "more than 4096"}),
     case_name);
 
 TEST(ReadJson, AMissingFileSaysWhatWasLookedFor) {

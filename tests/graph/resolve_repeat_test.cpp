@@ -187,7 +187,7 @@ TEST_F(ResolveRepeat, RangesAreWholeAndBounded) {
     expect_help(half, "floor");
     EXPECT_EQ(bad(pyramid(R"j({"i": "1..output"})j")).code, "W106");
     EXPECT_EQ(bad(pyramid(R"j({"i": "1..3 by 0"})j")).code, "W109");
-    EXPECT_EQ(bad(pyramid(R"j({"i": "0..99999"})j")).code, "W109");
+    EXPECT_EQ(bad(pyramid(R"j({"i": "0..99999"})j")).code, "W125");
     EXPECT_EQ(bad(pyramid(R"j({"i": "0..mip(x)"})j")).code, "W106");
 }
 

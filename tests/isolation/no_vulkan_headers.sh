@@ -39,7 +39,7 @@ awk -v into="$scratch/docs" '
   inside { print > name }' "$root/docs/writing-a-pass.md"
 
 sources=("$root"/framework/graph/*.cpp "$root"/framework/check/*.cpp "$root"/framework/null/*.cpp
-  "$root"/framework/shader/*.cpp "$scratch"/docs/passes/*/*.cpp)
+  "$root"/framework/shader/*.cpp "$root"/framework/shader/worker/*.cpp "$scratch"/docs/passes/*/*.cpp)
 printf '%s\0' "${sources[@]}" |
   xargs -0 -P "$(nproc)" -n 1 "$compiler" "${flags[@]}" -I"$scratch/docs/passes" -include "$scratch/most.h" \
     -Winvalid-pch -fsyntax-only

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "reference_brdf.h"
+#include "reference_light.h"
 #include "scene/builtin_scenes.h"
 #include "session_fixture.h"
 
@@ -11,35 +12,6 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kSize{320, 180, 1};
-
-glm::dvec3 octahedral_normal(const glm::vec4& e) {
-    glm::dvec3 n(e.x, e.y, 1 - std::abs(e.x) - std::abs(e.y));
-    if (n.z < 0) {
-        const double x = n.x, y = n.y;
-        n.x = (1 - std::abs(y)) * (x >= 0 ? 1 : -1);
-        n.y = (1 - std::abs(x)) * (y >= 0 ? 1 : -1);
-    }
-    return glm::normalize(n);
-}
-
-glm::dvec3 incident(const shared::Light& light, const glm::dvec3& at, glm::dvec3& l) {
-    if (light.type == shared::kLightDirectional) {
-        l = -glm::dvec3(light.direction);
-        return glm::dvec3(light.intensity);
-    }
-    const glm::dvec3 d = glm::dvec3(light.position) - at;
-    const double distance2 = glm::dot(d, d);
-    l = d / std::sqrt(distance2);
-    double falloff = 1 / distance2;
-    if (light.range_m > 0)
-        falloff *= std::clamp(1 - std::pow(std::sqrt(distance2) / light.range_m, 4), 0.0, 1.0);
-    if (light.type == shared::kLightSpot) {
-        const double cone = std::clamp(
-            glm::dot(glm::dvec3(light.direction), -l) * light.cone_scale + light.cone_offset, 0.0, 1.0);
-        falloff *= cone * cone;
-    }
-    return glm::dvec3(light.intensity) * falloff;
-}
 
 class Lighting : public SessionTest {};
 

@@ -77,9 +77,10 @@ class SessionTest : public ::testing::Test {
 
     // Fails the test and returns nothing when anything goes wrong.
     Rendered render(const scene::Scene& scene, const scene::Camera& camera, Extent3D size, float exposure_ev,
-                    std::vector<std::string> observed) {
-        const std::unique_ptr<render::Session> session = start(
-            scene, camera, WEFT_SOURCE_DIR "/graphs/deferred.json", size, std::move(observed), exposure_ev);
+                    std::vector<std::string> observed,
+                    const std::string& graph = WEFT_SOURCE_DIR "/graphs/deferred.json") {
+        const std::unique_ptr<render::Session> session =
+            start(scene, camera, graph, size, std::move(observed), exposure_ev);
         if (!session) return {};
         Status done = session->render_frame(0, 0);
         if (done) done = session->finish();

@@ -42,7 +42,6 @@ const std::vector<BadUsage>& bad_usages() {
         {"TimeOutsideTheDay", {"render", "--time", "25"}, "--time"},
         {"TimeOfASceneWithoutHours", {"render", "builtin:spheres", "--time", "12"}, "has no time of day"},
         {"LaterProfile", {"render", "--profile", "a.json"}, "not there yet"},
-        {"LaterLimits", {"render", "--limits", "a.json"}, "not there yet"},
         {"LaterRun", {"check", kDeferred, "--run"}, "not there yet"},
         {"LaterSarif", {"check", kDeferred, "--sarif"}, "not there yet"},
         {"LaterPlanTier", {"plan", kDeferred, "--tier", "low"}, "not there yet"},

@@ -21,8 +21,8 @@ using Clock = std::chrono::steady_clock;
 constexpr unsigned kKillAfter_s = 120;
 
 // In the child: nothing here may allocate after the descriptors are set up, and nothing does but exec.
-[[noreturn]] void become_weft(std::vector<char*>& arguments, const Environment& environment,
-                              const std::filesystem::path& folder, const char* out, const char* err) {
+[[noreturn]] void become(std::vector<char*>& arguments, const Environment& environment,
+                         const std::filesystem::path& folder, const char* out, const char* err) {
     const int out_file = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err_file = open(err, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int nothing = open("/dev/null", O_RDONLY);
@@ -30,7 +30,7 @@ constexpr unsigned kKillAfter_s = 120;
     for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
     if (!ready || (!folder.empty() && chdir(folder.c_str()) != 0)) _exit(126);
     alarm(kKillAfter_s);  // survives exec
-    execv(WEFT_PROGRAM, arguments.data());
+    execvp(arguments.front(), arguments.data());
     _exit(127);
 }
 
@@ -47,12 +47,18 @@ std::string RunResult::text() const {
 
 RunResult run_weft(const std::vector<std::string>& arguments, const Environment& environment,
                    const std::filesystem::path& folder) {
-    const ScratchFolder scratch;
-    const std::string out = scratch / "out", err = scratch / "err";
     std::vector<std::string> words{WEFT_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_program(words, environment, folder);
+}
+
+RunResult run_program(const std::vector<std::string>& words, const Environment& environment,
+                      const std::filesystem::path& folder) {
+    const ScratchFolder scratch;
+    const std::string out = scratch / "out", err = scratch / "err";
+    std::vector<std::string> owned = words;
     std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
+    for (std::string& word : owned) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     Environment all{{"XDG_CACHE_HOME", WEFT_TEST_CACHE}, {"MESA_SHADER_CACHE_DIR", WEFT_TEST_CACHE "/mesa"}};
     all.insert(all.end(), environment.begin(), environment.end());
@@ -60,7 +66,7 @@ RunResult run_weft(const std::vector<std::string>& arguments, const Environment&
     const Clock::time_point begin = Clock::now();
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("fork failed");
-    if (child == 0) become_weft(pointers, all, folder, out.c_str(), err.c_str());
+    if (child == 0) become(pointers, all, folder, out.c_str(), err.c_str());
     int status = 0;
     rusage usage{};
     while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {

@@ -13,7 +13,7 @@ struct RunResult {
     std::string out;
     std::string err;
     double wall_s = 0;
-    uint64_t max_rss_bytes = 0;
+    uint64_t max_rss_bytes = 0;  // of the largest process: its own, or one that it waited for
 
     // For failure messages.
     [[nodiscard]] std::string text() const;
@@ -25,6 +25,11 @@ using Environment = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments,
                                  const Environment& environment = {},
                                  const std::filesystem::path& folder = {});
+
+// Any program, by its path or its name; the rest as above.
+[[nodiscard]] RunResult run_program(const std::vector<std::string>& words,
+                                    const Environment& environment = {},
+                                    const std::filesystem::path& folder = {});
 
 // An empty folder, removed at the end.
 class ScratchFolder {

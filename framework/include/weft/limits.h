@@ -1,0 +1,86 @@
+// Purpose: how much of anything a file may ask for. This is the one table: whoever reads files takes a part
+// of it as an argument, and `--limits FILE` changes it by name. Input beyond a limit is refused before the
+// work or the memory is spent. Units: in the names; counts have none. Errors: X560 a limit that does not
+// exist, is no whole number, or lies outside 1 … `most`.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "weft/result.h"
+#include "weft/source.h"
+
+namespace weft {
+
+struct GraphLimits {
+    uint64_t json_bytes = 8ull << 20;
+    uint64_t json_depth = 64;
+    uint64_t json_values = 1ull << 18;
+    uint64_t string_bytes = 4096;
+    uint64_t passes = 4096;
+    uint64_t ports = 1ull << 18;
+    uint64_t resources = 16'384;
+    uint64_t image_side_px = 16'384;
+    uint64_t mips = 15;
+    uint64_t layers = 2048;
+    uint64_t transient_bytes = 4ull << 30;
+};
+
+struct ShaderLimits {
+    uint64_t file_bytes = 1ull << 20;
+    uint64_t text_bytes = 16ull << 20;
+    uint64_t files = 1000;
+    uint64_t includes = 1000;
+    uint64_t include_depth = 32;
+    uint64_t worker_bytes = 1ull << 30;
+    uint64_t stage_ms = 4000;
+    uint64_t graph_ms = 60'000;
+    uint64_t spirv_bytes = 4ull << 20;
+};
+
+struct SceneLimits {
+    uint64_t json_bytes = 256ull << 20;
+    uint64_t json_values = 2'000'000;
+    uint64_t json_depth = 64;
+    uint64_t resource_bytes = 1ull << 30;
+    uint64_t array_items = 262'144;
+    uint64_t materials = 16'384;
+    uint64_t node_depth = 512;
+    uint64_t instances = 1'000'000;
+    uint64_t vertices = 16'000'000;
+    uint64_t triangles = 16'000'000;
+    uint64_t image_side_px = 16'384;
+    uint64_t decoded_image_bytes = 512ull << 20;
+};
+
+// Of the pictures that `weft compare` reads.
+struct PictureLimits {
+    uint64_t file_bytes = 4ull << 30;
+    uint64_t side_px = 16'384;
+    uint64_t texels = 144ull << 20;
+};
+
+struct Limits {
+    GraphLimits graph;
+    ShaderLimits shader;
+    SceneLimits scene;
+    PictureLimits picture;
+};
+
+struct LimitRow {
+    const char* name;    // "graph.passes": what messages, files and docs/SECURITY.md call it
+    const char* unit;    // "bytes", "px", "ms"; empty for counts
+    const char* guards;  // what it bounds
+    uint64_t most;       // beyond this, recursion or 64-bit sums would no longer be safe
+    uint64_t& (*of)(Limits& limits);
+};
+[[nodiscard]] std::span<const LimitRow> limit_table();
+
+// A JSON object of limits by name: { "graph.passes": 8192 }. What it does not name keeps its default.
+[[nodiscard]] Result<Limits> read_limits(const std::string& path, const FileReader& reader);
+
+// "raise graph.passes with --limits": the last word of every message about a limit.
+[[nodiscard]] std::string raise_limit_text(const std::string& name);
+
+}  // namespace weft

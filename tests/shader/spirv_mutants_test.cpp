@@ -1,0 +1,70 @@
+// Words that were changed on their way: spirv-val and reflection come to an end with each of them, and no
+// module goes on that either of the two refuses.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "shader/interface_merge.h"
+#include "shader/validate_spirv.h"
+#include "shader_folder.h"
+
+namespace weft {
+namespace {
+
+constexpr uint32_t kMutants = 150;
+
+ShaderProgram shipped(const char* reference, ProgramKind kind) {
+    const std::filesystem::path folder = std::filesystem::path(WEFT_SOURCE_DIR) / "shaders";
+    auto program = compile_shader(reference, kind, {{folder}, folder / "include", {}});
+    if (!program) {
+        ADD_FAILURE() << to_text(program.errors());
+        return {};
+    }
+    return std::move(*program);
+}
+
+// One word changed, cut off or put in twice.
+std::vector<uint32_t> mutant(std::vector<uint32_t> words, std::mt19937& random) {
+    const size_t at = 5 + random() % (words.size() - 5);
+    switch (random() % 4) {
+        case 0:
+            words[at] ^= 1u << (random() % 32);
+            break;
+        case 1:
+            words[at] = random();
+            break;
+        case 2:
+            words.resize(at);
+            break;
+        default:
+            words.insert(words.begin() + static_cast<std::ptrdiff_t>(at), words[at]);
+            break;
+    }
+    return words;
+}
+
+TEST(SpirvMutants, NoneGetsPastTheGateUnlessItIsValid) {
+    std::mt19937 random(20'240'115);
+    uint32_t refused = 0, seen = 0;
+    for (const auto& [reference, kind] : {std::pair("lighting/deferred_light.comp", ProgramKind::compute),
+                                          std::pair("tonemap/tonemap.frag", ProgramKind::fullscreen)}) {
+        const ShaderProgram program = shipped(reference, kind);
+        ASSERT_FALSE(program.modules.empty());
+        const ShaderModule& whole = program.modules.back();
+        ASSERT_FALSE(shader::spirv_fault(whole.spirv).has_value());
+        for (uint32_t i = 0; i < kMutants; ++i, ++seen) {
+            const ShaderModule changed{whole.stage, mutant(whole.spirv, random)};
+            if (shader::spirv_fault(changed.spirv)) {
+                ++refused;
+                continue;
+            }
+            shader::InterfaceFaults faults;
+            (void)shader::reflect_program({changed}, faults);
+        }
+    }
+    EXPECT_GE(refused, seen / 2) << "most changes matter";
+    EXPECT_LT(refused, seen) << "some only rename a thing";
+}
+
+}  // namespace
+}  // namespace weft
