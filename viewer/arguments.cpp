@@ -71,6 +71,13 @@ std::string limit_fault(const std::string& text) {
     return number ? "" : "\"" + text + "\" is not a finite number";
 }
 
+std::string env_fault(const std::string& text) {
+    const bool is_file = text.find_first_of("./") != std::string::npos;
+    return text == "sky" || text == "none" || is_file
+               ? ""
+               : "an environment is sky, none or a Radiance picture (FILE.hdr), not \"" + text + "\"";
+}
+
 std::map<std::string, double> parse_params(const std::vector<std::string>& texts) {
     std::map<std::string, double> params;
     for (const std::string& text : texts) {

@@ -14,6 +14,9 @@ namespace weft::viewer {
 [[nodiscard]] std::string size_fault(const std::string& text);
 [[nodiscard]] Extent3D parse_size(const std::string& text);
 
+// What is wrong with what surrounds a scene, as far as one can tell without opening a file, or empty.
+[[nodiscard]] std::string env_fault(const std::string& text);
+
 // NAME=VALUE, where VALUE is a number, true or false. What is wrong with it, or empty.
 [[nodiscard]] std::string param_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, double> parse_params(const std::vector<std::string>& texts);

@@ -1,4 +1,5 @@
-#include <chrono>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -86,6 +87,26 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
     return input;
 }
 
+// The environment is in cd/m²; how much of that makes a white pixel, the exposure says.
+void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
+    constexpr float kMiddleGrey = 0.18f, kMostStops = 6;
+    const float mean = mean_luminance(scene.environment);
+    if (mean <= 0) return;
+    const float stops = std::log2(mean / kMiddleGrey) + exposure_ev;
+    if (std::abs(stops) <= kMostStops) return;
+    Diagnostic d;
+    d.code = "S182";
+    d.severity = Severity::warning;
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "%.0f stops too %s for the exposure of %g EV", std::abs(stops),
+                  stops < 0 ? "dark" : "bright", exposure_ev);
+    d.message = "the environment \"" + scene.environment.name + "\" is " + text.data();
+    std::snprintf(text.data(), text.size(), "its values are taken as cd/m²: --exposure %.1f shows it",
+                  exposure_ev - stops);
+    d.help = {text.data()};
+    report({d});
+}
+
 // Prints what the layers said, pass by pass.
 bool report_messages(const std::vector<vk::Message>& messages) {
     for (const vk::Message& message : messages)
@@ -114,6 +135,7 @@ ExitCode run_render(const RenderOptions& options) {
     Result<scene::Scene> scene = open_scene(options.scene, options.env, warnings);
     report(warnings);
     if (!scene) return fail(scene.errors());
+    warn_of_exposure(*scene, options.exposure_ev.value_or(scene->exposure_ev));
     if (options.lights) scene->lights = seeded_lights(*scene, *options.lights, options.seed);
     const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
     Result<scene::Camera> camera = choose_camera(*scene, options.camera, aspect);

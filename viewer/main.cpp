@@ -27,6 +27,10 @@ CLI::Validator param_validator() {
     return CLI::Validator([](std::string& text) { return param_fault(text); }, "NAME=VALUE");
 }
 
+CLI::Validator env_validator() {
+    return CLI::Validator([](std::string& text) { return env_fault(text); }, "sky|none|FILE.hdr");
+}
+
 CLI::Validator limit_validator() {
     return CLI::Validator([](std::string& text) { return limit_fault(text); }, "NUMBER");
 }
@@ -50,8 +54,8 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->check(CLI::NonNegativeNumber);
     command.add_option("--camera", o.camera,
                        "a camera of the scene by name, or EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG");
-    command.add_option("--env", o.env, "what surrounds the scene: sky or none")
-        ->check(CLI::IsMember({"sky", "none"}).description(""))
+    command.add_option("--env", o.env, "what surrounds the scene: sky, none, or a Radiance picture (.hdr)")
+        ->check(env_validator())
         ->capture_default_str();
     command.add_option("--lights", o.lights, "so many seeded lights in place of the scene's")
         ->check(CLI::Range(1u, 65536u));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/builtin_scenes.h"
+#include "scene/load_environment.h"
 #include "scene/load_gltf.h"
 
 namespace weft::viewer {
@@ -27,16 +28,21 @@ scene::Light plain_sun() {
     return sun;
 }
 
-void apply_environment(scene::Scene& scene, const std::string& env) {
-    if (env == "none") {
-        scene.sky_zenith = scene.sky_horizon = glm::vec3(0);
-        return;
+Status apply_environment(scene::Scene& scene, const std::string& env) {
+    if (env != "sky") scene.sky_zenith = scene.sky_horizon = glm::vec3(0);
+    if (env == "none") return Unit{};
+    if (env != "sky") {
+        Result<scene::Environment> picture = scene::load_environment(env);
+        if (!picture) return picture.take_errors();
+        scene.environment = std::move(*picture);
+        return Unit{};
     }
     const bool has_sky = scene.sky_zenith != glm::vec3(0) || scene.sky_horizon != glm::vec3(0);
-    if (has_sky) return;
+    if (has_sky) return Unit{};
     scene.sky_zenith = kPlainSkyZenith;
     scene.sky_horizon = kPlainSkyHorizon;
     if (scene.lights.empty()) scene.lights.push_back(plain_sun());
+    return Unit{};
 }
 
 std::vector<float> numbers(const std::string& text) {
@@ -86,7 +92,8 @@ Result<scene::Scene> open_scene(const std::string& name, const std::string& env,
     Result<scene::Scene> scene = name.starts_with(kBuiltinPrefix)
                                      ? scene::make_builtin(name.substr(kBuiltinPrefix.size()))
                                      : scene::load_gltf(name, warnings);
-    if (scene) apply_environment(*scene, env);
+    if (!scene) return scene;
+    if (Status applied = apply_environment(*scene, env); !applied) return applied.take_errors();
     return scene;
 }
 

@@ -9,8 +9,8 @@
 
 namespace weft::viewer {
 
-// A .gltf or .glb, a folder that holds one, or "builtin:NAME". `env` is "sky" or "none". With a sky, a scene
-// that brings no light at all gets a sun, so that it can be seen.
+// A .gltf or .glb, a folder that holds one, or "builtin:NAME". `env` is "sky", "none" or a Radiance picture.
+// With a sky, a scene that brings no light at all gets a sun, so that it can be seen.
 [[nodiscard]] Result<scene::Scene> open_scene(const std::string& name, const std::string& env,
                                               Diagnostics& warnings);
 

@@ -6,9 +6,12 @@
 namespace weft::render {
 namespace {
 
-static_assert(sizeof(shared::FrameConstants) == 64 && sizeof(shared::ViewConstants) == 352);
+static_assert(sizeof(shared::FrameConstants) == 208 && sizeof(shared::ViewConstants) == 352);
 static_assert(sizeof(shared::Light) == 64 && sizeof(shared::Material) == 224 &&
               sizeof(shared::Instance) == 192);
+
+// What the ground below the horizon sends up: daylight on something of a quarter's albedo.
+constexpr float kGroundAlbedo = 0.25f;
 
 shared::TextureTransform rows(const glm::mat3x2& m) {
     return {{m[0][0], m[1][0], m[2][0], 0}, {m[0][1], m[1][1], m[2][1], 0}};
@@ -56,6 +59,19 @@ shared::ViewConstants view_constants(const scene::Camera& camera, const glm::mat
     return view;
 }
 
+shared::FrameConstants scene_constants(const scene::Scene& scene) {
+    shared::FrameConstants frame{};
+    frame.sky_zenith = scene.sky_zenith;
+    frame.sky_horizon = scene.sky_horizon;
+    frame.sky_ground = scene.sky_horizon * kGroundAlbedo;
+    frame.light_count = static_cast<uint32_t>(scene.lights.size());
+    if (scene.environment.mips.empty()) return frame;
+    frame.environment_scale = scene.environment.scale;
+    for (size_t i = 0; i < scene.environment.irradiance_over_pi.size(); ++i)
+        frame.environment_irradiance_over_pi[i] = glm::vec4(scene.environment.irradiance_over_pi[i], 0);
+    return frame;
+}
+
 shared::Light gpu_light(const scene::Light& light) {
     shared::Light gpu{};
     gpu.position = light.position;
@@ -89,7 +105,8 @@ shared::Material gpu_material(const scene::Material& m) {
     gpu.specular = m.specular;
     gpu.metallic = m.metallic;
     gpu.roughness = m.roughness;
-    // 128/255 is not quite the middle: without a normal map the geometry's normal must come through untouched.
+    // 128/255 is not quite the middle: without a normal map the geometry's normal must come through
+    // untouched.
     gpu.normal_scale = m.normal_texture.texture == scene::kNone ? 0.0f : m.normal_scale;
     gpu.occlusion_strength = m.occlusion_strength;
     gpu.base_color_uv = rows(m.base_color_texture.transform);

@@ -19,6 +19,9 @@ namespace weft::render {
                                                    const glm::mat4& prev_view_projection, uint32_t width_px,
                                                    uint32_t height_px);
 
+// What is the same in every frame: the sky or the environment, and the number of lights.
+[[nodiscard]] shared::FrameConstants scene_constants(const scene::Scene& scene);
+
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light);
 // Directional lights first, then the others as the scene has them: what a full buffer cannot hold is its
 // tail.

@@ -15,11 +15,12 @@ constexpr VkShaderStageFlags kStages =
     VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
 constexpr std::array kBindings{
     VkDescriptorSetLayoutBinding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
-    VkDescriptorSetLayoutBinding{1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr}};
+    VkDescriptorSetLayoutBinding{1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
+    VkDescriptorSetLayoutBinding{2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, kStages, nullptr}};
 
 }  // namespace
 
-Result<GpuFrame> GpuFrame::create(vk::Device& device) {
+Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Environment& environment) {
     GpuFrame frame;
     Result<DescriptorSets> sets =
         DescriptorSets::create(device, kBindings, vk::kFramesInFlight, "frame constants");
@@ -28,6 +29,10 @@ Result<GpuFrame> GpuFrame::create(vk::Device& device) {
         vk::Buffer::create(device, kSlotBytes * vk::kFramesInFlight, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                            vk::Buffer::Memory::upload, "frame constants");
     if (!constants) return constants.take_errors();
+    Result<GpuEnvironment> surroundings = GpuEnvironment::create(device, environment);
+    if (!surroundings) return surroundings.take_errors();
+    frame.environment_ = std::move(*surroundings);
+    const VkDescriptorImageInfo image = frame.environment_.descriptor();
     frame.sets_ = std::move(*sets);
     frame.constants_ = std::move(*constants);
     for (uint32_t slot = 0; slot < vk::kFramesInFlight; ++slot) {
@@ -37,6 +42,7 @@ Result<GpuFrame> GpuFrame::create(vk::Device& device) {
             VkDescriptorBufferInfo{buffer, offset_bytes, sizeof(shared::FrameConstants)},
             VkDescriptorBufferInfo{buffer, offset_bytes + kViewOffsetBytes, sizeof(shared::ViewConstants)}};
         write_buffers(device, frame.set(slot), 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, infos);
+        write_images(device, frame.set(slot), 2, {&image, 1});
     }
     return frame;
 }

@@ -1,16 +1,17 @@
 // Purpose: set 0 of every frame in flight: frame constants and the view, in host-written memory, one copy a
-// slot.
+// slot, and the environment that all frames share.
 #pragma once
 
 #include "render/descriptor_sets.h"
 #include "render/frame_data.h"
+#include "render/gpu_environment.h"
 #include "vulkan/executor.h"
 
 namespace weft::render {
 
 class GpuFrame {
  public:
-    [[nodiscard]] static Result<GpuFrame> create(vk::Device& device);
+    [[nodiscard]] static Result<GpuFrame> create(vk::Device& device, const scene::Environment& environment);
 
     // The slot must not be in flight: Executor::begin_frame() says which one is free.
     void write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera);
@@ -20,6 +21,7 @@ class GpuFrame {
  private:
     DescriptorSets sets_;  // one a slot
     vk::Buffer constants_;
+    GpuEnvironment environment_;
 };
 
 }  // namespace weft::render

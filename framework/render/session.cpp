@@ -13,9 +13,6 @@
 namespace weft::render {
 namespace {
 
-// What the ground below the horizon sends up: daylight on something of a quarter's albedo.
-constexpr float kGroundAlbedo = 0.25f;
-
 #ifdef NDEBUG
 constexpr bool kAlwaysCheck = false;
 #else
@@ -66,6 +63,28 @@ Diagnostics missing_features(const vk::Device& device, const FramePlan& plan) {
         missing.back().help = {"draw the list directly: \"draws\": [\"" + pass.draw_lists.front() + "\"]"};
     }
     return missing;
+}
+
+// What the buffers of this plan have no room for.
+Diagnostics lights_left_out(const FramePlan& plan, size_t lights) {
+    Diagnostics warnings;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        if (pass.type != "light_upload") continue;
+        for (const UseDecl& use : pass.uses) {
+            const ResourceDecl& buffer = plan.graph.resources[use.resource];
+            const uint64_t room = buffer.size_bytes / sizeof(shared::Light);
+            if (room >= lights) continue;
+            warnings.push_back(plan.graph.sources.error(
+                buffer.loc, "S157",
+                "the scene has " + std::to_string(lights) + " lights; \"" + buffer.name +
+                    "\" holds the first " + std::to_string(room) + " of them"));
+            warnings.back().severity = Severity::warning;
+            warnings.back().help = {"raise its count; in the shipped graphs --param maxLights=" +
+                                    std::to_string(lights)};
+        }
+    }
+    return warnings;
 }
 
 }  // namespace
@@ -127,11 +146,12 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     if (!gpu) return gpu.take_errors();
     session->scene_ = std::move(*gpu);
     session->lights_ = gpu_lights(scene);
-    session->sky_zenith_ = scene.sky_zenith;
-    session->sky_horizon_ = scene.sky_horizon;
+    session->scene_constants_ = scene_constants(scene);
     Result<Stage> stage = session->make_stage(std::move(imports), session->loaded_.graph, input.output);
     if (!stage) return stage.take_errors();
     session->stage_ = std::move(*stage);
+    for (Diagnostic& warning : lights_left_out(session->plan(), session->lights_.size()))
+        warnings.push_back(std::move(warning));
     return session;
 }
 
@@ -163,11 +183,7 @@ Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
 }
 
 shared::FrameConstants Session::frame_constants(double time_s, double delta_time_s) const {
-    shared::FrameConstants frame{};
-    frame.sky_zenith = sky_zenith_;
-    frame.sky_horizon = sky_horizon_;
-    frame.sky_ground = sky_horizon_ * kGroundAlbedo;
-    frame.light_count = static_cast<uint32_t>(lights_.size());
+    shared::FrameConstants frame = scene_constants_;
     frame.frame_index = static_cast<uint32_t>(frame_index_);
     frame.time_s = static_cast<float>(time_s);
     frame.delta_time_s = static_cast<float>(delta_time_s);

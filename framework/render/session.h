@@ -88,8 +88,7 @@ class Session {
     std::unique_ptr<GpuScene> scene_;
     std::vector<shared::Light> lights_;
     shared::ViewConstants view_{};
-    glm::vec3 sky_zenith_{0};
-    glm::vec3 sky_horizon_{0};
+    shared::FrameConstants scene_constants_{};
     float pre_exposure_ = 1;
     uint64_t frame_index_ = 0;
     Stage stage_;  // last: destroyed first

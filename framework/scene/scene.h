@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/environment.h"
+
 namespace weft::scene {
 
 inline constexpr uint32_t kNone = UINT32_MAX;
@@ -114,6 +116,7 @@ struct Scene {
     glm::vec3 bounds_max{0};
     glm::vec3 sky_zenith{0};  // background radiance, cd/m², as a gradient; 0 with --env none
     glm::vec3 sky_horizon{0};
+    Environment environment;  // in place of the sky, where there is one
     float exposure_ev = 0;  // what a photographer would choose here; 0 multiplies by 1
 };
 

@@ -3,6 +3,7 @@
 
 layout(set = 0, binding = 0, std140) uniform FrameBlock { FrameConstants frame; };
 layout(set = 0, binding = 1, std140) uniform ViewBlock { ViewConstants view; };
+layout(set = 0, binding = 2) uniform sampler2D environment;  // equirectangular; see sky.glsl
 
 // World position of the point at `uv` (0,0 top left) and reversed-Z `depth` > 0.
 vec3 world_position(vec2 uv, float depth) {

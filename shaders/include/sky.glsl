@@ -1,16 +1,60 @@
-// The gradient sky: background, and the simple ambient light that stands in for image-based light. Units: cd/m².
-// Needs frame_set.glsl.
+// What surrounds the scene: background, and the simple ambient light that stands in for image-based light. An
+// environment picture where the scene has one, else a gradient. Units: cd/m². Needs frame_set.glsl.
 
-vec3 sky_radiance(vec3 direction) {
+bool has_environment() { return frame.environment_scale > 0.0; }
+
+// Where the environment shows what lies in a direction: -z in the middle, +y at the top.
+vec2 environment_uv(vec3 direction) {
+    const bool at_pole = direction.x == 0.0 && direction.z == 0.0;
+    const float azimuth = at_pole ? 0.0 : atan(direction.x, -direction.z);
+    return vec2(0.5 + azimuth / 6.28318530718, acos(clamp(direction.y, -1.0, 1.0)) / 3.14159265359);
+}
+
+// The environment's mean over about `spread_rad`.
+vec3 environment_radiance(vec3 direction, float spread_rad) {
+    const float texel_rad = 3.14159265359 / float(textureSize(environment, 0).y);
+    const float lod = max(0.0, log2(spread_rad / texel_rad));
+    return textureLod(environment, environment_uv(direction), lod).rgb * frame.environment_scale;
+}
+
+vec3 gradient_radiance(vec3 direction) {
     if (direction.y < 0.0) return mix(frame.sky_horizon, frame.sky_ground, smoothstep(0.0, 0.15, -direction.y));
     return mix(frame.sky_horizon, frame.sky_zenith, sqrt(direction.y));
 }
 
+// Irradiance / π of the environment by its first three orders. A small bright source rings: never below 0.
+vec3 environment_irradiance_over_pi(vec3 n) {
+    const float basis[9] = float[9](1.0, n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.x * n.z, 3.0 * n.y * n.y - 1.0,
+                                    n.x * n.x - n.z * n.z);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 9; ++i) sum += frame.environment_irradiance_over_pi[i].rgb * basis[i];
+    return max(sum, vec3(0.0));
+}
+
 // Irradiance / π of the sky and the ground on a surface with normal `n`. The sky half weighs the gradient by the
 // cosine (∫ √y · y dy against ∫ y dy gives 4/5 zenith), then both halves meet by their share of the hemisphere.
-vec3 sky_irradiance_over_pi(vec3 n) {
+vec3 gradient_irradiance_over_pi(vec3 n) {
     const vec3 above = mix(frame.sky_horizon, frame.sky_zenith, 0.8);
     return mix(frame.sky_ground, above, 0.5 + 0.5 * n.y);
+}
+
+// What the eye sees where nothing stands before it: the mean over one pixel.
+vec3 sky_radiance(vec3 direction) {
+    if (!has_environment()) return gradient_radiance(direction);
+    return environment_radiance(direction, 2.0 * view.inverse_viewport.y / abs(view.projection[1][1]));
+}
+
+vec3 sky_irradiance_over_pi(vec3 n) {
+    return has_environment() ? environment_irradiance_over_pi(n) : gradient_irradiance_over_pi(n);
+}
+
+// What a surface of this roughness mirrors. A lobe of GGX is about 2 α wide; the widest ones see what a matt
+// surface sees.
+vec3 mirrored_radiance(vec3 direction, vec3 n, float roughness) {
+    if (!has_environment())
+        return mix(gradient_radiance(direction), gradient_irradiance_over_pi(n), roughness);
+    const float alpha = roughness * roughness;
+    return mix(environment_radiance(direction, 2.0 * alpha), environment_irradiance_over_pi(n), alpha);
 }
 
 // Directional albedo of GGX for F0 = 1 as scale and bias. Lazarov 2013, "Getting More Physical in Call of Duty:
@@ -25,7 +69,7 @@ vec3 ambient_reflection(vec3 n, vec3 v, vec3 diffuse, vec3 f0, float f90, float 
     const float nv = clamp(dot(n, v), 0.0, 1.0);
     const vec2 dfg = ambient_dfg(roughness, nv);
     const vec3 specular = f0 * dfg.x + f90 * dfg.y;
-    const vec3 mirrored = mix(sky_radiance(reflect(-v, n)), sky_irradiance_over_pi(n), roughness);
+    const vec3 mirrored = mirrored_radiance(reflect(-v, n), n, roughness);
     return diffuse * (1.0 - max(specular.r, max(specular.g, specular.b))) * sky_irradiance_over_pi(n) +
            specular * mirrored;
 }

@@ -14,7 +14,8 @@ struct FrameConstants {
     float pre_exposure;       // what hdr is multiplied by before it is stored
     float prev_pre_exposure;
     float delta_time_s;
-    float reserved;
+    float environment_scale;  // of the environment's texels; 0: the gradient sky is what surrounds the scene
+    vec4 environment_irradiance_over_pi[9];  // rgb; times 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z²
 };
 
 struct ViewConstants {
