@@ -51,11 +51,14 @@ ShaderBinding binding_for(const GraphDesc& graph, const PortDesc& port, bool out
     const bool is_buffer =
         resource ? resource->is_buffer : import != graph.imports.end() && import->second.kind == "buffer";
     if (resource) set_shape(*resource, binding);
-    binding.kind = is_buffer                         ? BindingKind::storage_buffer
-                   : output || choices.below(8) == 0 ? BindingKind::storage_image
-                                                     : BindingKind::sampled_image;
+    const bool stored = output || choices.below(24) == 0;
+    binding.kind = is_buffer ? BindingKind::storage_buffer
+                   : stored  ? BindingKind::storage_image
+                             : BindingKind::sampled_image;
     binding.writes = output;
-    binding.reads = !output || choices.below(8) == 0;
+    binding.reads = !output || choices.below(24) == 0;
+    if (binding.kind == BindingKind::storage_image && binding.reads && resource && !resource->formats.empty())
+        binding.storage_format = format_from_name(resource->formats.front()).value_or(Format::undefined);
     return binding;
 }
 

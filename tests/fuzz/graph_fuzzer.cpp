@@ -11,6 +11,7 @@
 #include "fitting_shaders.h"
 #include "graph/stages.h"
 #include "weft/compile.h"
+#include "weft/registry.h"
 
 namespace weft::fuzz {
 namespace {
@@ -88,7 +89,7 @@ void run(const std::string& text) {
     const uint64_t choices = hash_of(text);
     const DeviceProfile& profile = profiles()[choices % profiles().size()];
     static const ImportCatalog imports = make_imports();
-    static const PassCatalog passes;
+    static const PassCatalog passes = registered_passes();
     const ShaderCatalog shaders = fitting_shaders(*graph, choices);
     Diagnostics warnings;
     const Result<ResolvedGraph> resolved =

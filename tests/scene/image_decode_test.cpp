@@ -1,0 +1,62 @@
+// What a decoder says of pictures that are none.
+#include "scene/image_decode.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "scene/jpeg_tables.h"
+
+namespace weft::scene {
+namespace {
+
+std::span<const uint8_t> bytes_of(std::string_view text) {
+    return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
+}
+
+// A header of 6x3 pixels, then a chunk named by `name`.
+DecodedImage decode_with_chunk(std::string_view name) {
+    using namespace std::literals;
+    std::string file = "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\6\0\0\0\3\x08\6\0\0\0CRC1\0\0\0\4"s;
+    file += name;
+    file += "dataCRC2";
+    return decode_image(bytes_of(file));
+}
+
+TEST(ImageDecode, AChunkOfNoKnownKindIsNamedOnlyWhereItsNameIsText) {
+    EXPECT_EQ(decode_with_chunk("WEFT").error, "WEFT PNG chunk not known");
+    for (const std::string_view name : {std::string_view("\0\0\0T", 4), std::string_view("\x1b[2J", 4)}) {
+        const DecodedImage image = decode_with_chunk(name);
+        EXPECT_TRUE(image.rgba.empty());
+        EXPECT_EQ(image.error, "a chunk has no name that PNG knows");
+    }
+}
+
+// A table of so many codes, half of them of 9 and half of 10 bits: one length has 255 at most.
+std::string jpeg_with_codes(uint32_t codes) {
+    using namespace std::literals;
+    std::string counts(16, '\0');
+    counts[8] = static_cast<char>(codes / 2);
+    counts[9] = static_cast<char>(codes - codes / 2);
+    const auto length = static_cast<uint16_t>(2 + 17 + codes);
+    std::string file = "\xff\xd8\xff\xe0\0\4\xff\xc4\xff\xff\xc4"s;  // FFC4 within a segment is no table
+    file += static_cast<char>(length >> 8);
+    file += static_cast<char>(length & 0xFF);
+    return file + '\0' + counts + std::string(codes, '\1');
+}
+
+TEST(ImageDecode, AHuffmanTableOfMoreThan256CodesNeverReachesTheDecoder) {
+    EXPECT_TRUE(jpeg_tables_fit(bytes_of(jpeg_with_codes(256))));
+    EXPECT_FALSE(jpeg_tables_fit(bytes_of(jpeg_with_codes(257))));
+    const std::string file = jpeg_with_codes(400);
+    EXPECT_EQ(decode_image(bytes_of(file)).error, "a Huffman table has more than 256 codes");
+    EXPECT_FALSE(read_image_size(bytes_of(file)));
+    // Cut anywhere, it is still no picture.
+    for (size_t length = 0; length < file.size(); ++length)
+        EXPECT_TRUE(decode_image(bytes_of(std::string_view(file).substr(0, length))).rgba.empty());
+}
+
+}  // namespace
+}  // namespace weft::scene
