@@ -16,22 +16,32 @@ std::span<const uint8_t> bytes_of(std::string_view text) {
     return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
 }
 
-// A header of 6x3 pixels, then a chunk named by `name`.
-DecodedImage decode_with_chunk(std::string_view name) {
+std::string chunk(std::string_view name, std::string_view data) {
+    std::string text(3, '\0');
+    text += static_cast<char>(data.size());
+    return text.append(name).append(data).append("CRC ");  // which stb doesn't check
+}
+
+// Of 6x3 pixels.
+DecodedImage decode_with(const std::string& chunk_behind_header) {
     using namespace std::literals;
-    std::string file = "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\6\0\0\0\3\x08\6\0\0\0CRC1\0\0\0\4"s;
-    file += name;
-    file += "dataCRC2";
+    const std::string header = chunk("IHDR", "\0\0\0\6\0\0\0\3\x08\6\0\0\0"sv);
+    const std::string file = "\x89PNG\r\n\x1a\n" + header + chunk_behind_header + chunk("IEND", "");
     return decode_image(bytes_of(file));
 }
 
 TEST(ImageDecode, AChunkOfNoKnownKindIsNamedOnlyWhereItsNameIsText) {
-    EXPECT_EQ(decode_with_chunk("WEFT").error, "WEFT PNG chunk not known");
+    EXPECT_EQ(decode_with(chunk("WEFT", "data")).error, "WEFT PNG chunk not known");
     for (const std::string_view name : {std::string_view("\0\0\0T", 4), std::string_view("\x1b[2J", 4)}) {
-        const DecodedImage image = decode_with_chunk(name);
+        const DecodedImage image = decode_with(chunk(name, "data"));
         EXPECT_TRUE(image.rgba.empty());
         EXPECT_EQ(image.error, "a chunk has no name that PNG knows");
     }
+}
+
+TEST(ImageDecode, APngWithoutDataIsRefused) {
+    for (const std::string& data : {std::string(), chunk("IDAT", "")})
+        EXPECT_EQ(decode_with(data).error, "no IDAT");
 }
 
 // A table of so many codes, half of them of 9 and half of 10 bits: one length has 255 at most.
