@@ -12,8 +12,9 @@
 namespace weft::scene {
 namespace {
 
+// Cleared: stb 2.27 decodes by whatever lies in tables that a JPEG's scan names and the file never defines.
 void* bounded_malloc(size_t bytes) {
-    return bytes > kMaxDecoderAllocationBytes ? nullptr : std::malloc(bytes);
+    return bytes > kMaxDecoderAllocationBytes ? nullptr : std::calloc(1, bytes);
 }
 void* bounded_realloc(void* old, size_t bytes) {
     return bytes > kMaxDecoderAllocationBytes ? nullptr : std::realloc(old, bytes);

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/jpeg_tables.h"
 
@@ -66,6 +68,27 @@ TEST(ImageDecode, AHuffmanTableOfMoreThan256CodesNeverReachesTheDecoder) {
     // Cut anywhere, it is still no picture.
     for (size_t length = 0; length < file.size(); ++length)
         EXPECT_TRUE(decode_image(bytes_of(std::string_view(file).substr(0, length))).rgba.empty());
+}
+
+// Memory that the decoder gets next.
+void leave_behind(uint8_t value) {
+    const std::vector<uint8_t> block(64 << 10, value);
+    EXPECT_EQ(block.back(), value);
+}
+
+// The scan names Huffman tables that the file never defines.
+TEST(ImageDecode, WhatMemoryHeldBeforeIsNoHuffmanTable) {
+    std::ifstream stream(WEFT_SOURCE_DIR "/tests/fuzz/corpus/image/no_such_table.jpg", std::ios::binary);
+    const std::string file{std::istreambuf_iterator<char>(stream), {}};
+    ASSERT_FALSE(file.empty());
+    leave_behind(0);
+    const DecodedImage clean = decode_image(bytes_of(file));
+    for (const uint8_t value : {uint8_t{1}, uint8_t{9}, uint8_t{200}}) {
+        leave_behind(value);
+        const DecodedImage again = decode_image(bytes_of(file));
+        EXPECT_EQ(again.error, clean.error);
+        EXPECT_TRUE(again.rgba == clean.rgba);
+    }
 }
 
 }  // namespace
