@@ -84,7 +84,7 @@ check_quotes() {
 
 check_quotes
 install_and_move
-check_libraries "$installed/bin/weft"
+for installed_program in "$installed"/bin/*; do check_libraries "$installed_program"; done
 build_sample
 build_with_pkg_config
 if ! "$program" doctor >/dev/null 2>&1; then
