@@ -23,6 +23,8 @@ Diagnostic file_error(const std::string& code, const std::string& path, std::str
 std::filesystem::path shipped_root() {
     std::error_code error;
     std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    const std::filesystem::path installed = folder.parent_path() / "share" / "weft";
+    if (std::filesystem::exists(installed / "graphs" / "deferred.json", error)) return installed;
     while (!folder.empty()) {
         if (std::filesystem::exists(folder / "graphs" / "deferred.json", error)) return folder;
         if (folder == folder.root_path()) break;
@@ -75,7 +77,10 @@ namespace {
 constexpr uint64_t kMostProfileBytes = 1 << 20;
 
 std::filesystem::path profile_folder() {
-    return shipped_root() / "framework" / "profiles";
+    const std::filesystem::path root = shipped_root();
+    std::error_code error;
+    const bool installed = std::filesystem::exists(root / "profiles", error);
+    return installed ? root / "profiles" : root / "framework" / "profiles";
 }
 
 std::vector<std::string> shipped_profiles() {

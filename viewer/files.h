@@ -13,8 +13,8 @@
 
 namespace weft::viewer {
 
-// The folder that holds graphs/, shaders/ and framework/profiles/: found by walking up from the program
-// itself.
+// The folder that holds graphs/ and shaders/: ../share/weft beside the installed program, else found by
+// walking up from the program itself.
 [[nodiscard]] std::filesystem::path shipped_root();
 // Where compiled shaders are kept between runs: $XDG_CACHE_HOME/weft or ~/.cache/weft; empty when neither is
 // set.

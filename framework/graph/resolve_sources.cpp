@@ -177,9 +177,11 @@ class VersionConnector {
 
     void sort_edges() {
         const auto key = [](const EdgeDecl& e) { return std::tuple(e.to, e.from, e.kind, e.resource); };
-        std::ranges::stable_sort(state_.graph.edges, {}, key);
-        const auto same = std::ranges::unique(state_.graph.edges, {}, key);
-        state_.graph.edges.erase(same.begin(), same.end());
+        std::vector<EdgeDecl>& edges = state_.graph.edges;
+        std::ranges::stable_sort(edges, {}, key);
+        // Not std::ranges::unique: clang 14 can't compile what it returns with libstdc++ 12.
+        const auto equal = [&](const EdgeDecl& a, const EdgeDecl& b) { return key(a) == key(b); };
+        edges.erase(std::unique(edges.begin(), edges.end(), equal), edges.end());
     }
 
     ResolveState& state_;

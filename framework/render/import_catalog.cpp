@@ -64,10 +64,10 @@ ImportDecl output(Extent3D extent) {
     image.extent = extent;
     image.usage = usage::kColorAttachment | usage::kStorage | usage::kSampled | usage::kTransferSrc |
                   usage::kTransferDst;
-    // Between frames somebody copies it: that copy must be over before the next frame writes, and its content
-    // is of no interest to that frame.
-    const AccessState copied{stage::kCopy, access::kTransferRead, Layout::transfer_src};
-    image.import = ImportState{{stage::kCopy, access::kTransferRead, Layout::undefined}, copied, 0};
+    // Between frames somebody copies or blits it: that must be over before the next frame writes, and its
+    // content is of no interest to that frame.
+    const AccessState copied{stage::kCopy | stage::kBlit, access::kTransferRead, Layout::transfer_src};
+    image.import = ImportState{{copied.stages, copied.access, Layout::undefined}, copied, 0};
     return import;
 }
 

@@ -5,6 +5,8 @@
 #include "check/check_plan.h"
 #include "check/check_transition.h"
 #include "graph/memory_report.h"
+#include "render/frame_data.h"
+#include "render/gpu_scene.h"
 #include "render/import_catalog.h"
 #include "render/left_out.h"
 #include "weft/compile.h"
@@ -100,6 +102,12 @@ Diagnostics lights_left_out(const FramePlan& plan, size_t lights) {
 
 }  // namespace
 
+VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size) {
+    VkImageCreateInfo info = vk::image_create_info(scene_imports(size).imports.at("backbuffer").resource);
+    vk::share(info, vk::concurrent_sharing(device));
+    return info;
+}
+
 Session::Session(vk::Device& device, const SessionInput& input)
     : device_(device), input_(input), passes_(*input.passes), pre_exposure_(std::exp2(input.exposure_ev)) {
     input_.passes = &passes_;
@@ -113,14 +121,18 @@ LoadInput Session::load_input(const ImportCatalog& imports, Extent3D size) const
             input_.params,     input_.observed, input_.shader_worker, input_.limits};
 }
 
-Result<Session::Stage> Session::make_stage(ImportCatalog imports, const ResolvedGraph& graph) {
+Session::~Session() = default;
+
+Result<Session::Stage> Session::make_stage(ImportCatalog imports, const ResolvedGraph& graph, VkImage own) {
     Result<FramePlan> plan = checked_plan(device_, graph, input_);
     if (!plan) return plan.take_errors();
     Diagnostics faults = too_large(device_, *plan, input_);
     if (!faults.empty()) return faults;
     Diagnostics missing = missing_features(device_, *plan);
     if (!missing.empty()) return missing;
-    Result<vk::Image> output = vk::Image::create(device_, imports.imports.at("backbuffer").resource);
+    const ResourceDecl& decl = imports.imports.at("backbuffer").resource;
+    Result<vk::Image> output =
+        own != VK_NULL_HANDLE ? vk::Image::adopt(device_, own, decl) : vk::Image::create(device_, decl);
     if (!output) return output.take_errors();
     vk::ExecutorInput run;
     run.hooks.drop_barriers_of_position = position_of(*plan, input_.drop_barriers_before);
@@ -152,7 +164,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     session->scene_lights_ = scene.lights;
     session->lights_ = gpu_lights(scene.lights, 0);
     session->scene_constants_ = scene_constants(scene);
-    Result<Stage> stage = session->make_stage(std::move(imports), session->loaded_.graph);
+    Result<Stage> stage = session->make_stage(std::move(imports), session->loaded_.graph, input.output);
     if (!stage) return stage.take_errors();
     session->stage_ = std::move(*stage);
     for (Diagnostic& warning : left_out_by(session->plan(), scene)) warnings.push_back(std::move(warning));
@@ -161,12 +173,12 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     return session;
 }
 
-Status Session::resize(Extent3D size, Diagnostics& warnings) {
+Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
     if (size == input_.size) return Unit{};
     ImportCatalog imports = resized(stage_.imports, size);
     Result<ResolvedGraph> graph = resolve_again(loaded_, load_input(imports, size), warnings);
     if (!graph) return graph.take_errors();
-    Result<Stage> stage = make_stage(std::move(imports), *graph);
+    Result<Stage> stage = make_stage(std::move(imports), *graph, output);
     if (!stage) return stage.take_errors();
     const FramePlan &old_plan = plan(), &new_plan = stage->executor->plan();
     TransitionPlan between = transition(old_plan, new_plan);

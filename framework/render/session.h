@@ -7,11 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "render/gpu_scene.h"
+#include "scene/scene.h"
 #include "shader/load_graph.h"
+#include "shared/frame.glsl"
+#include "shared/light.glsl"
 #include "vulkan/executor.h"
 
 namespace weft::render {
+
+class GpuScene;
+
+// How to make an image for SessionInput::output: RGBA8, of one mip. Points into `device`.
+[[nodiscard]] VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size);
 
 struct SessionInput {
     std::string graph_path;
@@ -27,6 +34,10 @@ struct SessionInput {
     uint32_t queues = 1;                // logical queues; the device shall have been made for as many
     scene::Camera camera;
     float exposure_ev = 0;
+    // An embedder's image, made as output_create_info() says, that frames are drawn into; null: one of the
+    // session's own. When render_frame() returns, commands submitted to the device's first queue find it in
+    // TRANSFER_SRC_OPTIMAL, written, and may copy or blit it; they leave it so. It outlives the session.
+    VkImage output = VK_NULL_HANDLE;
     bool check_plan = false;  // prove the plan before it runs; always done in debug builds
     bool timestamps = false;  // per-pass GPU times; adds execution barriers, so not for validation runs
     std::string drop_barriers_before;  // test hook: a pass whose barriers are not recorded
@@ -40,9 +51,12 @@ class Session {
                                                                  const SessionInput& input,
                                                                  Diagnostics& warnings);
 
+    ~Session();
+
     // From the next frame on. Histories and kept resources live on as their onResize says. After an error
-    // that names the graph (W…, C…) or memory everything goes on at the old size. Errors: as create().
-    [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings);
+    // that names the graph (W…, C…) or memory everything goes on at the old size. `output` replaces
+    // SessionInput::output, whose image frames in flight may still use. Errors: as create().
+    [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
     [[nodiscard]] Status render_frame(double time_s, double delta_time_s);
     [[nodiscard]] Status finish();
     // The output image of the last frame; call after finish().
@@ -66,7 +80,7 @@ class Session {
 
     Session(vk::Device& device, const SessionInput& input);
     [[nodiscard]] LoadInput load_input(const ImportCatalog& imports, Extent3D size) const;
-    [[nodiscard]] Result<Stage> make_stage(ImportCatalog imports, const ResolvedGraph& graph);
+    [[nodiscard]] Result<Stage> make_stage(ImportCatalog imports, const ResolvedGraph& graph, VkImage output);
     [[nodiscard]] shared::FrameConstants frame_constants(double time_s, double delta_time_s) const;
 
     vk::Device& device_;

@@ -1,16 +1,20 @@
 #include "scene/image_decode.h"
 
+#include <algorithm>
 #include <climits>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string_view>
 
+#include "scene/jpeg_tables.h"
+
 namespace weft::scene {
 namespace {
 
+// Cleared: stb 2.27 decodes by whatever lies in tables that a JPEG's scan names and the file never defines.
 void* bounded_malloc(size_t bytes) {
-    return bytes > kMaxDecoderAllocationBytes ? nullptr : std::malloc(bytes);
+    return bytes > kMaxDecoderAllocationBytes ? nullptr : std::calloc(1, bytes);
 }
 void* bounded_realloc(void* old, size_t bytes) {
     return bytes > kMaxDecoderAllocationBytes ? nullptr : std::realloc(old, bytes);
@@ -50,11 +54,22 @@ std::optional<ImageSize> read_png_size(std::span<const uint8_t> encoded) {
     return size;
 }
 
+// stb quotes the name of a chunk that it doesn't know, which is any four bytes of the file: a NUL ends the
+// text before it has begun.
+std::string failure_text() {
+    const char* reason = stbi_failure_reason();
+    const std::string text = reason != nullptr ? reason : "unknown format";
+    const auto printable = [](char c) { return c >= ' ' && c <= '~'; };
+    const bool sound = !text.empty() && std::all_of(text.begin(), text.end(), printable);
+    return sound ? text : "a chunk has no name that PNG knows";
+}
+
 }  // namespace
 
 std::optional<ImageSize> read_image_size(std::span<const uint8_t> encoded) {
     if (encoded.size() > INT_MAX) return std::nullopt;
     if (const std::optional<ImageSize> size = read_png_size(encoded)) return size;
+    if (!jpeg_tables_fit(encoded)) return std::nullopt;
     int width = 0;
     int height = 0;
     int channels = 0;
@@ -72,6 +87,10 @@ DecodedImage decode_image(std::span<const uint8_t> encoded) {
         result.error = "the encoded image has more than 2 GiB";
         return result;
     }
+    if (!jpeg_tables_fit(encoded)) {
+        result.error = "a Huffman table has more than 256 codes";
+        return result;
+    }
     int width = 0;
     int height = 0;
     int channels = 0;
@@ -80,8 +99,7 @@ DecodedImage decode_image(std::span<const uint8_t> encoded) {
                               4),
         &std::free);
     if (!pixels) {
-        const char* reason = stbi_failure_reason();
-        result.error = reason != nullptr ? reason : "unknown format";
+        result.error = failure_text();
         return result;
     }
     result.size = {static_cast<uint32_t>(width), static_cast<uint32_t>(height)};

@@ -18,7 +18,7 @@ struct ImageSize {
     uint32_t height_px = 0;
 };
 
-// nullopt when it is neither PNG nor JPEG, or the header is cut short.
+// nullopt when it is neither PNG nor JPEG, or the header is cut short or can't be.
 [[nodiscard]] std::optional<ImageSize> read_image_size(std::span<const uint8_t> encoded);
 
 struct DecodedImage {

@@ -51,6 +51,18 @@ struct Queue {
     uint32_t family = 0;
 };
 
+// An embedder's own objects. Weft uses them and never destroys them.
+struct EmbedderDevice {
+    VkInstance instance = VK_NULL_HANDLE;  // made for Vulkan 1.3: VkApplicationInfo::apiVersion
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    // Weft submits to these and no others, from the thread that calls it; nobody else may meanwhile. The
+    // first shall draw and compute.
+    std::vector<Queue> queues;
+    // What `device` was made with: required_features() at least. No extension is needed.
+    const FeatureChain* enabled = nullptr;
+};
+
 // A queue family of the physical device, and the queues that were made of it.
 struct QueueFamily {
     VkQueueFlags flags = 0;
@@ -61,11 +73,9 @@ struct QueueFamily {
 class Device {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
-    // An embedder's own objects; they are used, never destroyed. `queue` must support graphics and compute,
-    // and the device must have been made with required_features(); optional ones are taken to be off. Nothing
-    // reports to messages().
-    [[nodiscard]] static Result<std::unique_ptr<Device>> adopt(VkInstance instance, VkPhysicalDevice physical,
-                                                               VkDevice device, Queue queue);
+    // `own.enabled` is read, not kept. Nothing reports to messages(). Errors: V401, and V404 naming all that
+    // is missing.
+    [[nodiscard]] static Result<std::unique_ptr<Device>> adopt(const EmbedderDevice& own);
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;

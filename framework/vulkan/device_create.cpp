@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "vulkan/device.h"
@@ -51,6 +52,7 @@ struct DeviceBuilder {
     Status make_messenger();
     Status make_device(const Candidate& chosen, uint32_t queues);
     void take_queues(const std::vector<uint32_t>& counts);
+    void find_sharing_families();
     void describe(const Candidate& candidate);
 };
 
@@ -109,8 +111,13 @@ void DeviceBuilder::take_queues(const std::vector<uint32_t>& counts) {
         queues.resize(counts[family]);
         for (uint32_t i = 0; i < counts[family]; ++i)
             device->functions_.vkGetDeviceQueue(device->device_, family, i, &queues[i]);
-        if (counts[family] != 0) device->sharing_families_.push_back(family);
     }
+    find_sharing_families();
+}
+
+void DeviceBuilder::find_sharing_families() {
+    for (uint32_t family = 0; family < device->families_.size(); ++family)
+        if (!device->families_[family].queues.empty()) device->sharing_families_.push_back(family);
     if (device->sharing_families_.size() < 2) device->sharing_families_.clear();
 }
 
@@ -139,24 +146,67 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     return std::move(builder.device);
 }
 
-Result<std::unique_ptr<Device>> Device::adopt(VkInstance instance, VkPhysicalDevice physical, VkDevice device,
-                                              Queue queue) {
+namespace {
+
+// Vulkan doesn't tell what a device was made with, so the embedder says it.
+std::vector<std::string> missing_in(const EmbedderDevice& own, const std::vector<QueueFamily>& families) {
+    std::vector<std::string> missing = missing_features(*own.enabled);
+    constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    const uint32_t first = own.queues.empty() ? UINT32_MAX : own.queues.front().family;
+    if (first >= families.size() || (families[first].flags & needed) != needed)
+        missing.emplace_back("a first queue that draws and computes");
+    for (const Queue& queue : own.queues)
+        if (queue.handle == VK_NULL_HANDLE || queue.family >= families.size())
+            missing.push_back("a queue of family " + std::to_string(queue.family));
+    return missing;
+}
+
+Diagnostic incomplete_error(const std::string& name, const std::vector<std::string>& missing) {
+    Diagnostic error;
+    error.code = "V404";
+    error.message = "the device that was made of \"" + name + "\" lacks ";
+    for (size_t i = 0; i < missing.size(); ++i) error.message += (i == 0 ? "" : ", ") + missing[i];
+    error.help = {
+        "give vkCreateDevice the features that required_features() switches on, and adopt() the same"};
+    return error;
+}
+
+Diagnostic old_instance_error() {
+    Diagnostic error;
+    error.code = "V404";
+    error.message = "the instance was made for a Vulkan older than 1.3";
+    error.help = {"set VkApplicationInfo::apiVersion to VK_API_VERSION_1_3"};
+    return error;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Device>> Device::adopt(const EmbedderDevice& own) {
+    assert(own.enabled != nullptr && "adopt() can't ask Vulkan what the device was made with");
     const Result<LoaderFunctions> loader = require_loader();
     if (!loader) return loader.errors();
     DeviceBuilder builder;
     Device& made = *builder.device;
     made.timeout_ns_ = DeviceOptions{}.timeout_ns;
-    made.instance_ = instance;
-    made.instance_functions_ = load_instance_functions(*loader, instance);
+    made.instance_ = own.instance;
+    made.instance_functions_ = load_instance_functions(*loader, own.instance);
     made.debug_utils_ = made.instance_functions_.vkSetDebugUtilsObjectNameEXT != nullptr;
-    Candidate candidate = describe_device(made.instance_functions_, physical, queue.family);
+    if (made.instance_functions_.vkGetPhysicalDeviceFeatures2 == nullptr) return old_instance_error();
+    const Candidate candidate = describe_device(made.instance_functions_, own.physical);
     if (!candidate.info.missing.empty()) return unsuitable_error(candidate);
-    made.device_ = device;
-    made.functions_ = load_device_functions(made.instance_functions_, device);
-    made.queue_ = queue;
-    made.families_ = describe_families(made.instance_functions_, physical);
-    made.families_[queue.family].queues = {queue.handle};
+    made.families_ = describe_families(made.instance_functions_, own.physical);
+    const std::vector<std::string> missing = missing_in(own, made.families_);
+    if (!missing.empty()) return incomplete_error(candidate.info.name, missing);
+    made.device_ = own.device;
+    made.functions_ = load_device_functions(made.instance_functions_, own.device);
+    if (made.functions_.vkCmdPipelineBarrier2 == nullptr) return old_instance_error();
+    FeatureChain ours;
+    made.optional_ = enable_optional_features(*own.enabled, ours);
+    made.queue_ = own.queues.front();
+    for (const Queue& queue : own.queues) made.families_[queue.family].queues.push_back(queue.handle);
+    builder.find_sharing_families();
     builder.describe(candidate);
+    made.info_.timestamps = made.families_[made.queue_.family].timestamps;
     return std::move(builder.device);
 }
 

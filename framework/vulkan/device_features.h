@@ -1,6 +1,6 @@
 // Purpose: the Vulkan features that Weft builds on, as one table: required ones, without which a device is
 // refused, and optional ones, enabled where present and asked for by name before use. An embedder makes its
-// device with required_features() and hands it to Device::adopt().
+// device with required_features(), plus any of the optional ones, and hands both to Device::adopt().
 #pragma once
 
 #include <string>

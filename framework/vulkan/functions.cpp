@@ -2,8 +2,6 @@
 
 #include <dlfcn.h>
 
-#include <mutex>
-
 namespace weft::vk {
 namespace {
 
@@ -55,12 +53,11 @@ InstanceFunctions load_instance_functions(const LoaderFunctions& loader, VkInsta
 }
 
 DeviceFunctions load_device_functions(const InstanceFunctions& functions, VkDevice device) {
-    // volk fills a table through a global pointer of its own; two threads may be making devices.
-    static std::mutex volk_mutex;
-    const std::lock_guard lock(volk_mutex);
-    ::vkGetDeviceProcAddr = functions.vkGetDeviceProcAddr;
-    DeviceFunctions table{};
-    volkLoadDeviceTable(&table, device);
+    DeviceFunctions table;
+#define WEFT_LOAD(name) \
+    table.name = reinterpret_cast<PFN_##name>(functions.vkGetDeviceProcAddr(device, #name));
+    WEFT_DEVICE_FUNCTIONS(WEFT_LOAD)
+#undef WEFT_LOAD
     return table;
 }
 

@@ -1,13 +1,10 @@
 // Purpose: Vulkan's entry points as plain tables, one per instance and one per device. Nothing links to
-// libvulkan's symbols and nothing global is called after start-up, so two devices, or a fault injector, live
-// side by side.
+// libvulkan's symbols, defines any of their names or is called through a global, so two devices, a fault
+// injector, or a program that links to libvulkan itself, live side by side.
 // Errors: no loader library is an empty optional; an entry point that is not there is null.
 #pragma once
 
-#ifndef VK_NO_PROTOTYPES
-#define VK_NO_PROTOTYPES
-#endif
-#include <volk.h>
+#include <vulkan/vulkan_core.h>
 
 #include <optional>
 #include <string>
@@ -45,7 +42,99 @@ struct InstanceFunctions {
     PFN_vkCmdEndDebugUtilsLabelEXT vkCmdEndDebugUtilsLabelEXT = nullptr;
 };
 
-using DeviceFunctions = VolkDeviceTable;
+// Whatever Weft calls of a device.
+// clang-format off
+#define WEFT_DEVICE_FUNCTIONS(X) \
+    X(vkAllocateCommandBuffers)              \
+    X(vkAllocateDescriptorSets)              \
+    X(vkAllocateMemory)                      \
+    X(vkBeginCommandBuffer)                  \
+    X(vkBindBufferMemory)                    \
+    X(vkBindImageMemory)                     \
+    X(vkCmdBeginRendering)                   \
+    X(vkCmdBindDescriptorSets)               \
+    X(vkCmdBindIndexBuffer)                  \
+    X(vkCmdBindPipeline)                     \
+    X(vkCmdBindVertexBuffers)                \
+    X(vkCmdBlitImage)                        \
+    X(vkCmdClearColorImage)                  \
+    X(vkCmdClearDepthStencilImage)           \
+    X(vkCmdCopyBuffer)                       \
+    X(vkCmdCopyBufferToImage)                \
+    X(vkCmdCopyImage)                        \
+    X(vkCmdCopyImageToBuffer)                \
+    X(vkCmdDispatch)                         \
+    X(vkCmdDispatchIndirect)                 \
+    X(vkCmdDraw)                             \
+    X(vkCmdDrawIndexed)                      \
+    X(vkCmdDrawIndexedIndirect)              \
+    X(vkCmdEndRendering)                     \
+    X(vkCmdFillBuffer)                       \
+    X(vkCmdPipelineBarrier2)                 \
+    X(vkCmdPushConstants)                    \
+    X(vkCmdSetCullMode)                      \
+    X(vkCmdSetFrontFace)                     \
+    X(vkCmdSetScissor)                       \
+    X(vkCmdSetViewport)                      \
+    X(vkCmdWriteTimestamp2)                  \
+    X(vkCreateBuffer)                        \
+    X(vkCreateCommandPool)                   \
+    X(vkCreateComputePipelines)              \
+    X(vkCreateDescriptorPool)                \
+    X(vkCreateDescriptorSetLayout)           \
+    X(vkCreateFence)                         \
+    X(vkCreateGraphicsPipelines)             \
+    X(vkCreateImage)                         \
+    X(vkCreateImageView)                     \
+    X(vkCreatePipelineCache)                 \
+    X(vkCreatePipelineLayout)                \
+    X(vkCreateQueryPool)                     \
+    X(vkCreateSampler)                       \
+    X(vkCreateSemaphore)                     \
+    X(vkCreateShaderModule)                  \
+    X(vkDestroyBuffer)                       \
+    X(vkDestroyCommandPool)                  \
+    X(vkDestroyDescriptorPool)               \
+    X(vkDestroyDescriptorSetLayout)          \
+    X(vkDestroyDevice)                       \
+    X(vkDestroyFence)                        \
+    X(vkDestroyImage)                        \
+    X(vkDestroyImageView)                    \
+    X(vkDestroyPipeline)                     \
+    X(vkDestroyPipelineCache)                \
+    X(vkDestroyPipelineLayout)               \
+    X(vkDestroyQueryPool)                    \
+    X(vkDestroySampler)                      \
+    X(vkDestroySemaphore)                    \
+    X(vkDestroyShaderModule)                 \
+    X(vkDeviceWaitIdle)                      \
+    X(vkEndCommandBuffer)                    \
+    X(vkFreeMemory)                          \
+    X(vkGetBufferMemoryRequirements)         \
+    X(vkGetDeviceBufferMemoryRequirements)   \
+    X(vkGetDeviceImageMemoryRequirements)    \
+    X(vkGetDeviceQueue)                      \
+    X(vkGetFenceStatus)                      \
+    X(vkGetImageMemoryRequirements)          \
+    X(vkGetQueryPoolResults)                 \
+    X(vkGetSemaphoreCounterValue)            \
+    X(vkMapMemory)                           \
+    X(vkQueueSubmit)                         \
+    X(vkQueueSubmit2)                        \
+    X(vkQueueWaitIdle)                       \
+    X(vkResetCommandPool)                    \
+    X(vkResetFences)                         \
+    X(vkResetQueryPool)                      \
+    X(vkUpdateDescriptorSets)                \
+    X(vkWaitForFences)                       \
+    X(vkWaitSemaphores)
+// clang-format on
+
+struct DeviceFunctions {
+#define WEFT_MEMBER(name) PFN_##name name = nullptr;
+    WEFT_DEVICE_FUNCTIONS(WEFT_MEMBER)
+#undef WEFT_MEMBER
+};
 
 // The library stays loaded until the process ends: drivers do not like to be unloaded.
 [[nodiscard]] std::optional<LoaderFunctions> load_loader(const char* library = kLoaderLibrary);

@@ -39,20 +39,20 @@ class Handle {
     T object_ = VK_NULL_HANDLE;
 };
 
-using ImageHandle = Handle<VkImage, &VolkDeviceTable::vkDestroyImage>;
-using BufferHandle = Handle<VkBuffer, &VolkDeviceTable::vkDestroyBuffer>;
-using MemoryHandle = Handle<VkDeviceMemory, &VolkDeviceTable::vkFreeMemory>;
-using ImageViewHandle = Handle<VkImageView, &VolkDeviceTable::vkDestroyImageView>;
-using SamplerHandle = Handle<VkSampler, &VolkDeviceTable::vkDestroySampler>;
-using SetLayoutHandle = Handle<VkDescriptorSetLayout, &VolkDeviceTable::vkDestroyDescriptorSetLayout>;
-using PipelineLayoutHandle = Handle<VkPipelineLayout, &VolkDeviceTable::vkDestroyPipelineLayout>;
-using PipelineHandle = Handle<VkPipeline, &VolkDeviceTable::vkDestroyPipeline>;
-using PipelineCacheHandle = Handle<VkPipelineCache, &VolkDeviceTable::vkDestroyPipelineCache>;
-using ShaderModuleHandle = Handle<VkShaderModule, &VolkDeviceTable::vkDestroyShaderModule>;
-using DescriptorPoolHandle = Handle<VkDescriptorPool, &VolkDeviceTable::vkDestroyDescriptorPool>;
-using CommandPoolHandle = Handle<VkCommandPool, &VolkDeviceTable::vkDestroyCommandPool>;
-using FenceHandle = Handle<VkFence, &VolkDeviceTable::vkDestroyFence>;
-using SemaphoreHandle = Handle<VkSemaphore, &VolkDeviceTable::vkDestroySemaphore>;
-using QueryPoolHandle = Handle<VkQueryPool, &VolkDeviceTable::vkDestroyQueryPool>;
+using ImageHandle = Handle<VkImage, &DeviceFunctions::vkDestroyImage>;
+using BufferHandle = Handle<VkBuffer, &DeviceFunctions::vkDestroyBuffer>;
+using MemoryHandle = Handle<VkDeviceMemory, &DeviceFunctions::vkFreeMemory>;
+using ImageViewHandle = Handle<VkImageView, &DeviceFunctions::vkDestroyImageView>;
+using SamplerHandle = Handle<VkSampler, &DeviceFunctions::vkDestroySampler>;
+using SetLayoutHandle = Handle<VkDescriptorSetLayout, &DeviceFunctions::vkDestroyDescriptorSetLayout>;
+using PipelineLayoutHandle = Handle<VkPipelineLayout, &DeviceFunctions::vkDestroyPipelineLayout>;
+using PipelineHandle = Handle<VkPipeline, &DeviceFunctions::vkDestroyPipeline>;
+using PipelineCacheHandle = Handle<VkPipelineCache, &DeviceFunctions::vkDestroyPipelineCache>;
+using ShaderModuleHandle = Handle<VkShaderModule, &DeviceFunctions::vkDestroyShaderModule>;
+using DescriptorPoolHandle = Handle<VkDescriptorPool, &DeviceFunctions::vkDestroyDescriptorPool>;
+using CommandPoolHandle = Handle<VkCommandPool, &DeviceFunctions::vkDestroyCommandPool>;
+using FenceHandle = Handle<VkFence, &DeviceFunctions::vkDestroyFence>;
+using SemaphoreHandle = Handle<VkSemaphore, &DeviceFunctions::vkDestroySemaphore>;
+using QueryPoolHandle = Handle<VkQueryPool, &DeviceFunctions::vkDestroyQueryPool>;
 
 }  // namespace weft::vk

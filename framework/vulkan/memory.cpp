@@ -215,16 +215,32 @@ Result<Image> Image::create(Device& device, const ResourceDecl& decl) {
     result = fn.vkBindImageMemory(device.handle(), image.image_, image.memory_, 0);
     if (result != VK_SUCCESS) return vk_error(result, "binding memory of \"" + decl.name + "\"");
 
-    if ((decl.usage & kViewUsages) == 0) return image;
-    Result<VkImageView> view = whole_view(device, image.image_, decl);
-    if (!view) return view.take_errors();
-    image.view_ = *view;
+    if (Status made = image.make_view(); !made) return made.take_errors();
     return image;
+}
+
+Result<Image> Image::adopt(Device& device, VkImage own, const ResourceDecl& decl) {
+    Image image;
+    image.device_ = &device;
+    image.decl_ = decl;
+    image.image_ = own;
+    image.adopted_ = true;
+    if (Status made = image.make_view(); !made) return made.take_errors();
+    return image;
+}
+
+Status Image::make_view() {
+    if ((decl_.usage & kViewUsages) == 0) return Unit{};
+    Result<VkImageView> view = whole_view(*device_, image_, decl_);
+    if (!view) return view.take_errors();
+    view_ = *view;
+    return Unit{};
 }
 
 Image::~Image() {
     if (device_ == nullptr || device_->abandoned()) return;
     device_->fn().vkDestroyImageView(device_->handle(), view_, nullptr);
+    if (adopted_) return;
     device_->fn().vkDestroyImage(device_->handle(), image_, nullptr);
     device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);
 }
@@ -239,6 +255,7 @@ Image& Image::operator=(Image&& other) noexcept {
     std::swap(memory_, other.memory_);
     std::swap(view_, other.view_);
     std::swap(decl_, other.decl_);
+    std::swap(adopted_, other.adopted_);
     return *this;
 }
 

@@ -45,6 +45,9 @@ class Image {
     // Format, extent, mips, layers, samples and usage are those of `decl`. The view covers all of it; it
     // is null where no usage can have one (only copied).
     [[nodiscard]] static Result<Image> create(Device& device, const ResourceDecl& decl);
+    // An embedder's image, made as image_create_info(decl) says; it shall outlive this, which owns the view
+    // only.
+    [[nodiscard]] static Result<Image> adopt(Device& device, VkImage image, const ResourceDecl& decl);
     Image() = default;
     ~Image();
     Image(Image&& other) noexcept;
@@ -55,11 +58,14 @@ class Image {
     [[nodiscard]] const ResourceDecl& decl() const { return decl_; }
 
  private:
+    [[nodiscard]] Status make_view();
+
     Device* device_ = nullptr;
     VkImage image_ = VK_NULL_HANDLE;
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
     ResourceDecl decl_;
+    bool adopted_ = false;  // image_ is an embedder's, and memory_ null
 };
 
 // Copies before the first frame: waits for its own fence (Device::timeout_ns), so staging is gone when it

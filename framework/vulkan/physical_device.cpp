@@ -25,11 +25,10 @@ int rank(VkPhysicalDeviceType type) {
     }
 }
 
-void find_family(const InstanceFunctions& fn, Candidate& candidate, uint32_t wanted) {
+void find_family(const InstanceFunctions& fn, Candidate& candidate) {
     constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     const std::vector<QueueFamily> families = describe_families(fn, candidate.handle);
     for (uint32_t i = 0; i < families.size(); ++i) {
-        if (wanted != kAnyFamily && wanted != i) continue;
         if ((families[i].flags & needed) != needed) continue;
         candidate.family = i;
         candidate.info.timestamps = families[i].timestamps;
@@ -38,7 +37,7 @@ void find_family(const InstanceFunctions& fn, Candidate& candidate, uint32_t wan
     candidate.info.missing.emplace_back("a queue that draws and computes");
 }
 
-void find_missing(const InstanceFunctions& fn, Candidate& candidate, uint32_t api_version, uint32_t family) {
+void find_missing(const InstanceFunctions& fn, Candidate& candidate, uint32_t api_version) {
     if (api_version < VK_API_VERSION_1_3) {
         candidate.info.missing.push_back("Vulkan 1.3 (it offers " + version_text(api_version) + ")");
         return;  // the feature structs of later versions cannot be asked for
@@ -46,7 +45,7 @@ void find_missing(const InstanceFunctions& fn, Candidate& candidate, uint32_t ap
     FeatureChain supported;
     fn.vkGetPhysicalDeviceFeatures2(candidate.handle, &supported.head());
     candidate.info.missing = missing_features(supported);
-    find_family(fn, candidate, family);
+    find_family(fn, candidate);
 }
 
 std::string device_list(const std::vector<Candidate>& candidates) {
@@ -106,7 +105,7 @@ Diagnostic no_device_error() {
     return error;
 }
 
-Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical, uint32_t family) {
+Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical) {
     VkPhysicalDeviceDriverProperties driver{};
     driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
     VkPhysicalDeviceProperties2 properties{};
@@ -122,7 +121,7 @@ Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical
     candidate.info.api_version = version_text(properties.properties.apiVersion);
     candidate.info.is_cpu = candidate.type == VK_PHYSICAL_DEVICE_TYPE_CPU;
     candidate.info.timestamp_period_ns = properties.properties.limits.timestampPeriod;
-    find_missing(fn, candidate, properties.properties.apiVersion, family);
+    find_missing(fn, candidate, properties.properties.apiVersion);
     return candidate;
 }
 

@@ -16,11 +16,8 @@ struct Candidate {
     uint32_t family = 0;  // one that draws and computes
 };
 
-inline constexpr uint32_t kAnyFamily = UINT32_MAX;
-
-// Name, driver, version, what is missing. `family` is an embedder's choice; otherwise the first that does.
-[[nodiscard]] Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical,
-                                        uint32_t family = kAnyFamily);
+// Name, driver, version, what is missing; the first family that does.
+[[nodiscard]] Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical);
 [[nodiscard]] std::vector<Candidate> list_devices(const InstanceFunctions& fn, VkInstance instance);
 // `wanted` is an index, part of a name, or empty.
 [[nodiscard]] Result<Candidate> choose_device(const std::vector<Candidate>& candidates,

@@ -65,8 +65,10 @@ TEST_F(IndirectDraws, ByTheScenesOwnCommandsGiveTheSamePicture) {
 
 TEST_F(IndirectDraws, AreRefusedWithoutTheFeatureThatTellsInstancesApart) {
     const vk::NativeDevice own = vk::native(*device_);
+    vk::FeatureChain enabled;
+    vk::required_features(enabled);
     const Result<std::unique_ptr<vk::Device>> plain =
-        vk::Device::adopt(own.instance, own.physical, own.device, own.queue);
+        vk::Device::adopt({own.instance, own.physical, own.device, {own.queue}, &enabled});
     ASSERT_TRUE(plain) << to_text(plain.errors());
     EXPECT_TRUE(albedo(**plain, read_direct));
     const auto refused = albedo(**plain, read_indirect);

@@ -128,9 +128,11 @@ TEST_F(DeviceVk, memory_types_fit_what_was_asked) {
 
 TEST_F(DeviceVk, an_adopted_device_works_and_is_left_alive) {
     const NativeDevice own = native(device());
+    FeatureChain enabled;
+    required_features(enabled);
     {
         Result<std::unique_ptr<Device>> adopted =
-            Device::adopt(own.instance, own.physical, own.device, own.queue);
+            Device::adopt({own.instance, own.physical, own.device, {own.queue}, &enabled});
         ASSERT_TRUE(adopted.ok()) << to_text(adopted.errors());
         EXPECT_EQ((*adopted)->info().name, device().info().name);
         EXPECT_EQ((*adopted)->profile().formats, device().profile().formats);
@@ -139,15 +141,57 @@ TEST_F(DeviceVk, an_adopted_device_works_and_is_left_alive) {
         ASSERT_TRUE(buffer.ok());
         const std::array<std::byte, 16> bytes{};
         EXPECT_TRUE(upload_buffer(**adopted, *buffer, bytes).ok());
+        EXPECT_FALSE((*adopted)->optional().depth_clamp);
     }
     EXPECT_EQ(device().fn().vkDeviceWaitIdle(own.device), VK_SUCCESS);  // still ours, still alive
 }
 
-TEST_F(DeviceVk, a_queue_family_that_is_not_there_is_refused) {
+TEST_F(DeviceVk, an_adopted_device_offers_the_optional_features_it_was_made_with) {
     const NativeDevice own = native(device());
-    const auto adopted = Device::adopt(own.instance, own.physical, own.device, {own.queue.handle, 99});
+    FeatureChain enabled;
+    required_features(enabled);
+    enabled.v10().depthClamp = VK_TRUE;
+    const auto adopted = Device::adopt({own.instance, own.physical, own.device, {own.queue}, &enabled});
+    ASSERT_TRUE(adopted.ok()) << to_text(adopted.errors());
+    EXPECT_TRUE((*adopted)->optional().depth_clamp);
+    EXPECT_FALSE((*adopted)->optional().anisotropy);
+}
+
+TEST_F(DeviceVk, all_that_an_adopted_device_lacks_is_named) {
+    const NativeDevice own = native(device());
+    FeatureChain enabled;
+    required_features(enabled);
+    enabled.v12().timelineSemaphore = VK_FALSE;
+    enabled.v13().dynamicRendering = VK_FALSE;
+    const auto adopted =
+        Device::adopt({own.instance, own.physical, own.device, {{own.queue.handle, 99}}, &enabled});
     ASSERT_FALSE(adopted.ok());
+    ASSERT_EQ(adopted.errors().size(), 1u);
     EXPECT_EQ(adopted.errors().front().code, "V404");
+    for (const char* name : {"timelineSemaphore", "dynamicRendering", "a first queue", "family 99"})
+        EXPECT_NE(adopted.errors().front().message.find(name), std::string::npos) << name;
+    EXPECT_FALSE(Device::adopt({own.instance, own.physical, own.device, {}, &enabled}).ok());
+}
+
+// What a frame of an adopted device draws into, copied by commands that are not Weft's.
+TEST_F(DeviceVk, an_adopted_image_is_left_alive) {
+    ResourceDecl decl;
+    decl.name = "own";
+    decl.kind = ResourceKind::image;
+    decl.format = Format::rgba8;
+    decl.extent = {4, 4, 1};
+    decl.usage = usage::kSampled | usage::kTransferDst;
+    Result<Image> own = Image::create(device(), decl);
+    ASSERT_TRUE(own.ok()) << to_text(own.errors());
+    {
+        const Result<Image> adopted = Image::adopt(device(), own->handle(), decl);
+        ASSERT_TRUE(adopted.ok()) << to_text(adopted.errors());
+        EXPECT_EQ(adopted->handle(), own->handle());
+        EXPECT_NE(adopted->view(), own->view());
+    }
+    const std::vector<std::byte> texels(4 * 4 * 4, std::byte{7});
+    const std::array levels{std::span<const std::byte>(texels)};
+    EXPECT_TRUE(upload_image(device(), *own, levels).ok());
 }
 
 TEST(MachineReportVk, lists_devices_layers_and_the_loader) {

@@ -175,7 +175,7 @@ TEST_F(ExecutorFaultsVk, a_lost_device_names_the_passes_of_the_frame) {
 // state.
 struct FailingCall {
     uint32_t calls_left = 0;
-    VolkDeviceTable real{};
+    DeviceFunctions real{};
 };
 FailingCall failing;
 

@@ -1,0 +1,76 @@
+# `cmake --install BUILD --prefix DIR`: a folder that can be moved. bin/ holds the programs, lib/weft/ the shared
+# libraries that they need beyond libc, libstdc++, the Vulkan loader and the window system, share/weft/ what they
+# read; include/ and lib/ are for embedders (docs/embedding.md).
+include(CMakePackageConfigHelpers)
+
+# Installed, and looked through for shared libraries to carry.
+set(WEFT_PROGRAMS weft weft-shader-worker)
+# All of the framework that embedders link to, as one archive.
+set(WEFT_EMBEDDED_LIBRARIES weft_graph weft_check weft_glsl weft_shader weft_scene weft_image weft_vulkan weft_render weft_passes)
+# Public headers; what they include comes along.
+set(WEFT_PUBLIC_HEADERS
+  check/check_plan.h check/check_transition.h
+  graph/memory_report.h graph/plan_diff.h graph/plan_dump.h graph/plan_explain.h
+  image/channel_difference.h image/error_summary.h image/flip.h image/heat_map.h
+  render/import_catalog.h render/session.h render/texels.h
+  scene/builtin_scenes.h scene/image_decode.h scene/load_gltf.h
+  shader/load_graph.h
+  vulkan/device.h vulkan/executor.h vulkan/native.h)
+# Packages whose code is compiled or linked into the programs, beside the shared libraries: their licences come along.
+set(WEFT_LINKED_PACKAGES glslang-dev spirv-tools libtinygltf-dev libstb-dev libglm-dev nlohmann-json3-dev libcli11-dev)
+
+# The programs. DT_RPATH, not DT_RUNPATH: what the carried libraries need is looked for beside them, too.
+set_target_properties(${WEFT_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/weft")
+set_property(TARGET ${WEFT_PROGRAMS} APPEND PROPERTY LINK_OPTIONS "LINKER:--disable-new-dtags")
+install(TARGETS ${WEFT_PROGRAMS} RUNTIME DESTINATION bin)
+set(program_files "")
+foreach(program ${WEFT_PROGRAMS})
+  list(APPEND program_files "$<TARGET_FILE:${program}>")
+endforeach()
+install(CODE "set(WEFT_PROGRAM_FILES \"${program_files}\")
+set(WEFT_LINKED_PACKAGES \"${WEFT_LINKED_PACKAGES}\")")
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_carried.cmake)
+
+# What they read.
+install(DIRECTORY graphs shaders DESTINATION share/weft)
+install(DIRECTORY framework/profiles/ DESTINATION share/weft/profiles)
+
+# Headers, under include/weft/.
+install(CODE "set(WEFT_SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
+set(WEFT_STAGE_DIR \"${PROJECT_BINARY_DIR}/staged_headers\")
+set(WEFT_PUBLIC_HEADERS \"${WEFT_PUBLIC_HEADERS}\")")
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
+
+# The archive, and how CMake and pkg-config find it and what it needs.
+add_library(weft_embedded STATIC)
+foreach(library ${WEFT_EMBEDDED_LIBRARIES})
+  target_sources(weft_embedded PRIVATE $<TARGET_OBJECTS:${library}>)
+endforeach()
+set_target_properties(weft_embedded PROPERTIES OUTPUT_NAME weft EXPORT_NAME weft LINKER_LANGUAGE CXX
+                      ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+target_include_directories(weft_embedded INTERFACE $<INSTALL_INTERFACE:include>)
+target_compile_features(weft_embedded INTERFACE cxx_std_20)
+# Nothing in this build links to it.
+set(needs glm::glm glslang::SPIRV glslang::glslang glslang::glslang-default-resource-limits SPIRV-Tools-opt
+  SPIRV-Tools-static Threads::Threads ${CMAKE_DL_LIBS} weft::carried)
+target_link_libraries(weft_embedded INTERFACE "$<INSTALL_INTERFACE:${needs}>")
+install(TARGETS weft_embedded EXPORT weft ARCHIVE DESTINATION lib)
+install(EXPORT weft FILE weftTargets.cmake NAMESPACE weft:: DESTINATION lib/cmake/weft)
+
+# The names under which the loader finds the shared libraries that the archive needs.
+set(WEFT_CARRIED "")
+foreach(library ${XXHASH_LIBRARY} ${WEFT_SPIRV_CROSS_LIBRARY})
+  get_filename_component(real ${library} REALPATH)
+  get_filename_component(name ${real} NAME)
+  string(REGEX MATCH "^.*\\.so\\.[0-9]+" soname ${name})
+  list(APPEND WEFT_CARRIED ${soname})
+endforeach()
+list(TRANSFORM WEFT_CARRIED PREPEND "-l:" OUTPUT_VARIABLE WEFT_CARRIED_FLAGS)
+list(JOIN WEFT_CARRIED_FLAGS " " WEFT_CARRIED_FLAGS)
+configure_package_config_file(cmake/weftConfig.cmake.in ${PROJECT_BINARY_DIR}/weftConfig.cmake
+  INSTALL_DESTINATION lib/cmake/weft)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/weftConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/weftConfig.cmake ${PROJECT_BINARY_DIR}/weftConfigVersion.cmake
+  DESTINATION lib/cmake/weft)
+configure_file(cmake/weft.pc.in ${PROJECT_BINARY_DIR}/weft.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/weft.pc DESTINATION lib/pkgconfig)

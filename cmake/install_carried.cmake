@@ -1,0 +1,30 @@
+cmake_minimum_required(VERSION 3.25)
+# Copies the shared libraries that WEFT_PROGRAM_FILES need, and the licences of all that is handed on with them.
+# libstdc++ and libgcc_s are the compiler's; the Vulkan loader and the window system belong to the machine.
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${WEFT_PROGRAM_FILES}
+  RESOLVED_DEPENDENCIES_VAR carried UNRESOLVED_DEPENDENCIES_VAR missing
+  PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|stdc\\+\\+|gcc_s)\\.so" "^libvulkan\\.so"
+    "^lib(X[A-Za-z0-9]*|xcb|wayland|xkbcommon|GL|EGL|drm)[-a-z0-9]*\\.so")
+if(missing)
+  message(FATAL_ERROR "shared libraries that are nowhere: ${missing}")
+endif()
+set(packages ${WEFT_LINKED_PACKAGES})
+foreach(library ${carried})
+  file(INSTALL ${library} DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/weft FOLLOW_SYMLINK_CHAIN)
+  file(REAL_PATH ${library} real)
+  get_filename_component(name ${real} NAME)
+  # A library may be known by its place before or after /lib became a link to /usr/lib: ask by name.
+  execute_process(COMMAND dpkg-query -S "*/${name}" OUTPUT_VARIABLE owner ERROR_QUIET)
+  if(owner MATCHES "^([^:,\n]+)")
+    list(APPEND packages ${CMAKE_MATCH_1})
+  endif()
+endforeach()
+list(REMOVE_DUPLICATES packages)
+foreach(package ${packages})
+  if(EXISTS /usr/share/doc/${package}/copyright)
+    file(INSTALL /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_PREFIX}/share/doc/weft/licences
+      RENAME ${package})
+  else()
+    message(WARNING "the licence of ${package} is not at /usr/share/doc/${package}/copyright: add it by hand")
+  endif()
+endforeach()

@@ -1,0 +1,34 @@
+// Bytes as a .gltf or a .glb (its first four bytes tell), with no other file in reach.
+#include <cstdlib>
+
+#include "fuzzed_file.h"
+#include "scene/load_gltf.h"
+
+namespace {
+
+// Far below the program's own, so that what is within them is quick.
+weft::scene::SceneLimits small_limits() {
+    weft::scene::SceneLimits limits;
+    limits.resource_bytes = 16 << 20;
+    limits.json_values = 20'000;
+    limits.array_items = 4'096;
+    limits.materials = 256;
+    limits.instances = 4'096;
+    limits.vertices = 200'000;
+    limits.triangles = 200'000;
+    limits.image_side_px = 2'048;
+    limits.decoded_image_bytes = 32 << 20;
+    return limits;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    static const weft::fuzz::FuzzedFile file("scene.gltf");
+    file.write({data, size});
+    weft::Diagnostics warnings;
+    const weft::Result<weft::scene::Scene> scene =
+        weft::scene::load_gltf(file.path(), warnings, small_limits());
+    if (!scene && scene.errors().empty()) std::abort();  // a refusal without a reason
+    return 0;
+}

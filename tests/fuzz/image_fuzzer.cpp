@@ -1,0 +1,54 @@
+// Bytes as a picture, through every reader that takes one from outside.
+#include <cstdlib>
+#include <span>
+
+#include "fuzzed_file.h"
+#include "image_reader.h"
+#include "scene/image_decode.h"
+#include "scene/load_environment.h"
+
+namespace {
+
+// Above this, time goes into filling memory.
+constexpr uint64_t kMostTexels = 1 << 20;
+
+// Textures of glTF files: PNG and JPEG.
+void read_as_texture(std::span<const uint8_t> bytes) {
+    const auto size = weft::scene::read_image_size(bytes);
+    if (!size || uint64_t{size->width_px} * size->height_px > kMostTexels) return;
+    const weft::scene::DecodedImage image = weft::scene::decode_image(bytes);
+    const size_t expected = size_t{size->width_px} * size->height_px * 4;
+    if (image.rgba.empty() ? image.error.empty() : image.rgba.size() != expected) std::abort();
+}
+
+// Environments: Radiance pictures.
+void read_as_environment(const std::filesystem::path& file) {
+    weft::scene::SceneLimits limits;
+    limits.image_side_px = 4096;
+    limits.decoded_image_bytes = kMostTexels * 12;
+    const auto environment = weft::scene::load_environment(file, limits);
+    if (!environment && environment.errors().empty()) std::abort();
+}
+
+// Pictures that `weft compare` reads: PNG, EXR and PFM.
+void read_as_picture(const std::filesystem::path& file) {
+    const auto image = weft::viewer::read_image(file.string(), {});
+    if (image && image->texels.size() != size_t{image->width_px} * image->height_px) std::abort();
+}
+
+}  // namespace
+
+// tinyexr forgets its header where a file is broken: a kilobyte, once, in a program that ends right after.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libtinyexr";
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    static const weft::fuzz::FuzzedFile file("picture");
+    file.write({data, size});
+    read_as_texture({data, size});
+    read_as_environment(file.path());
+    read_as_picture(file.path());
+    return 0;
+}

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Builds the fuzz targets and runs each for some seconds on what tests/fuzz/corpus holds. What is found lies under
+# build/fuzz/found/ and fails the run; put it into the corpus together with its remedy.
+#   run.sh SECONDS [graph|gltf|image]...
+set -euo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+seconds=${1:?seconds for each target}
+shift
+targets=("$@")
+((${#targets[@]})) || targets=(graph gltf image)
+build=$root/build/fuzz
+
+cd "$root"
+launcher=()
+if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+mkdir -p "$build"
+{ cmake --preset fuzz "${launcher[@]}" && cmake --build --preset fuzz; } >"$build/build.log" 2>&1 || {
+  cat "$build/build.log" >&2
+  exit 1
+}
+
+status=0
+for target in "${targets[@]}"; do
+  # What is learnt stays out of the source tree, and is known the next time.
+  learnt=$build/corpus/$target found=$build/found/$target
+  mkdir -p "$learnt" "$found"
+  case $target in
+    graph) length=16384 ;;
+    gltf) length=8192 ;;
+    *) length=4096 ;;
+  esac
+  # tinyexr's leaks (image_fuzzer.cpp) would have every second input searched for more; at the end all are.
+  leaks=1
+  [ "$target" != image ] || leaks=0
+  log=$build/$target.log result=passed
+  "$build/tests/fuzz/${target}_fuzzer" "$learnt" "tests/fuzz/corpus/$target" -dict="tests/fuzz/$target.dict" \
+    -max_total_time="$seconds" -max_len=$length -rss_limit_mb=1024 -malloc_limit_mb=1024 -timeout=5 -detect_leaks=$leaks \
+    -artifact_prefix="$found/" -print_final_stats=1 >"$log" 2>&1 || result=FAILED
+  executions=$(awk '/^stat::number_of_executed_units/ { print $2 }' "$log")
+  echo "$target: $result, ${executions:-0} executions in $seconds s, $(find "$found" -type f | wc -l) found"
+  if [ "$result" != passed ]; then
+    tail -60 "$log" >&2
+    status=1
+  fi
+done
+exit $status

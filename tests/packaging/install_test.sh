@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Installs the build, moves the folder, and uses it as a user and as an embedder would. Exit code 77 without a device,
+# once all that needs none has passed.
+#   install_test.sh CMAKE BUILD_FOLDER SOURCE_ROOT PROGRAM
+set -euo pipefail
+cmake=$1 build=$2 source=$3 program=$4
+# Nowhere below the source tree, where the program would find what it lacks by walking up.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+installed=$scratch/moved
+
+say() { printf '%s\n' "$*"; }
+fail() {
+  say "FAILED: $*" >&2
+  exit 1
+}
+
+install_and_move() {
+  "$cmake" --install "$build" --prefix "$scratch/first" >"$scratch/install.log"
+  mv "$scratch/first" "$installed"
+  # Nothing in it may know where it was.
+  if grep -rlI -e "$scratch/first" -e "$source" "$installed/lib/cmake" "$installed/lib/pkgconfig" "$installed/include"; then
+    fail "these files name a place of the machine that built them"
+  fi
+}
+
+# Beyond the machine's own, every library comes from the folder.
+check_libraries() {
+  local name arrow path
+  while read -r name arrow path _; do
+    case $name in
+      linux-vdso.so.1 | */ld-linux* | libc.so.* | libm.so.* | libstdc++.so.* | libgcc_s.so.*) continue ;;
+    esac
+    [ "$arrow" = "=>" ] || fail "ldd of $1: $name $arrow"
+    [[ $(readlink -f "$path") == "$installed"/lib/weft/* ]] || fail "$1 takes $name from $path"
+  done < <(env -i ldd "$1")
+  [ -n "$(ls -A "$installed/share/doc/weft/licences")" ] || fail "no licences came along"
+}
+
+# What a user does: an empty environment, another folder, the default picture.
+render_default() {
+  local renders=(render --size 320x180 -o)
+  (cd / && env -i ${ASAN_OPTIONS:+ASAN_OPTIONS="$ASAN_OPTIONS"} "$installed/bin/weft" "${renders[@]}" "$scratch/installed.png")
+  "$program" "${renders[@]}" "$scratch/built.png"
+  cmp "$scratch/installed.png" "$scratch/built.png" || fail "the installed program draws another picture"
+  (cd / && env -i ${ASAN_OPTIONS:+ASAN_OPTIONS="$ASAN_OPTIONS"} "$installed/bin/weft" plan --profile tiler \
+    "$installed/share/weft/graphs/deferred.json" >/dev/null) || fail "the installed program finds no profiles"
+}
+
+build_sample() {
+  "$cmake" -S "$source/docs/examples/embedding" -B "$scratch/embedding" -G Ninja -DCMAKE_PREFIX_PATH="$installed" \
+    >"$scratch/embedding.log"
+  "$cmake" --build "$scratch/embedding" >>"$scratch/embedding.log" || {
+    cat "$scratch/embedding.log" >&2
+    fail "the embedding sample doesn't build"
+  }
+}
+
+# One file, with every public header before it and warnings on.
+build_with_pkg_config() {
+  (cd "$installed/include" && find weft -name '*.h' | sort | sed 's/.*/#include <&>/') >"$scratch/all_headers.h"
+  # shellcheck disable=SC2046,SC2086  # flags are words
+  ${CMAKE_CXX_COMPILER_LAUNCHER:-} "${CXX:-g++}" -std=c++20 -Wall -Wextra -Werror ${CXXFLAGS:-} \
+    -include "$scratch/all_headers.h" "$source/tests/packaging/same_picture.cpp" \
+    $(PKG_CONFIG_PATH="$installed/lib/pkgconfig" pkg-config --cflags --libs weft) -o "$scratch/same_picture" ||
+    fail "a file doesn't build with what pkg-config says"
+}
+
+# The embedder's own image holds what the program draws.
+compare_sample() {
+  "$scratch/embedding/embedding" "$scratch/embedded.ppm" --validate || fail "the embedding sample ended with $?"
+  "$program" render builtin:spheres --device 0 --size 320x180 --frames 3 -o "$scratch/reference.png"
+  "$scratch/same_picture" "$scratch/reference.png" "$scratch/embedded.ppm" ||
+    fail "the embedding sample draws another picture"
+}
+
+# What docs/embedding.md quotes is what the sample says.
+check_quotes() {
+  local line
+  while IFS= read -r line; do
+    grep -qF -- "$line" "$source"/docs/examples/embedding/*.cpp || fail "docs/embedding.md quotes what the sample lacks: $line"
+  done < <(awk '/^```/ { inside = $0 == "```cpp"; next } inside && NF' "$source/docs/embedding.md")
+}
+
+check_quotes
+install_and_move
+for installed_program in "$installed"/bin/*; do check_libraries "$installed_program"; done
+build_sample
+build_with_pkg_config
+if ! "$program" doctor >/dev/null 2>&1; then
+  say "skipped: no Vulkan device to render on"
+  exit 77
+fi
+render_default
+compare_sample
+say "passed"

@@ -1,0 +1,22 @@
+#include "render/import_catalog.h"
+
+#include <gtest/gtest.h>
+
+namespace weft::render {
+namespace {
+
+// What programs around a graph do with its output: the frame's end must be done before it, and the next begin
+// after.
+TEST(ImportCatalog, TheOutputMayBeCopiedAndBlittedBetweenFrames) {
+    const ImportCatalog catalog = scene_imports({64, 64, 1});
+    const ResourceDecl& output = catalog.imports.at("backbuffer").resource;
+    ASSERT_TRUE(output.import);
+    for (const AccessState& state : {output.import->entry, output.import->exit}) {
+        EXPECT_EQ(state.stages, stage::kCopy | stage::kBlit);
+        EXPECT_EQ(state.access, access::kTransferRead);
+    }
+    EXPECT_EQ(output.import->exit.layout, Layout::transfer_src);
+}
+
+}  // namespace
+}  // namespace weft::render
