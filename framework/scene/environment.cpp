@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <limits>
 #include <numbers>
 
 namespace weft::scene {
@@ -11,6 +12,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr float kMostStored = 32768;  // what glm puts into the shared-exponent format at most
 constexpr float kMostScale = 65536;   // with it, more than the sun's disc
+
+constexpr uint32_t kBeamColumns = 32;
 
 struct Level {
     uint32_t width_px = 0;
@@ -152,6 +155,71 @@ std::array<glm::vec3, 9> irradiance_over_pi(uint32_t width_px, uint32_t height_p
     return coefficients;
 }
 
+struct Beam {
+    glm::dvec3 direction{0};
+    glm::dvec3 flux{0};  // radiance × solid angle
+};
+
+// A level of the chain as beams, from as few texels as show where light comes from.
+std::vector<Beam> beams_of(const Level& level) {
+    std::vector<Beam> beams;
+    for (uint32_t y = 0; y < level.height_px; ++y) {
+        const double top = kPi * y / level.height_px, bottom = kPi * (y + 1) / level.height_px;
+        const double polar = (top + bottom) / 2;
+        const double angle = (std::cos(top) - std::cos(bottom)) * 2 * kPi / level.width_px;
+        for (uint32_t x = 0; x < level.width_px; ++x) {
+            const double azimuth = ((x + 0.5) / level.width_px - 0.5) * 2 * kPi;
+            beams.push_back(
+                {{std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)},
+                 glm::dvec3(level.texels[size_t{y} * level.width_px + x]) * angle});
+        }
+    }
+    return beams;
+}
+
+constexpr int kSides = 128;
+glm::dvec3 side(int i) {
+    constexpr int kColumns = 16;
+    const double polar = kPi * (i / kColumns + 0.5) * kColumns / kSides,
+                 azimuth = 2 * kPi * (i % kColumns) / kColumns;
+    return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
+}
+
+// Irradiance / π on the side that gets least.
+glm::dvec3 darkest_side(const std::vector<Beam>& beams) {
+    glm::dvec3 least(std::numeric_limits<double>::max());
+    for (int i = 0; i < kSides; ++i) {
+        glm::dvec3 sent(0);
+        for (const Beam& beam : beams) sent += beam.flux * std::max(0.0, glm::dot(side(i), beam.direction));
+        least = glm::min(least, sent / kPi);
+    }
+    return least;
+}
+
+bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec3& least) {
+    for (int i = 0; i < kSides; ++i) {
+        const std::array<float, 9> basis = environment_basis(glm::vec3(side(i)));
+        glm::dvec3 found(0);
+        for (size_t k = 0; k < basis.size(); ++k) found += glm::dvec3(coefficients[k]) * double(basis[k]);
+        if (glm::any(glm::lessThan(found, least))) return false;
+    }
+    return true;
+}
+
+// Three orders of harmonics swing below zero around a small bright sun, which would paint its far side in the
+// colour of the sky alone. A window that dampens the higher orders, no more than it takes: P.-P. Sloan,
+// "Deringing Spherical Harmonics", 2017.
+std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients, const Level& level) {
+    constexpr double kMostOfIt = 0.7;
+    const glm::dvec3 least = darkest_side(beams_of(level)) * kMostOfIt;
+    std::array<glm::vec3, 9> calm = coefficients;
+    for (float strength = 0.002f; strength < 10 && !nowhere_below(calm, least); strength *= 1.5f) {
+        const float first = 1 / (1 + 4 * strength), second = 1 / (1 + 36 * strength);
+        for (size_t i = 1; i < calm.size(); ++i) calm[i] = coefficients[i] * (i < 4 ? first : second);
+    }
+    return calm;
+}
+
 float scale_for(std::span<const glm::vec3> texels) {
     float most = 0;
     for (const glm::vec3& texel : texels) most = std::max({most, texel.r, texel.g, texel.b});
@@ -171,9 +239,14 @@ Environment build_environment(uint32_t width_px, uint32_t height_px, std::span<c
     environment.mips.push_back(packed(radiance, environment.scale));
     Level level{width_px, height_px, {}};
     std::span<const glm::vec3> texels = radiance;
+    bool calm = false;
     while (level.width_px > 1 || level.height_px > 1) {
         level = half_of(level.width_px, level.height_px, texels);
         texels = level.texels;
+        if (!calm && level.width_px <= kBeamColumns) {
+            environment.irradiance_over_pi = without_ringing(environment.irradiance_over_pi, level);
+            calm = true;
+        }
         environment.mips.push_back(packed(evened_towards_poles(level).texels, environment.scale));
     }
     return environment;

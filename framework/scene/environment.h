@@ -23,7 +23,8 @@ struct Environment {
     // chain.
     std::vector<std::vector<uint32_t>> mips;
     float scale = 1;  // of every texel: a power of two, more than 1 where something outshines the format
-    // Irradiance / π on a plane with normal n is the sum of these times environment_basis(n).
+    // Irradiance / π on a plane with normal n is the sum of these times environment_basis(n); exact for light
+    // of three orders, dampened where a small bright source would make them ring.
     std::array<glm::vec3, 9> irradiance_over_pi{};
 };
 

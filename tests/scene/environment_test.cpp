@@ -86,6 +86,20 @@ TEST(Environment, HalfTheSkyLightsByTheShareThatIsSeen) {
         [](glm::dvec3 n) { return (1 + n.y) / 2; }, 1e-6);
 }
 
+// The harmonics of a sun alone fall to -1/8 of its light; the sky must still be seen behind it.
+TEST(Environment, ASunDoesNotDarkenTheOtherSides) {
+    const glm::dvec3 sun = glm::normalize(glm::dvec3(1, 1, -1));
+    const Environment environment = environment_of(128, 64, [&](glm::dvec3 w) {
+        return glm::dvec3(0.2, 0.5, 1) + (glm::dot(w, sun) > 0.998 ? 4000.0 : 0.0);
+    });
+    for (const glm::dvec3& n : kNormals) {
+        const glm::dvec3 found = irradiance_over_pi(environment, n);
+        EXPECT_GE(found.r, 0.2 * 0.65) << n.x << " " << n.y << " " << n.z;
+        EXPECT_GE(found.b, 1 * 0.65) << n.x << " " << n.y << " " << n.z;
+    }
+    EXPECT_GT(irradiance_over_pi(environment, sun).r, 8 * irradiance_over_pi(environment, -sun).r);
+}
+
 TEST(Environment, TheLastMipIsTheMeanOverTheSphere) {
     for (const auto& [width, height] : {std::pair{64u, 32u}, {37u, 19u}, {5u, 1u}, {1u, 9u}}) {
         const Environment environment = environment_of(
