@@ -1,5 +1,5 @@
-// Deferred shading sees a surface through the G-buffer, forward shading sees the surface itself: by how much the
-// two may differ follows from the G-buffer's formats (docs/precision.md), pixel by pixel.
+// Deferred shading sees a surface through the G-buffer, forward shading sees the surface itself: by how much
+// the two may differ follows from the G-buffer's formats (docs/precision.md), pixel by pixel.
 #include <algorithm>
 #include <functional>
 
@@ -78,8 +78,8 @@ glm::dvec3 radiance(const Stored& p, const View& view) {
     const glm::dvec3 mirror =
         f0 * scale_bias.x + glm::dvec3(glm::mix(s.specular, 1.0, s.metallic) * scale_bias.y);
     const glm::dvec3 matt = s.base_color * (1 - s.metallic) * (1 - std::max({mirror.x, mirror.y, mirror.z}));
-    const glm::dvec3 seen = glm::mix(sky(*view.scene, glm::reflect(-v, s.normal)),
-                                     matt_sky(*view.scene, s.normal), p.roughness);
+    const glm::dvec3 seen =
+        glm::mix(sky(*view.scene, glm::reflect(-v, s.normal)), matt_sky(*view.scene, s.normal), p.roughness);
     return sum + p.occlusion * (matt * matt_sky(*view.scene, s.normal) + mirror * seen);
 }
 
@@ -108,7 +108,9 @@ glm::dvec3 bound(const Stored& p, const View& view) {
     const glm::dvec3 aside = glm::normalize(
         glm::cross(p.normal, std::abs(p.normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
     for (const glm::dvec3& axis : {aside, glm::cross(p.normal, aside)})
-        vary([&](Stored& s, double sign) { s.normal = glm::normalize(p.normal + axis * (sign * kNormalRad)); });
+        vary([&](Stored& s, double sign) {
+            s.normal = glm::normalize(p.normal + axis * (sign * kNormalRad));
+        });
     const glm::dvec3 away = (p.position - view.eye) * kDepthShare;
     vary([&](Stored& s, double sign) { s.position += away * sign; });
     return sum * kTogether;
@@ -142,9 +144,8 @@ TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
             return scene->materials[i.material].alpha_mode == scene::AlphaMode::blend;
         });
         const scene::Camera camera = scene->cameras.at(0);
-        const Rendered deferred =
-            render(*scene, camera, kSize, scene->exposure_ev,
-                   {"albedo", "normal", "orm", "specular", "depth", "hdr"});
+        const Rendered deferred = render(*scene, camera, kSize, scene->exposure_ev,
+                                         {"albedo", "normal", "orm", "specular", "depth", "hdr"});
         const Rendered forward = render(*scene, camera, kSize, scene->exposure_ev, {"hdr"},
                                         WEFT_SOURCE_DIR "/graphs/forward.json");
         ASSERT_EQ(deferred.images.size(), 6u);
@@ -160,8 +161,8 @@ TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
             ++surfaces;
             const glm::dvec3 a(deferred.images.at("hdr")[i]), b(forward.images.at("hdr")[i]);
             // Half floats end at 2⁻²⁴.
-            const glm::dvec3 allowed = bound(stored_at(deferred, i, to_world), view) * gain +
-                                       glm::max(a, b) * kRounding + 1.2e-7;
+            const glm::dvec3 allowed =
+                bound(stored_at(deferred, i, to_world), view) * gain + glm::max(a, b) * kRounding + 1.2e-7;
             for (int c = 0; c < 3; ++c) {
                 worst_use = std::max(worst_use, std::abs(a[c] - b[c]) / allowed[c]);
                 widest = std::max(widest, std::abs(a[c] - b[c]) / std::max(a[c], 1e-3));

@@ -1,5 +1,5 @@
-// What the G-buffer says of a normal, and lights say to a point, in double precision: octahedral normals, and the
-// distance window and cones of KHR_lights_punctual.
+// What the G-buffer says of a normal, and lights say to a point, in double precision: octahedral normals, and
+// the distance window and cones of KHR_lights_punctual.
 #pragma once
 
 #include <algorithm>
