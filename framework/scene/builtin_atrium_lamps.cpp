@@ -68,7 +68,7 @@ void add_garlands(Parts& parts) {
             const glm::vec3 at =
                 on_wire(z, (static_cast<float>(i) + 0.5f) / kBulbs) - glm::vec3(0, kBulbRadius, 0);
             place_copy(parts, bulb_mesh, parts.materials.bulb, moved(at));
-            add_lamp(parts, "bulb", at, 0.35f, 5);
+            add_lamp(parts, "bulb", at, 0.5f, 7);
         }
     }
 }
@@ -79,14 +79,15 @@ void add_candles(Parts& parts) {
     const uint32_t bowl = add_mesh(parts, builder.finish("candle_bowl"));
     builder.add_lathe({{0.022f, 0.01f}, {0.022f, 0.075f}, {0, 0.078f}}, {6, 0, 6.283185307f, 0.1f, 0.14f});
     const uint32_t wax = add_mesh(parts, builder.finish("candle_wax"));
-    builder.add_sphere({0, 0, 0}, 0.018f, 6, 3);
+    builder.add_lathe({{0.002f, -0.02f}, {0.013f, 0}, {0.009f, 0.02f}, {0, 0.05f}},
+                      {6, 0, 6.283185307f, 0.1f, 0.1f});
     const uint32_t flame = add_mesh(parts, builder.finish("candle_flame"));
     for (const glm::vec3& at : candle_places()) {
         place_copy(parts, bowl, parts.materials.bronze, moved(at));
         place_copy(parts, wax, parts.materials.marble, moved(at));
         if (parts.daylight.lamps > 0)
             place_copy(parts, flame, parts.materials.bulb, moved(at + glm::vec3(0, 0.095f, 0)));
-        add_lamp(parts, "candle", at + glm::vec3(0, 0.12f, 0), 0.12f, 3);
+        add_lamp(parts, "candle", at + glm::vec3(0, 0.12f, 0), 0.2f, 4);
     }
 }
 

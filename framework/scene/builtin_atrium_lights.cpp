@@ -58,6 +58,9 @@ std::vector<glm::vec3> lantern_places() {
         for (int i = -2; i < 2; ++i)
             places.push_back(
                 {(static_cast<float>(i) + 0.5f) * kBay, kLanternY, sign * (kCourtHalfZ + kLanternAcross)});
+        for (const float end : {-1.0f, 1.0f})
+            places.push_back({sign * (kCourtHalfX + 0.5f * kWalkDepth), kLanternY,
+                              end * (kCourtHalfZ + 0.5f * kWalkDepth)});
     }
     return places;
 }
