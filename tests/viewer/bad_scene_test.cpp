@@ -114,6 +114,23 @@ TEST(BadScene, DeepNestingIsRefusedQuickly) {
     expect_refused(render(scratch / "deep.gltf", scratch), {"deep.gltf", "error[S1", "help: "});
 }
 
+TEST(BadScene, AnEnvironmentIsJudgedByItsHeader) {
+    const ScratchFolder scratch;
+    const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
+    scratch.write("huge.hdr", header + "-Y 16384 +X 16384\n");
+    // Ends within a coded row, where a decoder that trusts its input waits for ever.
+    scratch.write("cut.hdr", header + "-Y 512 +X 1024\n" + std::string("\2\2\4\0\377", 5));
+    scratch.write("text.hdr", "no picture");
+    const auto with = [&](const std::string& env) {
+        return run_weft(
+            {"render", "builtin:spheres", "--size", "16x16", "--env", env, "-o", scratch / "a.png"});
+    };
+    expect_refused(with(scratch / "huge.hdr"), {"huge.hdr: error[S181]", "16384x16384", "help: "});
+    expect_refused(with(scratch / "cut.hdr"), {"cut.hdr: error[S180]", "in row 1 of 512", "help: "});
+    expect_refused(with(scratch / "text.hdr"), {"text.hdr: error[S180]", "#?RADIANCE", "help: "});
+    expect_refused(with(scratch / "none.hdr"), {"none.hdr: error[S180]", "help: "});
+}
+
 TEST(BadScene, UnknownNamesAreGuessed) {
     const ScratchFolder scratch;
     expect_refused(render("builtin:atrum", scratch), {"error[S120]", "did you mean \"atrium\"?"});
