@@ -4,6 +4,7 @@
 #include <set>
 
 #include "render/import_catalog.h"
+#include "shared/light.glsl"
 
 namespace weft::render {
 namespace {
@@ -33,9 +34,30 @@ std::string names_of(const std::set<uint32_t>& materials, const scene::Scene& sc
     return names;
 }
 
-}  // namespace
+Diagnostics lights_left_out(const FramePlan& plan, const scene::Scene& scene) {
+    const auto lights = static_cast<uint64_t>(
+        std::ranges::count_if(scene.lights, [](const scene::Light& light) { return light.intensity > 0; }));
+    Diagnostics warnings;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        if (pass.type != "light_upload") continue;
+        for (const UseDecl& use : pass.uses) {
+            const ResourceDecl& buffer = plan.graph.resources[use.resource];
+            const uint64_t room = buffer.size_bytes / sizeof(shared::Light);
+            if (room >= lights) continue;
+            warnings.push_back(plan.graph.sources.error(
+                buffer.loc, "S157",
+                "the scene has " + std::to_string(lights) + " lights; \"" + buffer.name +
+                    "\" holds the first " + std::to_string(room) + " of them"));
+            warnings.back().severity = Severity::warning;
+            warnings.back().help = {"raise its count; in the shipped graphs --param maxLights=" +
+                                    std::to_string(lights)};
+        }
+    }
+    return warnings;
+}
 
-Diagnostics left_out_by(const FramePlan& plan, const scene::Scene& scene) {
+Diagnostics transparent_left_out(const FramePlan& plan, const scene::Scene& scene) {
     const std::set<std::string> drawn = drawn_lists(plan);
     if (drawn.empty() || drawn.contains("transparent")) return {};
     std::set<uint32_t> materials;
@@ -55,6 +77,14 @@ Diagnostics left_out_by(const FramePlan& plan, const scene::Scene& scene) {
         plan.graph.name + "\" draws the list \"transparent\"";
     warning.help = {"--graph graphs/forward.json draws them"};
     return {warning};
+}
+
+}  // namespace
+
+Diagnostics left_out_by(const FramePlan& plan, const scene::Scene& scene) {
+    Diagnostics warnings = transparent_left_out(plan, scene);
+    for (Diagnostic& warning : lights_left_out(plan, scene)) warnings.push_back(std::move(warning));
+    return warnings;
 }
 
 }  // namespace weft::render

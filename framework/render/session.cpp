@@ -1,5 +1,6 @@
 #include "render/session.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "check/check_plan.h"
@@ -78,28 +79,6 @@ Diagnostics missing_features(const vk::Device& device, const FramePlan& plan) {
     return missing;
 }
 
-// What the buffers of this plan have no room for.
-Diagnostics lights_left_out(const FramePlan& plan, size_t lights) {
-    Diagnostics warnings;
-    for (const PassId id : plan.schedule.order) {
-        const PassDecl& pass = plan.graph.passes[id];
-        if (pass.type != "light_upload") continue;
-        for (const UseDecl& use : pass.uses) {
-            const ResourceDecl& buffer = plan.graph.resources[use.resource];
-            const uint64_t room = buffer.size_bytes / sizeof(shared::Light);
-            if (room >= lights) continue;
-            warnings.push_back(plan.graph.sources.error(
-                buffer.loc, "S157",
-                "the scene has " + std::to_string(lights) + " lights; \"" + buffer.name +
-                    "\" holds the first " + std::to_string(room) + " of them"));
-            warnings.back().severity = Severity::warning;
-            warnings.back().help = {"raise its count; in the shipped graphs --param maxLights=" +
-                                    std::to_string(lights)};
-        }
-    }
-    return warnings;
-}
-
 }  // namespace
 
 VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size) {
@@ -162,14 +141,14 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     if (!gpu) return gpu.take_errors();
     session->scene_ = std::move(*gpu);
     session->scene_lights_ = scene.lights;
+    session->lights_move_ = std::ranges::any_of(
+        scene.lights, [](const scene::Light& light) { return light.path.turns_per_s != 0; });
     session->lights_ = gpu_lights(scene.lights, 0);
     session->scene_constants_ = scene_constants(scene);
     Result<Stage> stage = session->make_stage(std::move(imports), session->loaded_.graph, input.output);
     if (!stage) return stage.take_errors();
     session->stage_ = std::move(*stage);
     for (Diagnostic& warning : left_out_by(session->plan(), scene)) warnings.push_back(std::move(warning));
-    for (Diagnostic& warning : lights_left_out(session->plan(), session->lights_.size()))
-        warnings.push_back(std::move(warning));
     return session;
 }
 
@@ -214,7 +193,7 @@ shared::FrameConstants Session::frame_constants(double time_s, double delta_time
 Status Session::render_frame(double time_s, double delta_time_s) {
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
-    lights_ = gpu_lights(scene_lights_, time_s);
+    if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s);
     scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_);
     const LightList lights{lights_};
     HostInputs host;

@@ -89,6 +89,7 @@ class Session {
     LoadedGraph loaded_;
     std::unique_ptr<GpuScene> scene_;
     std::vector<scene::Light> scene_lights_;
+    bool lights_move_ = false;
     std::vector<shared::Light> lights_;  // of this frame
     shared::ViewConstants view_{};
     shared::FrameConstants scene_constants_{};

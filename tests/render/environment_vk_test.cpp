@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "quad_scene.h"
 #include "session_fixture.h"
 
 namespace weft::test {
@@ -24,13 +25,7 @@ scene::Environment environment_of(uint32_t width, uint32_t height,
 // A square of 8 m in y = 0 that only reflects diffusely.
 scene::Scene matt_plane(float albedo) {
     scene::Scene scene;
-    scene::Mesh mesh;
-    mesh.positions = {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}};
-    mesh.normals.assign(4, {0, 1, 0});
-    mesh.tangents.assign(4, {1, 0, 0, 1});
-    mesh.uvs = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    scene.meshes.push_back(mesh);
+    scene.meshes.push_back(ground_mesh());
     scene::Material material;
     material.base_color = glm::vec4(glm::vec3(albedo), 1);
     material.metallic = 0;

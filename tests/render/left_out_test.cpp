@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shared/light.glsl"
+
 namespace weft::render {
 namespace {
 
@@ -48,6 +50,27 @@ TEST(LeftOut, NothingIsSaidOfWhatIsDrawnOrAbsent) {
     EXPECT_TRUE(left_out_by(plan_that_draws({"opaque", "transparent"}), scene_of({kBlend})).empty());
     EXPECT_TRUE(left_out_by(plan_that_draws({"opaque"}), scene_of({kMask})).empty());
     EXPECT_TRUE(left_out_by(plan_that_draws({}), scene_of({kBlend})).empty()) << "a graph without surfaces";
+}
+
+TEST(LeftOut, LightsWithoutRoomAreCountedWhereTheyShine) {
+    FramePlan plan;
+    plan.graph.passes.resize(1);
+    plan.graph.passes[0].type = "light_upload";
+    plan.graph.passes[0].uses.resize(1);
+    plan.graph.passes[0].uses[0].resource = 0;
+    plan.graph.resources.resize(1);
+    plan.graph.resources[0].name = "lights";
+    plan.graph.resources[0].size_bytes = 2 * sizeof(shared::Light);
+    plan.schedule.order = {0};
+    scene::Scene scene;
+    scene.lights.resize(3);
+    scene.lights[1].intensity = 0;
+    EXPECT_TRUE(left_out_by(plan, scene).empty());
+    scene.lights[1].intensity = 1;
+    const Diagnostics said = left_out_by(plan, scene);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0].code, "S157");
+    EXPECT_EQ(said[0].message, "the scene has 3 lights; \"lights\" holds the first 2 of them");
 }
 
 }  // namespace

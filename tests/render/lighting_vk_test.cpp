@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "quad_scene.h"
 #include "reference_brdf.h"
 #include "reference_light.h"
 #include "scene/builtin_scenes.h"
@@ -75,13 +76,7 @@ class Plane : public SessionTest, public ::testing::WithParamInterface<PlaneCase
 // A white square of 8 m in y = 0, seen from above at a slant.
 scene::Scene plane_scene(const PlaneCase& c) {
     scene::Scene scene;
-    scene::Mesh mesh;
-    mesh.positions = {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}};
-    mesh.normals.assign(4, {0, 1, 0});
-    mesh.tangents.assign(4, {1, 0, 0, 1});
-    mesh.uvs = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    scene.meshes.push_back(mesh);
+    scene.meshes.push_back(ground_mesh());
     scene::Material material;
     material.metallic = c.metal ? 1.0f : 0.0f;
     material.roughness = 0.4f;

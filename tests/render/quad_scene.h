@@ -39,6 +39,17 @@ inline scene::Scene quad_scene() {
     return scene;
 }
 
+// A level square of 8 m around the origin, facing +y.
+inline scene::Mesh ground_mesh() {
+    scene::Mesh mesh;
+    mesh.positions = {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}};
+    mesh.normals.assign(4, {0, 1, 0});
+    mesh.tangents.assign(4, {1, 0, 0, 1});
+    mesh.uvs = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    return mesh;
+}
+
 // 1 lx on what faces the camera, times `intensity`.
 inline scene::Light frontal_light(float intensity) {
     scene::Light light;
