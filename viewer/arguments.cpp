@@ -15,21 +15,16 @@ struct FutureFlag {
     const char* what;
 };
 constexpr std::array kFutureRenderFlags{
-    FutureFlag{"--tier", "quality tiers"},
     FutureFlag{"--profile", "rendering to a profile"},
 };
-constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--sarif", "SARIF"},
-                                       FutureFlag{"--run", "graph tests"}};
-constexpr std::array kFuturePlanFlags{FutureFlag{"--tier", "quality tiers"}};
+constexpr std::array kFutureCheckFlags{FutureFlag{"--sarif", "SARIF"}, FutureFlag{"--run", "graph tests"}};
 
 struct FutureFlags {
     const char* command;
     std::span<const FutureFlag> flags;
 };
-constexpr std::array kFutureFlags{
-    FutureFlags{"render", kFutureRenderFlags}, FutureFlags{"check", kFutureCheckFlags},
-    FutureFlags{"plan", kFuturePlanFlags}, FutureFlags{"explain", kFuturePlanFlags},
-    FutureFlags{"diff", kFuturePlanFlags}};
+constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
+                                  FutureFlags{"check", kFutureCheckFlags}};
 constexpr std::array<const char*, 2> kFutureCommands{"view", "schema"};
 
 std::optional<double> number_of(const std::string& text) {

@@ -95,9 +95,20 @@ Session::Session(vk::Device& device, const SessionInput& input)
 }
 
 LoadInput Session::load_input(const ImportCatalog& imports, Extent3D size) const {
-    return {input_.graph_path, input_.reader,   input_.shader_root,   input_.shader_cache,
-            passes_,           imports,         device_.profile(),    size,
-            input_.params,     input_.observed, input_.shader_worker, input_.limits};
+    return {.path = input_.graph_path,
+            .reader = input_.reader,
+            .shader_root = input_.shader_root,
+            .shader_cache = input_.shader_cache,
+            .passes = passes_,
+            .imports = imports,
+            .profile = device_.profile(),
+            .output_extent = size,
+            .params = input_.params,
+            .observed = input_.observed,
+            .shader_worker = input_.shader_worker,
+            .limits = input_.limits,
+            .graph_root = input_.graph_root,
+            .tier = input_.tier};
 }
 
 Session::~Session() = default;

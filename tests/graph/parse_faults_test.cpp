@@ -54,11 +54,6 @@ INSTANTIATE_TEST_SUITE_P(
                   {"W101"},
                   "unknown key \"resorces\"",
                   "did you mean \"resources\"?"},
-        FaultCase{"LaterKey",
-                  top("$$\"tiers\": {}"),
-                  {"W101"},
-                  "unknown key \"tiers\"",
-                  "not available in this version"},
         FaultCase{"Null", top("\"sizes\": $$null"), {"W102"}, "found null, wanted object"},
         FaultCase{
             "BadName", top("\"consts\": {$$\"2d\": 1}"), {"W109"}, "\"2d\" cannot be the name", "letters"},

@@ -175,8 +175,16 @@ struct PassDesc {
     uint32_t order_key = 0;  // graphs made in memory
 };
 
+// A quality tier: what it changes has been merged into the graph that it was loaded with.
+struct TierDesc {
+    std::string name;
+    SourceLoc loc;
+};
+
 struct GraphDesc {
     std::string name;
+    std::string tier;             // the one merged in; empty: the file as it is
+    std::vector<TierDesc> tiers;  // in the order written
     std::map<std::string, double> consts;
     std::map<std::string, ParamDesc> params;
     std::map<std::string, Expr> sizes;
