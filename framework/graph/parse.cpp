@@ -9,6 +9,7 @@ namespace {
 
 constexpr int64_t kFormatVersion = 1;
 constexpr int64_t kMaxFrames = 1'000'000;
+constexpr int64_t kMaxJitter = 64;
 
 const std::vector<std::string>& import_kinds() {
     static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube", "output"};
@@ -63,6 +64,11 @@ void read_frames(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
     if (read_integer(context, node, 1, kMaxFrames, frames)) graph.frames = static_cast<uint32_t>(frames);
 }
 
+void read_jitter(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    int64_t jitter = 0;
+    if (read_integer(context, node, 0, kMaxJitter, jitter)) graph.jitter = static_cast<uint32_t>(jitter);
+}
+
 void read_text(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_string(context, node, graph.name);
 }
@@ -110,6 +116,7 @@ constexpr std::array kTopKeys{
     KeyRule<GraphDesc>{"sizes", read_sizes},     KeyRule<GraphDesc>{"resources", parse_resources},
     KeyRule<GraphDesc>{"passes", parse_passes},  KeyRule<GraphDesc>{"frames", read_frames},
     KeyRule<GraphDesc>{"include", skip_include}, KeyRule<GraphDesc>{"tiers", read_tiers},
+    KeyRule<GraphDesc>{"jitter", read_jitter},
 };
 
 // Names of these sections are used side by side, so each must be unique among all of them.

@@ -9,6 +9,7 @@
 #include "render/frame_data.h"
 #include "render/gpu_scene.h"
 #include "render/import_catalog.h"
+#include "render/jitter.h"
 #include "render/left_out.h"
 #include "weft/compile.h"
 #include "weft/light_list.h"
@@ -91,7 +92,7 @@ Session::Session(vk::Device& device, const SessionInput& input)
     : device_(device), input_(input), passes_(*input.passes), pre_exposure_(std::exp2(input.exposure_ev)) {
     input_.passes = &passes_;
     view_ = view_constants(input.camera, glm::mat4(1), input.size.width, input.size.height);
-    view_.prev_view_projection = view_.view_projection;
+    view_.prev_view_projection = view_.steady_view_projection;
 }
 
 LoadInput Session::load_input(const ImportCatalog& imports, Extent3D size) const {
@@ -184,7 +185,7 @@ Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
     loaded_.graph = std::move(*graph);
     input_.size = size;
     // Where a point was, the last frame knows in its own picture's terms.
-    const glm::mat4 last_view_projection = view_.view_projection;
+    const glm::mat4 last_view_projection = view_.steady_view_projection;
     view_ = view_constants(input_.camera, glm::mat4(1), size.width, size.height);
     view_.prev_view_projection = last_view_projection;
     return stage_.executor->take_over(std::move(predecessor));
@@ -205,6 +206,8 @@ Status Session::render_frame(double time_s, double delta_time_s) {
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
     if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s);
+    view_ = view_constants(input_.camera, view_.prev_view_projection, input_.size.width, input_.size.height,
+                           jitter_px(frame_index_, loaded_.desc.jitter));
     scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_);
     const LightList lights{lights_};
     HostInputs host;
@@ -217,7 +220,7 @@ Status Session::render_frame(double time_s, double delta_time_s) {
     frame.prev_pre_exposure = pre_exposure_;
     frame.host = &host;
     Status done = stage_.executor->run(frame);
-    view_.prev_view_projection = view_.view_projection;
+    view_.prev_view_projection = view_.steady_view_projection;
     return done;
 }
 

@@ -192,6 +192,7 @@ struct GraphDesc {
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
     uint32_t frames = 1;
+    uint32_t jitter = 0;  // after how many frames the camera's sub-pixel offsets begin again; 0: there are none
     SourceMap sources;
 };
 
