@@ -67,7 +67,7 @@ class Session {
     [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return stage_.executor->take_timings(); }
     [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
     // How many frames the graph asks for.
-    [[nodiscard]] uint32_t frames() const { return loaded_.desc.frames; }
+    [[nodiscard]] uint32_t frames() const { return loaded_.graph.frames; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }

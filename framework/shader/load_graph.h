@@ -34,12 +34,14 @@ struct LoadInput {
     Limits limits = {};
     std::filesystem::path graph_root = {};  // the graphs/ folder, where included files are looked for as well
     std::string tier = {};                  // empty: the file as it is
+    std::string debug = {};                 // a view to add, kDebugView, to be observed; empty: none
 };
 
 struct LoadedGraph {
     GraphDesc desc;
     ShaderCatalog shaders;
     ResolvedGraph graph;
+    std::map<std::string, size_t> skipped_formats;  // so that all tiers have the same; see ResolveInput
 };
 
 // What is written: the graph's file and all that it includes. Its tiers are load_graph()'s choice.
