@@ -112,8 +112,8 @@ void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
 void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     add_offline(command, o.offline, raw);
-    command.add_option("--format", o.format, "text, json or dot")
-        ->check(CLI::IsMember({"text", "json", "dot"}).description(""))
+    command.add_option("--format", o.format, "text, json, dot or html")
+        ->check(CLI::IsMember({"text", "json", "dot", "html"}).description(""))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "a file in place of stdout");
 }
