@@ -18,8 +18,7 @@ constexpr std::array kFutureRenderFlags{
     FutureFlag{"--tier", "quality tiers"},
     FutureFlag{"--profile", "rendering to a profile"},
 };
-constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--sarif", "SARIF"},
-                                       FutureFlag{"--run", "graph tests"}};
+constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--run", "graph tests"}};
 constexpr std::array kFuturePlanFlags{FutureFlag{"--tier", "quality tiers"}};
 
 struct FutureFlags {

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "files.h"
 #include "offline_graph.h"
+#include "sarif.h"
 
 namespace weft::viewer {
 namespace {
@@ -30,6 +31,7 @@ ExitCode run_check(const CheckOptions& options) {
         report(profile.errors());
         return exit_code_for(profile.errors());
     }
+    const bool prints_data = options.json || options.sarif;
     Diagnostics all;
     for (const std::string& file : options.files) {
         Diagnostics found;
@@ -37,14 +39,14 @@ ExitCode run_check(const CheckOptions& options) {
         if (!made) {
             const Diagnostics errors = made.take_errors();
             found.insert(found.end(), errors.begin(), errors.end());
-        } else if (!options.json) {
+        } else if (!prints_data) {
             const FramePlan& plan = made->plan;
             std::fprintf(stderr,
                          "%s: ok, %zu passes live of %zu, %u barriers, %.1f MiB of transient memory\n",
                          file.c_str(), plan.schedule.order.size(), plan.graph.passes.size(),
                          plan.barriers.emitted, static_cast<double>(plan.memory.heap_bytes) / 1048576.0);
         }
-        if (!options.json) report(found);
+        if (!prints_data) report(found);
         all.insert(all.end(), found.begin(), found.end());
     }
     if (options.json) {
@@ -52,6 +54,7 @@ ExitCode run_check(const CheckOptions& options) {
         for (const Diagnostic& d : all) list.push_back(to_json(d));
         std::printf("%s\n", list.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     }
+    if (options.sarif) std::fputs(sarif_log(all).c_str(), stdout);
     return has_errors(all) ? exit_code_for(all) : ExitCode::ok;
 }
 

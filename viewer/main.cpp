@@ -106,7 +106,8 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
 void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.files, "graph files")->required();
     add_offline(command, o.offline, raw);
-    command.add_flag("--json", o.json, "what was found, as JSON on stdout");
+    CLI::Option* json = command.add_flag("--json", o.json, "what was found, as JSON on stdout");
+    command.add_flag("--sarif", o.sarif, "what was found, as a SARIF 2.1.0 log on stdout")->excludes(json);
 }
 
 void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {

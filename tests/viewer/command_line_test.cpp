@@ -43,7 +43,7 @@ const std::vector<BadUsage>& bad_usages() {
         {"TimeOfASceneWithoutHours", {"render", "builtin:spheres", "--time", "12"}, "has no time of day"},
         {"LaterProfile", {"render", "--profile", "a.json"}, "not there yet"},
         {"LaterRun", {"check", kDeferred, "--run"}, "not there yet"},
-        {"LaterSarif", {"check", kDeferred, "--sarif"}, "not there yet"},
+        {"CheckJsonAndSarif", {"check", kDeferred, "--json", "--sarif"}, "excludes"},
         {"LaterPlanTier", {"plan", kDeferred, "--tier", "low"}, "not there yet"},
         {"LaterView", {"view"}, "`view` is not there yet"},
         {"ExplainUnknownQuestion", {"explain", kDeferred, "why", "x"}, "QUESTION"},
