@@ -17,7 +17,6 @@ struct FutureFlag {
 constexpr std::array kFutureRenderFlags{
     FutureFlag{"--profile", "rendering to a profile"},
 };
-constexpr std::array kFutureCheckFlags{FutureFlag{"--sarif", "SARIF"}, FutureFlag{"--run", "graph tests"}};
 
 struct FutureFlags {
     const char* command;

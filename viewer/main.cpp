@@ -112,15 +112,16 @@ void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.files, "graph files")->required();
     add_tier(command, o.offline, "the graph as it is and all tiers");
     add_offline(command, o.offline, raw);
-    command.add_flag("--json", o.json, "what was found, as JSON on stdout");
+    CLI::Option* json = command.add_flag("--json", o.json, "what was found, as JSON on stdout");
+    command.add_flag("--sarif", o.sarif, "what was found, as a SARIF 2.1.0 log on stdout")->excludes(json);
 }
 
 void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     add_tier(command, o.offline, "the graph as it is");
     add_offline(command, o.offline, raw);
-    command.add_option("--format", o.format, "text, json or dot")
-        ->check(CLI::IsMember({"text", "json", "dot"}).description(""))
+    command.add_option("--format", o.format, "text, json, dot or html")
+        ->check(CLI::IsMember({"text", "json", "dot", "html"}).description(""))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "a file in place of stdout");
 }

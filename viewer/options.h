@@ -51,6 +51,7 @@ struct CheckOptions {
     std::vector<std::string> files;
     OfflineOptions offline;
     bool json = false;
+    bool sarif = false;  // not both
 };
 
 struct PlanOptions {

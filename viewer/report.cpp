@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <unistd.h>
+
 #include "commands.h"
+#include "terminal_colors.h"
 
 namespace weft::viewer {
 namespace {
@@ -12,10 +15,11 @@ constexpr size_t kMostShown = 200;
 }  // namespace
 
 void report(const Diagnostics& diagnostics) {
+    const bool colors = wants_colors(STDERR_FILENO);
     size_t errors = 0, warnings = 0, hidden = 0;
     for (const Diagnostic& d : diagnostics) {
         const size_t seen = d.severity == Severity::error ? ++errors : ++warnings;
-        if (seen <= kMostShown) std::fprintf(stderr, "%s\n", to_text(d).c_str());
+        if (seen <= kMostShown) std::fprintf(stderr, "%s\n", (colors ? colored_text(d) : to_text(d)).c_str());
         if (seen > kMostShown) ++hidden;
     }
     if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
