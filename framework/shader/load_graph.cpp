@@ -51,14 +51,15 @@ bool says_no_compiler(const Diagnostic& fault) {
     return fault.code == "X570";
 }
 
-ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, Diagnostics& faults) {
+ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, ShaderMemory* memory,
+                              Diagnostics& faults) {
     ShaderCatalog catalog;
     shader::StageCompiler compiler(roots);
     bool no_compiler = false;  // said once
     for (const auto& [name, pass] : graph.passes) {
         const std::optional<ProgramKind> kind = program_kind(pass);
         if (!kind || pass.shader.empty() || catalog.contains(pass.shader)) continue;
-        Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots, compiler);
+        Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots, compiler, memory);
         if (program) {
             catalog.emplace(pass.shader, std::move(*program));
             continue;
@@ -89,7 +90,7 @@ Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
                             input.shader_cache,
                             input.shader_worker,
                             input.limits.shader};
-    ShaderCatalog shaders = compile_shaders(*desc, roots, faults);
+    ShaderCatalog shaders = compile_shaders(*desc, roots, input.memory, faults);
     Result<ResolvedGraph> graph = resolved(*desc, shaders, input, warnings);
     if (!graph) append(faults, graph.take_errors());
     add_pointers(*merged, faults);

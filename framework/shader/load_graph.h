@@ -31,6 +31,7 @@ struct LoadInput {
     std::vector<std::string> observed;
     std::filesystem::path shader_worker = {};  // find_shader_worker(); empty: glslang runs in this process
     Limits limits = {};
+    ShaderMemory* memory = nullptr;  // what earlier loads left for this one
 };
 
 struct LoadedGraph {
