@@ -36,6 +36,12 @@ struct RenderOptions {
     Limits limits;
 };
 
+struct ViewOptions {
+    RenderOptions render;  // 0 frames: until somebody ends it; its output: empty, no picture
+    bool headless = false;
+    bool fixed_dt = false;  // render.fixed_dt_s from frame to frame, as fast as can be; else as time goes by
+};
+
 // How a graph is compiled where there is no device.
 struct OfflineOptions {
     std::string profile;  // a file, or the name of a shipped one; empty: lavapipe
