@@ -12,7 +12,7 @@ set(WEFT_PUBLIC_HEADERS
   check/check_plan.h check/check_transition.h
   graph/memory_report.h graph/plan_diff.h graph/plan_dump.h graph/plan_explain.h
   image/channel_difference.h image/error_summary.h image/flip.h image/heat_map.h
-  render/import_catalog.h render/session.h render/texels.h
+  render/import_catalog.h render/reloader.h render/session.h render/texels.h
   scene/builtin_scenes.h scene/image_decode.h scene/load_gltf.h
   shader/load_graph.h
   vulkan/device.h vulkan/executor.h vulkan/native.h)

@@ -1,5 +1,6 @@
 #include "arguments.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -22,9 +23,8 @@ struct FutureFlags {
     const char* command;
     std::span<const FutureFlag> flags;
 };
-constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
-                                  FutureFlags{"check", kFutureCheckFlags}};
-constexpr std::array<const char*, 2> kFutureCommands{"view", "schema"};
+constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags}};
+constexpr std::array<const char*, 1> kFutureCommands{"schema"};
 
 std::optional<double> number_of(const std::string& text) {
     if (text == "true" || text == "false") return text == "true" ? 1 : 0;
@@ -84,6 +84,8 @@ std::string future_fault(const std::vector<std::string>& arguments) {
     for (const char* command : kFutureCommands)
         if (arguments.front() == command)
             return "`" + arguments.front() + "` is not there yet in this version of weft";
+    if (arguments[0] == "view" && std::ranges::find(arguments, "--headless") == arguments.end())
+        return "`view` is not there yet in this version of weft; `view --headless` is";
     if (arguments.size() > 1 && arguments[0] == "bench" && arguments[1] == "frame")
         return "`bench frame` is not there yet in this version of weft";
     for (const FutureFlags& command : kFutureFlags) {

@@ -5,10 +5,12 @@
 
 #include "commands.h"
 #include "files.h"
+#include "graph/debug_view.h"
 #include "image_file.h"
 #include "render/session.h"
 #include "render/texels.h"
 #include "scene_source.h"
+#include "session_setup.h"
 #include "stats.h"
 #include "weft/registry.h"
 
@@ -21,11 +23,6 @@ struct RunOutcome {
     std::vector<vk::FrameTiming> timings;
     std::vector<vk::ReadbackData> readbacks;
 };
-
-ExitCode fail(const Diagnostics& errors) {
-    report(errors);
-    return exit_code_for(errors);
-}
 
 Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& options, uint32_t frames) {
     for (uint32_t i = 0; i < frames; ++i) {
@@ -41,7 +38,7 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
 // The picture that --output asks for: the graph's output, or the resource of --resource.
 Status write_picture(const RenderOptions& options, const render::Session& session,
                      const RunOutcome& outcome) {
-    const bool is_output = options.resource.empty();
+    const bool is_output = options.resource.empty() && options.debug.empty();
     if (!is_output && outcome.readbacks.empty()) {
         Diagnostic d;
         d.code = "W103";
@@ -55,7 +52,9 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
                           {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind) return kind.errors();
-    if (is_output && *kind == ImageFileKind::png)
+    // Both are ready for a display.
+    const bool is_encoded = is_output || !options.debug.empty();
+    if (is_encoded && *kind == ImageFileKind::png)
         return write_png(options.output, data.extent.width, data.extent.height, data.bytes);
     std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
     // Raw values are in the resource's own units; a PNG is for looking at, so it keeps the exposure.
@@ -80,7 +79,10 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
     input.graph_root = root / "graphs";
     input.tier = options.tier;
     input.params = options.params;
-    if (!options.resource.empty()) input.observed = {options.resource};
+    input.observed = options.observed;
+    if (!options.resource.empty()) input.observed.push_back(options.resource);
+    input.debug = options.debug;
+    if (!options.debug.empty()) input.observed.emplace_back(kDebugView);
     input.camera = camera;
     input.exposure_ev = options.exposure_ev.value_or(scene.exposure_ev);
     input.queues = options.queues;
@@ -110,7 +112,8 @@ void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
     report({d});
 }
 
-// Prints what the layers said, pass by pass.
+}  // namespace
+
 bool report_messages(const std::vector<vk::Message>& messages) {
     for (const vk::Message& message : messages)
         std::fprintf(stderr, "validation: %s%s%s: %s\n", message.id.c_str(),
@@ -121,29 +124,23 @@ bool report_messages(const std::vector<vk::Message>& messages) {
 // After a time-out the device may still be at work with our memory: leaving is safe, tearing things down
 // under it, the driver among them, is not.
 ExitCode fail_on_device(const Diagnostics& errors) {
-    const ExitCode code = fail(errors);
+    report(errors);
+    const ExitCode code = exit_code_for(errors);
     if (code == ExitCode::lost) std::_Exit(static_cast<int>(code));
     return code;
 }
 
-}  // namespace
-
-ExitCode run_render(const RenderOptions& options) {
-    if (const Result<ImageFileKind> kind = image_file_kind(options.output);
-        !kind && options.resource.empty()) {
-        report(kind.errors());
-        return ExitCode::usage;
-    }
+Result<OpenSession> open_session(const RenderOptions& options) {
     Diagnostics warnings;
     Result<scene::Scene> scene =
         open_scene({options.scene, options.env, options.hour, options.lights, options.seed},
                    options.limits.scene, warnings);
     report(warnings);
-    if (!scene) return fail(scene.errors());
+    if (!scene) return scene.take_errors();
     warn_of_exposure(*scene, options.exposure_ev.value_or(scene->exposure_ev));
     const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
     Result<scene::Camera> camera = choose_camera(*scene, options.camera, aspect);
-    if (!camera) return fail(camera.errors());
+    if (!camera) return camera.take_errors();
 
     vk::DeviceOptions device_options;
     device_options.validate = options.validate;
@@ -151,30 +148,42 @@ ExitCode run_render(const RenderOptions& options) {
     device_options.queues = options.queues;
     device_options.timeout_ns = static_cast<uint64_t>(options.timeout_s * 1e9);
     Result<std::unique_ptr<vk::Device>> device = vk::Device::create(device_options);
-    if (!device) return fail(device.errors());
+    if (!device) return device.take_errors();
 
     const PassCatalog passes = registered_passes();
     warnings.clear();
     Result<std::unique_ptr<render::Session>> session =
         render::Session::create(**device, *scene, session_input(options, *scene, *camera, passes), warnings);
     report(warnings);
-    if (!session) return fail_on_device(session.errors());
-    const uint32_t frames = options.frames > 0 ? options.frames : (*session)->frames();
-    Result<RunOutcome> outcome = run_frames(**session, options, frames);
+    if (!session) return session.take_errors();
+    return OpenSession{std::move(*device), std::move(*session)};
+}
+
+ExitCode run_render(const RenderOptions& options) {
+    if (const Result<ImageFileKind> kind = image_file_kind(options.output);
+        !kind && options.resource.empty()) {
+        report(kind.errors());
+        return ExitCode::usage;
+    }
+    Result<OpenSession> open = open_session(options);
+    if (!open) return fail_on_device(open.errors());
+    render::Session& session = *open->session;
+    const uint32_t frames = options.frames > 0 ? options.frames : session.frames();
+    Result<RunOutcome> outcome = run_frames(session, options, frames);
     if (!outcome) {
-        report_messages((*device)->messages().messages());
+        report_messages(open->device->messages().messages());
         return fail_on_device(outcome.errors());
     }
-    if (Status s = write_picture(options, **session, *outcome); !s) return fail_on_device(s.errors());
+    if (Status s = write_picture(options, session, *outcome); !s) return fail_on_device(s.errors());
     if (!options.stats.empty()) {
         const std::string json =
-            stats_json({**device, (*session)->plan(), outcome->output, outcome->timings, frames});
-        if (Status s = write_file(options.stats, json); !s) return fail(s.errors());
+            stats_json({*open->device, session.plan(), outcome->output, outcome->timings, frames});
+        if (Status s = write_file(options.stats, json); !s) return fail_on_device(s.errors());
     }
     std::fprintf(stderr, "weft: wrote %s\n", options.output.c_str());
     // Objects that are still alive are heard of only when the device goes.
-    session->reset();
-    return report_messages(vk::destroy_device(std::move(*device))) ? ExitCode::validation : ExitCode::ok;
+    open->session.reset();
+    return report_messages(vk::destroy_device(std::move(open->device))) ? ExitCode::validation : ExitCode::ok;
 }
 
 }  // namespace weft::viewer

@@ -21,6 +21,7 @@ enum class ExitCode : int {
 };
 
 [[nodiscard]] ExitCode run_render(const RenderOptions& options);
+[[nodiscard]] ExitCode run_view(const ViewOptions& options);
 [[nodiscard]] ExitCode run_check(const CheckOptions& options);
 [[nodiscard]] ExitCode run_plan(const PlanOptions& options);
 [[nodiscard]] ExitCode run_explain(const ExplainOptions& options);

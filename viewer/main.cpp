@@ -76,6 +76,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->check(param_validator());
     command.add_option("--resource", o.resource,
                        "write this resource (name@pass.mip(e).layer(e)), not the output");
+    command
+        .add_option("--debug", o.debug, "write this debug view of the graph, or any resource made visible")
+        ->excludes("--resource");
     command.add_flag("--validate", o.validate, "run under the validation layers; any message is exit code 5");
     command.add_option("--stats", o.stats, "write times, memory and hashes to this JSON file");
     command.add_option("--device", o.device, "a device's index or part of its name");
@@ -89,6 +92,19 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->capture_default_str();
     add_limits(command, raw);
     command.add_option("--test-drop-barriers", o.drop_barriers_before)->group("");
+}
+
+void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
+    o.render.output.clear();
+    add_render(command, o.render, raw);
+    for (const char* flag : {"--resource", "--test-drop-barriers", "--output", "--frames", "--stats"})
+        command.remove_option(command.get_option(flag));
+    command.add_flag("--headless", o.headless, "without a window");
+    command.add_option("-o,--output", o.render.output, "write the last frame: .png, .exr or .pfm");
+    command.add_option("--frames", o.render.frames, "end after so many [SIGINT, SIGTERM, or stdin closes]")
+        ->check(CLI::Range(1u, 100000000u));
+    command.add_option("--stats", o.render.stats,
+                       "write how often was reloaded, and more, to this JSON file");
 }
 
 // How a graph is compiled where there is no device.
@@ -112,6 +128,9 @@ void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.files, "graph files")->required();
     add_tier(command, o.offline, "the graph as it is and all tiers");
     add_offline(command, o.offline, raw);
+    command.add_flag("--run", o.run,
+                     "run the graphs' own tests, on a device and under the validation layers");
+    command.add_option("--device", o.device, "for --run: a device's index or part of its name");
     CLI::Option* json = command.add_flag("--json", o.json, "what was found, as JSON on stdout");
     command.add_flag("--sarif", o.sarif, "what was found, as a SARIF 2.1.0 log on stdout")->excludes(json);
 }
@@ -195,6 +214,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1);  // so that a misspelt one is named
     RawTexts raw;
     RenderOptions render_options;
+    ViewOptions view_options;
     CheckOptions check_options;
     PlanOptions plan_options;
     DoctorOptions doctor_options;
@@ -204,6 +224,8 @@ int run(int argc, char** argv) {
     BenchOptions bench_options;
     CLI::App* render = app.add_subcommand("render", "render a scene through a graph to a picture");
     add_render(*render, render_options, raw);
+    CLI::App* view = app.add_subcommand("view", "draw on and on, and follow what changes in the files");
+    add_view(*view, view_options, raw);
     CLI::App* check = app.add_subcommand("check", "find what is wrong with graph files");
     add_check(*check, check_options, raw);
     CLI::App* plan = app.add_subcommand("plan", "show the compiled frame: order, barriers, memory");
@@ -235,6 +257,11 @@ int run(int argc, char** argv) {
     render_options.limits = compare_options.limits = *limits;
     render_options.size = parse_size(raw.size);
     render_options.params = parse_params(raw.params);
+    view_options.render.limits = *limits;
+    view_options.render.size = render_options.size;
+    view_options.render.params = render_options.params;
+    view_options.fixed_dt = view->count("--fixed-dt") > 0;
+    if (view->count("--exposure") > 0) view_options.render.exposure_ev = static_cast<float>(raw.exposure);
     for (OfflineOptions* offline :
          {&check_options.offline, &plan_options.offline, &explain_options.offline, &diff_options.offline}) {
         offline->size = render_options.size;
@@ -243,6 +270,7 @@ int run(int argc, char** argv) {
     }
     if (render->count("--exposure") > 0) render_options.exposure_ev = static_cast<float>(raw.exposure);
     if (render->parsed()) return exit_with(run_render(render_options));
+    if (view->parsed()) return exit_with(run_view(view_options));
     if (check->parsed()) return exit_with(run_check(check_options));
     if (plan->parsed()) return exit_with(run_plan(plan_options));
     if (explain->parsed()) return exit_with(run_explain(explain_options));
@@ -251,7 +279,7 @@ int run(int argc, char** argv) {
     if (doctor->parsed()) return exit_with(run_doctor(doctor_options));
     if (bench_compile->parsed()) return exit_with(run_bench_compile(bench_options));
     std::fputs(
-        "weft: say what to do: render, check, plan, explain, diff, compare, bench or doctor\nRun `weft "
+        "weft: say what to do: render, view, check, plan, explain, diff, compare, bench or doctor\nRun `weft "
         "--help`.\n",
         stderr);
     return exit_with(ExitCode::usage);

@@ -28,6 +28,8 @@ struct RenderOptions {
     std::optional<float> exposure_ev;
     std::map<std::string, double> params;
     std::string resource;
+    std::string debug;  // a debug view, or a resource to be shown as one
+    std::vector<std::string> observed;  // references that are read back every frame, besides `resource`
     bool validate = false;
     std::string stats;
     std::string device;
@@ -35,6 +37,12 @@ struct RenderOptions {
     uint32_t queues = 1;
     std::string drop_barriers_before;  // test hook
     Limits limits;
+};
+
+struct ViewOptions {
+    RenderOptions render;  // 0 frames: until somebody ends it; its output: empty, no picture
+    bool headless = false;
+    bool fixed_dt = false;  // render.fixed_dt_s from frame to frame, as fast as can be; else as time goes by
 };
 
 // How a graph is compiled where there is no device.
@@ -52,6 +60,8 @@ struct CheckOptions {
     OfflineOptions offline;
     bool json = false;
     bool sarif = false;  // not both
+    bool run = false;    // the graphs' own tests
+    std::string device;  // for them
 };
 
 struct PlanOptions {

@@ -1,118 +1,28 @@
-// XXH3, 128 bits, over every field of the plan in the order of plan_fields.h; each sequence and text is led
-// by its length, so that no two plans run together to the same bytes.
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdio>
-#include <cstring>
-#include <memory>
-#include <optional>
+// What of a plan decides which hash.
 #include <string>
-#include <type_traits>
-#include <vector>
 
-#include <xxhash.h>
-
+#include "graph/field_hash.h"
 #include "graph/plan_cache.h"
-#include "graph/plan_fields.h"
 #include "weft/compile.h"
 
 namespace weft {
-namespace {
-
-class HashVisitor {
- public:
-    explicit HashVisitor(XXH3_state_t* state) : state_(state) {}
-
-    template <class T>
-    void operator()(const char*, const T& value) {
-        add(value);
-    }
-
-    // Hands on what is still gathered; the last call.
-    void finish() { flush(); }
-
- private:
-    // Little-endian everywhere. Words and short texts are gathered, because a plan is made of them and each
-    // update has a price.
-    void word(uint64_t value) {
-        if (words_.size() - used_ < sizeof(value)) flush();
-        if constexpr (std::endian::native == std::endian::little)
-            std::memcpy(words_.data() + used_, &value, sizeof(value));
-        else
-            for (size_t i = 0; i < sizeof(value); ++i)
-                words_[used_ + i] = static_cast<unsigned char>(value >> (8 * i));
-        used_ += sizeof(value);
-    }
-
-    void flush() {
-        XXH3_128bits_update(state_, words_.data(), used_);
-        used_ = 0;
-    }
-
-    void add(const std::string& text) {
-        word(text.size());
-        if (words_.size() - used_ < text.size()) flush();
-        if (words_.size() < text.size()) {
-            XXH3_128bits_update(state_, text.data(), text.size());
-            return;
-        }
-        std::copy(text.begin(), text.end(), words_.begin() + static_cast<std::ptrdiff_t>(used_));
-        used_ += text.size();
-    }
-    template <class T>
-    void add(const std::vector<T>& items) {
-        word(items.size());
-        for (const T& item : items) add(item);
-    }
-    template <class T, size_t N>
-    void add(const std::array<T, N>& items) {
-        for (const T& item : items) add(item);
-    }
-    template <class T>
-    void add(const std::optional<T>& item) {
-        word(item.has_value() ? 1 : 0);
-        if (item) add(*item);
-    }
-    template <class T>
-    void add(const T& value) {
-        if constexpr (std::is_same_v<T, double>)
-            word(std::bit_cast<uint64_t>(value));
-        else if constexpr (std::is_same_v<T, float>)
-            word(std::bit_cast<uint32_t>(value));
-        else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
-            word(static_cast<uint64_t>(value));
-        else
-            visit_fields(*this, value);
-    }
-
-    XXH3_state_t* state_;
-    std::array<unsigned char, 4096> words_{};
-    size_t used_ = 0;
-};
-
-struct FreeState {
-    void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-};
-
-template <class Visit>
-std::string hashed(Visit visit) {
-    const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
-    XXH3_128bits_reset(state.get());
-    HashVisitor visitor(state.get());
-    visit(visitor);
-    visitor.finish();
-    const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-    std::array<char, 33> text{};
-    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                  static_cast<unsigned long long>(hash.low64));
-    return text.data();
-}
-
-}  // namespace
 
 std::string plan_hash(const FramePlan& plan) {
     return hashed([&](HashVisitor& visitor) { visit_fields(visitor, plan); });
+}
+
+std::string structure_hash(FramePlan plan) {
+    for (PassDecl& pass : plan.graph.passes) {
+        for (ParamWrite& write : pass.params) write.value = {};
+        for (SpecValue& value : pass.spec_values) value.bits = 0;
+        for (NamedValue& value : pass.custom_params) value.value = 0;
+        for (AttachmentDecl& color : pass.colors) color.blend = {};
+        if (pass.depth) pass.depth->blend = {};
+        pass.state = {};
+        pass.flops = 0;
+    }
+    for (NamedValue& param : plan.graph.params) param.value = 0;
+    return plan_hash(plan);
 }
 
 std::string compile_hash(const ResolvedGraph& graph, const MemoryNeeds& needs,

@@ -1,17 +1,22 @@
 // Purpose: one graph drawing one scene: load, compile, prove, run. What `weft render` and the picture tests
 // are made of, and the shortest way to embed Weft. Units: size in pixels, exposure in EV (hdr is stored ×
-// 2^EV).
+// 2^EV). Threads: all is for the thread that submits, but for prepare().
 #pragma once
 
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "render/prepared.h"
 #include "scene/scene.h"
 #include "shader/load_graph.h"
 #include "shared/frame.glsl"
 #include "shared/light.glsl"
 #include "vulkan/executor.h"
+#include "vulkan/pipeline_store.h"
 
 namespace weft::render {
 
@@ -33,6 +38,7 @@ struct SessionInput {
     std::string tier;  // of the graph; empty: the graph as it is
     std::map<std::string, double> params;
     std::vector<std::string> observed;  // references that are read back every frame
+    std::string debug;  // a debug view, or any resource, drawn as "debugView"; observe that to see it
     uint32_t queues = 1;                // logical queues; the device shall have been made for as many
     scene::Camera camera;
     float exposure_ev = 0;
@@ -55,10 +61,22 @@ class Session {
 
     ~Session();
 
-    // From the next frame on. Histories and kept resources live on as their onResize says. After an error
-    // that names the graph (W…, C…) or memory everything goes on at the old size. `output` replaces
-    // SessionInput::output, whose image frames in flight may still use. Errors: as create().
+    [[nodiscard]] const Selection& selection() const { return selection_; }
+    // What create() looked at, as Preparation::files.
+    [[nodiscard]] const std::set<std::filesystem::path>& first_files() const { return first_files_; }
+    // Reads the selected graph, compiles what changed, proves the plan and makes its objects, while frames go
+    // on: this may be called from any thread, and submits nothing. Errors: as create().
+    [[nodiscard]] Preparation prepare(const Selection& selection);
+    // From the next frame on. Histories and kept resources live on, as transition() says. False: something
+    // else was swapped in since it was prepared, and nothing happens; prepare it again. After an error of the
+    // checker (C…) everything goes on as it was.
+    [[nodiscard]] Result<bool> swap_in(Prepared next);
+    // Both at once, with the graph as it was last loaded. After an error that names the graph (W…, C…) or
+    // memory everything goes on at the old size. `output` replaces SessionInput::output, whose image frames
+    // in flight may still use. Errors: as create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
+    // How many pipelines were made by the thread that called create(), since then.
+    [[nodiscard]] uint64_t pipelines_made_between_frames() const { return pipelines_made_between_frames_; }
     [[nodiscard]] Status render_frame(double time_s, double delta_time_s);
     [[nodiscard]] Status finish();
     // The output image of the last frame; call after finish().
@@ -73,23 +91,35 @@ class Session {
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
 
  private:
-    // What depends on the size.
-    struct Stage {
-        ImportCatalog imports;
-        vk::Image output;
-        std::unique_ptr<vk::Executor> executor;  // last: destroyed first
-    };
-
     Session(vk::Device& device, const SessionInput& input);
-    [[nodiscard]] LoadInput load_input(const ImportCatalog& imports, Extent3D size) const;
-    [[nodiscard]] Result<Stage> make_stage(ImportCatalog imports, const ResolvedGraph& graph, VkImage output);
+    [[nodiscard]] LoadInput load_input(const Selection& selection, const ImportCatalog& imports) const;
+    // With memory_, which holds the files that were looked at then.
+    [[nodiscard]] Result<LoadedGraph> load(const Selection& selection, const ImportCatalog& imports,
+                                           Diagnostics& warnings);
+    // The graph, loaded and resolved, as it follows what runs now.
+    [[nodiscard]] Result<Prepared> follow_with(const Selection& selection, const ShaderCatalog& shaders,
+                                               const ResolvedGraph& graph);
+    [[nodiscard]] Status make_stage(Prepared& next, vk::ExecutorInput run, ImportCatalog imports) const;
+    [[nodiscard]] Status hand_over_to(Stage stage);
+    void adopt(Prepared& next);
+    [[nodiscard]] StageMark running() const;
     [[nodiscard]] shared::FrameConstants frame_constants(double time_s, double delta_time_s) const;
 
     vk::Device& device_;
-    SessionInput input_;
-    PassCatalog passes_;
-    LoadedGraph loaded_;
+    const SessionInput input_;
+    const PassCatalog passes_;
+    ImportCatalog imports_;  // for the first size
+    std::set<std::filesystem::path> first_files_;
     std::unique_ptr<GpuScene> scene_;
+    const std::thread::id drawing_thread_ = std::this_thread::get_id();
+    std::atomic<uint64_t> pipelines_made_between_frames_ = 0;
+    std::mutex preparing_;  // one at a time; guards memory_
+    std::unique_ptr<ShaderMemory> memory_;
+    mutable std::mutex marking_;
+    StageMark mark_;
+    // The rest is the drawing thread's.
+    Selection selection_;
+    LoadedGraph loaded_;
     std::vector<scene::Light> scene_lights_;
     bool lights_move_ = false;
     std::vector<shared::Light> lights_;  // of this frame
@@ -97,6 +127,7 @@ class Session {
     shared::FrameConstants scene_constants_{};
     float pre_exposure_ = 1;
     uint64_t frame_index_ = 0;
+    vk::PipelineStore pipelines_;
     Stage stage_;  // last: destroyed first
 };
 

@@ -8,6 +8,7 @@
 #include "shader/interface_merge.h"
 #include "shader/link_stages.h"
 #include "shader/shader_cache.h"
+#include "shader/shader_memory.h"
 #include "shader/shader_sources.h"
 #include "shader/validate_spirv.h"
 
@@ -155,8 +156,7 @@ Diagnostics invalid_modules(const std::vector<CompiledStage>& stages) {
 }
 
 Result<ShaderProgram> build_program(const std::string& reference, ProgramKind kind, const ShaderRoots& roots,
-                                    StageCompiler& compiler) {
-    SourceReader reader(roots);
+                                    StageCompiler& compiler, SourceReader& reader) {
     auto compiled = compile_stages(reference, kind, roots, reader, compiler);
     if (!compiled) return compiled.take_errors();
     std::vector<CompiledStage>& stages = *compiled;
@@ -181,8 +181,8 @@ Result<ShaderProgram> build_program(const std::string& reference, ProgramKind ki
 
 // The cache is a file like any other: what comes from it passes the same gate.
 std::optional<ShaderProgram> cached_program(const std::string& reference, ProgramKind kind,
-                                            const ShaderRoots& roots) {
-    auto program = load_cached(reference, kind, roots);
+                                            const ShaderRoots& roots, SourceReader& reader) {
+    auto program = load_cached(reference, kind, roots, reader);
     if (!program) return std::nullopt;
     const auto invalid = [](const ShaderModule& module) { return spirv_fault(module.spirv).has_value(); };
     if (std::ranges::any_of(program->modules, invalid)) return std::nullopt;
@@ -201,9 +201,23 @@ Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind k
 }
 
 Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind, const ShaderRoots& roots,
-                                     StageCompiler& compiler) {
-    if (auto program = cached_program(reference, kind, roots)) return std::move(*program);
-    return build_program(reference, kind, roots, compiler);
+                                     StageCompiler& compiler, ShaderMemory* memory) {
+    if (memory != nullptr)
+        if (const ShaderProgram* known = memory->find(reference, kind, roots)) return *known;
+    const auto keep = [&](const ShaderProgram* program, const SourceReader& reader) {
+        if (memory == nullptr) return;
+        memory->add_files_of(reader);
+        if (program != nullptr) memory->remember(*program, kind, roots, reader);
+    };
+    SourceReader again(roots);
+    if (auto program = cached_program(reference, kind, roots, again)) {
+        keep(&*program, again);
+        return std::move(*program);
+    }
+    SourceReader reader(roots);
+    Result<ShaderProgram> program = build_program(reference, kind, roots, compiler, reader);
+    keep(program ? &*program : nullptr, reader);
+    return program;
 }
 
 fs::path find_shader_worker(const fs::path& install_folder) {

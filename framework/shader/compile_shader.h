@@ -23,6 +23,7 @@ namespace weft {
 namespace shader {
 class StageCompiler;
 }
+class ShaderMemory;
 
 // No file outside these folders is ever opened, whatever references, includes or links say.
 struct ShaderRoots {
@@ -44,9 +45,11 @@ enum class ProgramKind : uint8_t {
 // Deterministic: equal contents give equal words, wherever the roots lie. Safe to call from several threads.
 [[nodiscard]] Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
                                                    const ShaderRoots& roots);
-// With a compiler made from the same roots, whose worker lives on for the next one.
+// With a compiler made from the same roots, whose worker lives on for the next one, and with what earlier
+// loads left; `memory` may be null.
 [[nodiscard]] Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
-                                                   const ShaderRoots& roots, shader::StageCompiler& compiler);
+                                                   const ShaderRoots& roots, shader::StageCompiler& compiler,
+                                                   ShaderMemory* memory = nullptr);
 
 // Where weft-shader-worker is: beside the running program, or else in `bin/` below `install_folder`; beside
 // the program too when it is in neither, so that the error names a place.

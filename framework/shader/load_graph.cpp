@@ -77,14 +77,15 @@ bool says_no_compiler(const Diagnostic& fault) {
     return fault.code == "X570";
 }
 
-ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, Diagnostics& faults) {
+ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, ShaderMemory* memory,
+                              Diagnostics& faults) {
     ShaderCatalog catalog;
     shader::StageCompiler compiler(roots);
     bool no_compiler = false;  // said once
     for (const auto& [name, pass] : graph.passes) {
         const std::optional<ProgramKind> kind = program_kind(pass);
         if (!kind || pass.shader.empty() || catalog.contains(pass.shader)) continue;
-        Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots, compiler);
+        Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots, compiler, memory);
         if (program) {
             catalog.emplace(pass.shader, std::move(*program));
             continue;
@@ -129,7 +130,7 @@ std::vector<Variant> other_tiers(const JsonDoc& document, LoadInput input) {
         Result<GraphDesc> desc = described(document, input);
         if (!desc) continue;
         Diagnostics faults;
-        ShaderCatalog shaders = compile_shaders(*desc, shader_roots(input), faults);
+        ShaderCatalog shaders = compile_shaders(*desc, shader_roots(input), input.memory, faults);
         if (faults.empty()) others.push_back({std::move(*desc), std::move(shaders)});
     }
     return others;
@@ -196,7 +197,7 @@ Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input, 
 
     Diagnostics faults;
     Variant own{std::move(*desc), {}};
-    own.shaders = compile_shaders(own.desc, shader_roots(input), faults);
+    own.shaders = compile_shaders(own.desc, shader_roots(input), input.memory, faults);
     SkippedFormats skipped = faults.empty() ? common_formats(document, own, input) : SkippedFormats{};
     Result<ResolvedGraph> graph = resolved(own.desc, own.shaders, input, skipped, warnings);
     if (!graph) append(faults, graph.take_errors());

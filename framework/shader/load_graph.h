@@ -35,6 +35,7 @@ struct LoadInput {
     std::filesystem::path graph_root = {};  // the graphs/ folder, where included files are looked for as well
     std::string tier = {};                  // empty: the file as it is
     std::string debug = {};                 // a view to add, kDebugView, to be observed; empty: none
+    ShaderMemory* memory = nullptr;  // what earlier loads left for this one
 };
 
 struct LoadedGraph {

@@ -112,10 +112,9 @@ uint64_t content_hash_of(const std::string& reference, ProgramKind kind, const S
 }
 
 std::optional<ShaderProgram> load_cached(const std::string& reference, ProgramKind kind,
-                                         const ShaderRoots& roots) {
+                                         const ShaderRoots& roots, SourceReader& reader) {
     if (roots.cache_dir.empty()) return std::nullopt;
     const auto manifest = read_sealed(manifest_file(reference, kind, roots));
-    SourceReader reader(roots);
     if (!manifest || !still_so(*manifest, reader)) return std::nullopt;
 
     ShaderProgram program;

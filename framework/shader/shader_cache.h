@@ -19,8 +19,9 @@ namespace weft::shader {
                                        const SourceReader& reader);
 
 // Reference, modules and content hash; the interface is left to reflection. The words are not validated yet.
+// `reader`, a new one, has read what compiling would read when something is returned.
 [[nodiscard]] std::optional<ShaderProgram> load_cached(const std::string& reference, ProgramKind kind,
-                                                       const ShaderRoots& roots);
+                                                       const ShaderRoots& roots, SourceReader& reader);
 
 void store_cached(const ShaderProgram& program, ProgramKind kind, const ShaderRoots& roots,
                   const SourceReader& reader);

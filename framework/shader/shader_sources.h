@@ -47,6 +47,8 @@ class SourceReader {
     [[nodiscard]] bool still_so(const SourceProbe& probe);
 
     [[nodiscard]] const std::vector<SourceProbe>& probes() const { return probes_; }
+    // Every file it looked for, absolute, there or not; of a link also what it leads to.
+    [[nodiscard]] const std::vector<std::filesystem::path>& places() const { return places_; }
     [[nodiscard]] std::vector<const SourceText*> sources() const;
     [[nodiscard]] const SourceText* find(std::string_view name) const;
     // References with this extension below the searched roots, for suggestions.
@@ -66,6 +68,7 @@ class SourceReader {
     std::vector<Root> roots_;  // the searched ones, then the include root
     std::map<std::pair<size_t, std::string>, SourceText> texts_;
     std::vector<SourceProbe> probes_;
+    std::vector<std::filesystem::path> places_;
     size_t total_bytes_ = 0;
 };
 

@@ -6,6 +6,7 @@
 //   V407 time-out             V408 device lost         V409 any other failure       V410 out of memory
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -124,7 +125,7 @@ class Device {
     std::vector<uint32_t> sharing_families_;
     bool owned_ = false;
     bool debug_utils_ = false;
-    bool abandoned_ = false;
+    std::atomic<bool> abandoned_ = false;  // one thread may give up while another makes objects
     InstanceFunctions instance_functions_{};
     DeviceFunctions functions_{};
     DeviceInfo info_;

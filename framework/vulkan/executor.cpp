@@ -74,6 +74,7 @@ Status ReplayExecutor::complete(uint32_t slot) {
     const VkResult result = slots_->wait(slot);
     if (result != VK_SUCCESS) return lost_frame(slot, result);
     if (Status retired = retire_predecessor(); !retired) return retired;
+    drop_retired();
     InFlight& frame = in_flight_[slot];
     const std::vector<double> times = objects_->timer.read_ms(slot);
     for (size_t position = 0; position < times.size(); ++position)
@@ -201,6 +202,12 @@ Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput
     if (!slots) return slots.take_errors();
     return std::unique_ptr<Executor>(
         std::make_unique<ReplayExecutor>(device, std::move(*objects), std::move(*slots), hooks));
+}
+
+Result<std::unique_ptr<Amendment>> Executor::make_amendment(Device& device, ExecutorInput input) {
+    Result<std::unique_ptr<PlanAmendment>> made = make_plan_amendment(device, std::move(input));
+    if (!made) return made.take_errors();
+    return std::unique_ptr<Amendment>(std::move(*made));
 }
 
 }  // namespace weft::vk

@@ -11,6 +11,7 @@
 #include "vulkan/device.h"
 #include "vulkan/draw_source.h"
 #include "vulkan/memory.h"
+#include "vulkan/pipeline_store.h"
 #include "weft/imports.h"
 #include "weft/pass.h"
 #include "weft/plan.h"
@@ -73,7 +74,8 @@ struct ExecutorInput {
     const PassCatalog* passes = nullptr;
     const ImportCatalog* imports = nullptr;
     ImportBindings bindings;
-    const DrawSource* draws = nullptr;  // may be null when no pass is a raster pass
+    const DrawSource* draws = nullptr;   // may be null when no pass is a raster pass
+    PipelineStore* pipelines = nullptr;  // outlives the executor; null: one of its own
     ExecutorHooks hooks;
     bool timestamps = true;  // off: nothing but the plan is recorded, and all times are negative
 };
@@ -87,10 +89,26 @@ struct Predecessor {
     std::unique_ptr<Executor> executor;  // between frames; last: destroyed first
 };
 
+// Values and pipelines in place of those of a running plan.
+class Amendment {
+ public:
+    virtual ~Amendment() = default;
+    [[nodiscard]] virtual PipelineCounts pipelines() const = 0;
+};
+
+// create() and make_amendment() may run on any thread, while another one draws with another executor: they
+// submit nothing. All the rest is for the thread that submits.
 class Executor {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Executor>> create(Device& device, ExecutorInput input);
     virtual ~Executor() = default;
+
+    // For an executor whose plan has the structure_hash() of `input.plan`, and whose shaders have the same
+    // bindings and Params. Only plan, shaders, imports, draws and pipelines of the input count.
+    [[nodiscard]] static Result<std::unique_ptr<Amendment>> make_amendment(Device& device,
+                                                                           ExecutorInput input);
+    // From the next frame on; between frames. What frames in flight use lives until they are over.
+    virtual void amend(std::unique_ptr<Amendment> amendment) = 0;
 
     // Instead of the plan's prologue, before the first frame: contents move over in that frame, and the
     // predecessor, with its timings and readbacks handed on, lives until it is over. Nobody waits for it
@@ -111,6 +129,7 @@ class Executor {
     // finish().
     [[nodiscard]] virtual Result<ReadbackData> read_image(const Image& image) = 0;
     [[nodiscard]] virtual const FramePlan& plan() const = 0;
+    [[nodiscard]] virtual PipelineCounts pipelines() const = 0;
     [[nodiscard]] virtual uint64_t transient_bytes() const = 0;
 };
 

@@ -136,7 +136,7 @@ VkResult FrameSlots::wait(uint32_t index) {
 }
 
 void FrameSlots::let_go() const {
-    if (!timelines_.in_use()) return;
+    if (!timelines_.in_use() || !submitted_) return;
     for (const PlanQueue& queue : queues_) static_cast<void>(device_->fn().vkQueueWaitIdle(queue.handle));
 }
 
@@ -213,6 +213,7 @@ VkResult FrameSlots::submit(uint32_t index, uint64_t frame) {
     for (size_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch)
         result = end_commands(*device_, slot.commands[batch], queues_[queue_of_[batch]].family);
     if (result != VK_SUCCESS) return result;
+    submitted_ = true;
     return timelines_.in_use() ? submit_batches(slot, frame) : submit_alone(slot, frame);
 }
 

@@ -57,6 +57,7 @@ class FrameSlots {
     std::vector<QueueIndex> queue_of_;  // by batch
     QueueTimelines timelines_;
     std::array<Slot, kFramesInFlight> slots_;
+    bool submitted_ = false;  // anything, ever
 };
 
 }  // namespace weft::vk

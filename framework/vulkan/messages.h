@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace weft::vk {
@@ -22,7 +24,8 @@ struct Message {
 class MessageCollector {
  public:
     void add(Message message);
-    // The pass that messages are blamed on from now on; empty for none.
+    // The pass that messages on the calling thread are blamed on from now on; empty for none. One thread may
+    // draw frames while another makes pipelines.
     void set_current_pass(std::string pass);
     [[nodiscard]] std::string current_pass() const;
     [[nodiscard]] std::vector<Message> messages() const;  // warnings and errors
@@ -30,7 +33,7 @@ class MessageCollector {
 
  private:
     mutable std::mutex mutex_;
-    std::string current_pass_;
+    std::map<std::thread::id, std::string> current_pass_;
     std::vector<Message> messages_;
 };
 

@@ -1,5 +1,6 @@
 #include "vulkan/pipelines.h"
 
+#include "graph/pipeline_hash.h"
 #include "vulkan/executor_errors.h"
 #include "vulkan/graphics_state.h"
 #include "vulkan/shader_stages.h"
@@ -8,10 +9,12 @@
 namespace weft::vk {
 namespace {
 
-Result<PipelineHandle> make_compute(Device& device, const PipelineRequest& request,
-                                    const ShaderStages& stages) {
+Result<PipelineHandle> make_compute(Device& device, const PipelineRequest& request) {
+    Result<ShaderStages> stages =
+        ShaderStages::create(device, request.plan, request.pass, request.program, nullptr);
+    if (!stages) return stages.take_errors();
     VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-    info.stage = stages.infos()[0];
+    info.stage = stages->infos()[0];
     info.layout = request.layout.pipeline.get();
     VkPipeline pipeline = VK_NULL_HANDLE;
     const VkResult result =
@@ -31,14 +34,22 @@ Diagnostic missing_inputs(const PipelineRequest& request, const std::string& lis
                                         : ", which draw list \"" + list + "\" doesn't have"));
 }
 
-Result<PipelineHandle> make_graphics(Device& device, const PipelineRequest& request,
-                                     const ShaderStages& stages, const std::string& list,
-                                     const VertexFormat* vertices) {
-    const GraphicsState state(request.plan.graph, request.pass, request.program.interface, vertices);
-    if (!state.missing_inputs().empty()) return missing_inputs(request, list, state.missing_inputs());
+// What of a draw list shapes a pipeline.
+struct ListPart {
+    std::string list;
+    const DrawVariant* variant = nullptr;
+    const VertexFormat* vertices = nullptr;
+};
+
+Result<PipelineHandle> make_graphics(Device& device, const PipelineRequest& request, const ListPart& part) {
+    const GraphicsState state(request.plan.graph, request.pass, request.program.interface, part.vertices);
+    if (!state.missing_inputs().empty()) return missing_inputs(request, part.list, state.missing_inputs());
+    Result<ShaderStages> stages =
+        ShaderStages::create(device, request.plan, request.pass, request.program, part.variant);
+    if (!stages) return stages.take_errors();
     VkGraphicsPipelineCreateInfo info = state.info();
-    info.stageCount = static_cast<uint32_t>(stages.infos().size());
-    info.pStages = stages.infos().data();
+    info.stageCount = static_cast<uint32_t>(stages->infos().size());
+    info.pStages = stages->infos().data();
     info.layout = request.layout.pipeline.get();
     VkPipeline pipeline = VK_NULL_HANDLE;
     const VkResult result =
@@ -48,10 +59,23 @@ Result<PipelineHandle> make_graphics(Device& device, const PipelineRequest& requ
     return PipelineHandle(device, pipeline);
 }
 
-void name_pipeline(const Device& device, const PassDecl& pass, const std::string& variant,
-                   VkPipeline pipeline) {
+void name_pipeline(const Device& device, const PassDecl& pass, const ListPart& part, VkPipeline pipeline) {
     device.name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline),
-                variant.empty() ? pass.name : pass.name + " " + variant);
+                part.variant == nullptr ? pass.name : pass.name + " " + part.list + "/" + part.variant->name);
+}
+
+Result<PipelineLease> lease_pipeline(Device& device, const PipelineRequest& request, const ListPart& part) {
+    ++request.counts.all;
+    const std::string hash =
+        pipeline_hash({request.plan.graph, request.pass, request.program, part.variant, part.vertices});
+    const auto make = [&] {
+        Result<PipelineHandle> made = request.pass.kind == PassKind::compute
+                                          ? make_compute(device, request)
+                                          : make_graphics(device, request, part);
+        if (made) name_pipeline(device, request.pass, part, made->get());
+        return made;
+    };
+    return request.store.get(hash, make, request.counts.made);
 }
 
 const ImportDecl* find_list(const ImportCatalog* catalog, const std::string& list) {
@@ -66,14 +90,10 @@ Status add_list(Device& device, const PipelineRequest& request, const std::strin
     if (import == nullptr)
         return pass_error(request.plan, request.pass, "V414", "no draw list \"" + list + "\" was given");
     for (uint32_t i = 0; i < import->variants.size(); ++i) {
-        const DrawVariant& variant = import->variants[i];
-        Result<ShaderStages> stages =
-            ShaderStages::create(device, request.plan, request.pass, request.program, &variant);
-        if (!stages) return stages.take_errors();
-        Result<PipelineHandle> made = make_graphics(device, request, *stages, list, &import->vertex_format);
-        if (!made) return made.take_errors();
-        name_pipeline(device, request.pass, list + "/" + variant.name, made->get());
-        out.push_back({list, i, std::move(*made)});
+        const ListPart part{list, &import->variants[i], &import->vertex_format};
+        Result<PipelineLease> pipeline = lease_pipeline(device, request, part);
+        if (!pipeline) return pipeline.take_errors();
+        out.push_back({list, i, std::move(*pipeline)});
     }
     return Unit{};
 }
@@ -90,15 +110,9 @@ Result<std::vector<DrawPipeline>> make_pipelines(Device& device, const PipelineR
         if (!errors.empty()) return errors;
         return pipelines;
     }
-    Result<ShaderStages> stages =
-        ShaderStages::create(device, request.plan, request.pass, request.program, nullptr);
-    if (!stages) return stages.take_errors();
-    Result<PipelineHandle> made = request.pass.kind == PassKind::compute
-                                      ? make_compute(device, request, *stages)
-                                      : make_graphics(device, request, *stages, "", nullptr);
-    if (!made) return made.take_errors();
-    name_pipeline(device, request.pass, "", made->get());
-    pipelines.push_back({"", 0, std::move(*made)});
+    Result<PipelineLease> pipeline = lease_pipeline(device, request, {});
+    if (!pipeline) return pipeline.take_errors();
+    pipelines.push_back({"", 0, std::move(*pipeline)});
     return pipelines;
 }
 

@@ -1,4 +1,5 @@
-// Purpose: the pipelines of a pass: one, or for raster passes one for each variant of each draw list.
+// Purpose: the pipelines of a pass: one, or for raster passes one for each variant of each draw list. Those
+// that the store has are leased, not made.
 // Errors: V412, V416.
 #pragma once
 
@@ -7,6 +8,7 @@
 
 #include "vulkan/handle.h"
 #include "vulkan/pass_layout.h"
+#include "vulkan/pipeline_store.h"
 #include "weft/imports.h"
 
 namespace weft::vk {
@@ -14,7 +16,7 @@ namespace weft::vk {
 struct DrawPipeline {
     std::string list;  // empty for passes without draw lists
     uint32_t variant = 0;
-    PipelineHandle pipeline;
+    PipelineLease pipeline;
 };
 
 struct PipelineRequest {
@@ -24,6 +26,8 @@ struct PipelineRequest {
     const PassLayout& layout;
     const ImportCatalog* imports;  // needed by draw lists
     VkPipelineCache cache;
+    PipelineStore& store;
+    PipelineCounts& counts;
 };
 
 // In the order in which they are drawn: lists as the pass names them, then variants.

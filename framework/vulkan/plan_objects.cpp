@@ -1,6 +1,7 @@
 #include "vulkan/plan_objects.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "vulkan/executor_errors.h"
 #include "vulkan/merged_scopes.h"
@@ -127,8 +128,9 @@ Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjec
         const Status turn = prepare_turn(device, objects, position, program.interface, frame);
         if (!turn) return turn;
     }
-    Result<std::vector<DrawPipeline>> pipelines = make_pipelines(
-        device, {objects.plan, pass, program, prepared.layout, input.imports, objects.cache.get()});
+    Result<std::vector<DrawPipeline>> pipelines =
+        make_pipelines(device, {objects.plan, pass, program, prepared.layout, input.imports,
+                                objects.cache.get(), *input.pipelines, objects.pipeline_counts});
     if (!pipelines) return pipelines.take_errors();
     prepared.pipelines = std::move(*pipelines);
     return Unit{};
@@ -151,6 +153,18 @@ Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& object
     return Unit{};
 }
 
+Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const ExecutorInput& input,
+                                                     VkPipelineCache cache, PlanAmendment& amendment,
+                                                     const PassDecl& pass) {
+    const ShaderProgram& program = input.shaders->find(pass.shader)->second;
+    // Pipelines are at home in every layout of the same making; this one is only to make them.
+    Result<PassLayout> layout =
+        make_pass_layout(device, amendment.plan, pass, program.interface, input.draws);
+    if (!layout) return layout.take_errors();
+    return make_pipelines(device, {amendment.plan, pass, program, *layout, input.imports, cache,
+                                   *input.pipelines, amendment.counts});
+}
+
 }  // namespace
 
 Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input) {
@@ -158,6 +172,10 @@ Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorI
     if (!errors.empty()) return errors;
     auto objects = std::make_unique<PlanObjects>(device, std::move(input.plan));
     objects->draws = input.draws;
+    if (input.pipelines == nullptr) {
+        objects->own_pipelines = std::make_unique<PipelineStore>();
+        input.pipelines = objects->own_pipelines.get();
+    }
     if (Status made = make_memory(device, input, *objects); !made) return made.take_errors();
     if (Status made = make_pool(device, input, *objects); !made) return made.take_errors();
     const std::vector<PassId>& order = objects->plan.schedule.order;
@@ -174,6 +192,31 @@ Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorI
     device.messages().set_current_pass("");
     if (!errors.empty()) return errors;
     return objects;
+}
+
+Result<std::unique_ptr<PlanAmendment>> make_plan_amendment(Device& device, ExecutorInput input) {
+    assert(input.pipelines != nullptr && "without a store nothing would be left as it is");
+    Diagnostics errors = check_passes(device, input.plan, input);
+    if (!errors.empty()) return errors;
+    Result<PipelineCacheHandle> cache = make_pipeline_cache(device);
+    if (!cache) return cache.take_errors();
+    auto amendment = std::make_unique<PlanAmendment>();
+    amendment->plan = std::move(input.plan);
+    for (const PassId id : amendment->plan.schedule.order) {
+        std::vector<DrawPipeline>& place = amendment->passes.emplace_back();
+        const PassDecl& pass = amendment->plan.graph.passes[id];
+        if (!runs_shader(pass.kind)) continue;
+        device.messages().set_current_pass(pass.name);
+        Result<std::vector<DrawPipeline>> pipelines =
+            make_new_pipelines(device, input, cache->get(), *amendment, pass);
+        if (pipelines)
+            place = std::move(*pipelines);
+        else
+            append(errors, pipelines.errors());
+    }
+    device.messages().set_current_pass("");
+    if (!errors.empty()) return errors;
+    return amendment;
 }
 
 }  // namespace weft::vk

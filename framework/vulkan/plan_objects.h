@@ -38,6 +38,8 @@ struct PlanObjects {
     PlanObjects& operator=(const PlanObjects&) = delete;
 
     FramePlan plan;
+    std::unique_ptr<PipelineStore> own_pipelines;  // where the program gave none
+    PipelineCounts pipeline_counts;
     TransientHeap heap;
     ResourceTable resources;
     ViewCache views;
@@ -54,5 +56,15 @@ struct PlanObjects {
 };
 
 [[nodiscard]] Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input);
+
+// What amend() exchanges.
+struct PlanAmendment final : Amendment {
+    FramePlan plan;
+    std::vector<std::vector<DrawPipeline>> passes;  // by position
+    PipelineCounts counts;
+
+    PipelineCounts pipelines() const override { return counts; }
+};
+[[nodiscard]] Result<std::unique_ptr<PlanAmendment>> make_plan_amendment(Device& device, ExecutorInput input);
 
 }  // namespace weft::vk

@@ -31,6 +31,8 @@ class ReplayExecutor final : public Executor {
     std::vector<ReadbackData> take_readbacks() override { return std::exchange(readbacks_, {}); }
     Result<ReadbackData> read_image(const Image& image) override { return read_image_now(device_, image); }
     const FramePlan& plan() const override { return objects_->plan; }
+    PipelineCounts pipelines() const override { return objects_->pipeline_counts; }
+    void amend(std::unique_ptr<Amendment> amendment) override;
     uint64_t transient_bytes() const override { return objects_->heap.bytes(); }
 
  private:
@@ -38,7 +40,13 @@ class ReplayExecutor final : public Executor {
         uint64_t frame_index = 0;
         FrameTiming timing;
     };
+    // Pipelines that the plan has no more, and the frames that may still use them.
+    struct Retired {
+        std::vector<std::vector<DrawPipeline>> passes;
+        std::array<bool, kFramesInFlight> in_flight{};
+    };
     [[nodiscard]] Status complete(uint32_t slot);
+    void drop_retired();
     [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
     void prepare_host_data(const FrameInput& frame, uint32_t slot);
     void record_frame(const FrameInput& frame, uint32_t slot);
@@ -61,6 +69,7 @@ class ReplayExecutor final : public Executor {
     uint64_t frames_begun_ = 0;
     uint32_t slot_ = kNoId;    // of the frame begun and not yet run
     uint64_t frames_run_ = 0;  // without those that could not be submitted
+    std::vector<Retired> retired_;
     std::vector<FrameTiming> timings_;
     std::vector<ReadbackData> readbacks_;
     Diagnostics lost_;  // after a time-out or a lost device nothing runs any more

@@ -1,5 +1,6 @@
 #include "vulkan/rings.h"
 
+#include <algorithm>
 #include <cassert>
 #include <numeric>
 
@@ -48,8 +49,9 @@ uint64_t Rings::period(const PassDecl& pass) const {
 void Rings::carry_over(const Rings& old, uint64_t frames, const TransitionPlan& transition) {
     for (const CarryOver& carry : transition.carried) {
         const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
-        if (transition.keeps_validity[ring] != 0 && old.written_[old_ring] != 0)
-            carried_[ring] = frames + old.carried_[old_ring];
+        if (transition.keeps_validity[ring] == 0 || old.written_[old_ring] == 0) continue;
+        // A history that is longer now goes back no further than the old one did.
+        carried_[ring] = std::min<uint64_t>(frames + old.carried_[old_ring], old.roles_[old_ring].size() - 1);
     }
 }
 

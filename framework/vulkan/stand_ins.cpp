@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "vulkan/one_shot.h"
 #include "vulkan/to_vk.h"
 
 namespace weft::vk {
@@ -58,13 +57,7 @@ Result<VkDescriptorImageInfo> StandIns::image(const ShaderBinding& binding) {
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.handle();
     barrier.subresourceRange = to_vk(image.decl().whole());
-    Status moved = submit_once(*device_, "preparing the " + image.decl().name, [&](VkCommandBuffer commands) {
-        VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-        info.imageMemoryBarrierCount = 1;
-        info.pImageMemoryBarriers = &barrier;
-        device_->fn().vkCmdPipelineBarrier2(commands, &info);
-    });
-    if (!moved) return moved.take_errors();
+    first_layouts_.push_back(barrier);
     return VkDescriptorImageInfo{VK_NULL_HANDLE, image.view(), to_vk(layout)};
 }
 
@@ -74,6 +67,14 @@ Result<VkBuffer> StandIns::buffer(uint64_t size_bytes) {
                                          Buffer::Memory::device, "stand-in buffer");
     if (!made) return made.take_errors();
     return buffers_.emplace_back(std::move(*made)).handle();
+}
+
+void StandIns::record_layouts(VkCommandBuffer commands) const {
+    if (first_layouts_.empty()) return;
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.imageMemoryBarrierCount = static_cast<uint32_t>(first_layouts_.size());
+    info.pImageMemoryBarriers = first_layouts_.data();
+    device_->fn().vkCmdPipelineBarrier2(commands, &info);
 }
 
 }  // namespace weft::vk

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <vector>
 
 #include "vulkan/memory.h"
 #include "weft/shader_interface.h"
@@ -14,14 +15,18 @@ class StandIns {
  public:
     explicit StandIns(Device& device) : device_(&device) {}
 
-    // A view of one texel (six for cubes) and its layout; the sampler is the caller's.
+    // A view of one texel (six for cubes) and the layout that it has once record_layouts() has run; the
+    // sampler is the caller's.
     [[nodiscard]] Result<VkDescriptorImageInfo> image(const ShaderBinding& binding);
     // At least `size_bytes` of anything.
     [[nodiscard]] Result<VkBuffer> buffer(uint64_t size_bytes);
+    // Before the first frame, in commands of its own thread: what makes stand-ins submits nothing.
+    void record_layouts(VkCommandBuffer commands) const;
 
  private:
     Device* device_;
     std::deque<Image> images_;
+    std::vector<VkImageMemoryBarrier2> first_layouts_;  // of each image
     std::deque<Buffer> buffers_;
 };
 

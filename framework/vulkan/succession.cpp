@@ -1,4 +1,5 @@
-// How an executor carries on where another one stopped.
+// How an executor carries on where another one stopped, or with other values and pipelines itself.
+#include <algorithm>
 #include <cassert>
 #include <iterator>
 
@@ -6,6 +7,7 @@
 #include "vulkan/clears.h"
 #include "vulkan/one_shot.h"
 #include "vulkan/replay_executor.h"
+#include "weft/compile.h"
 
 namespace weft::vk {
 namespace {
@@ -57,6 +59,7 @@ Status ReplayExecutor::start_without_frame() {
 }
 
 void ReplayExecutor::record_start(VkCommandBuffer commands) const {
+    objects_->stand_ins.record_layouts(commands);
     if (!predecessor_) return record_prologue(device_, commands, objects_->plan, objects_->resources);
     const ReplayExecutor& old = executor_of(*predecessor_);
     record_transition(device_, commands, predecessor_->transition,
@@ -86,6 +89,30 @@ Status ReplayExecutor::retire_predecessor() {
     if (!finished) lost_ = finished.errors();
     predecessor_.reset();
     return finished;
+}
+
+void ReplayExecutor::amend(std::unique_ptr<Amendment> amendment) {
+    assert(slot_ == kNoId && "a frame was begun and not run");
+    PlanAmendment& now = static_cast<PlanAmendment&>(*amendment);
+    assert(structure_hash(now.plan) == structure_hash(objects_->plan));
+    objects_->plan = std::move(now.plan);
+    objects_->pipeline_counts = now.counts;
+    Retired& old = retired_.emplace_back();
+    for (size_t position = 0; position < now.passes.size(); ++position)
+        old.passes.push_back(
+            std::exchange(objects_->passes[position].pipelines, std::move(now.passes[position])));
+    for (uint32_t slot = 0; slot < kFramesInFlight; ++slot) old.in_flight[slot] = slots_->in_flight(slot);
+    drop_retired();
+}
+
+// A slot that was in flight and is no more has nothing to do with what it used then.
+void ReplayExecutor::drop_retired() {
+    for (Retired& old : retired_)
+        for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
+            old.in_flight[slot] = old.in_flight[slot] && slots_->in_flight(slot);
+    std::erase_if(retired_, [](const Retired& old) {
+        return std::ranges::none_of(old.in_flight, [](bool busy) { return busy; });
+    });
 }
 
 }  // namespace weft::vk

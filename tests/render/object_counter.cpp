@@ -3,13 +3,14 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 
 namespace weft::test {
 namespace {
 
 // What plain functions can reach.
-int64_t live_objects = 0;
+std::atomic<int64_t> live_objects = 0;
 
 template <auto Create, class Function>
 struct Made;
@@ -34,13 +35,18 @@ struct Gone<Destroy, void(VKAPI_PTR*)(Args...)> {
     }
 };
 
+template <auto Create>
+void count_made(vk::DeviceFunctions& table) {
+    using MadeBy = Made<Create, std::remove_reference_t<decltype(table.*Create)>>;
+    MadeBy::real = table.*Create;
+    table.*Create = MadeBy::call;
+}
+
 template <auto Create, auto Destroy>
 void count(vk::DeviceFunctions& table) {
-    using MadeBy = Made<Create, std::remove_reference_t<decltype(table.*Create)>>;
     using GoneBy = Gone<Destroy, std::remove_reference_t<decltype(table.*Destroy)>>;
-    MadeBy::real = table.*Create;
+    count_made<Create>(table);
     GoneBy::real = table.*Destroy;
-    table.*Create = MadeBy::call;
     table.*Destroy = GoneBy::call;
 }
 
@@ -59,6 +65,9 @@ ObjectCounter::ObjectCounter(vk::Device& device) : device_(device), functions_(d
     count<&Table::vkCreateDescriptorPool, &Table::vkDestroyDescriptorPool>(table);
     count<&Table::vkCreatePipelineLayout, &Table::vkDestroyPipelineLayout>(table);
     count<&Table::vkCreatePipelineCache, &Table::vkDestroyPipelineCache>(table);
+    // Both make one at a time here.
+    count<&Table::vkCreateGraphicsPipelines, &Table::vkDestroyPipeline>(table);
+    count_made<&Table::vkCreateComputePipelines>(table);
     count<&Table::vkCreateShaderModule, &Table::vkDestroyShaderModule>(table);
     count<&Table::vkCreateCommandPool, &Table::vkDestroyCommandPool>(table);
     count<&Table::vkCreateFence, &Table::vkDestroyFence>(table);

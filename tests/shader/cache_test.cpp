@@ -31,7 +31,8 @@ class Cache : public ShaderFolder {
     }
 
     [[nodiscard]] bool hits() const {
-        return shader::load_cached("x.frag", ProgramKind::fullscreen, roots_).has_value();
+        shader::SourceReader reader(roots_);
+        return shader::load_cached("x.frag", ProgramKind::fullscreen, roots_, reader).has_value();
     }
 
     static constexpr const char* kFragment = R"(#version 460
@@ -125,7 +126,8 @@ TEST_F(Cache, a_forged_entry_does_not_pass_the_gate) {
     const auto honest_manifest = shader::read_sealed(manifest);
     shader::store_cached(forged, ProgramKind::fullscreen, roots_, shader::SourceReader(roots_));
     shader::write_sealed(manifest, *honest_manifest);
-    ASSERT_EQ(shader::load_cached("x.frag", ProgramKind::fullscreen, roots_)->modules[1].spirv,
+    shader::SourceReader again(roots_);
+    ASSERT_EQ(shader::load_cached("x.frag", ProgramKind::fullscreen, roots_, again)->modules[1].spirv,
               forged.modules[1].spirv);
     expect_same(first, program("x.frag", ProgramKind::fullscreen));
 }

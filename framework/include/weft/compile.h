@@ -34,5 +34,8 @@ struct CompileOptions {
 
 // The canonical hash of a plan: 32 hex digits.
 [[nodiscard]] std::string plan_hash(const FramePlan& plan);
+// The same without what a running plan can change between two frames: values of parameters and constants, and
+// the state of pipelines. Plans of one structure have the same resources, passes, barriers and bindings.
+[[nodiscard]] std::string structure_hash(FramePlan plan);
 
 }  // namespace weft

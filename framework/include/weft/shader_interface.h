@@ -34,6 +34,7 @@ struct BlockMember {
     bool is_runtime_array = false;
     std::string struct_name;           // non-empty for members of struct type
     std::vector<BlockMember> members;  // of that struct
+    bool operator==(const BlockMember&) const = default;
 };
 
 enum class BindingKind : uint8_t { sampled_image, storage_image, uniform_buffer, storage_buffer };
@@ -59,6 +60,7 @@ struct ShaderBinding {
     // buffers
     uint32_t block_bytes = 0;  // without a runtime array's elements
     std::vector<BlockMember> members;
+    bool operator==(const ShaderBinding&) const = default;
 };
 
 // The block named `Params`: push constants, or a uniform buffer in set 1.
@@ -68,6 +70,7 @@ struct ParamsBlock {
     uint32_t size_bytes = 0;
     ShaderStageMask stages = 0;
     std::vector<BlockMember> members;
+    bool operator==(const ParamsBlock&) const = default;
 };
 
 struct SpecConstant {

@@ -1,0 +1,147 @@
+#include "render/reloader.h"
+
+namespace weft::render {
+namespace {
+
+double ms_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+Diagnostic unseen_changes(const std::filesystem::path& folder) {
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.code = "X581";
+    warning.message = "changes in \"" + folder.string() + "\" go unseen: it can't be watched";
+    warning.help = {"give the right to read it, or raise fs.inotify.max_user_watches"};
+    return warning;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Reloader>> Reloader::start(Session& session) {
+    Result<std::unique_ptr<FileWatch>> watch = FileWatch::create();
+    if (!watch) return watch.take_errors();
+    std::unique_ptr<Reloader> reloader(new Reloader(session, std::move(*watch)));
+    reloader->thread_ = std::thread([self = reloader.get()] { self->run(); });
+    return reloader;
+}
+
+Reloader::~Reloader() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    watch_->wake();
+    thread_.join();
+}
+
+// What is read before its folder is watched may change in between, so then it is read again; what is made
+// already is found again.
+Preparation Reloader::prepare_and_watch(const Selection& selection) {
+    constexpr int kMostRounds = 4;
+    Preparation made = session_.prepare(selection);
+    for (int round = 0; round < kMostRounds; ++round) {
+        // After an error the load may not have come to all that the good one read.
+        std::set<std::filesystem::path> files = made.files;
+        if (made.result)
+            good_files_ = made.files;
+        else
+            files.insert(good_files_.begin(), good_files_.end());
+        if (!watch_->watch(files)) break;
+        Preparation again = session_.prepare(selection);
+        if (made.result && again.result)
+            again.result->rebuilt.made_pipelines += made.result->rebuilt.made_pipelines;
+        made = std::move(again);
+    }
+    for (const std::filesystem::path& folder : watch_->unwatched())
+        made.warnings.push_back(unseen_changes(folder));
+    return made;
+}
+
+void Reloader::run() {
+    bool first = true;
+    for (;;) {
+        Selection selection;
+        {
+            const std::lock_guard lock(mutex_);
+            if (stop_) return;
+            asked_ = false;
+            selection = selection_;
+        }
+        const Clock::time_point begun = Clock::now();
+        Preparation made = prepare_and_watch(selection);
+        const bool worth_telling =
+            !first || !made.result || !made.result->rebuilt.nothing() || !watch_->unwatched().empty();
+        first = false;
+        std::optional<Ready> stale;  // destroyed behind the lock
+        {
+            const std::lock_guard lock(mutex_);
+            if (stop_) return;
+            if (worth_telling) {
+                stale = std::move(ready_);
+                ready_ = Ready{std::move(made), begun};
+            }
+            if (asked_) continue;
+        }
+        if (!wait_for_work()) return;
+    }
+}
+
+// False: it is over.
+bool Reloader::wait_for_work() {
+    for (;;) {
+        const bool changed = watch_->wait();
+        const std::lock_guard lock(mutex_);
+        if (stop_) return false;
+        if (changed || asked_) return true;
+    }
+}
+
+std::optional<Reload> Reloader::update() {
+    std::optional<Ready> ready;
+    {
+        const std::lock_guard lock(mutex_);
+        ready = std::exchange(ready_, std::nullopt);
+    }
+    if (!ready) return std::nullopt;
+    Reload reload;
+    reload.warnings = std::move(ready->made.warnings);
+    if (!ready->made.result) {
+        reload.errors = ready->made.result.take_errors();
+    } else {
+        const Clock::time_point begin = Clock::now();
+        reload.rebuilt = ready->made.result->rebuilt;
+        Result<bool> swapped = session_.swap_in(std::move(*ready->made.result));
+        if (!swapped)
+            reload.errors = swapped.take_errors();
+        else if (!*swapped) {
+            ask_again();
+            return std::nullopt;
+        }
+        reload.swap_ms = ms_since(begin);
+    }
+    reload.ms = ms_since(ready->begun);
+    return reload;
+}
+
+void Reloader::select(const Selection& selection) {
+    {
+        const std::lock_guard lock(mutex_);
+        selection_ = selection;
+        asked_ = true;
+    }
+    watch_->wake();
+}
+
+void Reloader::ask_again() {
+    {
+        const std::lock_guard lock(mutex_);
+        // Whoever resized meanwhile did so for good.
+        selection_.size = session_.selection().size;
+        selection_.output = session_.selection().output;
+        asked_ = true;
+    }
+    watch_->wake();
+}
+
+}  // namespace weft::render

@@ -1,0 +1,98 @@
+// Changes of files as editors, compilers and version control make them, and which of them count.
+#include "render/file_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <future>
+
+#include "live_folder.h"
+
+namespace weft::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+class FileWatching : public ::testing::Test {
+ protected:
+    void SetUp() override {
+        Result<std::unique_ptr<render::FileWatch>> made = render::FileWatch::create(20ms);
+        ASSERT_TRUE(made) << to_text(made.errors());
+        watch_ = std::move(*made);
+    }
+    bool watch(const std::set<std::string>& names) {
+        std::set<fs::path> files;
+        for (const std::string& name : names) files.insert(folder_.path(name));
+        return watch_->watch(files);
+    }
+    // Within a second, which is for ever.
+    bool notices(const std::function<void()>& change) {
+        std::future<bool> noticed = std::async(std::launch::async, [this] { return watch_->wait(); });
+        change();
+        if (noticed.wait_for(1s) != std::future_status::ready) watch_->wake();
+        return noticed.get();
+    }
+
+    LiveFolder folder_;
+    std::unique_ptr<render::FileWatch> watch_;
+};
+
+TEST_F(FileWatching, EveryWayOfSavingIsSeen) {
+    EXPECT_TRUE(watch({"live.json", "tint.glsl"}));
+    EXPECT_FALSE(watch({"live.json", "tint.glsl"})) << "nothing new";
+    for (const LiveFolder::Way way : {LiveFolder::Way::rename, LiveFolder::Way::in_place})
+        for (const char* name : {"live.json", "tint.glsl"})
+            for (int time = 0; time < 2; ++time)
+                EXPECT_TRUE(notices([&] { folder_.set(name, "x", way); })) << name;
+    EXPECT_TRUE(notices([&] { folder_.remove("tint.glsl"); }));
+    EXPECT_TRUE(notices([&] { folder_.mend(); }));
+    EXPECT_TRUE(notices([&] {
+        fs::create_symlink(folder_.path("live.json"), folder_.path("link"));
+        fs::rename(folder_.path("link"), folder_.path("tint.glsl"));
+    }));
+}
+
+TEST_F(FileWatching, OtherFilesDoNotCount) {
+    static_cast<void>(watch({"live.json"}));
+    EXPECT_FALSE(notices([&] {
+        folder_.set("other.json", "x", LiveFolder::Way::in_place);
+        std::ifstream(folder_.path("live.json")).get();
+    }));
+}
+
+TEST_F(FileWatching, AFileThatIsNotThereYetIsWaitedFor) {
+    EXPECT_TRUE(watch({"new/deeper/module.json"}));
+    EXPECT_TRUE(notices([&] { fs::create_directory(folder_.path("new")); }));
+    EXPECT_TRUE(watch({"new/deeper/module.json"})) << "there is a folder more";
+    EXPECT_TRUE(notices([&] { fs::create_directory(folder_.path("new/deeper")); }));
+    EXPECT_TRUE(watch({"new/deeper/module.json"}));
+    EXPECT_TRUE(notices([&] { folder_.set("new/deeper/module.json", "x", LiveFolder::Way::in_place); }));
+}
+
+TEST_F(FileWatching, AFolderMayGoAndComeBack) {
+    fs::create_directories(folder_.path("sub"));
+    folder_.set("sub/a.glsl", "a");
+    static_cast<void>(watch({"sub/a.glsl"}));
+    EXPECT_TRUE(notices([&] { fs::remove_all(folder_.path("sub")); }));
+    static_cast<void>(watch({"sub/a.glsl"}));
+    EXPECT_TRUE(notices([&] {
+        fs::create_directory(folder_.path("sub"));
+        folder_.mend();
+    }));
+    EXPECT_TRUE(watch({"sub/a.glsl"})) << "a folder of the same name is another one";
+    EXPECT_TRUE(notices([&] { folder_.set("sub/a.glsl", "b"); }));
+    EXPECT_TRUE(notices([&] { fs::rename(folder_.path("sub"), folder_.path("away")); }));
+}
+
+TEST_F(FileWatching, SavesInARowAreOneChange) {
+    static_cast<void>(watch({"live.json"}));
+    EXPECT_TRUE(notices([&] {
+        for (int i = 0; i < 20; ++i) folder_.set("live.json", std::to_string(i), LiveFolder::Way::in_place);
+    }));
+    EXPECT_FALSE(notices([] {}));
+}
+
+}  // namespace
+}  // namespace weft::test

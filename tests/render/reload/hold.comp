@@ -1,0 +1,12 @@
+#version 460
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(push_constant) uniform Params { uint beforeValid; } params;
+uniform sampler2D before;
+layout(rgba32f) writeonly uniform image2D dst;
+
+// One where the past is as it was left, or there is none; whoever lost it shows it for good.
+void main() {
+    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    const vec4 past = texelFetch(before, at, 0);
+    imageStore(dst, at, params.beforeValid == 0 ? vec4(1) : past == vec4(1) ? vec4(1) : vec4(0.25));
+}

@@ -1,0 +1,34 @@
+// Purpose: the `weft` program while it runs: what it has said so far, and how it is told to end.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "viewer/program.h"
+
+namespace weft::test {
+
+class RunningProgram {
+ public:
+    explicit RunningProgram(const std::vector<std::string>& arguments);
+    ~RunningProgram();
+    RunningProgram(const RunningProgram&) = delete;
+    RunningProgram& operator=(const RunningProgram&) = delete;
+
+    [[nodiscard]] std::string err() const { return read_text(scratch_ / "err"); }
+    // Waits until stderr holds `text` so often, or half a minute.
+    [[nodiscard]] bool says(const std::string& text, int times = 1) const;
+    void close_stdin();
+    void send(int signal) const;
+    // Waits for its end. 128 + signal when it was killed.
+    [[nodiscard]] int exit_code();
+
+ private:
+    ScratchFolder scratch_;
+    pid_t child_ = -1;
+    int stdin_ = -1;
+};
+
+}  // namespace weft::test

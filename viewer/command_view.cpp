@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "end_signals.h"
+#include "files.h"
+#include "image_file.h"
+#include "render/reloader.h"
+#include "render/texels.h"
+#include "session_setup.h"
+
+namespace weft::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::nanoseconds kFrameTime = std::chrono::nanoseconds(1'000'000'000) / 60;
+
+struct ViewCounts {
+    uint64_t frames = 0;
+    uint32_t reloads = 0;
+    uint32_t failed_reloads = 0;
+    double longest_swap_ms = 0;
+};
+
+// What a reload has to say. What runs on after an error is the graph from before.
+void tell(const render::Reload& reload, ViewCounts& counts) {
+    report(reload.warnings);
+    if (!reload.good()) {
+        ++counts.failed_reloads;
+        report(reload.errors);
+        std::fprintf(stderr, "weft: not reloaded: the last good graph goes on\n");
+        return;
+    }
+    ++counts.reloads;
+    counts.longest_swap_ms = std::max(counts.longest_swap_ms, reload.swap_ms);
+    std::fprintf(stderr, "weft: reloaded in %.0f ms: %s\n", reload.ms, to_text(reload.rebuilt).c_str());
+}
+
+// A window would show each frame, and tell of its events, where this one only waits for the next frame.
+Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session, render::Reloader& reloader,
+                           EndSignals& end) {
+    ViewCounts counts;
+    const Clock::time_point begin = Clock::now();
+    double last_s = 0;
+    while (options.render.frames == 0 || counts.frames < options.render.frames) {
+        const Clock::time_point due = begin + counts.frames * kFrameTime;
+        if (end.within(options.fixed_dt ? std::chrono::nanoseconds(0) : due - Clock::now())) break;
+        if (const std::optional<render::Reload> reload = reloader.update()) tell(*reload, counts);
+        const double dt_s = options.render.fixed_dt_s;
+        const double now_s = options.fixed_dt ? static_cast<double>(counts.frames) * dt_s
+                                              : std::chrono::duration<double>(Clock::now() - begin).count();
+        if (Status s = session.render_frame(now_s, options.fixed_dt ? dt_s : now_s - last_s); !s)
+            return s.take_errors();
+        // Nobody asks for them here, and they would pile up.
+        static_cast<void>(session.take_timings());
+        static_cast<void>(session.take_readbacks());
+        last_s = now_s;
+        ++counts.frames;
+    }
+    if (Status s = session.finish(); !s) return s.take_errors();
+    return counts;
+}
+
+// Whoever looks at the file sees a whole picture, the old one or this.
+Status write_last_frame(const std::string& path, render::Session& session) {
+    const Result<vk::ReadbackData> data = session.read_output();
+    if (!data) return data.errors();
+    const std::filesystem::path file(path);
+    const std::string beside =
+        (file.parent_path() / ("." + file.stem().string() + ".part" + file.extension().string())).string();
+    const Result<ImageFileKind> kind = image_file_kind(path);
+    if (!kind) return kind.errors();
+    const auto write = [&]() -> Status {
+        if (*kind == ImageFileKind::png)
+            return write_png(beside, data->extent.width, data->extent.height, data->bytes);
+        return write_image(beside, data->extent.width, data->extent.height,
+                           render::decode_texels(data->format, data->bytes));
+    };
+    if (Status s = write(); !s) return s;
+    std::error_code error;
+    std::filesystem::rename(beside, file, error);
+    if (error) {
+        Diagnostic d;
+        d.code = "X512";
+        d.message = "cannot write \"" + path + "\": " + error.message();
+        return d;
+    }
+    std::fprintf(stderr, "weft: wrote %s\n", path.c_str());
+    return Unit{};
+}
+
+Status write_stats(const std::string& path, const OpenSession& open, const ViewCounts& counts) {
+    const nlohmann::ordered_json json{
+        {"graph", open.session->selection().graph_path},
+        {"frames", counts.frames},
+        {"reloads", counts.reloads},
+        {"failed_reloads", counts.failed_reloads},
+        {"longest_swap_ms", counts.longest_swap_ms},
+        {"validation", {{"messages", open.device->messages().count()}}},
+        {"pipelines_built_on_frame_thread", open.session->pipelines_made_between_frames()},
+    };
+    return write_file(path, json.dump(2) + "\n");
+}
+
+}  // namespace
+
+ExitCode run_view(const ViewOptions& options) {
+    if (!options.render.output.empty()) {
+        if (const Result<ImageFileKind> kind = image_file_kind(options.render.output); !kind) {
+            report(kind.errors());
+            return ExitCode::usage;
+        }
+    }
+    // Before there are threads that a signal could end the program through.
+    EndSignals end(options.render.frames == 0);
+    RenderOptions untimed = options.render;
+    untimed.stats.clear();  // its times would add barriers
+    Result<OpenSession> open = open_session(untimed);
+    if (!open) return fail_on_device(open.errors());
+    Result<std::unique_ptr<render::Reloader>> reloader = render::Reloader::start(*open->session);
+    if (!reloader) return fail_on_device(reloader.errors());
+    std::fprintf(stderr, "weft: watching %s and what it reads\n",
+                 open->session->selection().graph_path.c_str());
+    const Result<ViewCounts> counts = draw_on(options, *open->session, **reloader, end);
+    reloader->reset();
+    if (!counts) {
+        report_messages(open->device->messages().messages());
+        return fail_on_device(counts.errors());
+    }
+    if (!options.render.output.empty())
+        if (Status s = write_last_frame(options.render.output, *open->session); !s)
+            return fail_on_device(s.errors());
+    if (!options.render.stats.empty())
+        if (Status s = write_stats(options.render.stats, *open, *counts); !s)
+            return fail_on_device(s.errors());
+    open->session.reset();
+    return report_messages(vk::destroy_device(std::move(open->device))) ? ExitCode::validation : ExitCode::ok;
+}
+
+}  // namespace weft::viewer

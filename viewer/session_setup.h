@@ -1,0 +1,26 @@
+// Purpose: from the command line to a session that draws, for the commands that need one.
+// Errors: those of scenes (S…), devices (V…) and Session::create().
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "commands.h"
+#include "render/session.h"
+
+namespace weft::viewer {
+
+struct OpenSession {
+    std::unique_ptr<vk::Device> device;
+    std::unique_ptr<render::Session> session;  // last: destroyed first
+};
+
+// Warnings go to stderr.
+[[nodiscard]] Result<OpenSession> open_session(const RenderOptions& options);
+// Prints what the layers said, pass by pass. True: they said something.
+bool report_messages(const std::vector<vk::Message>& messages);
+// Prints the errors and returns their exit code; after a time-out it leaves at once, without tearing down
+// what the device may still be at work with.
+[[nodiscard]] ExitCode fail_on_device(const Diagnostics& errors);
+
+}  // namespace weft::viewer
