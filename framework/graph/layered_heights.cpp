@@ -82,9 +82,10 @@ void place_nodes(LayeredGraph& graph) {
     constexpr int kSweeps = 6;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
         for (const std::vector<uint32_t>& layer : graph.layers) level(graph, layer, -1);
-        for (size_t i = graph.layers.size(); i-- > 0;)
-            level(graph, graph.layers[i], sweep + 1 < kSweeps ? 1 : 0);
+        for (size_t i = graph.layers.size(); i-- > 0;) level(graph, graph.layers[i], 1);
     }
+    for (size_t i = graph.layers.size(); i-- > 0;) level(graph, graph.layers[i], 0);
+    for (const std::vector<uint32_t>& layer : graph.layers) level(graph, layer, 0);
 }
 
 }  // namespace weft

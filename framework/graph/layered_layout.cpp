@@ -38,7 +38,8 @@ LayeredLayout layered_layout(const std::vector<LayoutBox>& boxes, const std::vec
     LayeredGraph graph = make_layers(boxes, edges);
     order_layers(graph);
     place_nodes(graph);
-    double top_px = 0, bottom_px = 0;
+    if (graph.nodes.empty()) return {};
+    double top_px = graph.nodes[0].y_px, bottom_px = top_px;
     for (const LayerNode& node : graph.nodes) {
         top_px = std::min(top_px, node.y_px - node.height_px / 2.0);
         bottom_px = std::max(bottom_px, node.y_px + node.height_px / 2.0);

@@ -60,11 +60,14 @@ class MemoryDrawing {
             write_label(tops_px_[h] - 24, "strong",
                         "heap " + std::to_string(heaps_[h]) + (heap.buffers ? ", buffers" : ""));
             int32_t free_px = 0;
+            std::string last;
             const int32_t end_px = scales_[h].height_px();
             for (size_t i = 0; i + 1 < scales_[h].bytes.size(); ++i) {
                 const int32_t y_px = scales_[h].y_px[i];
-                if (y_px < free_px || y_px > end_px - kLabel_px) continue;
-                write_label(tops_px_[h] + y_px - kLabel_px / 2, "", bytes_text(scales_[h].bytes[i]));
+                const std::string bytes = bytes_text(scales_[h].bytes[i]);
+                if (y_px < free_px || y_px > end_px - kLabel_px || bytes == last) continue;
+                last = bytes;
+                write_label(tops_px_[h] + y_px - kLabel_px / 2, "", bytes);
                 free_px = y_px + kLabel_px;
             }
             write_label(tops_px_[h] + end_px - kLabel_px / 2, "", bytes_text(scales_[h].bytes.back()));

@@ -86,6 +86,12 @@ TEST(LayeredLayout, CrossingsThatNeedNotBeAreNot) {
     EXPECT_EQ(layout.boxes[0].y < layout.boxes[1].y, layout.boxes[3].y < layout.boxes[2].y);
 }
 
+// One box, and an edge that passes it by.
+TEST(LayeredLayout, IsNoLargerThanWhatItShows) {
+    const LayeredLayout layout = layered_layout({{50, 40}, {50, 40}, {50, 40}}, {{0, 1}, {1, 2}, {0, 2}}, 60);
+    EXPECT_LE(layout.height_px, 40 + 20 + 6 + 10) << "and a little for leaning";
+}
+
 TEST(LayeredLayout, NothingIsAPictureToo) {
     EXPECT_EQ(layered_layout({}, {}, 60).width_px, 0);
 }
