@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"Frames", top("\"frames\": $$0"), {"W109"}, "found 0, wanted a whole number"},
         FaultCase{"Jitter", top("\"jitter\": $$65"), {"W109"}, "found 65, wanted a whole number"},
         FaultCase{"JitterPart", top("\"jitter\": $$0.5"), {"W109"}, "found 0.5, wanted a whole number"},
-        FaultCase{"JitterText", top("\"jitter\": $$\"8\""), {"W102"}, "wanted a number"},
+        FaultCase{"JitterText", top("\"jitter\": $$\"8\""), {"W102"}, "wanted number"},
         FaultCase{
             "ParamNoDefault", top("\"params\": {$$\"a\": {\"unit\": \"EV\"}}"), {"W108"}, "\"default\""},
         FaultCase{"ParamOutside",
