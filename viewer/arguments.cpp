@@ -16,21 +16,16 @@ struct FutureFlag {
     const char* what;
 };
 constexpr std::array kFutureRenderFlags{
-    FutureFlag{"--tier", "quality tiers"},
     FutureFlag{"--profile", "rendering to a profile"},
 };
-constexpr std::array kFutureCheckFlags{FutureFlag{"--tier", "quality tiers"}, FutureFlag{"--sarif", "SARIF"},
-                                       FutureFlag{"--run", "graph tests"}};
-constexpr std::array kFuturePlanFlags{FutureFlag{"--tier", "quality tiers"}};
+constexpr std::array kFutureCheckFlags{FutureFlag{"--sarif", "SARIF"}, FutureFlag{"--run", "graph tests"}};
 
 struct FutureFlags {
     const char* command;
     std::span<const FutureFlag> flags;
 };
-constexpr std::array kFutureFlags{
-    FutureFlags{"render", kFutureRenderFlags}, FutureFlags{"check", kFutureCheckFlags},
-    FutureFlags{"plan", kFuturePlanFlags}, FutureFlags{"explain", kFuturePlanFlags},
-    FutureFlags{"diff", kFuturePlanFlags}};
+constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
+                                  FutureFlags{"check", kFutureCheckFlags}};
 constexpr std::array<const char*, 1> kFutureCommands{"schema"};
 
 std::optional<double> number_of(const std::string& text) {
@@ -91,7 +86,8 @@ std::string future_fault(const std::vector<std::string>& arguments) {
     for (const char* command : kFutureCommands)
         if (arguments.front() == command)
             return "`" + arguments.front() + "` is not there yet in this version of weft";
-    if (arguments[0] == "view" && std::ranges::find(arguments, "--headless") == arguments.end())
+    const auto says = [&](const char* word) { return std::ranges::find(arguments, word) != arguments.end(); };
+    if (arguments[0] == "view" && !says("--headless") && !says("--help") && !says("-h"))
         return "`view` is not there yet in this version of weft; `view --headless` is";
     if (arguments.size() > 1 && arguments[0] == "bench" && arguments[1] == "frame")
         return "`bench frame` is not there yet in this version of weft";

@@ -3,7 +3,8 @@
 
 #include "commands.h"
 #include "files.h"
-#include "offline_graph.h"
+#include "graph/quantity_text.h"
+#include "tier_check.h"
 
 namespace weft::viewer {
 namespace {
@@ -22,6 +23,14 @@ Json to_json(const Diagnostic& d) {
             {"notes", notes},       {"tier", d.tier.empty() ? Json(nullptr) : Json(d.tier)}};
 }
 
+void say_ok(const std::string& file, const CheckedGraph& checked) {
+    const FramePlan& plan = *checked.plan;
+    const std::string tiers = checked.tiers > 0 ? " in itself and " + count_text(checked.tiers, "tier") : "";
+    std::fprintf(stderr, "%s: ok%s, %zu passes live of %zu, %u barriers, %.1f MiB of transient memory\n",
+                 file.c_str(), tiers.c_str(), plan.schedule.order.size(), plan.graph.passes.size(),
+                 plan.barriers.emitted, static_cast<double>(plan.memory.heap_bytes) / 1048576.0);
+}
+
 }  // namespace
 
 ExitCode run_check(const CheckOptions& options) {
@@ -32,20 +41,10 @@ ExitCode run_check(const CheckOptions& options) {
     }
     Diagnostics all;
     for (const std::string& file : options.files) {
-        Diagnostics found;
-        Result<OfflinePlan> made = compile_offline(file, options.offline, found);
-        if (!made) {
-            const Diagnostics errors = made.take_errors();
-            found.insert(found.end(), errors.begin(), errors.end());
-        } else if (!options.json) {
-            const FramePlan& plan = made->plan;
-            std::fprintf(stderr,
-                         "%s: ok, %zu passes live of %zu, %u barriers, %.1f MiB of transient memory\n",
-                         file.c_str(), plan.schedule.order.size(), plan.graph.passes.size(),
-                         plan.barriers.emitted, static_cast<double>(plan.memory.heap_bytes) / 1048576.0);
-        }
-        if (!options.json) report(found);
-        all.insert(all.end(), found.begin(), found.end());
+        const CheckedGraph checked = check_tiers(file, options.offline);
+        if (!options.json && !has_errors(checked.found)) say_ok(file, checked);
+        if (!options.json) report(checked.found);
+        all.insert(all.end(), checked.found.begin(), checked.found.end());
     }
     if (options.json) {
         Json list = Json::array();

@@ -9,26 +9,23 @@
 namespace weft::viewer {
 namespace {
 
-// FILE:TIER, where no file is called that.
-bool names_tier(const std::string& file) {
+// FILE or FILE:TIER; a file that is called so is meant itself.
+Result<OfflinePlan> compile_side(const std::string& side, OfflineOptions options, Diagnostics& warnings) {
     std::error_code error;
-    const size_t colon = file.rfind(':');
-    return colon != std::string::npos && !std::filesystem::exists(file, error) &&
-           std::filesystem::exists(file.substr(0, colon), error);
+    const size_t colon = side.rfind(':');
+    const bool names_tier = colon != std::string::npos && !std::filesystem::exists(side, error) &&
+                            std::filesystem::exists(side.substr(0, colon), error);
+    if (!names_tier) return compile_offline(side, options, warnings);
+    options.tier = side.substr(colon + 1);
+    return compile_offline(side.substr(0, colon), options, warnings);
 }
 
 }  // namespace
 
 ExitCode run_diff(const DiffOptions& options) {
-    for (const std::string& file : {options.from, options.to})
-        if (names_tier(file)) {
-            std::fprintf(stderr, "weft: %s: quality tiers are not there yet in this version of weft\n",
-                         file.c_str());
-            return ExitCode::usage;
-        }
     Diagnostics warnings;  // `check` is the place for them
-    Result<OfflinePlan> from = compile_offline(options.from, options.offline, warnings);
-    Result<OfflinePlan> to = compile_offline(options.to, options.offline, warnings);
+    Result<OfflinePlan> from = compile_side(options.from, options.offline, warnings);
+    Result<OfflinePlan> to = compile_side(options.to, options.offline, warnings);
     Diagnostics errors;
     for (Result<OfflinePlan>* made : {&from, &to})
         if (!*made) errors.insert(errors.end(), made->errors().begin(), made->errors().end());

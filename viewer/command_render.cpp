@@ -73,6 +73,8 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
     input.limits = options.limits;
     input.passes = &passes;
     input.size = options.size;
+    input.graph_root = root / "graphs";
+    input.tier = options.tier;
     input.params = options.params;
     if (!options.resource.empty()) input.observed = {options.resource};
     input.camera = camera;

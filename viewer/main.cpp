@@ -53,6 +53,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "the picture: .png, .exr or .pfm")->capture_default_str();
     command.add_option("--graph", o.graph, "the pipeline, a JSON file [the shipped graphs/deferred.json]");
+    command.add_option("--tier", o.tier, "a quality tier of the graph [the graph as it is]");
     command.add_option("--size", raw.size, "in pixels")->check(size_validator())->capture_default_str();
     command.add_option("--frames", o.frames, "how many to render; the last is written [the graph's, else 1]")
         ->check(CLI::Range(1u, 1000000u));
@@ -115,14 +116,20 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     add_limits(command, raw);
 }
 
+void add_tier(CLI::App& command, OfflineOptions& o, const char* otherwise) {
+    command.add_option("--tier", o.tier, std::string("a quality tier of the graph [") + otherwise + "]");
+}
+
 void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.files, "graph files")->required();
+    add_tier(command, o.offline, "the graph as it is and all tiers");
     add_offline(command, o.offline, raw);
     command.add_flag("--json", o.json, "what was found, as JSON on stdout");
 }
 
 void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
+    add_tier(command, o.offline, "the graph as it is");
     add_offline(command, o.offline, raw);
     command.add_option("--format", o.format, "text, json or dot")
         ->check(CLI::IsMember({"text", "json", "dot"}).description(""))
@@ -138,11 +145,12 @@ void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command.add_option("NAME", o.names, "PASS, PASS PASS, RESOURCE RESOURCE, PASS, RESOURCE")
         ->required()
         ->expected(1, 2);
+    add_tier(command, o.offline, "the graph as it is");
     add_offline(command, o.offline, raw);
 }
 
 void add_diff(CLI::App& command, DiffOptions& o, RawTexts& raw) {
-    command.add_option("FROM", o.from, "a graph file")->required();
+    command.add_option("FROM", o.from, "a graph file, or FILE:TIER")->required();
     command.add_option("TO", o.to, "another, or the same")->required();
     add_offline(command, o.offline, raw);
     command.add_flag("--json", o.json, "as JSON");

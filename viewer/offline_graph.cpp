@@ -3,44 +3,76 @@
 #include "check/check_plan.h"
 #include "files.h"
 #include "graph/memory_report.h"
+#include "graph/stages.h"
 #include "render/import_catalog.h"
 #include "shader/load_graph.h"
 #include "weft/compile.h"
 #include "weft/registry.h"
 
 namespace weft::viewer {
+namespace {
 
-Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOptions& options,
+std::string graph_root() {
+    return (shipped_root() / "graphs").string();
+}
+
+Diagnostics of_tier(Diagnostics faults, const std::string& tier) {
+    for (Diagnostic& fault : faults) fault.tier = tier;
+    return faults;
+}
+
+Result<LoadedGraph> load_offline(const JsonDoc& document, const OfflineOptions& options,
+                                 const DeviceProfile& profile, Diagnostics& warnings) {
+    const PassCatalog passes = registered_passes();
+    const ImportCatalog imports = render::scene_imports(options.size);
+    return load_graph(document,
+                      {.path = document.sources.files.front().path,
+                       .reader = {},
+                       .shader_root = shipped_root() / "shaders",
+                       .shader_cache = shader_cache(),
+                       .passes = passes,
+                       .imports = imports,
+                       .profile = profile,
+                       .output_extent = options.size,
+                       .params = options.params,
+                       .shader_worker = find_shader_worker(),
+                       .limits = options.limits,
+                       .graph_root = graph_root(),
+                       .tier = options.tier},
+                      warnings);
+}
+
+}  // namespace
+
+Result<JsonDoc> read_offline(const std::string& file, const OfflineOptions& options) {
+    return read_graph(file, reader_up_to(options.limits.graph.json_bytes),
+                      {graph_root(), options.limits.graph});
+}
+
+Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOptions& options,
                                     Diagnostics& warnings) {
     Result<DeviceProfile> profile = load_profile(options.profile);
     if (!profile) return profile.take_errors();
-    const PassCatalog passes = registered_passes();
-    const ImportCatalog imports = render::scene_imports(options.size);
-    Result<LoadedGraph> loaded = load_graph({file,
-                                             reader_up_to(options.limits.graph.json_bytes),
-                                             shipped_root() / "shaders",
-                                             shader_cache(),
-                                             passes,
-                                             imports,
-                                             *profile,
-                                             options.size,
-                                             options.params,
-                                             {},
-                                             find_shader_worker(),
-                                             options.limits},
-                                            warnings);
+    Result<LoadedGraph> loaded = load_offline(document, options, *profile, warnings);
     if (!loaded) return loaded.take_errors();
     CompileOptions compile_options;
     compile_options.granularity_bytes = profile->buffer_image_granularity_bytes;
     compile_options.queues = logical_queues(*profile, options.queues);
     OfflinePlan made{compile(loaded->graph, profile_needs(loaded->graph, *profile), compile_options),
                      std::move(*profile)};
+    const std::string& file = document.sources.files.front().path;
     Diagnostics faults = budget_faults(made.plan, options.limits.graph, file);
     if (faults.empty()) faults = check_plan(made.plan);
-    if (!faults.empty()) return faults;
-    const Diagnostics tight = memory_faults(made.plan, made.profile, file);
+    if (!faults.empty()) return of_tier(std::move(faults), options.tier);
+    const Diagnostics tight = of_tier(memory_faults(made.plan, made.profile, file), options.tier);
     warnings.insert(warnings.end(), tight.begin(), tight.end());
     return made;
+}
+
+Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOptions& options,
+                                    Diagnostics& warnings) {
+    const Result<JsonDoc> document = read_offline(file, options);
+    return document ? compile_offline(*document, options, warnings) : document.errors();
 }
 
 }  // namespace weft::viewer

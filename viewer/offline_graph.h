@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "graph/json_doc.h"
 #include "options.h"
 #include "weft/device_profile.h"
 #include "weft/plan.h"
@@ -18,6 +19,9 @@ struct OfflinePlan {
     DeviceProfile profile;
 };
 
+[[nodiscard]] Result<JsonDoc> read_offline(const std::string& file, const OfflineOptions& options);
+[[nodiscard]] Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOptions& options,
+                                                  Diagnostics& warnings);
 [[nodiscard]] Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOptions& options,
                                                   Diagnostics& warnings);
 

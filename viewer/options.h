@@ -16,6 +16,7 @@ struct RenderOptions {
     std::string scene = "builtin:atrium";
     std::string output = "frame.png";
     std::string graph;  // empty: the shipped graphs/deferred.json
+    std::string tier;   // empty: the graph as it is
     Extent3D size{1280, 720, 1};
     uint32_t frames = 0;  // 0: what the graph says
     double fixed_dt_s = 1.0 / 60.0;
@@ -44,6 +45,7 @@ struct ViewOptions {
 
 // How a graph is compiled where there is no device.
 struct OfflineOptions {
+    std::string tier;     // empty: the graph as it is
     std::string profile;  // a file, or the name of a shipped one; empty: lavapipe
     Extent3D size{1280, 720, 1};
     uint32_t queues = 1;

@@ -39,16 +39,27 @@ struct JsonMember {
     JsonNode value;
 };
 
+// A file that another one includes.
+struct IncludedJson {
+    uint32_t file = 0;  // index into SourceMap::files
+    JsonNode root;
+};
+
 struct JsonDoc {
     JsonNode root;
-    SourceMap sources;
+    SourceMap sources;                   // the first file is the root's
+    std::vector<IncludedJson> included;  // in the order in which they are merged, under the root
 };
 
 // `path` is read through `reader`; a missing file is an error that says so.
 [[nodiscard]] Result<JsonDoc> read_json(const std::string& path, const FileReader& reader,
                                         const GraphLimits& limits = {});
 [[nodiscard]] const char* json_kind_name(JsonKind kind);
-// RFC 6901 pointer of the value or key written at that place; empty when there is none.
-[[nodiscard]] std::string pointer_at(const JsonDoc& document, uint32_t line, uint32_t column);
+// Adds the file to `sources` and reads it. `includer` is where its name was written, if anywhere.
+[[nodiscard]] Result<JsonNode> read_json_file(SourceMap& sources, const std::string& path, std::string text,
+                                              const GraphLimits& limits, SourceLoc includer = {});
+// RFC 6901 pointer of the value or key written at that place of the file; empty when there is none.
+[[nodiscard]] std::string pointer_at(const JsonDoc& document, const std::string& file, uint32_t line,
+                                     uint32_t column);
 
 }  // namespace weft

@@ -32,9 +32,12 @@ bool find_at(const JsonNode& node, uint32_t line, uint32_t column, std::string& 
 
 }  // namespace
 
-std::string pointer_at(const JsonDoc& document, uint32_t line, uint32_t column) {
+std::string pointer_at(const JsonDoc& document, const std::string& file, uint32_t line, uint32_t column) {
     std::string pointer;
-    find_at(document.root, line, column, pointer);
+    const std::vector<SourceFile>& files = document.sources.files;
+    if (!files.empty() && files.front().path == file) find_at(document.root, line, column, pointer);
+    for (const IncludedJson& included : document.included)
+        if (files[included.file].path == file) find_at(included.root, line, column, pointer);
     return pointer;
 }
 

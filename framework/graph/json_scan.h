@@ -23,7 +23,8 @@ struct JsonFault {
 
 class JsonCursor {
  public:
-    explicit JsonCursor(std::string_view text) : text_(text) {}
+    // `file`: index into SourceMap::files, for the places it reports.
+    explicit JsonCursor(std::string_view text, uint32_t file = 0) : text_(text), file_(file) {}
 
     [[nodiscard]] bool at_end() const { return position_ >= text_.size(); }
     [[nodiscard]] char peek(size_t ahead = 0) const {
@@ -35,7 +36,7 @@ class JsonCursor {
     [[nodiscard]] size_t position() const { return position_; }
     [[nodiscard]] std::string_view from(size_t begin) const { return text_.substr(begin, position_ - begin); }
     [[nodiscard]] SourceLoc here(uint32_t length = 1) const {
-        return {0, line_, static_cast<uint32_t>(position_ - line_start_) + 1, length};
+        return {file_, line_, static_cast<uint32_t>(position_ - line_start_) + 1, length};
     }
     void advance(size_t count = 1);
 
@@ -44,6 +45,7 @@ class JsonCursor {
     size_t position_ = 0;
     size_t line_start_ = 0;
     uint32_t line_ = 1;
+    uint32_t file_ = 0;
 };
 
 // Each returns the fault that stopped it, or nothing.

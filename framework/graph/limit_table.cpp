@@ -25,6 +25,8 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.graph.json_values; }},
     LimitRow{"graph.stringBytes", "bytes", "a string or key", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.string_bytes; }},
+    LimitRow{"graph.includeFiles", "", "files that a graph includes, each counted once", 1ull << 10,
+             [](Limits& l) -> uint64_t& { return l.graph.include_files; }},
     LimitRow{"graph.passes", "", "passes after `repeat`", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.passes; }},
     LimitRow{"graph.ports", "", "ports of all these passes", kMostItems,

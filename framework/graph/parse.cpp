@@ -9,6 +9,7 @@ namespace {
 
 constexpr int64_t kFormatVersion = 1;
 constexpr int64_t kMaxFrames = 1'000'000;
+constexpr int64_t kMaxJitter = 64;
 
 const std::vector<std::string>& import_kinds() {
     static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube", "output"};
@@ -63,9 +64,45 @@ void read_frames(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
     if (read_integer(context, node, 1, kMaxFrames, frames)) graph.frames = static_cast<uint32_t>(frames);
 }
 
+void read_jitter(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    int64_t jitter = 0;
+    if (read_integer(context, node, 0, kMaxJitter, jitter)) graph.jitter = static_cast<uint32_t>(jitter);
+}
+
 void read_text(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_string(context, node, graph.name);
 }
+
+// What a patch may change: all but what the file says of itself.
+void skip_object(ParseContext& context, const JsonNode& node, TierDesc&) {
+    expect(context, node, JsonKind::object);
+}
+
+// Its sections are read where they have been merged: in the tier's own graph.
+void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {
+    static constexpr std::array kKeys{
+        KeyRule<TierDesc>{"imports", skip_object},
+        KeyRule<TierDesc>{"consts", skip_object},
+        KeyRule<TierDesc>{"params", skip_object},
+        KeyRule<TierDesc>{"sizes", skip_object},
+        KeyRule<TierDesc>{"resources", skip_object},
+        KeyRule<TierDesc>{"passes", skip_object},
+        KeyRule<TierDesc>{"debug", skip_object},
+        KeyRule<TierDesc>{"frames", [](ParseContext&, const JsonNode&, TierDesc&) {}}};
+    read_object(context, node, "a patch", kKeys, tier);
+}
+
+void read_tiers(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    static constexpr std::array kKeys{KeyRule<TierDesc>{"set", skip_object},
+                                      KeyRule<TierDesc>{"patch", check_patch}};
+    read_named(context, node, "a tier", [&](const JsonMember& member) {
+        TierDesc tier{member.key, member.key_loc};
+        if (read_object(context, member.value, "a tier", kKeys, tier)) graph.tiers.push_back(std::move(tier));
+    });
+}
+
+// read_graph() has been there.
+void skip_include(ParseContext&, const JsonNode&, GraphDesc&) {}
 
 // For editors only; any string will do.
 void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
@@ -73,11 +110,13 @@ void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
 }
 
 constexpr std::array kTopKeys{
-    KeyRule<GraphDesc>{"$schema", skip_schema}, KeyRule<GraphDesc>{"version", read_version},
-    KeyRule<GraphDesc>{"name", read_text},      KeyRule<GraphDesc>{"imports", read_imports},
-    KeyRule<GraphDesc>{"consts", read_consts},  KeyRule<GraphDesc>{"params", parse_params},
-    KeyRule<GraphDesc>{"sizes", read_sizes},    KeyRule<GraphDesc>{"resources", parse_resources},
-    KeyRule<GraphDesc>{"passes", parse_passes}, KeyRule<GraphDesc>{"frames", read_frames},
+    KeyRule<GraphDesc>{"$schema", skip_schema},  KeyRule<GraphDesc>{"version", read_version},
+    KeyRule<GraphDesc>{"name", read_text},       KeyRule<GraphDesc>{"imports", read_imports},
+    KeyRule<GraphDesc>{"consts", read_consts},   KeyRule<GraphDesc>{"params", parse_params},
+    KeyRule<GraphDesc>{"sizes", read_sizes},     KeyRule<GraphDesc>{"resources", parse_resources},
+    KeyRule<GraphDesc>{"passes", parse_passes},  KeyRule<GraphDesc>{"frames", read_frames},
+    KeyRule<GraphDesc>{"include", skip_include}, KeyRule<GraphDesc>{"tiers", read_tiers},
+    KeyRule<GraphDesc>{"jitter", read_jitter},
 };
 
 // Names of these sections are used side by side, so each must be unique among all of them.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "graph/expression.h"
 
@@ -10,9 +11,6 @@ namespace weft {
 namespace {
 
 constexpr size_t kShortList = 16;
-
-// Keys of the format that this version does not have: more helpful than "unknown".
-constexpr std::array<std::string_view, 4> kLaterKeys{"tiers", "include", "debug", "tests"};
 
 }  // namespace
 
@@ -37,8 +35,11 @@ void ParseContext::add(Diagnostics errors) {
 
 Diagnostics ParseContext::take_errors() {
     if (is_full()) errors_.back().help.emplace_back("only the first 100 errors are shown");
-    std::stable_sort(errors_.begin(), errors_.end(), [](const Diagnostic& a, const Diagnostic& b) {
-        return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    const std::string& main = sources_.files.empty() ? std::string() : sources_.files.front().path;
+    std::stable_sort(errors_.begin(), errors_.end(), [&](const Diagnostic& a, const Diagnostic& b) {
+        const bool a_included = a.file != main, b_included = b.file != main;
+        return std::tie(a_included, a.file, a.line, a.column) <
+               std::tie(b_included, b.file, b.line, b.column);
     });
     return std::move(errors_);
 }
@@ -233,10 +234,6 @@ void unknown_key(ParseContext& context, const JsonMember& member, std::string_vi
                  const std::vector<std::string>& allowed) {
     Diagnostic& error =
         context.error(member.key_loc, "W101", "unknown key \"" + member.key + "\" in " + std::string(what));
-    if (std::find(kLaterKeys.begin(), kLaterKeys.end(), member.key) != kLaterKeys.end()) {
-        error.help.push_back("\"" + member.key + "\" is not available in this version");
-        return;
-    }
     const std::string near = did_you_mean_text(member.key, allowed);
     if (!near.empty()) error.help.push_back(near);
     if (allowed.size() <= kShortList)

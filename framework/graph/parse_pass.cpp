@@ -168,12 +168,21 @@ const PassKey* find_key(std::string_view key) {
     return it == kPassKeys.end() ? nullptr : it;
 }
 
+// Where a tier or an including file means to change a pass, a misspelt name makes a new one without a type.
+void missing_type(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
+    std::vector<std::string> others;
+    for (const JsonMember& other : passes.members)
+        if (other.value.find("type") != nullptr) others.push_back(other.key);
+    std::string near = did_you_mean_text(member.key, others);
+    missing_key(context, member.key_loc, "a pass", "type",
+                near.empty() ? "types are " + types_text(kAll) + ", or one written in C++" : std::move(near));
+}
+
 // The pass's type, or all of them where it is unknown or absent: then no key is called out of place.
-TypeMask type_mask(ParseContext& context, const JsonMember& member) {
+TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
     const JsonNode* type = member.value.find("type");
     if (type == nullptr) {
-        missing_key(context, member.key_loc, "a pass", "type",
-                    "types are " + types_text(kAll) + ", or one written in C++");
+        missing_type(context, member, passes);
         return kAll;
     }
     if (type->kind != JsonKind::string || type->string.empty()) return kAll;
@@ -265,8 +274,8 @@ void check_port_names(ParseContext& context, const PassDesc& pass) {
                           "give the output another name: { \"name\": \"" + port.ref.text + "\" }");
 }
 
-void read_pass(ParseContext& context, const JsonMember& member, PassDesc& pass) {
-    const TypeMask mask = type_mask(context, member);
+void read_pass(ParseContext& context, const JsonMember& member, const JsonNode& passes, PassDesc& pass) {
+    const TypeMask mask = type_mask(context, member, passes);
     const JsonNode* type = member.value.find("type");
     check_keys(context, member.value, mask, type == nullptr ? "" : type->string);
     if (mask != kAll) check_required(context, member, mask);
@@ -289,7 +298,7 @@ void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph)
         PassDesc pass;
         pass.name = member.key;
         pass.loc = member.key_loc;
-        read_pass(context, member, pass);
+        read_pass(context, member, node, pass);
         graph.passes.emplace(member.key, std::move(pass));
     });
 }

@@ -24,7 +24,8 @@ bool begins_value(char c) {
 // way.
 class JsonReader {
  public:
-    JsonReader(std::string_view text, const GraphLimits& limits) : cursor_(text), limits_(limits) {}
+    JsonReader(std::string_view text, uint32_t file, const GraphLimits& limits)
+        : cursor_(text, file), limits_(limits) {}
 
     bool read(JsonNode& root) {
         constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -264,33 +265,44 @@ const char* json_kind_name(JsonKind kind) {
     return "";
 }
 
-Result<JsonDoc> read_json(const std::string& path, const FileReader& reader, const GraphLimits& limits) {
-    std::optional<std::string> text = reader(path);
-    if (!text)
-        return file_error(path, "W002", "there is no readable file \"" + path + "\"",
-                          "check its spelling; a relative path starts at the current folder");
-    if (text->size() > limits.json_bytes)
+Result<JsonNode> read_json_file(SourceMap& sources, const std::string& path, std::string text,
+                                const GraphLimits& limits, SourceLoc includer) {
+    if (text.size() > limits.json_bytes)
         return file_error(path, "W004", "the file has more than " + limit_bytes_text(limits.json_bytes),
                           "check that this is a graph, " + raise_limit_text("graph.jsonBytes"));
-    JsonDoc doc;
-    doc.sources.files.push_back({path, std::move(*text)});
-    const std::string_view source = doc.sources.files.front().text;
+    const auto index = static_cast<uint32_t>(sources.files.size());
+    sources.files.push_back({path, std::move(text), includer});
+    const std::string_view source = sources.files.back().text;
+    JsonNode root;
     std::vector<JsonFault> faults;
     if (auto fault = check_utf8(source)) {
+        fault->loc.file = index;
         faults.push_back(std::move(*fault));
     } else {
-        JsonReader json(source, limits);
-        json.read(doc.root);
+        JsonReader json(source, index, limits);
+        json.read(root);
         faults = json.take_faults();
     }
-    if (faults.empty()) return doc;
+    if (faults.empty()) return root;
     const auto before = [](const JsonFault& a, const JsonFault& b) {
         return std::pair(a.loc.line, a.loc.column) < std::pair(b.loc.line, b.loc.column);
     };
     std::stable_sort(faults.begin(), faults.end(), before);
     Diagnostics errors;
-    for (const JsonFault& fault : faults) errors.push_back(to_diagnostic(fault, doc.sources));
+    for (const JsonFault& fault : faults) errors.push_back(to_diagnostic(fault, sources));
     return errors;
+}
+
+Result<JsonDoc> read_json(const std::string& path, const FileReader& reader, const GraphLimits& limits) {
+    std::optional<std::string> text = reader(path);
+    if (!text)
+        return file_error(path, "W002", "there is no readable file \"" + path + "\"",
+                          "check its spelling; a relative path starts at the current folder");
+    JsonDoc doc;
+    Result<JsonNode> root = read_json_file(doc.sources, path, std::move(*text), limits);
+    if (!root) return root.take_errors();
+    doc.root = std::move(*root);
+    return doc;
 }
 
 }  // namespace weft

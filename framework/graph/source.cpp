@@ -22,6 +22,15 @@ std::string line_of(const std::string& text, uint32_t line) {
     return found;
 }
 
+bool stands_in(const SourceLoc& loc, const SourceLoc& token) {
+    return loc.file == token.file && loc.line == token.line && token.column <= loc.column &&
+           loc.column < token.column + token.length;
+}
+
+Note note_at(const SourceMap& sources, const SourceLoc& loc, std::string message) {
+    return {sources.files[loc.file].path, loc.line, loc.column, std::move(message)};
+}
+
 }  // namespace
 
 Diagnostic SourceMap::error(SourceLoc loc, std::string code, std::string message) const {
@@ -34,6 +43,10 @@ Diagnostic SourceMap::error(SourceLoc loc, std::string code, std::string message
         d.column = loc.column;
         d.length = loc.length;
         d.source_line = line_of(files[loc.file].text, loc.line);
+        for (const Replacement& r : replacements)
+            if (stands_in(loc, r.by)) d.notes.push_back(note_at(*this, r.what, "in place of what is here"));
+        const SourceLoc& includer = files[loc.file].included_at;
+        if (includer.file < files.size()) d.notes.push_back(note_at(*this, includer, "included here"));
     }
     return d;
 }

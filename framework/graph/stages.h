@@ -21,10 +21,25 @@
 
 namespace weft {
 
+// --- what is written
+// ----------------------------------------------------------------------------------------------
+struct GraphReading {
+    std::string include_root = {};  // where included files are looked for as well; empty: nowhere
+    GraphLimits limits = {};
+};
+// The file and all that it includes. Errors: as read_json(); W126 an include that isn't there or lies
+// outside, W127 files that include each other.
+[[nodiscard]] Result<JsonDoc> read_graph(const std::string& path, const FileReader& reader,
+                                         const GraphReading& reading = {});
+
 // --- what did the author ask for
 // ------------------------------------------------------------------------------- Shorthand becomes objects,
-// so that a patch adds to a thing instead of replacing it.
-[[nodiscard]] Result<JsonDoc> merge(JsonDoc document);
+// so that a patch adds to a thing instead of replacing it. Then, as RFC 7396 says, each file goes over those
+// that it includes, and the tier over them all: null removes, objects are merged, anything else replaces.
+// Errors: W128 null where there is nothing to remove, W129 no such tier, W131 a tier sets no parameter.
+[[nodiscard]] Result<JsonDoc> merge(JsonDoc document, const std::string& tier = {});
+// The tiers' names, in the order written; of files that don't say what tiers are, none.
+[[nodiscard]] std::vector<std::string> tier_names(const JsonDoc& document);
 [[nodiscard]] Result<GraphDesc> parse(const JsonDoc& document);
 
 // --- what does it mean

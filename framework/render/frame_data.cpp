@@ -6,7 +6,7 @@
 namespace weft::render {
 namespace {
 
-static_assert(sizeof(shared::FrameConstants) == 208 && sizeof(shared::ViewConstants) == 352);
+static_assert(sizeof(shared::FrameConstants) == 208 && sizeof(shared::ViewConstants) == 432);
 static_assert(sizeof(shared::Light) == 64 && sizeof(shared::Material) == 240 &&
               sizeof(shared::Instance) == 208);
 
@@ -43,11 +43,15 @@ glm::mat4 reversed_infinite_projection(float fov_y_rad, float aspect, float near
 }
 
 shared::ViewConstants view_constants(const scene::Camera& camera, const glm::mat4& prev_view_projection,
-                                     uint32_t width_px, uint32_t height_px) {
+                                     uint32_t width_px, uint32_t height_px, const glm::vec2& jitter_px) {
     const float width = static_cast<float>(width_px), height = static_cast<float>(height_px);
-    shared::ViewConstants view;
+    shared::ViewConstants view{};
     view.view = glm::inverse(camera.transform);
     view.projection = reversed_infinite_projection(camera.fov_y_rad, width / height, camera.near_m);
+    view.steady_view_projection = view.projection * view.view;
+    view.jitter_uv = jitter_px / glm::vec2(width, height);
+    // w is −z: what is added to a column by z moves the picture alike at all distances.
+    view.projection[2] -= glm::vec4(2.0f * view.jitter_uv, 0, 0);
     view.view_projection = view.projection * view.view;
     // Inverted in double: an infinite projection far from the origin loses too much in float.
     view.inverse_view_projection =

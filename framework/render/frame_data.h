@@ -16,9 +16,10 @@ namespace weft::render {
 // Clip space with y down and reversed depth: 1 at near_m, 0 at infinity. `aspect` is width / height.
 [[nodiscard]] glm::mat4 reversed_infinite_projection(float fov_y_rad, float aspect, float near_m);
 
+// `jitter_px` moves the picture by so many pixels, right and down. `prev_view_projection` has no jitter in it.
 [[nodiscard]] shared::ViewConstants view_constants(const scene::Camera& camera,
                                                    const glm::mat4& prev_view_projection, uint32_t width_px,
-                                                   uint32_t height_px);
+                                                   uint32_t height_px, const glm::vec2& jitter_px = {0, 0});
 
 // What is the same in every frame: the sky or the environment.
 [[nodiscard]] shared::FrameConstants scene_constants(const scene::Scene& scene);

@@ -6,6 +6,7 @@
 #include "render/frame_data.h"
 #include "render/gpu_scene.h"
 #include "render/import_catalog.h"
+#include "render/jitter.h"
 #include "render/left_out.h"
 #include "shader/shader_memory.h"
 #include "weft/light_list.h"
@@ -35,10 +36,10 @@ Session::Session(vk::Device& device, const SessionInput& input)
       input_(input),
       passes_(*input.passes),
       memory_(std::make_unique<ShaderMemory>()),
-      selection_{input.graph_path, input.params, input.size, input.output},
+      selection_{input.graph_path, input.tier, input.params, input.size, input.output},
       pre_exposure_(std::exp2(input.exposure_ev)) {
     view_ = view_constants(input.camera, glm::mat4(1), input.size.width, input.size.height);
-    view_.prev_view_projection = view_.view_projection;
+    view_.prev_view_projection = view_.steady_view_projection;
 }
 
 Session::~Session() = default;
@@ -84,6 +85,8 @@ Status Session::render_frame(double time_s, double delta_time_s) {
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
     if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s);
+    view_ = view_constants(input_.camera, view_.prev_view_projection, selection_.size.width,
+                           selection_.size.height, jitter_px(frame_index_, loaded_.desc.jitter));
     scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_);
     const LightList lights{lights_};
     HostInputs host;
@@ -96,7 +99,7 @@ Status Session::render_frame(double time_s, double delta_time_s) {
     frame.prev_pre_exposure = pre_exposure_;
     frame.host = &host;
     Status done = stage_.executor->run(frame);
-    view_.prev_view_projection = view_.view_projection;
+    view_.prev_view_projection = view_.steady_view_projection;
     return done;
 }
 

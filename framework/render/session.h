@@ -28,12 +28,14 @@ class GpuScene;
 struct SessionInput {
     std::string graph_path;
     FileReader reader;
+    std::filesystem::path graph_root;  // the graphs/ folder, where included files are looked for as well
     std::filesystem::path shader_root;
     std::filesystem::path shader_cache;
     std::filesystem::path shader_worker;  // find_shader_worker(); empty: glslang runs in this process
     Limits limits;
     const PassCatalog* passes = nullptr;
     Extent3D size{1280, 720, 1};
+    std::string tier;  // of the graph; empty: the graph as it is
     std::map<std::string, double> params;
     std::vector<std::string> observed;  // references that are read back every frame
     uint32_t queues = 1;                // logical queues; the device shall have been made for as many

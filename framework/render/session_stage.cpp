@@ -75,18 +75,20 @@ Diagnostics faults_on(const vk::Device& device, const FramePlan& plan, const Ses
 }  // namespace
 
 LoadInput Session::load_input(const Selection& selection, const ImportCatalog& imports) const {
-    return {selection.graph_path,
-            input_.reader,
-            input_.shader_root,
-            input_.shader_cache,
-            passes_,
-            imports,
-            device_.profile(),
-            selection.size,
-            selection.params,
-            input_.observed,
-            input_.shader_worker,
-            input_.limits};
+    return {.path = selection.graph_path,
+            .reader = input_.reader,
+            .shader_root = input_.shader_root,
+            .shader_cache = input_.shader_cache,
+            .passes = passes_,
+            .imports = imports,
+            .profile = device_.profile(),
+            .output_extent = selection.size,
+            .params = selection.params,
+            .observed = input_.observed,
+            .shader_worker = input_.shader_worker,
+            .limits = input_.limits,
+            .graph_root = input_.graph_root,
+            .tier = selection.tier};
 }
 
 StageMark Session::running() const {
@@ -101,6 +103,9 @@ Result<LoadedGraph> Session::load(const Selection& selection, const ImportCatalo
     input.memory = memory_.get();
     input.reader = [&](const std::string& path) {
         memory_->add_file(std::filesystem::absolute(path).lexically_normal());
+        std::error_code error;
+        if (std::filesystem::path real = std::filesystem::canonical(path, error); !error)
+            memory_->add_file(std::move(real));  // of a link, what it leads to
         return input_.reader(path);
     };
     Result<LoadedGraph> loaded = load_graph(input, warnings);
@@ -188,7 +193,7 @@ Result<bool> Session::swap_in(Prepared next) {
     }
     if (next.selection.size != selection_.size) {
         // Where a point was, the last frame knows in its own picture's terms.
-        const glm::mat4 last_view_projection = view_.view_projection;
+        const glm::mat4 last_view_projection = view_.steady_view_projection;
         view_ = view_constants(input_.camera, glm::mat4(1), next.selection.size.width,
                                next.selection.size.height);
         view_.prev_view_projection = last_view_projection;

@@ -32,12 +32,24 @@ void locate(const GraphDesc& graph, const PassDesc& pass, Diagnostics& faults) {
     }
 }
 
-// Faults of meaning know their place in the text; this adds the place in the document.
-void add_pointers(const JsonDoc& document, Diagnostics& faults) {
+// Faults of meaning know their place in the text; this adds the place in the document as it is written, and
+// the tier in which they are faults.
+void complete(const JsonDoc& document, const LoadInput& input, Diagnostics& faults) {
     for (Diagnostic& fault : faults) {
-        const bool here = fault.line > 0 && fault.file == document.sources.files.front().path;
-        if (here && fault.pointer.empty()) fault.pointer = pointer_at(document, fault.line, fault.column);
+        fault.tier = input.tier;
+        if (fault.line == 0) continue;
+        std::string pointer = pointer_at(document, fault.file, fault.line, fault.column);
+        if (!pointer.empty()) fault.pointer = std::move(pointer);
     }
+}
+
+// Merged and parsed: what the author asks for in this tier.
+Result<GraphDesc> described(const JsonDoc& document, const LoadInput& input) {
+    Result<JsonDoc> merged = merge(document, input.tier);
+    if (!merged) return merged.take_errors();
+    Result<GraphDesc> desc = parse(*merged);
+    if (desc) desc->tier = input.tier;
+    return desc;
 }
 
 Result<ResolvedGraph> resolved(const GraphDesc& desc, const ShaderCatalog& shaders, const LoadInput& input,
@@ -76,13 +88,22 @@ ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, 
 
 }  // namespace
 
+Result<JsonDoc> read_graph(const LoadInput& input) {
+    return read_graph(input.path, input.reader, {input.graph_root.string(), input.limits.graph});
+}
+
 Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
-    Result<JsonDoc> document = read_json(input.path, input.reader, input.limits.graph);
-    if (!document) return document.take_errors();
-    Result<JsonDoc> merged = merge(std::move(*document));
-    if (!merged) return merged.take_errors();
-    Result<GraphDesc> desc = parse(*merged);
-    if (!desc) return desc.take_errors();
+    const Result<JsonDoc> document = read_graph(input);
+    return document ? load_graph(*document, input, warnings) : document.errors();
+}
+
+Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input, Diagnostics& warnings) {
+    Result<GraphDesc> desc = described(document, input);
+    if (!desc) {
+        Diagnostics faults = desc.take_errors();
+        complete(document, input, faults);
+        return faults;
+    }
 
     Diagnostics faults;
     const ShaderRoots roots{{std::filesystem::absolute(input.path).parent_path(), input.shader_root},
@@ -93,8 +114,8 @@ Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
     ShaderCatalog shaders = compile_shaders(*desc, roots, input.memory, faults);
     Result<ResolvedGraph> graph = resolved(*desc, shaders, input, warnings);
     if (!graph) append(faults, graph.take_errors());
-    add_pointers(*merged, faults);
-    add_pointers(*merged, warnings);
+    complete(document, input, faults);
+    complete(document, input, warnings);
     if (!faults.empty()) return faults;
     return LoadedGraph{std::move(*desc), std::move(shaders), std::move(*graph)};
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/json_doc.h"
 #include "shader/compile_shader.h"
 #include "weft/declaration.h"
 #include "weft/graph_desc.h"
@@ -31,6 +32,8 @@ struct LoadInput {
     std::vector<std::string> observed;
     std::filesystem::path shader_worker = {};  // find_shader_worker(); empty: glslang runs in this process
     Limits limits = {};
+    std::filesystem::path graph_root = {};  // the graphs/ folder, where included files are looked for as well
+    std::string tier = {};                  // empty: the file as it is
     ShaderMemory* memory = nullptr;  // what earlier loads left for this one
 };
 
@@ -40,7 +43,13 @@ struct LoadedGraph {
     ResolvedGraph graph;
 };
 
+// What is written: the graph's file and all that it includes. Its tiers are load_graph()'s choice.
+[[nodiscard]] Result<JsonDoc> read_graph(const LoadInput& input);
+
 // Warnings go to `warnings`.
+[[nodiscard]] Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input,
+                                             Diagnostics& warnings);
+// The same from the file.
 [[nodiscard]] Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings);
 
 // The same graph for another output size or other parameters. Shaders stay as they are.

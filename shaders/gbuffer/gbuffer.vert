@@ -9,7 +9,8 @@ layout(location = 6) out vec4 clip_before;
 void main() {
     const Instance instance = place_surface();
     const vec4 local = vec4(position.xyz, 1.0);
-    clip_now = view.view_projection * (instance.object_to_world * local);
+    const vec4 world = instance.object_to_world * local;
+    clip_now = view.steady_view_projection * world;
     clip_before = view.prev_view_projection * (instance.prev_object_to_world * local);
-    gl_Position = clip_now;
+    gl_Position = view.view_projection * world;
 }

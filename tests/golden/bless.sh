@@ -9,9 +9,10 @@ weft=${1:-$root/weft}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 rm -f "$here"/*.png
-while read -r graph scene camera; do
+while read -r graph scene camera options; do
   [ -n "$graph" ] && [ "${graph:0:1}" != "#" ] || continue
+  # shellcheck disable=SC2086  # options are words
   "$weft" render "builtin:$scene" --graph "$root/graphs/$graph.json" --camera "$camera" --size 320x180 \
-    -o "$here/$graph-$scene-$camera.png" --stats "$scratch/stats.json" </dev/null
+    -o "$here/$graph-$scene-$camera.png" --stats "$scratch/stats.json" $options </dev/null
 done <"$here/views.txt"
 sed -n 's/^ *"\(device\|driver\)": "\(.*\)",$/\2/p' "$scratch/stats.json" >"$here/driver.txt"

@@ -4,7 +4,7 @@
 namespace weft::test {
 
 inline constexpr const char* kFullGraph = R"json({
-  "$schema": "weft.schema.json", "version": 1, "name": "full", "frames": 4,
+  "$schema": "weft.schema.json", "version": 1, "name": "full", "frames": 4, "jitter": 8,
   "imports": { "opaque": "drawlist", "backbuffer": { "kind": "output" } },
   "consts": { "tile": 16 },
   "params": { "scale": { "default": 0.5, "enum": [0.5, 1], "step": 0.5, "unit": "EV", "ui": "A/B" }, "on": true },

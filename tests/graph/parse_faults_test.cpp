@@ -54,11 +54,6 @@ INSTANTIATE_TEST_SUITE_P(
                   {"W101"},
                   "unknown key \"resorces\"",
                   "did you mean \"resources\"?"},
-        FaultCase{"LaterKey",
-                  top("$$\"tiers\": {}"),
-                  {"W101"},
-                  "unknown key \"tiers\"",
-                  "not available in this version"},
         FaultCase{"Null", top("\"sizes\": $$null"), {"W102"}, "found null, wanted object"},
         FaultCase{
             "BadName", top("\"consts\": {$$\"2d\": 1}"), {"W109"}, "\"2d\" cannot be the name", "letters"},
@@ -83,6 +78,9 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{
             "SizeBool", top("\"sizes\": {\"a\": $$true}"), {"W102"}, "wanted a number or an expression"},
         FaultCase{"Frames", top("\"frames\": $$0"), {"W109"}, "found 0, wanted a whole number"},
+        FaultCase{"Jitter", top("\"jitter\": $$65"), {"W109"}, "found 65, wanted a whole number"},
+        FaultCase{"JitterPart", top("\"jitter\": $$0.5"), {"W109"}, "found 0.5, wanted a whole number"},
+        FaultCase{"JitterText", top("\"jitter\": $$\"8\""), {"W102"}, "wanted a number"},
         FaultCase{
             "ParamNoDefault", top("\"params\": {$$\"a\": {\"unit\": \"EV\"}}"), {"W108"}, "\"default\""},
         FaultCase{"ParamOutside",

@@ -16,6 +16,7 @@ TEST(Parse, ValuesAndResources) {
     const GraphDesc graph = full_graph();
     EXPECT_EQ(graph.name, "full");
     EXPECT_EQ(graph.frames, 4u);
+    EXPECT_EQ(graph.jitter, 8u);
     EXPECT_EQ(graph.imports.at("opaque").kind, "drawlist");
     EXPECT_EQ(graph.consts.at("tile"), 16);
     EXPECT_EQ(graph.params.at("scale").default_value, 0.5);

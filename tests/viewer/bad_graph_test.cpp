@@ -31,7 +31,6 @@ constexpr BadGraph kBadGraphs[] = {
     {"truncated", "W001", "the file ends inside an object", "close the brace opened at line 8"},
     {"unknown_key", "W101", "unknown key \"resorces\"", "did you mean \"resources\"?"},
     {"unknown_pass_key", "W101", "unknown key \"shadr\"", "did you mean \"shader\"?"},
-    {"later_key", "W101", "unknown key \"tiers\"", "not available in this version"},
     {"duplicate_key", "W003", "the key \"sky\" is here twice", "remove one of the two"},
     {"wrong_type", "W102", "found number, wanted a list of references", "write a value of that kind"},
     {"number_in_quotes", "W102", "found string, wanted a number", "without quotes"},

@@ -16,6 +16,7 @@ constexpr const char* kSame = "0.005";
 
 struct View {
     std::string graph, scene, camera;
+    std::vector<std::string> options;
     [[nodiscard]] std::string name() const { return graph + "-" + scene + "-" + camera; }
 };
 
@@ -26,6 +27,7 @@ std::vector<View> views() {
         View view;
         std::istringstream words(line);
         if (line.starts_with("#") || !(words >> view.graph >> view.scene >> view.camera)) continue;
+        for (std::string option; words >> option;) view.options.push_back(option);
         found.push_back(view);
     }
     return found;
@@ -37,10 +39,14 @@ TEST_P(Golden, LooksAsItDid) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const View& view = GetParam();
     const ScratchFolder folder;
-    const RunResult run =
-        run_weft({"render", "builtin:" + view.scene, "--graph",
-                  WEFT_SOURCE_DIR "/graphs/" + view.graph + ".json", "--camera", view.camera, "--size",
-                  "320x180", "-o", folder / "now.png", "--stats", folder / "stats.json"});
+    std::vector<std::string> arguments{"render",   "builtin:" + view.scene,
+                                       "--graph",  WEFT_SOURCE_DIR "/graphs/" + view.graph + ".json",
+                                       "--camera", view.camera,
+                                       "--size",   "320x180",
+                                       "-o",       folder / "now.png",
+                                       "--stats",  folder / "stats.json"};
+    arguments.insert(arguments.end(), view.options.begin(), view.options.end());
+    const RunResult run = run_weft(arguments);
     ASSERT_EQ(run.exit_code, 0) << run.text();
     const auto stats = nlohmann::json::parse(read_text(folder / "stats.json"));
     const std::string driver =

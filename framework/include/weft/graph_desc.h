@@ -175,8 +175,16 @@ struct PassDesc {
     uint32_t order_key = 0;  // graphs made in memory
 };
 
+// A quality tier: what it changes has been merged into the graph that it was loaded with.
+struct TierDesc {
+    std::string name;
+    SourceLoc loc;
+};
+
 struct GraphDesc {
     std::string name;
+    std::string tier;             // the one merged in; empty: the file as it is
+    std::vector<TierDesc> tiers;  // in the order written
     std::map<std::string, double> consts;
     std::map<std::string, ParamDesc> params;
     std::map<std::string, Expr> sizes;
@@ -184,6 +192,7 @@ struct GraphDesc {
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
     uint32_t frames = 1;
+    uint32_t jitter = 0;  // after how many frames the camera's sub-pixel offsets begin again; 0: there are none
     SourceMap sources;
 };
 

@@ -18,6 +18,7 @@ struct GraphLimits {
     uint64_t json_depth = 64;
     uint64_t json_values = 1ull << 18;
     uint64_t string_bytes = 4096;
+    uint64_t include_files = 64;
     uint64_t passes = 4096;
     uint64_t ports = 1ull << 18;
     uint64_t resources = 16'384;

@@ -25,12 +25,21 @@ struct SourceLoc {
 struct SourceFile {
     std::string path;  // as the user named it
     std::string text;
+    SourceLoc included_at = {};  // of the file's name in the one that includes it; kNoFile: in none
+};
+
+// A value that stands for another: of an including file, or of a tier.
+struct Replacement {
+    SourceLoc by;
+    SourceLoc what;
 };
 
 struct SourceMap {
     std::vector<SourceFile> files;
+    std::vector<Replacement> replacements;
 
-    // A diagnostic with file, line, column and the excerpt filled in from `loc`.
+    // A diagnostic with file, line, column and the excerpt filled in from `loc`. Notes say where the file was
+    // included, and what the value there replaced.
     [[nodiscard]] Diagnostic error(SourceLoc loc, std::string code, std::string message) const;
     // "deferred.json:40:73", or "<memory>" for things made by a program.
     [[nodiscard]] std::string describe(SourceLoc loc) const;

@@ -23,11 +23,14 @@ struct ViewConstants {
     mat4 projection;         // view to clip
     mat4 view_projection;
     mat4 inverse_view_projection;
-    mat4 prev_view_projection;
+    mat4 steady_view_projection;  // without the jitter, which velocities leave out
+    mat4 prev_view_projection;    // the last frame's, without its jitter
     vec3 eye;
     float near_m;
     vec2 viewport_px;
     vec2 inverse_viewport;
+    vec2 jitter_uv;               // by how much `projection` moves the picture; 0 unless the graph has "jitter"
+    vec2 reserved0;
 };
 
 #include "end.glsl"

@@ -1,0 +1,30 @@
+// Both blurs over the sharp picture, for a pass that blends premultiplied colours. Whether a pixel is blurred behind the
+// focus its own depth says, so edges of what is sharp stay sharp.
+#version 460
+#include "frame_set.glsl"
+#include "circle.glsl"
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 hdr;
+
+uniform sampler2DArray soft;
+uniform sampler2D depth;
+
+layout(push_constant) uniform Params { float focus; float aperture; } params;
+
+// Between pixels, and smoothed over two of them: the gaps between the taps vanish.
+vec4 smoothed(float layer) {
+    const vec2 texel = 1.0 / vec2(textureSize(soft, 0).xy);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 4; ++i)
+        sum += textureLod(soft, vec3(uv + texel * (vec2(i & 1, i >> 1) - 0.5), layer), 0.0) * 0.25;
+    return sum;
+}
+
+void main() {
+    const float radius = circle_radius(texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r, params.focus, params.aperture);
+    const vec4 far = smoothed(0.0), close = smoothed(1.0);
+    const float share = far.a > 0.0 ? blurred_share(radius) : 0.0;
+    const vec4 below = vec4(far.rgb / max(far.a, 1e-4), 1.0) * share;
+    hdr = close + below * (1.0 - close.a);
+}

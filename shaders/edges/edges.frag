@@ -1,0 +1,34 @@
+// Lines over a faint picture: ink where depth jumps, red where the surface bends.
+#version 460
+#include "srgb.glsl"
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 backbuffer;
+
+uniform sampler2D hdr;
+uniform sampler2D lines;
+
+layout(push_constant) uniform Params {
+    float faint;  // 0: blank paper, 1: the picture
+    float exposure;
+} params;
+
+const vec3 kPaper = vec3(0.93, 0.91, 0.86), kInk = vec3(0.012, 0.018, 0.05), kRed = vec3(0.52, 0.06, 0.02);
+
+// Stairs become slopes: the mean around the pixel, drawn darker so that thin lines stay.
+vec2 smooth_lines() {
+    const vec2 texel = 1.0 / vec2(textureSize(lines, 0));
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < 4; ++i)
+        sum += textureLod(lines, uv + texel * (vec2(i & 1, i >> 1) - 0.5), 0.0).rg * 0.25;
+    return min(sum * 1.6, vec2(1.0));
+}
+
+void main() {
+    const vec3 scene = filmic(textureLod(hdr, uv, 0.0).rgb * exp2(params.exposure));
+    const vec2 line = smooth_lines();
+    vec3 color = kPaper * mix(vec3(1.0), scene, params.faint);
+    color = mix(color, kRed, line.g * 0.7);
+    color = mix(color, kInk, line.r);
+    backbuffer = vec4(srgb_encode(color), 1.0);
+}

@@ -1,0 +1,88 @@
+// Blends this frame, which was seen through jittered points of its pixels, into what earlier frames saw of the same
+// surfaces. Output: scene-linear × preExposure; alpha counts the frames that are in it.
+//
+// Karis 2014, "High-Quality Temporal Supersampling": nearest-depth velocities, blending of compressed colours, YCoCg.
+// Salvi 2016, "An Excursion in Temporal Supersampling": the box of mean and deviation that history is clipped to.
+#version 460
+#include "frame_set.glsl"
+#include "half_float.glsl"
+#include "catmull_rom.glsl"
+#include "compressed_color.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D hdr;
+uniform sampler2D before;
+uniform sampler2D velocity;
+uniform sampler2D depth;
+layout(rgba16f) writeonly uniform image2D resolved;
+
+layout(push_constant) uniform Params {
+    float beforeValid;
+    float newest;  // the least weight of this frame
+    float trust;   // deviations
+} params;
+
+// What stands still is trusted this much more: a wire that only some frames hit is no ghost.
+const float kTrustInStillness = 4.0;
+const float kStillPx = 0.01;  // less is a rounding error
+
+struct Neighbours {
+    vec3 mean;
+    vec3 deviation;
+    ivec2 nearest;  // the pixel whose surface is nearest
+    float depth;    // its depth
+};
+
+Neighbours neighbours_of(ivec2 pixel) {
+    const ivec2 last = textureSize(hdr, 0) - 1;
+    Neighbours n = Neighbours(vec3(0.0), vec3(0.0), pixel, texelFetch(depth, pixel, 0).r);
+    for (int i = 0; i < 9; ++i) {
+        const ivec2 at = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
+        const vec3 color = compressed(texelFetch(hdr, at, 0).rgb);
+        n.mean += color / 9.0;
+        n.deviation += color * color / 9.0;
+        const float z = texelFetch(depth, at, 0).r;
+        if (z > n.depth) {
+            n.depth = z;
+            n.nearest = at;
+        }
+    }
+    n.deviation = sqrt(max(n.deviation - n.mean * n.mean, vec3(0.0)));
+    return n;
+}
+
+// How far what is here has moved since the last frame, in uv. The sky has no surface that knows.
+vec2 moved(Neighbours n, vec2 uv) {
+    if (n.depth > 0.0) return texelFetch(velocity, n.nearest, 0).xy;
+    const vec4 clip = view.prev_view_projection * vec4(ray_direction(uv), 0.0);
+    return uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
+}
+
+// The point of the box that lies towards its middle.
+vec3 clipped(vec3 color, vec3 middle, vec3 reach) {
+    const vec3 away = color - middle;
+    const vec3 beyond = abs(away) / max(reach, vec3(1e-5));
+    return middle + away / max(1.0, max(beyond.x, max(beyond.y, beyond.z)));
+}
+
+void main() {
+    const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(resolved);
+    if (any(greaterThanEqual(pixel, size))) return;
+    const vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
+    const vec3 now = compressed(texelFetch(hdr, pixel, 0).rgb);
+    const Neighbours around = neighbours_of(pixel);
+    const vec2 motion = moved(around, uv), from = uv - motion;
+    const float motion_px = length(motion * vec2(size));
+    const vec4 seen = motion_px < kStillPx ? texelFetch(before, pixel, 0) : catmull_rom(before, from);
+    const bool inside = all(greaterThanEqual(from, vec2(0.0))) && all(lessThan(from, vec2(1.0)));
+    const bool was_there = params.beforeValid > 0.0 && inside;
+
+    const float trust = params.trust * mix(kTrustInStillness, 1.0, clamp(motion_px, 0.0, 1.0));
+    const vec3 history = compressed(max(seen.rgb, vec3(0.0)) * (frame.pre_exposure / frame.prev_pre_exposure));
+    const vec3 believed = clipped(history, around.mean, around.deviation * trust);
+    const float count = was_there ? max(seen.a, 0.0) : 0.0;
+    const float weight = max(1.0 / (count + 1.0), was_there ? params.newest : 1.0);
+    const vec3 color = expanded(mix(believed, now, weight));
+    imageStore(resolved, pixel, vec4(nearest_half(clamp(color, 0.0, 65000.0)), min(count + 1.0, 256.0)));
+}

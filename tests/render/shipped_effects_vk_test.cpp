@@ -1,0 +1,301 @@
+// What the shipped effects promise, each by the passes of its own graph: bloom keeps all light, anti-aliasing
+// ends at the mean of its frames, depth of field leaks no colour, and the reaction is Gray and Scott's.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "session_fixture.h"
+
+namespace weft::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Image = std::vector<glm::vec4>;
+
+std::string shipped_path(const std::string& name) {
+    return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
+}
+
+Json shipped(const std::string& name) {
+    return Json::parse(read_text(shipped_path(name)).value_or("{}"), nullptr, true, true);
+}
+
+// The named passes of a graph behind a pass of ours that writes its hdr; `glass` is what the graphs call the
+// last pass of the scene.
+Json behind_picture(const std::string& name, const Json& picture, std::initializer_list<const char*> passes,
+                    std::initializer_list<const char*> resources) {
+    const Json whole = shipped(name);
+    Json graph{{"version", 1}, {"name", name}, {"imports", {{"backbuffer", "output"}}}};
+    graph["params"] = whole.at("params");
+    if (whole.contains("sizes")) graph["sizes"] = whole.at("sizes");
+    graph["resources"] = {{"hdr", {{"format", "rgba16f"}}}, {"depth", "d32f"}};
+    for (const char* resource : resources) graph["resources"][resource] = whole.at("resources").at(resource);
+    graph["passes"]["glass"] = picture;
+    for (const char* pass : passes) graph["passes"][pass] = whole.at("passes").at(pass);
+    graph["passes"]["show"] = {
+        {"type", "fullscreen"}, {"shader", "tonemap/tonemap.frag"}, {"in", {"hdr"}}, {"out", {"backbuffer"}}};
+    return graph;
+}
+
+class ShippedEffects : public SessionTest {
+ protected:
+    // What each frame left in the observed resources, by name.
+    std::vector<std::map<std::string, Image>> frames(const Json& graph, const std::string& path,
+                                                     Extent3D size, uint32_t count,
+                                                     std::vector<std::string> observed) {
+        const Result<scene::Scene> scene = scene::make_builtin("spheres");
+        const FileReader reader = [&](const std::string& file) {
+            return file == path ? std::optional(graph.dump(2)) : read_text(file);
+        };
+        const std::unique_ptr<render::Session> session =
+            start(*scene, scene->cameras.at(0), path, size, std::move(observed), scene->exposure_ev, reader);
+        if (!session) return {};
+        for (uint32_t i = 0; i < count; ++i) EXPECT_TRUE(session->render_frame(0, 0));
+        EXPECT_TRUE(session->finish());
+        std::vector<std::map<std::string, Image>> seen(count);
+        for (const vk::ReadbackData& data : session->take_readbacks())
+            seen.at(data.frame_index)[data.pass.substr(std::string("observe:").size())] =
+                render::decode_texels(data.format, data.bytes);
+        return seen;
+    }
+    std::map<std::string, Image> picture(const Json& graph, Extent3D size,
+                                         std::vector<std::string> observed) {
+        auto seen =
+            frames(graph, WEFT_SOURCE_DIR "/tests/render/pictures/graph.json", size, 1, std::move(observed));
+        return seen.empty() ? std::map<std::string, Image>{} : std::move(seen[0]);
+    }
+
+    static Json bloom(float speck, float everywhere, float calm) {
+        const Json picture{{"type", "compute"},
+                           {"shader", "speck.comp"},
+                           {"out", {"hdr"}},
+                           {"params", {{"speck", speck}, {"everywhere", everywhere}}}};
+        Json graph = behind_picture("bloom", picture, {"first", "down", "up", "mix"}, {"bloom"});
+        graph["params"]["calm"]["default"] = calm;
+        return graph;
+    }
+};
+
+glm::dvec3 sum_of(const Image& image) {
+    glm::dvec3 sum(0);
+    for (const glm::vec4& texel : image) sum += glm::dvec3(texel);
+    return sum;
+}
+
+TEST_F(ShippedEffects, BloomLeavesAnEvenPictureAsItIs) {
+    const auto seen = picture(bloom(0, 1.5f, 0.5f), {96, 54, 1}, {"bloom", "hdr"});
+    ASSERT_EQ(seen.size(), 2u);
+    for (const glm::vec4& texel : seen.at("bloom")) EXPECT_EQ(glm::vec3(texel), glm::vec3(1.5f, 0.75f, 3));
+    for (const glm::vec4& texel : seen.at("hdr")) EXPECT_EQ(glm::vec3(texel), glm::vec3(1.5f, 0.75f, 3));
+}
+
+TEST_F(ShippedEffects, BloomSpreadsASpeckAndLosesNoneOfIt) {
+    constexpr Extent3D kSize{256, 256, 1};
+    constexpr float kSpeck = 4096;
+    const auto kept = picture(bloom(kSpeck, 0, 0), kSize, {"hdr"}),
+               calmed = picture(bloom(kSpeck, 0, 1), kSize, {"hdr"});
+    ASSERT_TRUE(kept.contains("hdr") && calmed.contains("hdr"));
+    const Image& image = kept.at("hdr");
+    const glm::dvec3 share = sum_of(image) / glm::dvec3(kSpeck, kSpeck / 2, kSpeck * 2);
+    const auto lit = std::ranges::count_if(image, [](const glm::vec4& texel) { return texel.r > 0; });
+    std::printf("of a speck's light %.4f %.4f %.4f are there, on %td texels; calmed, %.4f\n", share.r,
+                share.g, share.b, lit, sum_of(calmed.at("hdr")).r / kSpeck);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(share[c], 1, 0.005);
+    EXPECT_GT(lit, 20000) << "it spreads widely";
+    EXPECT_LT(image[128 * 256 + 128].r, kSpeck * 0.85f) << "and leaves where it was";
+    EXPECT_LT(sum_of(calmed.at("hdr")).r, 0.85 * kSpeck) << "a calmed speck spreads less than it lost";
+}
+
+// As the frames are blended: weighed by 1 / (1 + luma).
+glm::dvec3 compressed(const glm::vec4& color) {
+    const glm::dvec3 c(color);
+    return c / (1 + 0.25 * c.r + 0.5 * c.g + 0.25 * c.b);
+}
+
+double worst_between(const Image& image, const std::vector<glm::dvec3>& wanted) {
+    double worst = 0;
+    for (size_t i = 0; i < image.size(); ++i) {
+        const glm::dvec3 off = glm::abs(compressed(image[i]) - wanted[i]);
+        worst = std::max({worst, off.r, off.g, off.b});
+    }
+    return worst;
+}
+
+double rms_between(const Image& image, const std::vector<glm::dvec3>& wanted) {
+    double sum = 0;
+    for (size_t i = 0; i < image.size(); ++i) {
+        const glm::dvec3 off = compressed(image[i]) - wanted[i];
+        sum += glm::dot(off, off) / 3;
+    }
+    return std::sqrt(sum / static_cast<double>(image.size()));
+}
+
+class AntiAliasing : public ShippedEffects {
+ protected:
+    static constexpr uint32_t kFrames = 16;
+
+    void run(double trust) {
+        Json graph = shipped("taa");
+        graph["params"]["trust"]["default"] = trust;
+        seen_ = frames(graph, shipped_path("taa"), {96, 54, 1}, kFrames, {"hdr", "velocity", "resolved"});
+        ASSERT_EQ(seen_.size(), kFrames);
+        mean_.assign(seen_[0].at("hdr").size(), glm::dvec3(0));
+        for (const auto& frame : seen_)
+            for (size_t i = 0; i < mean_.size(); ++i)
+                mean_[i] += compressed(frame.at("hdr")[i]) / static_cast<double>(kFrames);
+    }
+
+    std::vector<std::map<std::string, Image>> seen_;
+    std::vector<glm::dvec3> mean_;
+};
+
+TEST_F(AntiAliasing, VelocitiesOfWhatStandsStillAreZeroWhileThePictureIsJittered) {
+    ASSERT_NO_FATAL_FAILURE(run(1.25));
+    for (uint32_t frame = 0; frame < kFrames; ++frame) {
+        for (const glm::vec4& texel : seen_[frame].at("velocity")) ASSERT_EQ(glm::vec2(texel), glm::vec2(0));
+        if (frame > 0) {
+            EXPECT_NE(seen_[frame].at("hdr"), seen_[frame - 1].at("hdr")) << frame;
+        }
+    }
+}
+
+TEST_F(AntiAliasing, EndsAtTheMeanOfItsFramesWhereHistoryIsTrusted) {
+    ASSERT_NO_FATAL_FAILURE(run(100));
+    const Image& resolved = seen_.back().at("resolved");
+    const double worst = worst_between(resolved, mean_), single = worst_between(seen_[0].at("hdr"), mean_);
+    std::printf("off the mean of %u frames by at most %.5f, a single frame by %.3f\n", kFrames, worst,
+                single);
+    // Each frame is rounded to half floats, as is what was there before.
+    EXPECT_LT(worst, 2.0 / 2048);
+    EXPECT_GT(single, 0.1) << "edges that need no smoothing prove nothing";
+    for (const glm::vec4& texel : resolved) EXPECT_EQ(texel.a, float{kFrames});
+}
+
+TEST_F(AntiAliasing, StaysCloseToTheMeanAsItIsShipped) {
+    ASSERT_NO_FATAL_FAILURE(run(shipped("taa").at("params").at("trust").at("default").get<double>()));
+    const double smooth = rms_between(seen_.back().at("resolved"), mean_),
+                 single = rms_between(seen_[0].at("hdr"), mean_);
+    std::printf("off the mean by %.5f rms, a single frame by %.5f\n", smooth, single);
+    EXPECT_LT(smooth, single / 5);
+}
+
+class DepthOfField : public ShippedEffects {
+ protected:
+    static constexpr Extent3D kSize{128, 64, 1};
+
+    // hdr behind the lens, with the right half so far away.
+    Image through_lens(double right_m) {
+        const Json picture{{"type", "fullscreen"},
+                           {"shader", "halves.frag"},
+                           {"out", {"hdr"}},
+                           {"depth", "depth"},
+                           {"params", {{"right_m", right_m}}},
+                           {"state", {{"depth", "always_write"}}}};
+        Json graph = behind_picture("dof", picture, {"part", "reach", "blur", "lens"},
+                                    {"behind", "before", "soft", "circles", "reach"});
+        graph["params"]["aperture"]["default"] = 2;
+        return this->picture(graph, kSize, {"hdr"})["hdr"];
+    }
+    static const glm::vec4& at(const Image& image, uint32_t x, uint32_t y) {
+        return image[size_t{y} * kSize.width + x];
+    }
+    // The stripes' contrast, 0 where they have become one colour.
+    static float contrast(const Image& image, uint32_t x) {
+        float low = 100, high = 0;
+        for (uint32_t y = 24; y < 40; ++y) {
+            low = std::min(low, at(image, x, y).b);
+            high = std::max(high, at(image, x, y).b);
+        }
+        return high - low;
+    }
+};
+
+TEST_F(DepthOfField, WhatIsSharpLeaksIntoNothingBehindIt) {
+    const Image image = through_lens(1000);
+    ASSERT_EQ(image.size(), size_t{kSize.width} * kSize.height);
+    for (uint32_t y = 0; y < kSize.height; ++y) {
+        for (uint32_t x = 0; x < kSize.width / 2; ++x)
+            ASSERT_EQ(glm::vec3(at(image, x, y)), glm::vec3(100, 0, 0))
+                << x << ", " << y << ": what is sharp stays";
+        for (uint32_t x = kSize.width / 2; x < kSize.width; ++x) {
+            ASSERT_EQ(at(image, x, y).r, 0) << x << ", " << y << ": red leaks";
+            ASSERT_GT(at(image, x, y).g + at(image, x, y).b, 0.9f) << x << ", " << y << ": a dark fringe";
+        }
+    }
+    EXPECT_LT(contrast(image, 100), 0.3f) << "blurred";
+}
+
+TEST_F(DepthOfField, WhatIsBlurredBeforeTheFocusSpreadsAndTakesNothingIn) {
+    const Image image = through_lens(3);
+    ASSERT_EQ(image.size(), size_t{kSize.width} * kSize.height);
+    for (uint32_t y = 0; y < kSize.height; ++y)
+        for (uint32_t x = kSize.width / 2; x < kSize.width; ++x)
+            ASSERT_EQ(at(image, x, y).r, 0) << x << ", " << y;
+    EXPECT_EQ(glm::vec3(at(image, 8, 32)), glm::vec3(100, 0, 0)) << "out of its reach";
+    const glm::vec4& beside = at(image, kSize.width / 2 - 2, 32);
+    EXPECT_LT(beside.r, 90);
+    EXPECT_GT(beside.g + beside.b, 0.05f) << "it covers a part of what is sharp";
+    EXPECT_LT(contrast(image, 100), 0.3f) << "blurred";
+}
+
+// One step by Pearson's equations and Sims's Laplacian on a grid without borders.
+std::vector<glm::dvec2> react(const std::vector<glm::dvec2>& cells, int width, int height, double feed,
+                              double kill, double drift) {
+    const auto border = [](double f) { return 0.5 * std::sqrt(f) - f; };
+    std::vector<glm::dvec2> next(cells.size());
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            glm::dvec2 spread(0);
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) {
+                    const double weight = dx == 0 && dy == 0 ? -1 : dx == 0 || dy == 0 ? 0.2 : 0.05;
+                    const int at = (y + dy + height) % height * width + (x + dx + width) % width;
+                    spread += weight * cells[static_cast<size_t>(at)];
+                }
+            const double aside = std::abs(2 * (x + 0.5) / width - 1),
+                         above = std::abs(2 * (y + 0.5) / height - 1);
+            const double f = feed + drift * (2 * aside - 1);
+            const double k = kill + border(f) - border(feed) + 0.05 * drift * (1 - 2 * above);
+            const size_t i = static_cast<size_t>(y * width + x);
+            const double u = cells[i].x, v = cells[i].y, eaten = u * v * v;
+            next[i] = {u + spread.x - eaten + f * (1 - u), v + 0.5 * spread.y + eaten - (f + k) * v};
+        }
+    }
+    return next;
+}
+
+TEST_F(ShippedEffects, TheReactionIsGrayAndScotts) {
+    constexpr int kWidth = 120, kHeight = 60, kSteps = 40, kFrames = 3;
+    Json graph = shipped("reaction_diffusion");
+    graph["resources"]["cells"]["size"] = {kWidth, kHeight};
+    graph["passes"]["step"]["threads"] = {kWidth / 2, kHeight / 2};
+    graph["params"]["steps"]["default"] = kSteps;
+    const auto seen = frames(graph, shipped_path("reaction_diffusion"), {32, 18, 1}, kFrames, {"cells"});
+    ASSERT_EQ(seen.size(), size_t{kFrames});
+    const auto number = [&](const char* name) { return graph["params"][name]["default"].get<double>(); };
+    const size_t cells = size_t{kWidth} * kHeight;
+    const auto state = [&](int frame) {
+        const Image& both = seen[static_cast<size_t>(frame)].at("cells");
+        std::vector<glm::dvec2> first;
+        for (size_t i = 0; i < cells; ++i) first.emplace_back(both[i].x, both[i].y);
+        return first;
+    };
+    for (int frame = 1; frame < kFrames; ++frame) {
+        std::vector<glm::dvec2> wanted = state(frame - 1);
+        for (int i = 0; i < kSteps; ++i)
+            wanted = react(wanted, kWidth, kHeight, number("feed"), number("kill"), number("drift"));
+        const std::vector<glm::dvec2> found = state(frame);
+        double worst = 0, moved = 0;
+        for (size_t i = 0; i < cells; ++i) {
+            worst = std::max({worst, std::abs(found[i].x - wanted[i].x), std::abs(found[i].y - wanted[i].y)});
+            moved = std::max(moved, std::abs(found[i].y - state(frame - 1)[i].y));
+        }
+        std::printf("frame %d: %.1e off after %d steps, in which a cell changed by %.2f\n", frame, worst,
+                    kSteps, moved);
+        EXPECT_LT(worst, 1e-4);
+        EXPECT_GT(moved, 0.05) << "a dead dish proves nothing";
+    }
+}
+
+}  // namespace
+}  // namespace weft::test
