@@ -33,6 +33,7 @@ install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_carried.cmake)
 
 # What they read.
 install(DIRECTORY graphs shaders DESTINATION share/weft)
+install(FILES docs/diagnostics.md DESTINATION share/weft/docs)
 install(DIRECTORY framework/profiles/ DESTINATION share/weft/profiles)
 
 # Headers, under include/weft/.

@@ -18,14 +18,12 @@ struct FutureFlag {
 constexpr std::array kFutureRenderFlags{
     FutureFlag{"--profile", "rendering to a profile"},
 };
-constexpr std::array kFutureCheckFlags{FutureFlag{"--sarif", "SARIF"}, FutureFlag{"--run", "graph tests"}};
 
 struct FutureFlags {
     const char* command;
     std::span<const FutureFlag> flags;
 };
-constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
-                                  FutureFlags{"check", kFutureCheckFlags}};
+constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags}};
 constexpr std::array<const char*, 1> kFutureCommands{"schema"};
 
 std::optional<double> number_of(const std::string& text) {

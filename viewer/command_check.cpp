@@ -4,6 +4,8 @@
 #include "commands.h"
 #include "files.h"
 #include "graph/quantity_text.h"
+#include "graph_test_run.h"
+#include "sarif.h"
 #include "tier_check.h"
 
 namespace weft::viewer {
@@ -39,11 +41,16 @@ ExitCode run_check(const CheckOptions& options) {
         report(profile.errors());
         return exit_code_for(profile.errors());
     }
+    const bool prints_data = options.json || options.sarif;
     Diagnostics all;
     for (const std::string& file : options.files) {
-        const CheckedGraph checked = check_tiers(file, options.offline);
-        if (!options.json && !has_errors(checked.found)) say_ok(file, checked);
-        if (!options.json) report(checked.found);
+        CheckedGraph checked = check_tiers(file, options.offline);
+        if (options.run && !has_errors(checked.found)) {
+            Diagnostics failed = run_graph_tests(file, options);
+            checked.found.insert(checked.found.end(), failed.begin(), failed.end());
+        }
+        if (!prints_data && !has_errors(checked.found)) say_ok(file, checked);
+        if (!prints_data) report(checked.found);
         all.insert(all.end(), checked.found.begin(), checked.found.end());
     }
     if (options.json) {
@@ -51,6 +58,7 @@ ExitCode run_check(const CheckOptions& options) {
         for (const Diagnostic& d : all) list.push_back(to_json(d));
         std::printf("%s\n", list.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     }
+    if (options.sarif) std::fputs(sarif_log(all).c_str(), stdout);
     return has_errors(all) ? exit_code_for(all) : ExitCode::ok;
 }
 

@@ -6,6 +6,16 @@
 #include "offline_graph.h"
 
 namespace weft::viewer {
+namespace {
+
+std::string in_format(const PlanOptions& options, const OfflinePlan& made) {
+    if (options.format == "json") return plan_to_json(made.plan);
+    if (options.format == "dot") return plan_to_dot(made.plan);
+    if (options.format == "html") return plan_to_html(made.plan, {options.file, options.offline.tier, made.profile.name});
+    return plan_to_text(made.plan, &made.profile);
+}
+
+}  // namespace
 
 ExitCode run_plan(const PlanOptions& options) {
     Diagnostics warnings;
@@ -15,9 +25,7 @@ ExitCode run_plan(const PlanOptions& options) {
         report(made.errors());
         return exit_code_for(made.errors());
     }
-    const std::string text = options.format == "json"  ? plan_to_json(made->plan)
-                             : options.format == "dot" ? plan_to_dot(made->plan)
-                                                       : plan_to_text(made->plan, &made->profile);
+    const std::string text = in_format(options, *made);
     if (options.output.empty()) {
         std::fputs(text.c_str(), stdout);
         return ExitCode::ok;

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "graph/debug_view.h"
 #include "image_file.h"
 #include "render/session.h"
 #include "render/texels.h"
@@ -37,7 +38,7 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
 // The picture that --output asks for: the graph's output, or the resource of --resource.
 Status write_picture(const RenderOptions& options, const render::Session& session,
                      const RunOutcome& outcome) {
-    const bool is_output = options.resource.empty();
+    const bool is_output = options.resource.empty() && options.debug.empty();
     if (!is_output && outcome.readbacks.empty()) {
         Diagnostic d;
         d.code = "W103";
@@ -51,7 +52,9 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
                           {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind) return kind.errors();
-    if (is_output && *kind == ImageFileKind::png)
+    // Both are ready for a display.
+    const bool is_encoded = is_output || !options.debug.empty();
+    if (is_encoded && *kind == ImageFileKind::png)
         return write_png(options.output, data.extent.width, data.extent.height, data.bytes);
     std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
     // Raw values are in the resource's own units; a PNG is for looking at, so it keeps the exposure.
@@ -76,7 +79,10 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
     input.graph_root = root / "graphs";
     input.tier = options.tier;
     input.params = options.params;
-    if (!options.resource.empty()) input.observed = {options.resource};
+    input.observed = options.observed;
+    if (!options.resource.empty()) input.observed.push_back(options.resource);
+    input.debug = options.debug;
+    if (!options.debug.empty()) input.observed.emplace_back(kDebugView);
     input.camera = camera;
     input.exposure_ev = options.exposure_ev.value_or(scene.exposure_ev);
     input.queues = options.queues;

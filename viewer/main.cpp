@@ -76,6 +76,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->check(param_validator());
     command.add_option("--resource", o.resource,
                        "write this resource (name@pass.mip(e).layer(e)), not the output");
+    command
+        .add_option("--debug", o.debug, "write this debug view of the graph, or any resource made visible")
+        ->excludes("--resource");
     command.add_flag("--validate", o.validate, "run under the validation layers; any message is exit code 5");
     command.add_option("--stats", o.stats, "write times, memory and hashes to this JSON file");
     command.add_option("--device", o.device, "a device's index or part of its name");
@@ -94,13 +97,14 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
 void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     o.render.output.clear();
     add_render(command, o.render, raw);
-    for (const char* flag : {"--resource", "--test-drop-barriers", "--output", "--frames", "--stats"})
+    for (const char* flag : {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "without a window");
     command.add_option("-o,--output", o.render.output, "write the last frame: .png, .exr or .pfm");
     command.add_option("--frames", o.render.frames, "end after so many [SIGINT, SIGTERM, or stdin closes]")
         ->check(CLI::Range(1u, 100000000u));
-    command.add_option("--stats", o.render.stats, "write how often was reloaded, and more, to this JSON file");
+    command.add_option("--stats", o.render.stats,
+                       "write how often was reloaded, and more, to this JSON file");
 }
 
 // How a graph is compiled where there is no device.
@@ -124,15 +128,19 @@ void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.files, "graph files")->required();
     add_tier(command, o.offline, "the graph as it is and all tiers");
     add_offline(command, o.offline, raw);
-    command.add_flag("--json", o.json, "what was found, as JSON on stdout");
+    command.add_flag("--run", o.run,
+                     "run the graphs' own tests, on a device and under the validation layers");
+    command.add_option("--device", o.device, "for --run: a device's index or part of its name");
+    CLI::Option* json = command.add_flag("--json", o.json, "what was found, as JSON on stdout");
+    command.add_flag("--sarif", o.sarif, "what was found, as a SARIF 2.1.0 log on stdout")->excludes(json);
 }
 
 void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     add_tier(command, o.offline, "the graph as it is");
     add_offline(command, o.offline, raw);
-    command.add_option("--format", o.format, "text, json or dot")
-        ->check(CLI::IsMember({"text", "json", "dot"}).description(""))
+    command.add_option("--format", o.format, "text, json, dot or html")
+        ->check(CLI::IsMember({"text", "json", "dot", "html"}).description(""))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "a file in place of stdout");
 }

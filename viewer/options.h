@@ -28,6 +28,8 @@ struct RenderOptions {
     std::optional<float> exposure_ev;
     std::map<std::string, double> params;
     std::string resource;
+    std::string debug;  // a debug view, or a resource to be shown as one
+    std::vector<std::string> observed;  // references that are read back every frame, besides `resource`
     bool validate = false;
     std::string stats;
     std::string device;
@@ -57,6 +59,9 @@ struct CheckOptions {
     std::vector<std::string> files;
     OfflineOptions offline;
     bool json = false;
+    bool sarif = false;  // not both
+    bool run = false;    // the graphs' own tests
+    std::string device;  // for them
 };
 
 struct PlanOptions {

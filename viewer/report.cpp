@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cstdio>
 
+#include <unistd.h>
+
 #include "commands.h"
+#include "terminal_colors.h"
 
 namespace weft::viewer {
 namespace {
@@ -12,10 +15,11 @@ constexpr size_t kMostShown = 200;
 }  // namespace
 
 void report(const Diagnostics& diagnostics) {
+    const bool colors = wants_colors(STDERR_FILENO);
     size_t errors = 0, warnings = 0, hidden = 0;
     for (const Diagnostic& d : diagnostics) {
         const size_t seen = d.severity == Severity::error ? ++errors : ++warnings;
-        if (seen <= kMostShown) std::fprintf(stderr, "%s\n", to_text(d).c_str());
+        if (seen <= kMostShown) std::fprintf(stderr, "%s\n", (colors ? colored_text(d) : to_text(d)).c_str());
         if (seen > kMostShown) ++hidden;
     }
     if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
@@ -29,6 +33,8 @@ ExitCode exit_code_for(const Diagnostics& errors) {
     if (it->code.starts_with("V40")) return ExitCode::no_device;
     if (it->code == "X520" || it->code == "X521") return ExitCode::usage;
     if (it->code.starts_with("X53") || it->code.starts_with("X56")) return ExitCode::invalid_input;
+    if (it->code == "W161") return ExitCode::mismatch;
+    if (it->code == "W162") return ExitCode::validation;
     const char kind = it->code.front();
     return kind == 'W' || kind == 'S' ? ExitCode::invalid_input : ExitCode::failed;
 }

@@ -8,7 +8,6 @@ namespace weft {
 namespace {
 
 constexpr int64_t kFormatVersion = 1;
-constexpr int64_t kMaxFrames = 1'000'000;
 constexpr int64_t kMaxJitter = 64;
 
 const std::vector<std::string>& import_kinds() {
@@ -47,8 +46,8 @@ void read_imports(ParseContext& context, const JsonNode& node, GraphDesc& graph)
 
 void read_consts(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a constant", [&](const JsonMember& member) {
-        double value = 0;
-        if (read_number(context, member.value, value)) graph.consts.emplace(member.key, value);
+        Expr value;
+        if (read_expression(context, member.value, value)) graph.consts.emplace(member.key, std::move(value));
     });
 }
 
@@ -61,7 +60,8 @@ void read_sizes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
 
 void read_frames(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     int64_t frames = 1;
-    if (read_integer(context, node, 1, kMaxFrames, frames)) graph.frames = static_cast<uint32_t>(frames);
+    if (node.kind == JsonKind::number && !read_integer(context, node, 1, kMaxFrames, frames)) return;
+    read_expression(context, node, graph.frames);
 }
 
 void read_jitter(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
@@ -78,17 +78,16 @@ void skip_object(ParseContext& context, const JsonNode& node, TierDesc&) {
     expect(context, node, JsonKind::object);
 }
 
+void skip_value(ParseContext&, const JsonNode&, TierDesc&) {}
+
 // Its sections are read where they have been merged: in the tier's own graph.
 void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {
     static constexpr std::array kKeys{
-        KeyRule<TierDesc>{"imports", skip_object},
-        KeyRule<TierDesc>{"consts", skip_object},
-        KeyRule<TierDesc>{"params", skip_object},
-        KeyRule<TierDesc>{"sizes", skip_object},
-        KeyRule<TierDesc>{"resources", skip_object},
-        KeyRule<TierDesc>{"passes", skip_object},
-        KeyRule<TierDesc>{"debug", skip_object},
-        KeyRule<TierDesc>{"frames", [](ParseContext&, const JsonNode&, TierDesc&) {}}};
+        KeyRule<TierDesc>{"imports", skip_object},   KeyRule<TierDesc>{"consts", skip_object},
+        KeyRule<TierDesc>{"params", skip_object},    KeyRule<TierDesc>{"sizes", skip_object},
+        KeyRule<TierDesc>{"resources", skip_object}, KeyRule<TierDesc>{"passes", skip_object},
+        KeyRule<TierDesc>{"debug", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
+        KeyRule<TierDesc>{"frames", skip_value}};
     read_object(context, node, "a patch", kKeys, tier);
 }
 
@@ -104,6 +103,9 @@ void read_tiers(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
 // read_graph() has been there.
 void skip_include(ParseContext&, const JsonNode&, GraphDesc&) {}
 
+// They name what the other sections declare: read last.
+void skip_tests(ParseContext&, const JsonNode&, GraphDesc&) {}
+
 // For editors only; any string will do.
 void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
     expect(context, node, JsonKind::string);
@@ -116,6 +118,7 @@ constexpr std::array kTopKeys{
     KeyRule<GraphDesc>{"sizes", read_sizes},     KeyRule<GraphDesc>{"resources", parse_resources},
     KeyRule<GraphDesc>{"passes", parse_passes},  KeyRule<GraphDesc>{"frames", read_frames},
     KeyRule<GraphDesc>{"include", skip_include}, KeyRule<GraphDesc>{"tiers", read_tiers},
+    KeyRule<GraphDesc>{"debug", parse_debug},    KeyRule<GraphDesc>{"tests", skip_tests},
     KeyRule<GraphDesc>{"jitter", read_jitter},
 };
 
@@ -168,6 +171,10 @@ Result<GraphDesc> parse(const JsonDoc& document) {
         check_shared_names(context, root, kExpressionNames, true);
         check_indices(context, graph);
         check_shared_names(context, root, kReferenceNames, false);
+        if (const JsonNode* tests = root.find("tests")) {
+            const PointerScope scope(context, "tests");
+            parse_tests(context, *tests, graph);
+        }
     }
     if (context.has_errors()) return context.take_errors();
     return graph;

@@ -154,22 +154,6 @@ bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double>
     return good;
 }
 
-void read_color(ParseContext& context, const JsonNode& node, std::optional<std::array<float, 4>>& out) {
-    std::array<float, 4> color{};
-    if (node.kind == JsonKind::number) {
-        if (!read_float(context, node, color[0])) return;
-        color.fill(color[0]);
-        out = color;
-        return;
-    }
-    std::array<double, 4> numbers{};
-    if (node.kind != JsonKind::array) return wrong_type(context, node, "a number or four numbers");
-    if (!read_numbers(context, node, numbers)) return;
-    for (size_t i = 0; i < color.size(); ++i)
-        if (!read_float(context, node.items[i], color[i])) return;
-    out = color;
-}
-
 bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
     if (node.kind == JsonKind::number) {
         out = number_expression(node.number, node.loc);
@@ -186,6 +170,39 @@ bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
     }
     out = std::move(*parsed);
     return true;
+}
+
+namespace {
+
+// A channel that is a number must be one that a channel can hold.
+bool read_channel(ParseContext& context, const JsonNode& node, Expr& out) {
+    float number = 0;
+    if (node.kind == JsonKind::number && !read_float(context, node, number)) return false;
+    return read_expression(context, node, out);
+}
+
+}  // namespace
+
+void read_color(ParseContext& context, const JsonNode& node, std::optional<ColorDesc>& out) {
+    ColorDesc color;
+    const bool one = node.kind == JsonKind::number || node.kind == JsonKind::string;
+    if (one) {
+        if (!read_channel(context, node, color.channels[0])) return;
+        color.channels.fill(color.channels[0]);
+        out = color;
+        return;
+    }
+    if (node.kind != JsonKind::array) return wrong_type(context, node, "a number or four numbers");
+    if (node.items.size() != color.channels.size())
+        return context.error(node.loc, "W109",
+                             "found " + std::to_string(node.items.size()) + " values, wanted 4",
+                             "write 4 numbers");
+    bool good = true;
+    for (size_t i = 0; i < color.channels.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        good = read_channel(context, node.items[i], color.channels[i]) && good;
+    }
+    if (good) out = color;
 }
 
 bool read_size(ParseContext& context, const JsonNode& node, Expr& out) {

@@ -82,10 +82,10 @@ bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int6
 bool read_byte(ParseContext& context, const JsonNode& node, uint8_t& out);
 // An array of `count` numbers.
 bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out);
-// A number for all four components, or four numbers.
-void read_color(ParseContext& context, const JsonNode& node, std::optional<std::array<float, 4>>& out);
 // A number or an expression in a string.
 bool read_expression(ParseContext& context, const JsonNode& node, Expr& out);
+// One for all four channels, or four of them.
+void read_color(ParseContext& context, const JsonNode& node, std::optional<ColorDesc>& out);
 // The same, or true and false for 1 and 0.
 bool read_switch(ParseContext& context, const JsonNode& node, Expr& out);
 // A size or number: an expression, a number, or [width, height] of them.
@@ -169,6 +169,9 @@ void read_named(ParseContext& context, const JsonNode& node, std::string_view wh
 // --- the parts of a graph
 // --------------------------------------------------------------------------------------
 void parse_params(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+// Reads graph.tiers, graph.params, graph.imports and graph.resources.
+void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass);

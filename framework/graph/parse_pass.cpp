@@ -91,7 +91,7 @@ void read_partial(ParseContext& context, const JsonNode& node, PassDesc& pass) {
 
 void read_per_frame(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.per_frame_loc = node.loc;
-    read_bool(context, node, pass.per_frame);
+    read_switch(context, node, pass.per_frame);
 }
 
 void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {

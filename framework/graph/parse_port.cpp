@@ -8,7 +8,7 @@ namespace {
 
 struct PortDraft {
     PortDesc port;
-    std::optional<std::array<float, 4>> clear;
+    std::optional<ColorDesc> clear;
     bool has_ref = false;
 };
 

@@ -46,14 +46,18 @@ void read_cube(ParseContext& context, const JsonNode& node, ResourceDesc& resour
     if (read_expression(context, node, resource.size)) resource.image_kind = ImageKind::cube;
 }
 
+// A whole number that is written as one is checked here; what an expression gives, resolve() checks.
+bool read_count(ParseContext& context, const JsonNode& node, int64_t least, int64_t most, Expr& out) {
+    int64_t number = 0;
+    if (node.kind == JsonKind::number && !read_integer(context, node, least, most, number)) return false;
+    return read_expression(context, node, out);
+}
+
 void read_samples(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
-    double samples = 0;
-    if (!read_number(context, node, samples)) return;
-    if (samples == 1 || samples == 2 || samples == 4 || samples == 8) {
-        resource.samples = static_cast<uint32_t>(samples);
-        return;
-    }
-    context.error(node.loc, "W109", "found " + node.string + " samples", "write 1, 2, 4 or 8");
+    if (node.kind == JsonKind::number && node.number != 1 && node.number != 2 && node.number != 4 &&
+        node.number != 8)
+        return context.error(node.loc, "W109", "found " + node.string + " samples", "write 1, 2, 4 or 8");
+    read_expression(context, node, resource.samples);
 }
 
 void read_layers(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
@@ -65,8 +69,7 @@ constexpr std::array kOnResizes{Choice<OnResize>{"clear", OnResize::clear},
                                 Choice<OnResize>{"refill", OnResize::refill}};
 
 void read_history(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
-    int64_t frames = 0;
-    if (read_integer(context, node, 0, kMaxHistory, frames)) resource.history = static_cast<uint32_t>(frames);
+    read_count(context, node, 0, kMaxHistory, resource.history);
 }
 
 void read_keep(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
@@ -166,7 +169,8 @@ void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& reso
         complain("layers", "this kind of image has no layers", help_for_layers(kind));
     if (has("depth") && kind != ImageKind::d3)
         complain("depth", "only 3D images have a depth", "write \"kind\": \"3d\" too");
-    if (resource.samples == 1) return;
+    const JsonNode* samples = node.find("samples");
+    if (samples == nullptr || samples->number == 1) return;
     if (kind != ImageKind::d2 && kind != ImageKind::d2_array)
         complain("samples", "cubes and 3D images can't be multisampled", "use a 2D image or an array");
     if (has("mips"))
@@ -180,11 +184,12 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
         const PointerScope scope(context, key);
         context.error(node.find(key)->loc, "W109", message, help);
     };
-    if (resource.history > 0 && resource.keep != KeepMode::none)
+    const JsonNode* history = node.find("history");
+    if (history != nullptr && history->number != 0 && resource.keep != KeepMode::none)
         complain(
             "keep", "a resource has \"history\" or \"keep\", not both",
             "\"history\" makes a new copy each frame, \"keep\" goes on with the one there is: remove one");
-    const bool lasting = resource.is_persistent() || node.find("history") != nullptr;
+    const bool lasting = resource.keep != KeepMode::none || history != nullptr;
     for (const std::string_view key : {"firstFrame", "onResize"})
         if (!lasting && node.find(key) != nullptr)
             complain(key, "\"" + std::string(key) + "\" has no meaning for what lives within one frame",

@@ -39,7 +39,8 @@ constexpr std::array kStencilOps{
 };
 
 // "none", "greater" (tested only) or "greater_write".
-void read_depth(ParseContext& context, const JsonNode& node, RasterState& state) {
+void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    RasterState& state = pass.state;
     constexpr std::string_view kWrite = "_write";
     if (!expect(context, node, JsonKind::string)) return;
     std::string_view name = node.string;
@@ -59,110 +60,155 @@ void read_depth(ParseContext& context, const JsonNode& node, RasterState& state)
     bad_choice(context, node, node.string, allowed);
 }
 
-constexpr std::array kBiasKeys{
-    KeyRule<RasterState>{"constant", [](ParseContext& c, const JsonNode& n,
-                                        RasterState& s) { read_float(c, n, s.depth_bias_constant); }},
-    KeyRule<RasterState>{"slope", [](ParseContext& c, const JsonNode& n,
-                                     RasterState& s) { read_float(c, n, s.depth_bias_slope); }},
-    KeyRule<RasterState>{"clamp", [](ParseContext& c, const JsonNode& n,
-                                     RasterState& s) { read_float(c, n, s.depth_bias_clamp); }},
+// A number of the state: read here when it is written as one, by resolve() when it is an expression.
+struct NumberRule {
+    double least, most;
+    bool whole;
 };
+constexpr NumberRule kByte{0, 255, true};
+constexpr NumberRule kPlace{-kMaxRectPx, kMaxRectPx, true};
+constexpr NumberRule kInsidePlace{0, kMaxRectPx, true};
+constexpr NumberRule kSide{1, kMaxRectPx, true};
+constexpr NumberRule kFloat{-3.4e38, 3.4e38, false};
 
-void read_bias(ParseContext& context, const JsonNode& node, RasterState& state) {
-    read_object(context, node, "a depth bias", kBiasKeys, state);
-}
-
-using Face = StencilFaceState;
-constexpr std::array kFaceKeys{
-    KeyRule<Face>{"compare", [](ParseContext& c, const JsonNode& n,
-                                Face& f) { read_choice(c, n, kCompares, f.compare); }},
-    KeyRule<Face>{
-        "fail", [](ParseContext& c, const JsonNode& n, Face& f) { read_choice(c, n, kStencilOps, f.fail); }},
-    KeyRule<Face>{"depthFail", [](ParseContext& c, const JsonNode& n,
-                                  Face& f) { read_choice(c, n, kStencilOps, f.depth_fail); }},
-    KeyRule<Face>{
-        "pass", [](ParseContext& c, const JsonNode& n, Face& f) { read_choice(c, n, kStencilOps, f.pass); }},
-    KeyRule<Face>{"readMask",
-                  [](ParseContext& c, const JsonNode& n, Face& f) { read_byte(c, n, f.read_mask); }},
-    KeyRule<Face>{"writeMask",
-                  [](ParseContext& c, const JsonNode& n, Face& f) { read_byte(c, n, f.write_mask); }},
-    KeyRule<Face>{"reference",
-                  [](ParseContext& c, const JsonNode& n, Face& f) { read_byte(c, n, f.reference); }},
-};
-
-void read_face(ParseContext& context, const JsonNode& node, Face& face) {
-    read_object(context, node, "a stencil state", kFaceKeys, face);
-}
-
-constexpr std::array kFacesKeys{
-    KeyRule<RasterState>{"front", [](ParseContext& c, const JsonNode& n,
-                                     RasterState& s) { read_face(c, n, s.stencil_front); }},
-    KeyRule<RasterState>{
-        "back", [](ParseContext& c, const JsonNode& n, RasterState& s) { read_face(c, n, s.stencil_back); }},
-};
-
-// {"front": {…}, "back": {…}}, or one state for both faces.
-void read_stencil(ParseContext& context, const JsonNode& node, RasterState& state) {
-    state.stencil_test = true;
-    if (node.find("front") != nullptr || node.find("back") != nullptr) {
-        read_object(context, node, "a stencil state with two faces", kFacesKeys, state);
+void read_state_number(ParseContext& context, const JsonNode& node, const NumberRule& rule, PassDesc& pass,
+                       std::function<void(RasterState&, double)> set) {
+    if (node.kind == JsonKind::number) {
+        int64_t whole = 0;
+        float number = 0;
+        if (rule.whole ? read_integer(context, node, static_cast<int64_t>(rule.least),
+                                      static_cast<int64_t>(rule.most), whole)
+                       : read_float(context, node, number))
+            set(pass.state, node.number);
         return;
     }
-    read_face(context, node, state.stencil_front);
-    state.stencil_back = state.stencil_front;
+    StateNumberDesc late{{}, rule.least, rule.most, rule.whole, std::move(set)};
+    if (read_expression(context, node, late.value)) pass.state_numbers.push_back(std::move(late));
 }
 
-void read_rect(ParseContext& context, const JsonNode& node, std::optional<RectPx>& out) {
-    std::array<double, 4> numbers{};
-    if (!read_numbers(context, node, numbers)) return;
-    std::array<int64_t, 4> whole{};
-    for (size_t i = 0; i < whole.size(); ++i) {
-        const PointerScope scope(context, std::to_string(i));
-        if (!read_integer(context, node.items[i], i < 2 ? -kMaxRectPx : 1, kMaxRectPx, whole[i])) return;
+template <float RasterState::*Member>
+void read_bias_number(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_state_number(context, node, kFloat, pass,
+                      [](RasterState& s, double v) { s.*Member = static_cast<float>(v); });
+}
+
+void read_bias(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    static constexpr std::array kKeys{
+        KeyRule<PassDesc>{"constant", read_bias_number<&RasterState::depth_bias_constant>},
+        KeyRule<PassDesc>{"slope", read_bias_number<&RasterState::depth_bias_slope>},
+        KeyRule<PassDesc>{"clamp", read_bias_number<&RasterState::depth_bias_clamp>}};
+    read_object(context, node, "a depth bias", kKeys, pass);
+}
+
+// Which faces a stencil state is for.
+struct FaceDraft {
+    PassDesc& pass;
+    std::vector<StencilFaceState RasterState::*> faces;
+};
+
+template <auto Member, const auto& Choices>
+void read_face_choice(ParseContext& context, const JsonNode& node, FaceDraft& draft) {
+    std::remove_reference_t<decltype(std::declval<StencilFaceState>().*Member)> value{};
+    if (!read_choice(context, node, Choices, value)) return;
+    for (const auto face : draft.faces) (draft.pass.state.*face).*Member = value;
+}
+
+template <uint8_t StencilFaceState::*Member>
+void read_face_byte(ParseContext& context, const JsonNode& node, FaceDraft& draft) {
+    read_state_number(context, node, kByte, draft.pass, [faces = draft.faces](RasterState& s, double v) {
+        for (const auto face : faces) (s.*face).*Member = static_cast<uint8_t>(v);
+    });
+}
+
+void read_face(ParseContext& context, const JsonNode& node, FaceDraft draft) {
+    using Face = StencilFaceState;
+    static constexpr std::array kKeys{
+        KeyRule<FaceDraft>{"compare", read_face_choice<&Face::compare, kCompares>},
+        KeyRule<FaceDraft>{"fail", read_face_choice<&Face::fail, kStencilOps>},
+        KeyRule<FaceDraft>{"depthFail", read_face_choice<&Face::depth_fail, kStencilOps>},
+        KeyRule<FaceDraft>{"pass", read_face_choice<&Face::pass, kStencilOps>},
+        KeyRule<FaceDraft>{"readMask", read_face_byte<&Face::read_mask>},
+        KeyRule<FaceDraft>{"writeMask", read_face_byte<&Face::write_mask>},
+        KeyRule<FaceDraft>{"reference", read_face_byte<&Face::reference>}};
+    read_object(context, node, "a stencil state", kKeys, draft);
+}
+
+// {"front": {…}, "back": {…}}, or one state for both faces.
+void read_stencil(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    static constexpr std::array kKeys{
+        KeyRule<PassDesc>{"front",
+                          [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                              read_face(c, n, {p, {&RasterState::stencil_front}});
+                          }},
+        KeyRule<PassDesc>{"back", [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                              read_face(c, n, {p, {&RasterState::stencil_back}});
+                          }}};
+    pass.state.stencil_test = true;
+    if (node.find("front") != nullptr || node.find("back") != nullptr) {
+        read_object(context, node, "a stencil state with two faces", kKeys, pass);
+        return;
     }
-    out = RectPx{static_cast<int32_t>(whole[0]), static_cast<int32_t>(whole[1]),
-                 static_cast<uint32_t>(whole[2]), static_cast<uint32_t>(whole[3])};
+    read_face(context, node, {pass, {&RasterState::stencil_front, &RasterState::stencil_back}});
+}
+
+template <std::optional<RectPx> RasterState::*Rect>
+void read_rect(ParseContext& context, const JsonNode& node, const NumberRule& place, PassDesc& pass) {
+    if (!expect(context, node, JsonKind::array)) return;
+    if (node.items.size() != 4)
+        return context.error(node.loc, "W109",
+                             "found " + std::to_string(node.items.size()) + " values, wanted 4",
+                             "write [x, y, width, height]");
+    pass.state.*Rect = RectPx{};
+    using Set = void (*)(RasterState&, double);
+    constexpr std::array<Set, 4> kSet{
+        [](RasterState& s, double v) { (s.*Rect)->x = static_cast<int32_t>(v); },
+        [](RasterState& s, double v) { (s.*Rect)->y = static_cast<int32_t>(v); },
+        [](RasterState& s, double v) { (s.*Rect)->width = static_cast<uint32_t>(v); },
+        [](RasterState& s, double v) { (s.*Rect)->height = static_cast<uint32_t>(v); }};
+    for (size_t i = 0; i < kSet.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        read_state_number(context, node.items[i], i < 2 ? place : kSide, pass, kSet[i]);
+    }
 }
 
 // Pixels before the attachment's corner don't exist; a viewport may begin there all the same.
-void read_scissor(ParseContext& context, const JsonNode& node, RasterState& state) {
-    read_rect(context, node, state.scissor);
-    if (state.scissor && (state.scissor->x < 0 || state.scissor->y < 0)) {
-        context.error(node.loc, "W109", "a scissor begins at 0 or above",
-                      "write [x, y, width, height] within the image");
-    }
+void read_scissor(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_rect<&RasterState::scissor>(context, node, kInsidePlace, pass);
+}
+
+void read_viewport(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_rect<&RasterState::viewport>(context, node, kPlace, pass);
 }
 
 // Blending is read apart, by parse_blend(): it belongs to the outputs.
-void skip_blend(ParseContext&, const JsonNode&, RasterState&) {}
+void skip_blend(ParseContext&, const JsonNode&, PassDesc&) {}
 
 constexpr std::array kStateKeys{
-    KeyRule<RasterState>{"cull", [](ParseContext& c, const JsonNode& n,
-                                    RasterState& s) { read_choice(c, n, kCulls, s.cull); }},
-    KeyRule<RasterState>{"frontFace", [](ParseContext& c, const JsonNode& n,
-                                         RasterState& s) { read_choice(c, n, kFrontFaces, s.front_face); }},
-    KeyRule<RasterState>{"fill", [](ParseContext& c, const JsonNode& n,
-                                    RasterState& s) { read_choice(c, n, kFills, s.fill); }},
-    KeyRule<RasterState>{"topology", [](ParseContext& c, const JsonNode& n,
-                                        RasterState& s) { read_choice(c, n, kTopologies, s.topology); }},
-    KeyRule<RasterState>{"depth", read_depth},
-    KeyRule<RasterState>{"depthClamp", [](ParseContext& c, const JsonNode& n,
-                                          RasterState& s) { read_bool(c, n, s.depth_clamp); }},
-    KeyRule<RasterState>{"depthBias", read_bias},
-    KeyRule<RasterState>{"stencil", read_stencil},
-    KeyRule<RasterState>{"blend", skip_blend},
-    KeyRule<RasterState>{"writeMask", skip_blend},
-    KeyRule<RasterState>{"scissor", read_scissor},
-    KeyRule<RasterState>{
-        "viewport", [](ParseContext& c, const JsonNode& n, RasterState& s) { read_rect(c, n, s.viewport); }},
-    KeyRule<RasterState>{"alphaToCoverage", [](ParseContext& c, const JsonNode& n,
-                                               RasterState& s) { read_bool(c, n, s.alpha_to_coverage); }},
+    KeyRule<PassDesc>{"cull", [](ParseContext& c, const JsonNode& n,
+                                 PassDesc& p) { read_choice(c, n, kCulls, p.state.cull); }},
+    KeyRule<PassDesc>{"frontFace", [](ParseContext& c, const JsonNode& n,
+                                      PassDesc& p) { read_choice(c, n, kFrontFaces, p.state.front_face); }},
+    KeyRule<PassDesc>{"fill", [](ParseContext& c, const JsonNode& n,
+                                 PassDesc& p) { read_choice(c, n, kFills, p.state.fill); }},
+    KeyRule<PassDesc>{"topology", [](ParseContext& c, const JsonNode& n,
+                                     PassDesc& p) { read_choice(c, n, kTopologies, p.state.topology); }},
+    KeyRule<PassDesc>{"depth", read_depth},
+    KeyRule<PassDesc>{"depthClamp", [](ParseContext& c, const JsonNode& n,
+                                       PassDesc& p) { read_bool(c, n, p.state.depth_clamp); }},
+    KeyRule<PassDesc>{"depthBias", read_bias},
+    KeyRule<PassDesc>{"stencil", read_stencil},
+    KeyRule<PassDesc>{"blend", skip_blend},
+    KeyRule<PassDesc>{"writeMask", skip_blend},
+    KeyRule<PassDesc>{"scissor", read_scissor},
+    KeyRule<PassDesc>{"viewport", read_viewport},
+    KeyRule<PassDesc>{"alphaToCoverage", [](ParseContext& c, const JsonNode& n,
+                                            PassDesc& p) { read_bool(c, n, p.state.alpha_to_coverage); }},
 };
 
 }  // namespace
 
 void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    if (!read_object(context, node, "a state", kStateKeys, pass.state)) return;
+    if (!read_object(context, node, "a state", kStateKeys, pass)) return;
     parse_blend(context, node.find("blend"), node.find("writeMask"), pass);
 }
 

@@ -2,11 +2,11 @@
 #include <vector>
 
 #include "graph/plan_explain.h"
+#include "graph/plan_explain_parts.h"
 #include "graph/plan_words.h"
 #include "graph/scopes.h"
 
 namespace weft {
-namespace {
 
 const char* reason_words(BarrierReason reason) {
     switch (reason) {
@@ -34,7 +34,6 @@ const char* reason_words(BarrierReason reason) {
     return "";
 }
 
-// Uses of the memory that a barrier is about: of its resource, or of whoever held the memory before.
 std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& b, PassId pass) {
     std::vector<const UseDecl*> found;
     for (const UseDecl& use : plan.graph.passes[pass].uses) {
@@ -52,6 +51,8 @@ bool waits_for(const FramePlan& plan, const BarrierDecl& b, PassId pass) {
     return std::any_of(uses.begin(), uses.end(),
                        [&](const UseDecl* use) { return (use->state.stages & b.src.stages) != 0; });
 }
+
+namespace {
 
 class BarrierAnswer {
  public:

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "graph/plan_explain.h"
+#include "graph/plan_explain_parts.h"
 #include "graph/plan_names.h"
 #include "graph/plan_words.h"
 #include "graph/quantity_text.h"
@@ -41,6 +42,8 @@ std::string alone_words(const FramePlan& plan, ResourceId resource) {
     return placement_of(plan, resource) == nullptr ? name + " needs no memory.\n" : "";
 }
 
+}  // namespace
+
 std::string hand_over_words(const FramePlan& plan, ResourceId a, ResourceId b) {
     std::string text;
     for (const HandOver& h : plan.memory.hand_overs)
@@ -50,6 +53,8 @@ std::string hand_over_words(const FramePlan& plan, ResourceId a, ResourceId b) {
                     position_words(plan, plan.lifetimes.spans[h.to].first) + ".\n";
     return text.empty() ? "  A third resource holds the memory in between.\n" : text;
 }
+
+namespace {
 
 std::string overlap_words(const FramePlan& plan, ResourceId a, ResourceId b) {
     const LifetimeSpan &s = plan.lifetimes.spans[a], &t = plan.lifetimes.spans[b];

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "graph/plan_explain.h"
+#include "graph/plan_explain_parts.h"
 #include "graph/plan_words.h"
 #include "graph/quantity_text.h"
 
@@ -15,14 +16,6 @@ uint32_t batch_of(const FramePlan& plan, uint32_t position) {
     return static_cast<uint32_t>(it - batches.begin());
 }
 
-std::string batch_words(const FramePlan& plan, const Batch& batch) {
-    std::string text = "queue " + std::to_string(batch.queue);
-    if (!batch.positions.empty())
-        text += ", " + position_words(plan, batch.positions.front()) +
-                (batch.positions.size() > 1 ? " to " + position_words(plan, batch.positions.back()) : "");
-    return text;
-}
-
 // The uses behind a dependency: those of its resource, or of whoever holds that memory before.
 std::string uses_at(const FramePlan& plan, uint32_t position, ResourceId resource) {
     if (position >= plan.schedule.order.size()) return "";
@@ -31,6 +24,16 @@ std::string uses_at(const FramePlan& plan, uint32_t position, ResourceId resourc
         if (use.resource == resource)
             text += "    " + pass_words(plan, plan.schedule.order[position]) + ": " + use_words(plan, use) +
                     ".\n";
+    return text;
+}
+
+}  // namespace
+
+std::string batch_words(const FramePlan& plan, const Batch& batch) {
+    std::string text = "queue " + std::to_string(batch.queue);
+    if (!batch.positions.empty())
+        text += ", " + position_words(plan, batch.positions.front()) +
+                (batch.positions.size() > 1 ? " to " + position_words(plan, batch.positions.back()) : "");
     return text;
 }
 
@@ -45,8 +48,6 @@ std::string cause_words(const FramePlan& plan, uint32_t dependency) {
     if (d.resource == kNoId) return text;
     return text + uses_at(plan, d.from, d.resource) + uses_at(plan, d.to, d.resource);
 }
-
-}  // namespace
 
 Result<std::string> explain_wait(const FramePlan& plan, const std::string& name) {
     Result<PassId> pass = named_pass(plan, name);

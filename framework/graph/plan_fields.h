@@ -99,6 +99,10 @@ void visit_fields(V& v, const NamedValue& x) {
     v("name", x.name), v("value", x.value);
 }
 template <class V>
+void visit_fields(V& v, const GraphParam& x) {
+    v("name", x.name), v("value", x.value), v("cost", x.cost);
+}
+template <class V>
 void visit_fields(V& v, const PassDecl& x) {
     v("name", x.name), v("type", x.type), v("kind", x.kind), v("queue", x.queue), v("uses", x.uses);
     v("sideEffect", x.side_effect), v("shader", x.shader), v("specValues", x.spec_values),

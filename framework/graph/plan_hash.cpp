@@ -21,7 +21,7 @@ std::string structure_hash(FramePlan plan) {
         pass.state = {};
         pass.flops = 0;
     }
-    for (NamedValue& param : plan.graph.params) param.value = 0;
+    for (GraphParam& param : plan.graph.params) param = {param.name};
     return plan_hash(plan);
 }
 

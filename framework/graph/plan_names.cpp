@@ -30,6 +30,10 @@ const char* enum_name(PassKind value) {
     return pick(value, std::array{"compute", "fullscreen", "raster", "clear", "copy", "readback", "custom"});
 }
 
+const char* enum_name(ParamCost value) {
+    return pick(value, std::array{"nothing", "live value", "pipeline rebuild", "graph rebuild"});
+}
+
 const char* enum_name(QueueKind value) {
     return pick(value, std::array{"graphics", "compute", "transfer"});
 }

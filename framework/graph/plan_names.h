@@ -27,6 +27,7 @@ namespace weft {
 [[nodiscard]] const char* enum_name(BlendOp value);
 [[nodiscard]] const char* enum_name(StencilOp value);
 [[nodiscard]] const char* enum_name(Builtin value);
+[[nodiscard]] const char* enum_name(ParamCost value);
 [[nodiscard]] const char* enum_name(ScalarType value);
 
 }  // namespace weft

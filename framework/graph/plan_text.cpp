@@ -51,6 +51,9 @@ class PlanText {
                  std::to_string(plan_.graph.passes.size()) + ", barriers " +
                  std::to_string(plan_.barriers.emitted) + "\n";
         if (schedule.queues.size() > 1) queues();
+        for (const GraphParam& param : plan_.graph.params)
+            text_ += "param  " + param.name + " = " + number_text(param.value) +
+                     ", changing it: " + enum_name(param.cost) + "\n";
         text_ += "order  " + schedule.chosen + "; candidates:";
         for (const ScheduleCandidate& c : schedule.candidates)
             text_ += " " + c.name + " (" + bytes_text(c.peak_live_bytes) + ", " +

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include <sstream>
+
 namespace weft {
 
 std::string bytes_text(uint64_t bytes) {
@@ -19,6 +21,13 @@ std::string bytes_text(uint64_t bytes) {
 std::string bytes_change_text(uint64_t from_bytes, uint64_t to_bytes) {
     return to_bytes < from_bytes ? "-" + bytes_text(from_bytes - to_bytes)
                                  : "+" + bytes_text(to_bytes - from_bytes);
+}
+
+std::string number_text(double value) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << value;
+    return text.str();
 }
 
 std::string percent_text(uint64_t part, uint64_t whole) {

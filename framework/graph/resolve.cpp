@@ -22,6 +22,7 @@ Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) 
     resolve_blocks(state);
     check_custom_passes(state);
     warn_unused(state);
+    weigh_params(state);
 
     if (!state.errors.empty()) return std::move(state.errors);
     state.graph.sources = input.graph.sources;

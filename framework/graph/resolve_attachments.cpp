@@ -36,12 +36,12 @@ class AttachmentStep {
         add_help(state_.pass_error(pass_, loc, "W112", message), help);
     }
 
-    std::array<float, 4> clear_value(const UseDecl& use) const {
+    std::array<float, 4> clear_value(const UseDecl& use) {
         const auto own = desc().clear_ports.find(use.port);
-        if (own != desc().clear_ports.end()) return own->second;
+        if (own != desc().clear_ports.end()) return state_.color_here(own->second);
         const ResourceDecl& resource = state_.graph.resources[use.resource];
         // The pass's own value is a colour.
-        if (desc().clear && !(resource.aspects & aspect::kDepth)) return *desc().clear;
+        if (desc().clear && !(resource.aspects & aspect::kDepth)) return state_.color_here(*desc().clear);
         // Reversed depth: 0 is infinitely far.
         return resource.clear.value_or(std::array<float, 4>{0, 0, 0, 0});
     }

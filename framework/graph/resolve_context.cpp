@@ -1,6 +1,8 @@
 #include "graph/resolve_context.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace weft {
 namespace {
@@ -81,6 +83,33 @@ std::optional<ExprValue> ResolveState::evaluate_here(const Expr& expression) {
         if (!repeats_itself || !is_known(d)) errors.push_back(std::move(d));
     }
     return std::nullopt;
+}
+
+std::optional<double> ResolveState::number_here(const Expr& expression, const std::string& what, double least,
+                                                double most, bool whole) {
+    const std::optional<ExprValue> value = evaluate_here(expression);
+    if (!value) return std::nullopt;
+    const auto report = [&](std::string code, const std::string& message, std::string help) {
+        Diagnostic fault = input.graph.sources.error(expression.loc, std::move(code), what + message);
+        fault.help.push_back(std::move(help));
+        if (!repeats_itself || !is_known(fault)) errors.push_back(std::move(fault));
+        return std::nullopt;
+    };
+    if (value->is_size) return report("W106", " is a size, not a number", "use .x or .y of it");
+    const bool fits = value->x >= least && value->x <= most && (!whole || value->x == std::floor(value->x));
+    if (fits) return value->x;
+    return report("W109", " is " + number_text(value->x),
+                  (whole ? "it is a whole number of " : "it lies between ") + number_text(least) +
+                      (whole ? " to " : " and ") + number_text(most));
+}
+
+std::array<float, 4> ResolveState::color_here(const ColorDesc& color) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    std::array<float, 4> values{};
+    for (size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(
+            number_here(color.channels[i], "a channel of the colour", -kMost, kMost, false).value_or(0));
+    return values;
 }
 
 bool ResolveState::is_known(const Diagnostic& fault) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "graph/expression.h"
+#include "graph/quantity_text.h"
 #include "graph/stages.h"
 
 namespace weft {
@@ -76,6 +77,8 @@ struct ResolveState {
     ResolvedGraph graph = {};
     ResolveNames names = {};
     std::vector<std::string> faulty_values = {};  // params and sizes already reported
+    std::map<std::string, uint32_t> histories = {};  // of resources that keep earlier frames, by name
+    std::set<std::string> suspect_histories = {};    // reported
     std::vector<ResourceWork> resources = {};     // by ResourceId
     std::vector<PassWork> passes = {};            // by PassId
     std::map<std::string, PassDesc> observers = {};
@@ -99,6 +102,12 @@ struct ResolveState {
     // Reports and returns nullopt when the expression is wrong; quiet when it only names what was reported
     // already.
     std::optional<ExprValue> evaluate_here(const Expr& expression);
+
+    // A number within bounds; nullopt: reported. `what` names it: "the history of \"color\"".
+    std::optional<double> number_here(const Expr& expression, const std::string& what, double least,
+                                      double most, bool whole = true);
+    // What is wrong with it is reported, and 0.
+    std::array<float, 4> color_here(const ColorDesc& color);
 
     [[nodiscard]] ResourceId resource_id(std::string_view name) const;  // kNoId: none
     [[nodiscard]] std::vector<std::string> resource_names() const;
@@ -177,5 +186,6 @@ void resolve_blocks(ResolveState& state);
 void check_custom_passes(ResolveState& state);
 void check_turns(ResolveState& state);  // of passes spread over frames
 void warn_unused(ResolveState& state);
+void weigh_params(ResolveState& state);  // what it costs to change them
 
 }  // namespace weft

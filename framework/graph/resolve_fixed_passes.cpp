@@ -86,7 +86,7 @@ void bind_fixed_pass(ResolveState& state, PassId pass) {
         decl.uses[i].access = decl.uses[i].is_output ? written : read;
         if (decl.uses[i].is_output) work.ports[i].rank = fixed_rank(*work.desc, work.ports[i], written);
     }
-    if (work.desc->clear) decl.clear = *work.desc->clear;
+    if (work.desc->clear) decl.clear = state.color_here(*work.desc->clear);
 }
 
 void bind_custom_pass(ResolveState& state, PassId pass) {

@@ -168,7 +168,10 @@ bool choose_format(ResolveState& state, ResourceDecl& decl, const ResourceDesc& 
     const std::optional<std::vector<Format>> formats = candidates(state, desc);
     if (!formats) return false;
     std::vector<std::string> reasons;
-    for (const Format format : *formats) {
+    const auto skipped = state.input.skipped_formats.find(desc.name);
+    const size_t first = skipped != state.input.skipped_formats.end() ? skipped->second : 0;
+    for (size_t i = std::min(first, formats->size() - 1); i < formats->size(); ++i) {
+        const Format format = (*formats)[i];
         const FormatFeatureMask missing =
             features_needed(decl.usage, needs, format) & ~state.input.profile.features(format);
         if (missing == 0) {

@@ -38,6 +38,19 @@ void declare_observers(ResolveState& state) {
     }
 }
 
+// The numbers of its state may depend on the indices of its repeat.
+void set_state(ResolveState& state, PassId id) {
+    PassDecl& decl = state.graph.passes[id];
+    const PassDesc& desc = *state.passes[id].desc;
+    decl.state = desc.state;
+    for (const StateNumberDesc& number : desc.state_numbers) {
+        const std::optional<double> value =
+            state.number_here(number.value, "a number in the state of pass " + quoted(desc.name),
+                              number.least, number.most, number.whole);
+        if (value) number.set(decl.state, *value);
+    }
+}
+
 void find_kind(ResolveState& state, PassId id) {
     PassDecl& decl = state.graph.passes[id];
     const auto* built_in = std::ranges::find(kKinds, std::string_view(decl.type), &KindName::name);
@@ -99,10 +112,22 @@ PassDecl declare(const PassDesc& desc, std::string name) {
     decl.type = desc.type;
     decl.queue = desc.queue;
     decl.shader = desc.shader;
-    decl.state = desc.state;
     decl.order_key = desc.order_key;
     decl.loc = desc.loc;
     return decl;
+}
+
+// So many of a repeat's passes each frame, in order; 0 (or false) is all of them.
+void take_turns(ResolveState& state, const PassWork& work, PassDecl& decl) {
+    if (work.desc->per_frame.empty()) return;
+    constexpr double kMost = 1u << 20;
+    const std::optional<double> each =
+        state.number_here(work.desc->per_frame, "\"perFrame\" of pass " + quoted(work.desc->name), 0, kMost);
+    if (!each || *each == 0) return;
+    const auto passes = static_cast<uint32_t>(state.instances[work.desc->name].size());
+    const auto at_once = static_cast<uint32_t>(*each);
+    decl.turn = work.instance / at_once;
+    decl.turns = (passes + at_once - 1) / at_once;
 }
 
 // Ids follow the names.
@@ -121,11 +146,7 @@ void name_passes(ResolveState& state) {
     for (auto& [name, work] : by_name) {
         state.instances[work.desc->name][work.instance] = static_cast<PassId>(state.passes.size());
         state.graph.passes.push_back(declare(*work.desc, name));
-        if (work.desc->per_frame) {
-            state.graph.passes.back().turn = work.instance;
-            state.graph.passes.back().turns =
-                static_cast<uint32_t>(state.instances[work.desc->name].size());
-        }
+        take_turns(state, work, state.graph.passes.back());
         state.passes.push_back(std::move(work));
     }
 }
@@ -149,6 +170,7 @@ void declare_passes(ResolveState& state) {
     name_passes(state);
     for (PassId id = 0; id < state.passes.size(); ++id) {
         const IndexScope scope(state, id);
+        set_state(state, id);
         find_kind(state, id);
         find_shader(state, id);
         PassDecl& decl = state.graph.passes[id];

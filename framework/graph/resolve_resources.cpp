@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "graph/reference.h"
 #include "graph/resolve_context.h"
 
 namespace weft {
@@ -40,7 +41,7 @@ class ResourceStep {
 
     void run() {
         decl_.pre_exposed = desc_.pre_exposed;
-        decl_.clear = desc_.clear;
+        if (desc_.clear) decl_.clear = state_.color_here(*desc_.clear);
         if (desc_.is_buffer) {
             resolve_buffer();
         } else {
@@ -71,7 +72,7 @@ class ResourceStep {
     void resolve_image() {
         decl_.kind = ResourceKind::image;
         decl_.image_kind = desc_.image_kind;
-        decl_.samples = std::max(1u, desc_.samples);
+        if (!resolve_samples()) return;
         if (desc_.size.empty() && default_size_is_faulty(state_)) {
             work_.suspect_shape = true;
             return;
@@ -89,6 +90,15 @@ class ResourceStep {
         decl_.mips = desc_.full_mips ? full : std::min(full, at_least_one(*mips));
         check_image_limits();
         state_.names.mip_counts[desc_.name] = decl_.mips;
+    }
+
+    bool resolve_samples() {
+        if (desc_.samples.empty()) return true;
+        const std::optional<double> samples =
+            state_.number_here(desc_.samples, "the number of samples of " + quoted(desc_.name), 1, 8);
+        if (samples) decl_.samples = static_cast<uint32_t>(*samples);
+        work_.suspect_shape = work_.suspect_shape || !samples;
+        return samples.has_value();
     }
 
     bool is_cube() const {
@@ -204,15 +214,29 @@ bool becomes_resource(const ImportDesc& import) {
 void tie_rings(ResolveState& state) {
     for (ResourceId id = 0; id < state.resources.size(); ++id) {
         const ResourceDesc* desc = state.resources[id].desc;
-        if (!desc || !desc->is_persistent()) continue;
+        if (!desc) continue;
+        const auto history = state.histories.find(desc->name);
+        const uint32_t copies = history != state.histories.end() ? history->second : 0;
+        if (copies == 0 && desc->keep == KeepMode::none) continue;
         ResourceDecl& decl = state.graph.resources[id];
         decl.lifetime = ResourceLifetime::persistent;
-        decl.history = desc->history;
+        decl.history = copies;
         decl.ring = state.resource_id(desc->name);
-        decl.first_frame = desc->first_frame.value_or(std::array<float, 4>{0, 0, 0, 0});
+        if (desc->first_frame && decl.age == 0) decl.first_frame = state.color_here(*desc->first_frame);
         decl.on_resize = desc->on_resize;
-        state.resources[id].has_content = decl.age > 0 || desc->history == 0;
+        state.resources[id].has_content = decl.age > 0 || copies == 0;
     }
+}
+
+// How many earlier frames it keeps.
+uint32_t history_of(ResolveState& state, const ResourceDesc& desc) {
+    if (desc.history.empty()) return 0;
+    const std::optional<double> frames =
+        state.number_here(desc.history, "the history of " + quoted(desc.name), 0, kMaxHistory);
+    const auto copies = static_cast<uint32_t>(frames.value_or(0));
+    if (copies > 0) state.histories.emplace(desc.name, copies);
+    if (!frames) state.suspect_histories.insert(desc.name);
+    return copies;
 }
 
 void name_resources(ResolveState& state) {
@@ -230,7 +254,8 @@ void name_resources(ResolveState& state) {
             add_help(d, "rename one of them");
         }
         names[name] = {&desc, 0};
-        for (uint32_t age = 1; age <= desc.history; ++age) names[role_name(name, age)] = {&desc, age};
+        const uint32_t copies = history_of(state, desc);
+        for (uint32_t age = 1; age <= copies; ++age) names[role_name(name, age)] = {&desc, age};
     }
     if (names.size() > state.input.limits.resources) {
         state.over_limit = true;

@@ -61,6 +61,7 @@ ResourceId find_role(ResolveState& state, PassId pass, const RefDesc& ref, Resou
     if (ref.history == 0) return resource;
     const ResourceDecl& decl = state.graph.resources[resource];
     const std::string who = "pass " + quoted(state.pass_name(pass));
+    if (ref.history > decl.history && state.suspect_histories.contains(ref.name)) return kNoId;
     if (ref.history > decl.history) {
         report_no_history(state, pass, ref, decl);
         return kNoId;

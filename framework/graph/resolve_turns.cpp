@@ -9,7 +9,8 @@ bool stays(const ResourceDecl& resource) {
 }
 
 void check_repeat(ResolveState& state, const PassDesc& desc) {
-    if (!desc.per_frame || !desc.repeat.empty()) return;
+    const bool none = desc.per_frame.empty() || desc.per_frame.text == "false";
+    if (none || !desc.repeat.empty()) return;
     Diagnostic& d = state.error(desc.per_frame_loc, "W124",
                                 "pass " + quoted(desc.name) + " says \"perFrame\" but repeats nothing");
     add_help(d, "say what takes turns: \"repeat\": { \"i\": \"0..5\" }");

@@ -1,19 +1,11 @@
 // Parameters, constants and sizes become the names that every later expression may use.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "graph/resolve_context.h"
 
 namespace weft {
 namespace {
-
-std::string number_text(double value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << value;
-    return text.str();
-}
 
 std::string allowed_text(const ParamDesc& param) {
     if (param.is_bool) return "it is true or false (1 or 0)";
@@ -62,34 +54,57 @@ void resolve_params(ResolveState& state) {
             if (param.is_bool || !param.allowed.empty() || param.range) add_help(d, allowed_text(param));
         }
         state.names.values[name] = number_value(value);
-        state.graph.params.push_back({name, value});
+        state.graph.params.push_back({name, value, ParamCost::nothing});
     }
 }
 
-// Sizes may refer to each other in any order, so each is evaluated when the first one asks for it.
-class SizeEvaluator {
+// Constants and sizes may refer to each other in any order, so each is evaluated when the first one asks for
+// it.
+class NamedEvaluator {
  public:
-    explicit SizeEvaluator(ResolveState& state) : state_(state) {}
+    explicit NamedEvaluator(ResolveState& state) : state_(state) {}
 
-    void evaluate_size(const std::string& name) {
-        if (state_.names.values.contains(name) || is_faulty(name)) return;
-        const Expr& expression = state_.input.graph.sizes.at(name);
-        if (std::ranges::find(path_, name) != path_.end()) return report_cycle(name, expression.loc);
+    void evaluate_all() {
+        const GraphDesc& graph = state_.input.graph;
+        for (const auto& [name, unused] : graph.consts) evaluate_name(name);
+        for (const auto& [name, unused] : graph.sizes) evaluate_name(name);
+    }
+
+ private:
+    // Null: it is neither a constant nor a size.
+    const Expr* find(const std::string& name) const {
+        const GraphDesc& graph = state_.input.graph;
+        const auto constant = graph.consts.find(name);
+        if (constant != graph.consts.end()) return &constant->second;
+        const auto size = graph.sizes.find(name);
+        return size != graph.sizes.end() ? &size->second : nullptr;
+    }
+
+    void evaluate_name(const std::string& name) {
+        const Expr* expression = find(name);
+        if (!expression || state_.names.values.contains(name) || is_faulty(name)) return;
+        if (std::ranges::find(path_, name) != path_.end()) return report_cycle(name, expression->loc);
         path_.push_back(name);
-        for (const ExprNode& node : expression.postfix) {
-            if (node.op == ExprOp::name && state_.input.graph.sizes.contains(node.name))
-                evaluate_size(node.name);
-        }
+        for (const ExprNode& node : expression->postfix)
+            if (node.op == ExprOp::name) evaluate_name(node.name);
         path_.pop_back();
         if (is_faulty(name)) return;
-        if (const auto value = state_.evaluate_here(expression)) {
+        if (const auto value = evaluated(name, *expression)) {
             state_.names.values[name] = *value;
         } else {
             state_.faulty_values.push_back(name);
         }
     }
 
- private:
+    std::optional<ExprValue> evaluated(const std::string& name, const Expr& expression) {
+        const std::optional<ExprValue> value = state_.evaluate_here(expression);
+        if (!value || !value->is_size || !state_.input.graph.consts.contains(name)) return value;
+        Diagnostic& d =
+            state_.error(expression.loc, "W106", "constant " + quoted(name) + " is a size, not a number");
+        add_help(d, "use .x or .y of it, or declare it in \"sizes\"");
+        return std::nullopt;
+    }
+
     bool is_faulty(const std::string& name) const {
         return std::ranges::find(state_.faulty_values, name) != state_.faulty_values.end();
     }
@@ -127,11 +142,12 @@ void count_draws(ResolveState& state) {
 void resolve_values(ResolveState& state) {
     const Extent3D output = state.input.output_extent;
     state.names.values["output"] = size_value(output.width, output.height);
-    for (const auto& [name, value] : state.input.graph.consts) state.names.values[name] = number_value(value);
     resolve_params(state);
     count_draws(state);
-    SizeEvaluator sizes(state);
-    for (const auto& [name, unused] : state.input.graph.sizes) sizes.evaluate_size(name);
+    NamedEvaluator(state).evaluate_all();
+    if (const Expr& frames = state.input.graph.frames; !frames.empty())
+        state.graph.frames =
+            static_cast<uint32_t>(state.number_here(frames, "\"frames\"", 1, kMaxFrames).value_or(1));
 }
 
 }  // namespace weft

@@ -54,6 +54,8 @@ struct ResolveInput {
     Extent3D output_extent{1280, 720, 1};
     std::vector<std::string> observed;  // references ("name@pass.mip(e)") that must be produced as well
     GraphLimits limits = {};
+    // Of images with alternatives, by name: the first ones are not to be used, though the device has them.
+    std::map<std::string, size_t> skipped_formats = {};
 };
 // Warnings go to `warnings`.
 [[nodiscard]] Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings);

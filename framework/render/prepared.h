@@ -21,7 +21,7 @@ namespace weft::render {
 // What of a session's input may change while it runs.
 struct Selection {
     std::string graph_path;
-    std::string tier;  // empty: the graph as it is
+    std::string tier;  // of the graph; empty: the graph as it is
     std::map<std::string, double> params;
     Extent3D size;
     VkImage output = VK_NULL_HANDLE;  // as SessionInput::output

@@ -38,6 +38,7 @@ struct SessionInput {
     std::string tier;  // of the graph; empty: the graph as it is
     std::map<std::string, double> params;
     std::vector<std::string> observed;  // references that are read back every frame
+    std::string debug;  // a debug view, or any resource, drawn as "debugView"; observe that to see it
     uint32_t queues = 1;                // logical queues; the device shall have been made for as many
     scene::Camera camera;
     float exposure_ev = 0;
@@ -84,7 +85,7 @@ class Session {
     [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return stage_.executor->take_timings(); }
     [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
     // How many frames the graph asks for.
-    [[nodiscard]] uint32_t frames() const { return loaded_.desc.frames; }
+    [[nodiscard]] uint32_t frames() const { return loaded_.graph.frames; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }

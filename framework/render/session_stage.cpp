@@ -88,7 +88,8 @@ LoadInput Session::load_input(const Selection& selection, const ImportCatalog& i
             .shader_worker = input_.shader_worker,
             .limits = input_.limits,
             .graph_root = input_.graph_root,
-            .tier = selection.tier};
+            .tier = selection.tier,
+            .debug = input_.debug};
 }
 
 StageMark Session::running() const {

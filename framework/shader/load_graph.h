@@ -34,6 +34,7 @@ struct LoadInput {
     Limits limits = {};
     std::filesystem::path graph_root = {};  // the graphs/ folder, where included files are looked for as well
     std::string tier = {};                  // empty: the file as it is
+    std::string debug = {};                 // a view to add, kDebugView, to be observed; empty: none
     ShaderMemory* memory = nullptr;  // what earlier loads left for this one
 };
 
@@ -41,6 +42,7 @@ struct LoadedGraph {
     GraphDesc desc;
     ShaderCatalog shaders;
     ResolvedGraph graph;
+    std::map<std::string, size_t> skipped_formats;  // so that all tiers have the same; see ResolveInput
 };
 
 // What is written: the graph's file and all that it includes. Its tiers are load_graph()'s choice.

@@ -74,8 +74,8 @@ TEST(Include, LiesUnderTheIncludingFile) {
                                           {"pipes/parts/a.json", kModule}});
     ASSERT_TRUE(graph.ok()) << to_text(graph.errors());
     EXPECT_EQ(graph->name, "main");
-    EXPECT_EQ(graph->consts.at("taps"), 8);
-    EXPECT_EQ(graph->consts.at("sides"), 2);
+    EXPECT_EQ(number_of(graph->consts.at("taps")), 8);
+    EXPECT_EQ(number_of(graph->consts.at("sides")), 2);
     EXPECT_EQ(graph->resources.at("spare").formats, std::vector<std::string>{"rg8"});
     EXPECT_FALSE(graph->resources.at("spare").mips.empty()) << "what isn't named stays";
     EXPECT_EQ(graph->resources.size(), 3u);
@@ -91,7 +91,7 @@ TEST(Include, LaterFilesLieOverEarlierOnes) {
     const Files files{{"pipes/main.json", R"({"version": 1, "include": ["a.json", "b.json"], "passes": {}})"},
                       {"pipes/a.json", file(1)},
                       {"pipes/b.json", file(2)}};
-    EXPECT_EQ(load(files)->consts.at("taps"), 2);
+    EXPECT_EQ(number_of(load(files)->consts.at("taps")), 2);
 }
 
 TEST(Include, AFileThatComesTwiceIsReadOnce) {
@@ -99,7 +99,7 @@ TEST(Include, AFileThatComesTwiceIsReadOnce) {
                       {"pipes/a.json", R"({"include": ["base.json"], "consts": {"taps": 5}})"},
                       {"pipes/b.json", R"({"include": ["base.json"]})"},
                       {"pipes/base.json", R"({"consts": {"taps": 1}})"}};
-    EXPECT_EQ(load(files)->consts.at("taps"), 5) << "the base must not come back over what includes it";
+    EXPECT_EQ(number_of(load(files)->consts.at("taps")), 5) << "the base must not come back over what includes it";
     EXPECT_EQ(load(files)->sources.files.size(), 4u);
 }
 

@@ -52,6 +52,11 @@ inline Result<GraphDesc> parse_text(const std::string& text) {
     return parse(*merged);
 }
 
+// What an expression that is a number says.
+inline double number_of(const Expr& expression) {
+    return expression.postfix.size() == 1 ? expression.postfix.front().number : -1;
+}
+
 inline std::string place(const Diagnostic& error) {
     return error.file + ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
 }

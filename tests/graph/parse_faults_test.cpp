@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"Null", top("\"sizes\": $$null"), {"W102"}, "found null, wanted object"},
         FaultCase{
             "BadName", top("\"consts\": {$$\"2d\": 1}"), {"W109"}, "\"2d\" cannot be the name", "letters"},
-        FaultCase{"ConstString", top("\"consts\": {\"a\": $$\"1\"}"), {"W102"}, "wanted number"},
+        FaultCase{"ConstBoolean", top("\"consts\": {\"a\": $$true}"), {"W102"}, "wanted a number"},
         FaultCase{"ReservedSize", top("\"sizes\": {$$\"output\": 1}"), {"W109"}, "\"output\" has a meaning"},
         FaultCase{"ReservedParam", top("\"params\": {$$\"max\": 1}"), {"W109"}, "\"max\" has a meaning"},
         FaultCase{

@@ -15,10 +15,10 @@ GraphDesc full_graph() {
 TEST(Parse, ValuesAndResources) {
     const GraphDesc graph = full_graph();
     EXPECT_EQ(graph.name, "full");
-    EXPECT_EQ(graph.frames, 4u);
+    EXPECT_EQ(number_of(graph.frames), 4);
     EXPECT_EQ(graph.jitter, 8u);
     EXPECT_EQ(graph.imports.at("opaque").kind, "drawlist");
-    EXPECT_EQ(graph.consts.at("tile"), 16);
+    EXPECT_EQ(number_of(graph.consts.at("tile")), 16);
     EXPECT_EQ(graph.params.at("scale").default_value, 0.5);
     EXPECT_EQ(graph.params.at("scale").allowed, (std::vector<double>{0.5, 1}));
     EXPECT_TRUE(graph.params.at("on").is_bool);
@@ -26,11 +26,11 @@ TEST(Parse, ValuesAndResources) {
     EXPECT_EQ(graph.resources.at("normal").formats, (std::vector<std::string>{"rg16_snorm", "rgba16f"}));
     const ResourceDesc& hdr = graph.resources.at("hdr");
     EXPECT_TRUE(hdr.full_mips && hdr.pre_exposed && hdr.mips.empty());
-    EXPECT_EQ(hdr.clear->at(3), 1.0f);
+    EXPECT_EQ(number_of(hdr.clear->channels[3]), 1);
     EXPECT_TRUE(graph.resources.at("lights").is_buffer);
     EXPECT_EQ(graph.resources.at("lights").count.text, "tile * tile");
-    EXPECT_EQ(graph.resources.at("acc").history, 2u);
-    EXPECT_EQ(graph.resources.at("acc").first_frame->at(3), 1.0f);
+    EXPECT_EQ(number_of(graph.resources.at("acc").history), 2);
+    EXPECT_EQ(number_of(graph.resources.at("acc").first_frame->channels[3]), 1);
     EXPECT_EQ(graph.resources.at("acc").on_resize, OnResize::resample);
     EXPECT_EQ(graph.resources.at("probes").keep, KeepMode::shared);
     EXPECT_EQ(graph.sources.files.size(), 1u);
@@ -81,7 +81,7 @@ TEST(Parse, ComputeAndCustomPasses) {
     EXPECT_EQ(graph.passes.at("culled").draws, (std::vector<std::string>{"opaque"}));
     EXPECT_EQ(graph.resources.at("sky").image_kind, ImageKind::cube);
     EXPECT_EQ(graph.resources.at("fog").image_kind, ImageKind::d3);
-    EXPECT_EQ(graph.resources.at("hdrMs").samples, 4u);
+    EXPECT_EQ(number_of(graph.resources.at("hdrMs").samples), 4);
     EXPECT_EQ(light.condition.text, "on");
     ASSERT_EQ(light.repeat.size(), 2u);
     EXPECT_EQ(light.repeat[0].index, "i");
@@ -93,7 +93,7 @@ TEST(Parse, ComputeAndCustomPasses) {
     EXPECT_TRUE(light.in.at(0).optional);
     EXPECT_EQ(light.in.at(0).otherwise->name, "hdr");
     EXPECT_EQ(graph.passes.at("upload").type, "light_upload");
-    EXPECT_EQ(graph.passes.at("wipe").clear->at(2), 1.0f);
+    EXPECT_EQ(number_of(graph.passes.at("wipe").clear->channels[2]), 1);
 }
 
 TEST(Parse, ADepthAttachmentTestsReversedByDefault) {

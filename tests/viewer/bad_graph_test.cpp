@@ -127,7 +127,7 @@ TEST(BadGraph, RenderRefusesWhatCheckRefuses) {
 TEST(BadGraph, AllFaultsAreReportedAtOnce) {
     const ScratchFolder scratch;
     scratch.write("many.json", R"({
-  "version": 1, "imports": { "backbuffer": "output" }, "consts": { "a": "1" },
+  "version": 1, "imports": { "backbuffer": "output" }, "consts": { "a": true },
   "resources": { "x": "rgba99" },
   "passes": { "p": { "type": "clear", "out": ["x"], "colour": 1 } }
 })");

@@ -282,6 +282,20 @@ struct NamedValue {
     double value = 0;
 };
 
+// What it costs to give a graph's parameter another value.
+enum class ParamCost : uint8_t {
+    nothing,   // nobody uses it
+    live,      // a value in the shaders' Params
+    pipeline,  // a specialisation constant: pipelines are made anew
+    graph,     // sizes, ranges, conditions: the graph is compiled anew
+};
+
+struct GraphParam {
+    std::string name;
+    double value = 0;
+    ParamCost cost = ParamCost::nothing;
+};
+
 struct PassDecl {
     std::string name;
     std::string type;  // "compute", "raster", … or a C++ pass's name; a "blit" is a copy that scales
@@ -325,7 +339,8 @@ struct ResolvedGraph {
     std::vector<PassDecl> passes;         // sorted by name
     std::vector<EdgeDecl> edges;          // sorted by (to, from, kind, resource)
     ResourceId output = kNoId;            // the import of kind "output"
-    std::vector<NamedValue> params;       // graph parameters as used
+    std::vector<GraphParam> params;       // of the graph
+    uint32_t frames = 1;                  // how many a run renders unless it is told; not hashed
     SourceMap sources;                    // for messages; not hashed
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -50,6 +51,11 @@ struct Expr {
     SourceLoc loc;
 
     [[nodiscard]] bool empty() const { return postfix.empty(); }
+};
+
+// One number for each channel.
+struct ColorDesc {
+    std::array<Expr, 4> channels;
 };
 
 // name@pass[-N].mip(a..b).layer(a..b).depth
@@ -104,18 +110,16 @@ struct ResourceDesc {
     Expr mips;  // absent: 1
     bool full_mips = false;
     Expr layers;  // absent: 1; of cube arrays the cubes, of 3D images the depth
-    uint32_t samples = 1;
+    Expr samples;         // absent: 1
     std::string element;  // buffers: "u32", "vec4", or a struct of the import catalogue
     Expr count;
     bool pre_exposed = false;
-    std::optional<std::array<float, 4>> clear;
-    uint32_t history = 0;  // copies kept of earlier frames
+    std::optional<ColorDesc> clear;
+    Expr history;  // copies kept of earlier frames; absent: 0
     KeepMode keep = KeepMode::none;
-    std::optional<std::array<float, 4>> first_frame;  // of resources with history or keep; absent: 0
+    std::optional<ColorDesc> first_frame;  // of resources with history or keep; absent: 0
     OnResize on_resize = OnResize::clear;
     SourceLoc loc;
-
-    [[nodiscard]] bool is_persistent() const { return history > 0 || keep != KeepMode::none; }
 };
 
 struct ParamValueDesc {
@@ -140,6 +144,14 @@ struct ResolveDesc {
     SourceLoc output_loc;
 };
 
+// A number of the fixed-function state that is an expression: what it may be, and where it goes.
+struct StateNumberDesc {
+    Expr value;
+    double least = 0, most = 0;
+    bool whole = false;
+    std::function<void(RasterState&, double)> set;
+};
+
 struct PassDesc {
     std::string name;
     std::string type;
@@ -157,15 +169,16 @@ struct PassDesc {
     std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name
     Expr condition;                         // "if"; absent: always
     std::vector<RepeatDesc> repeat;         // outermost first
-    bool per_frame = false;                 // its rounds take turns, one a frame
+    Expr per_frame;  // its rounds take turns, so many a frame; absent: all in each
     SourceLoc per_frame_loc;
     std::optional<PortDesc> indirect;  // where the workgroups are counted, or what is drawn of `draws`
     std::vector<Expr> groups;          // workgroups, one or three (or one of two components)
     std::vector<Expr> threads;         // invocations
     RasterState state;
+    std::vector<StateNumberDesc> state_numbers;
     std::map<std::string, BlendState> blend;                  // by output port; "" = all
-    std::map<std::string, std::array<float, 4>> clear_ports;  // by output port
-    std::optional<std::array<float, 4>> clear;
+    std::map<std::string, ColorDesc> clear_ports;             // by output port
+    std::optional<ColorDesc> clear;
     bool covers = false;
     bool partial = false;  // writes only a part: sees the preceding version
     std::vector<std::string> after;
@@ -175,23 +188,57 @@ struct PassDesc {
     uint32_t order_key = 0;  // graphs made in memory
 };
 
+// A way to look at a resource.
+struct DebugViewDesc {
+    std::string name;
+    RefDesc show;
+    std::string decode;                // one of debug_decoders(); empty: what its format suggests
+    std::string shader;                // the author's own, in place of a decoder
+    std::optional<std::array<Expr, 2>> range;  // what is shown as black and as white
+    SourceLoc loc;
+};
+
+// What a graph's own test expects of a frame: a number at most, or values within bounds.
+struct ExpectationDesc {
+    std::string what;  // "validation", "finite", "range", …
+    std::string ref;   // of the resource; empty: of the frame
+    double least = 0, most = 0;
+    SourceLoc loc;
+};
+
+struct GraphTestDesc {
+    std::vector<std::string> tiers;  // each is run; "" is the file as it is
+    std::vector<std::string> swap;   // or: the tiers that one run goes through
+    uint32_t every = 8;              // frames between two swaps
+    std::string scene;               // empty: builtin:spheres
+    Extent3D size{320, 180, 1};
+    uint32_t frames = 0;  // 0: the graph's
+    std::map<std::string, double> params;
+    std::vector<ExpectationDesc> expect;
+    SourceLoc loc;
+};
+
 // A quality tier: what it changes has been merged into the graph that it was loaded with.
 struct TierDesc {
     std::string name;
     SourceLoc loc;
 };
 
+inline constexpr uint32_t kMaxFrames = 1'000'000;
+
 struct GraphDesc {
     std::string name;
     std::string tier;             // the one merged in; empty: the file as it is
     std::vector<TierDesc> tiers;  // in the order written
-    std::map<std::string, double> consts;
+    std::map<std::string, Expr> consts;
     std::map<std::string, ParamDesc> params;
     std::map<std::string, Expr> sizes;
     std::map<std::string, ImportDesc> imports;
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
-    uint32_t frames = 1;
+    Expr frames;  // absent: 1
+    std::map<std::string, DebugViewDesc> debug;
+    std::vector<GraphTestDesc> tests;
     uint32_t jitter = 0;  // after how many frames the camera's sub-pixel offsets begin again; 0: there are none
     SourceMap sources;
 };

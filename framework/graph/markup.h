@@ -1,0 +1,47 @@
+// Purpose: HTML and SVG as text, every tag closed and every text escaped. Pages written so are well-formed
+// XML too, but for what raw() puts in.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace weft {
+
+struct Attribute {
+    Attribute(const char* its_name, std::string its_value) : name(its_name), value(std::move(its_value)) {}
+    Attribute(const char* its_name, const char* its_value) : name(its_name), value(its_value) {}
+    Attribute(const char* its_name, int64_t number) : name(its_name), value(std::to_string(number)) {}
+    const char* name;
+    std::string value;
+};
+
+// Text as it may stand between tags and in quotes. Control characters, and bytes that are no UTF-8, become
+// U+FFFD.
+[[nodiscard]] std::string escaped(std::string_view text);
+
+class Markup {
+ public:
+    using Attributes = std::vector<Attribute>;
+
+    void open(const char* tag, const Attributes& attributes = {});
+    void close();  // the innermost open tag
+    void empty(const char* tag, const Attributes& attributes = {});
+    void leaf(const char* tag, const Attributes& attributes, std::string_view text);
+    void text(std::string_view text) { text_ += escaped(text); }
+    void raw(std::string_view markup) { text_ += markup; }
+    void line() { text_ += '\n'; }
+
+    // Everything so far; all tags are closed.
+    [[nodiscard]] std::string take();
+
+ private:
+    void tag(const char* name, const Attributes& attributes, const char* end);
+
+    std::string text_;
+    std::vector<const char*> open_;
+};
+
+}  // namespace weft

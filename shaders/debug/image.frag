@@ -1,0 +1,51 @@
+// Shows an image of numbers that filter (floats, normalised, depth).
+// Output: sRGB-encoded [0, 1]. DECODE is the place of a name in debug_decoders().
+#version 460
+#include "debug_colors.glsl"
+#include "frame_set.glsl"
+#include "octahedral.glsl"
+#include "srgb.glsl"
+
+layout(constant_id = 0) const uint DECODE = 0;
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+
+uniform sampler2D shown;
+
+layout(push_constant) uniform Params {
+    float black, white;  // what is shown as 0 and as 1
+} params;
+
+float ranged(float x) { return (x - params.black) / (params.white - params.black); }
+
+// Reversed depth: near / distance, on a scale of octaves of metres; the sky is blue.
+vec3 depth_color(float z) {
+    if (z <= 0.0) return vec3(0.05, 0.1, 0.25);
+    return vec3(1.0 - ranged(log2(1.0 + view.near_m / z)));
+}
+
+vec3 decoded(vec4 x) {
+    switch (DECODE) {
+        case 0: return srgb_encode(filmic(x.rgb));
+        case 1: return vec3(ranged(x.r), ranged(x.g), ranged(x.b));
+        case 2: return srgb_encode(x.rgb * x.rgb);
+        case 3: return octahedral_decode(x.rg) * 0.5 + 0.5;
+        case 4: return x.rgb * 0.5 + 0.5;
+        case 5: return depth_color(x.r);
+        case 6: return vector_color(x.rg / max(params.white, 1e-9));
+        case 7: return vec3(ranged(x.r));
+        case 8: return vec3(ranged(x.g));
+        case 9: return vec3(ranged(x.b));
+        case 10: return vec3(ranged(x.a));
+        case 11: return heat_color(ranged(x.r));
+        default: return index_color(uint(max(x.r, 0.0)));
+    }
+}
+
+void main() {
+    const vec4 x = texture(shown, uv);
+    const bool odd = any(isnan(x)) || any(isinf(x));
+    // What is no number is seen.
+    color = odd ? vec4(1.0, 0.0, 1.0, 1.0) : vec4(clamp(decoded(x), 0.0, 1.0), 1.0);
+}

@@ -1,0 +1,28 @@
+// Shows an image of unsigned integers.
+// Output: sRGB-encoded [0, 1]. DECODE is the place of a name in debug_decoders().
+#version 460
+#include "debug_colors.glsl"
+
+layout(constant_id = 0) const uint DECODE = 12;
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+
+uniform usampler2D shown;
+
+layout(push_constant) uniform Params {
+    float black, white;  // what is shown as 0 and as 1
+} params;
+
+void main() {
+    const uvec4 x = texelFetch(shown, ivec2(uv * vec2(textureSize(shown, 0))), 0);
+    const vec4 y = (vec4(x) - params.black) / (params.white - params.black);
+    const vec3 picked = DECODE == 12   ? index_color(uint(x.r))
+                        : DECODE == 11 ? heat_color(y.r)
+                        : DECODE == 7  ? y.rrr
+                        : DECODE == 8  ? y.ggg
+                        : DECODE == 9  ? y.bbb
+                        : DECODE == 10 ? y.aaa
+                                       : y.rgb;
+    color = vec4(clamp(picked, 0.0, 1.0), 1.0);
+}

@@ -1,0 +1,27 @@
+// How debug views colour what they show.
+
+// 0 to 1 over black, indigo, magenta, orange and pale yellow: brighter is always more.
+vec3 heat_color(float x) {
+    const vec3 stops[5] =
+        vec3[](vec3(0.0, 0.0, 0.02), vec3(0.23, 0.1, 0.5), vec3(0.75, 0.2, 0.45), vec3(0.98, 0.6, 0.2), vec3(1.0, 1.0, 0.75));
+    const float at = clamp(x, 0.0, 1.0) * 4.0;
+    const int i = min(int(at), 3);
+    return mix(stops[i], stops[i + 1], at - float(i));
+}
+
+// A colour of its own for each number; neighbours differ much, 0 is black.
+vec3 index_color(uint index) {
+    if (index == 0u) return vec3(0.0);
+    const float hue = fract(float(index & 0xFFFFu) * 0.61803399);  // the golden ratio spreads best
+    const vec3 wheel = clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+    return mix(vec3(0.45), wheel, 0.7) * ((index & 1u) == 1u ? 1.0 : 0.75);
+}
+
+// Direction as hue, length as brightness.
+vec3 vector_color(vec2 v) {
+    const float amount = length(v);
+    if (amount == 0.0) return vec3(0.0);
+    const float hue = atan(v.y, v.x) / 6.2831853;
+    const vec3 wheel = clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+    return wheel * min(amount, 1.0);
+}
