@@ -1,5 +1,6 @@
 // Gathers over the lens: every pixel whose circle reaches this one gives it a share. Premultiplied in, premultiplied out.
-// Layer 0: behind the focus. Layer 1: before it, where alpha says how much of what lies below is hidden.
+// Layer 0: behind the focus. Layer 1: before it, where alpha says how much of what lies below is hidden. Layer 2: a guess
+// at what is hidden, from what is not.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -9,6 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D behind;
 uniform sampler2D before;
+uniform sampler2D hidden;
 uniform sampler2D circles;
 uniform sampler2D reach;
 layout(rgba16f) writeonly uniform image2DArray soft;
@@ -41,18 +43,26 @@ vec4 far_light(vec2 uv, vec2 texel) {
     return sum.a > 0.0 ? vec4(sum.rgb / sum.a, 1.0) * min(1.0, sum.a * 100.0) : vec4(0.0);
 }
 
-vec4 close_light(vec2 uv, vec2 texel) {
-    const float radius = textureLod(reach, uv, 0.0).r;
-    const int taps = radius > 0.25 ? kTaps : 0;
-    vec4 sum = vec4(0.0);
+struct Foreground {
+    vec4 light;
+    vec4 below;
+};
+
+Foreground close_light(vec2 uv, vec2 texel) {
+    const float reached = textureLod(reach, uv, 0.0).r, radius = reached + 0.5;
+    const int taps = reached > 0.25 ? kTaps : 0;
+    Foreground f = Foreground(vec4(0.0), vec4(0.0));
     for (int i = 0; i < taps; ++i) {
-        const vec2 offset = disc(i) * (radius + 0.5);
+        const vec2 offset = disc(i) * radius;
         const vec2 at = uv + offset * texel;
-        sum += textureLod(before, at, 0.0) * share(textureLod(circles, at, 0.0).g, length(offset));
+        f.light += textureLod(before, at, 0.0) * share(textureLod(circles, at, 0.0).g, length(offset));
+        // Close neighbours know best; the guess joins what is seen without a line.
+        f.below += textureLod(hidden, at, 0.0) / (1.0 + dot(offset, offset) * dot(offset, offset));
     }
     // A tap stands for its part of the disc.
-    sum *= (radius + 0.5) * (radius + 0.5) / float(kTaps);
-    return sum / max(1.0, sum.a);
+    f.light *= radius * radius / float(kTaps);
+    f.light /= max(1.0, f.light.a);
+    return f;
 }
 
 void main() {
@@ -60,7 +70,9 @@ void main() {
     const ivec2 size = imageSize(soft).xy;
     if (any(greaterThanEqual(pixel, size))) return;
     const vec2 texel = 1.0 / vec2(size), uv = (vec2(pixel) + 0.5) * texel;
-    const vec4 far = far_light(uv, texel), close = close_light(uv, texel);
+    const vec4 far = far_light(uv, texel);
+    const Foreground close = close_light(uv, texel);
     imageStore(soft, ivec3(pixel, 0), vec4(nearest_half(far.rgb), far.a));
-    imageStore(soft, ivec3(pixel, 1), vec4(nearest_half(close.rgb), close.a));
+    imageStore(soft, ivec3(pixel, 1), vec4(nearest_half(close.light.rgb), close.light.a));
+    imageStore(soft, ivec3(pixel, 2), vec4(nearest_half(close.below.rgb), close.below.a));
 }

@@ -1,5 +1,6 @@
 // Both blurs over the sharp picture, for a pass that blends premultiplied colours. Whether a pixel is blurred behind the
-// focus its own depth says, so edges of what is sharp stay sharp.
+// focus its own depth says, so edges of what is sharp stay sharp. A pixel that is blurred before the focus doesn't show
+// itself through its own blur, but what it hides.
 #version 460
 #include "frame_set.glsl"
 #include "circle.glsl"
@@ -23,8 +24,10 @@ vec4 smoothed(float layer) {
 
 void main() {
     const float radius = circle_radius(texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r, params.focus, params.aperture);
-    const vec4 far = smoothed(0.0), close = smoothed(1.0);
-    const float share = far.a > 0.0 ? blurred_share(radius) : 0.0;
-    const vec4 below = vec4(far.rgb / max(far.a, 1e-4), 1.0) * share;
+    const vec4 far = smoothed(0.0), close = smoothed(1.0), hidden = smoothed(2.0);
+    const vec3 hidden_color = (hidden.rgb + 1e-3 * close.rgb) / max(hidden.a + 1e-3 * close.a, 1e-5);
+    const float far_share = far.a > 0.0 ? blurred_share(radius) : 0.0;
+    const float close_share = close.a > 0.0 ? blurred_share(-radius) : 0.0;
+    const vec4 below = vec4(far.rgb / max(far.a, 1e-4), 1.0) * far_share + vec4(hidden_color, 1.0) * close_share;
     hdr = close + below * (1.0 - close.a);
 }

@@ -1,5 +1,5 @@
-// The picture at half resolution, in what is blurred behind the focus and what is blurred before it, each multiplied by
-// its share before it is averaged: what is sharp weighs nothing, so no filter can spread it.
+// The picture at half resolution, in what is blurred behind the focus, what is blurred before it, and what that hides,
+// each multiplied by its share before it is averaged: what is sharp weighs nothing in the blurs, so they can't spread it.
 // Liu 2016, "Rendering 'Monster Hunter Online'".
 #version 460
 #include "frame_set.glsl"
@@ -12,6 +12,7 @@ uniform sampler2D hdr;
 uniform sampler2D depth;
 layout(rgba16f) writeonly uniform image2D behind;
 layout(rgba16f) writeonly uniform image2D before;
+layout(rgba16f) writeonly uniform image2D hidden;
 layout(rg16f) writeonly uniform image2D circles;  // radii behind and before
 
 layout(push_constant) uniform Params { float focus; float aperture; } params;
@@ -20,7 +21,7 @@ void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(behind)))) return;
     const ivec2 last = textureSize(hdr, 0) - 1;
-    vec4 far = vec4(0.0), close = vec4(0.0);
+    vec4 far = vec4(0.0), close = vec4(0.0), rest = vec4(0.0);
     vec2 radii = vec2(0.0);
     for (int i = 0; i < 4; ++i) {
         const ivec2 at = min(pixel * 2 + ivec2(i & 1, i >> 1), last);
@@ -28,9 +29,11 @@ void main() {
         const vec4 color = vec4(texelFetch(hdr, at, 0).rgb, 1.0) * 0.25;
         far += color * blurred_share(radius);
         close += color * blurred_share(-radius);
+        rest += color * (1.0 - blurred_share(-radius));
         radii = max(radii, vec2(radius, -radius));
     }
     imageStore(behind, pixel, vec4(nearest_half(far.rgb), far.a));
     imageStore(before, pixel, vec4(nearest_half(close.rgb), close.a));
+    imageStore(hidden, pixel, vec4(nearest_half(rest.rgb), rest.a));
     imageStore(circles, pixel, vec4(radii, 0.0, 0.0));
 }
