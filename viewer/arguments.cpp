@@ -84,7 +84,8 @@ std::string future_fault(const std::vector<std::string>& arguments) {
     for (const char* command : kFutureCommands)
         if (arguments.front() == command)
             return "`" + arguments.front() + "` is not there yet in this version of weft";
-    if (arguments[0] == "view" && std::ranges::find(arguments, "--headless") == arguments.end())
+    const auto says = [&](const char* word) { return std::ranges::find(arguments, word) != arguments.end(); };
+    if (arguments[0] == "view" && !says("--headless") && !says("--help") && !says("-h"))
         return "`view` is not there yet in this version of weft; `view --headless` is";
     if (arguments.size() > 1 && arguments[0] == "bench" && arguments[1] == "frame")
         return "`bench frame` is not there yet in this version of weft";
