@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """What a piece of a pipeline costs its author: lines and JSON tokens of some passes of a graph, and of the resources
 that are there for them: no other pass writes them, and who else reads them reads what these passes write.
-  yardstick.py GRAPH.json PASS... [--lines MOST] [--tokens MOST]
+  yardstick.py GRAPH.json PASS... [--also RESOURCE]... [--lines MOST] [--tokens MOST]
   yardstick.py --self-test
 A token is a string, a number, true, false, null, or one of { } [ ] : , inside an entry `"name": value`; the comma after
-an entry belongs to what holds it. Lines are those on which such an entry has a token, as the file is formatted; one of
+an entry belongs to what holds it. --also counts a resource that other passes write too. Lines are those on which such an entry has a token, as the file is formatted; one of
 more than 120 columns is an error, and so is a pass that isn't there. Fails when it is more than MOST."""
 import argparse
 import re
@@ -86,14 +86,16 @@ def own_resources(passes, all_passes, resources):
     return named(passes, ports) - named(others, outputs) - (named(others, ports) - made)
 
 
-def measure(text, passes):
+def measure(text, passes, also=()):
     """(lines, tokens, resources that are there for these passes)."""
     _, graph, _ = object_at(tokens_of(text), 0)
     all_passes, resources = graph["passes"].members, graph["resources"].members if "resources" in graph else {}
     missing = [name for name in passes if name not in all_passes]
     if missing:
         raise ValueError(f"there is no pass {missing[0]}, but " + ", ".join(all_passes))
-    own = sorted(own_resources(passes, all_passes, resources))
+    own = sorted(own_resources(passes, all_passes, resources) | set(also))
+    if set(own) - set(resources):
+        raise ValueError(f"there is no such resource: {', '.join(set(own) - set(resources))}")
     tokens = [t for entry in [all_passes[p] for p in passes] + [resources[r] for r in own] for t in entry.tokens]
     lines = {t.line for t in tokens}
     columns = {n: len(line) for n, line in enumerate(text.split("\n"), 1)}
@@ -127,6 +129,7 @@ def self_test():
     # 2 + {} + 3 + 5 + (2 + 2 + 2 + 5) + 2, and 3 for c in a line of its own; b is made by another.
     assert measure(SAMPLE, ["third"]) == (2, 28, ["c"]), measure(SAMPLE, ["third"])
     assert measure(SAMPLE, ["second", "third"]) == (5, 43 + 11 + 28, ["b", "c"]), measure(SAMPLE, ["second", "third"])
+    assert measure(SAMPLE, ["third"], ["d"]) == (3, 31, ["c", "d"]), measure(SAMPLE, ["third"], ["d"])
     for bad, passes, what in ((SAMPLE, ["fourth"], "no pass fourth"), (SAMPLE.replace('"a": "rgba8"', " " * 99 + '"a": "rgba8"'), ["first"], "120 columns"),
                               (SAMPLE + '"', ["first"], "not JSON")):
         try:
@@ -144,11 +147,12 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("graph")
     arguments.add_argument("passes", nargs="+", metavar="PASS")
+    arguments.add_argument("--also", action="append", default=[], metavar="RESOURCE")
     arguments.add_argument("--lines", type=int, metavar="MOST")
     arguments.add_argument("--tokens", type=int, metavar="MOST")
     given = arguments.parse_args()
     with open(given.graph, encoding="utf-8") as file:
-        lines, tokens, own = measure(file.read(), given.passes)
+        lines, tokens, own = measure(file.read(), given.passes, given.also)
     print(f"{given.graph}: {', '.join(given.passes)}: {lines} lines, {tokens} tokens"
           + (f", with {', '.join(own)}" if own else ""))
     too_much = (given.lines is not None and lines > given.lines) or (given.tokens is not None and tokens > given.tokens)

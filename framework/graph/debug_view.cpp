@@ -84,7 +84,7 @@ Decoder usual_decoder(const Shown& shown) {
 
 std::array<double, 2> usual_range(const Shown& shown, Decoder decoder) {
     const bool counts = shown.is_buffer || !shown.format || !is_float(shown.format->numeric);
-    if (decoder == Decoder::depth) return {0, 8};
+    if (decoder == Decoder::depth) return {0, 6};
     if (decoder == Decoder::vector) return {0, 0.05};
     return {0, counts ? 64.0 : 1.0};
 }

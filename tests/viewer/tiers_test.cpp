@@ -87,5 +87,30 @@ TEST(TiersOfAFile, ArePlannedAndCompared) {
     EXPECT_NE(unknown.err.find("did you mean \"low\""), std::string::npos) << unknown.err;
 }
 
+// Only tier "high" stores to `x`, which rgba8_srgb can't do: so it is rgba8 in the file as it is, too.
+TEST(TiersOfAFile, ShareTheirFormats) {
+    const ScratchFolder folder;
+    folder.write("store.comp", R"(#version 460
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba8) writeonly uniform image2D x;
+void main() { imageStore(x, ivec2(gl_GlobalInvocationID.xy), vec4(1.0)); }
+)");
+    folder.write("g.json", R"({
+  "version": 1, "name": "formats", "imports": { "backbuffer": "output" },
+  "resources": { "x": "rgba8_srgb|rgba8" },
+  "passes": { "make": { "type": "clear", "out": ["x"] }, "show": { "type": "blit", "in": ["x"], "out": ["backbuffer"] } },
+  "tiers": { "low": {}, "high": { "patch": { "passes": {
+    "make": null, "store": { "type": "compute", "shader": "store.comp", "out": ["x"] } } } } }
+})");
+    for (const char* tier : {"", "low", "high"}) {
+        std::vector<std::string> words{"plan", folder / "g.json", "--format", "json"};
+        if (*tier != 0) words.insert(words.end(), {"--tier", tier});
+        const RunResult run = run_weft(words);
+        ASSERT_EQ(run.exit_code, 0) << run.text();
+        for (const nlohmann::json& resource : nlohmann::json::parse(run.out).at("graph").at("resources"))
+            EXPECT_TRUE(resource.at("name") != "x" || resource.at("format") == "rgba8") << tier;
+    }
+}
+
 }  // namespace
 }  // namespace weft::test

@@ -1,0 +1,168 @@
+// `weft check --run`: the tests that graphs hold, those of the shipped ones and some that must fail; and
+// debug views.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+const std::filesystem::path kGraphs = WEFT_SOURCE_DIR "/graphs";
+
+class GraphTests : public testing::Test {
+ protected:
+    void SetUp() override {
+        if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    }
+
+    // A graph that fills x with `value`, in which `rest` are more sections.
+    RunResult check(const std::string& value, const std::string& rest) const {
+        folder_.write("value.comp", R"(#version 460
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba16f) writeonly uniform image2D x;
+layout(push_constant) uniform Params { float zero; } params;
+void main() { imageStore(x, ivec2(gl_GlobalInvocationID.xy), vec4()" +
+                                        value + R"(, 0, 0, 1)); }
+)");
+        folder_.write("g.json", R"({
+  "version": 1, "name": "tested", "imports": { "backbuffer": "output" }, "params": { "zero": 0 },
+  "resources": { "x": "rgba16f", "sum": { "format": "rgba16f", "size": "area", "history": 1 } },
+  "sizes": { "area": [16, 16] },
+  "passes": {
+    "make": { "type": "compute", "shader": "value.comp", "out": ["x"] },
+    "add":  { "type": "blit", "in": ["x"], "out": ["sum"] },
+    "show": { "type": "blit", "in": ["sum[-1]"], "out": ["backbuffer"] }
+  },
+  )" + rest + "\n}\n");
+        return run_weft({"check", folder_ / "g.json", "--run"});
+    }
+
+    void expect_failure(const std::string& value, const std::string& rest, const std::string& message,
+                        const std::string& place) const {
+        const RunResult run = check(value, rest);
+        EXPECT_EQ(run.exit_code, 6) << run.text();
+        EXPECT_NE(run.err.find(message), std::string::npos) << run.text();
+        EXPECT_NE(run.err.find("g.json:" + place), std::string::npos) << run.text();
+    }
+
+    ScratchFolder folder_;
+};
+
+TEST_F(GraphTests, ShippedGraphsKeepTheirPromises) {
+    std::vector<std::string> arguments{"check"};
+    for (const auto& entry : std::filesystem::directory_iterator(kGraphs))
+        if (entry.path().extension() == ".json" && entry.path().stem() != "weft.schema")
+            arguments.push_back(entry.path().string());
+    ASSERT_GE(arguments.size(), 9u);
+    arguments.emplace_back("--run");
+    const RunResult run = run_weft(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    size_t runs = 0;
+    for (size_t at = run.err.find(": test "); at != std::string::npos; at = run.err.find(": test ", at + 1))
+        ++runs;
+    EXPECT_GE(runs, arguments.size() - 2) << "every graph has a test\n" << run.err;
+}
+
+TEST_F(GraphTests, WhatHoldsPasses) {
+    const RunResult run = check("0.5", R"("tests": [ { "size": [32, 32], "expect": {
+        "validation": 0, "finite": ["x"], "range": { "x": [0, 1] }, "mean": { "x": [0.37, 0.38] },
+        "passes": 5, "barriers": 99, "submissions": 1, "transientBytes": 1e6 } } ])");
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_NE(run.err.find("test 1: ok"), std::string::npos) << run.text();
+}
+
+TEST_F(GraphTests, WhatFailsIsNamedAtItsPlace) {
+    expect_failure("1.0 / params.zero", R"("tests": [ { "size": [32, 32], "expect": { "finite": ["x"] } } ])",
+                   "\"x\" holds inf at (0, 0)", "10:65");
+    expect_failure("0.5", R"("tests": [ { "size": [32, 32], "expect": { "range": { "x": [0.75, 1] } } } ])",
+                   "\"x\" holds 0.5 at (0, 0)", "10:66");
+    expect_failure("0.5", R"("tests": [ { "size": [32, 32], "expect": { "mean": { "x": [0.75, 1] } } } ])",
+                   "the mean of \"x\" is 0.375", "10:65");
+    expect_failure("0.5", R"("tests": [ { "size": [32, 32], "expect": { "passes": 2 } } ])", "3 passes",
+                   "10:59");
+    expect_failure("0.5", R"("tests": [ { "size": [32, 32], "expect": { "transientBytes": 10 } } ])",
+                   "bytes of transient memory", "10:67");
+    expect_failure("0.5", R"("tests": [ { "size": [32, 32], "frames": 1, "expect": { "blackFrames": 0 } } ])",
+                   "1 black pictures", "10:77");
+}
+
+TEST_F(GraphTests, TiersAreRunAndSwapped) {
+    const RunResult run =
+        check("0.5", R"("tiers": { "low": {}, "high": { "patch": { "resources": { "more": "r8" },
+        "passes": { "extra": { "type": "clear", "out": ["more"] }, "keep": { "type": "readback", "in": ["more"] } } } } },
+      "tests": [ { "tiers": "*", "size": [32, 32], "expect": { "finite": ["x"] } },
+                 { "swap": ["low", "high", "low"], "every": 3, "size": [32, 32],
+                   "expect": { "kept": ["sum"], "blackFrames": 1, "pipelinesOnFrameThread": 0 } } ])");
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_NE(run.err.find("test 1, tier high: ok"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("test 2, tier low and on, swapping: ok"), std::string::npos) << run.text();
+}
+
+TEST_F(GraphTests, AHistoryThatASwapLosesIsSeen) {
+    expect_failure("0.5", R"("tiers": { "low": {}, "high": { "patch": { "sizes": { "area": [8, 8] } } } },
+      "tests": [ { "swap": ["low", "high"], "every": 2, "size": [32, 32], "expect": { "kept": ["sum"] } } ])",
+                   "a swap loses what \"sum\" holds", "11:92");
+}
+
+TEST_F(GraphTests, WhatATestNamesMustBeThere) {
+    const RunResult run =
+        check("0.5", R"("tests": [ { "tiers": ["lwo"], "scene": "atrium", "params": { "p": 1 },
+      "expect": { "finite": ["y"], "range": { "x": [1, 0] }, "pases": 3 } } ])");
+    EXPECT_EQ(run.exit_code, 3) << run.text();
+    for (const char* code : {"W129", "W109", "W120", "W103", "W101"})
+        EXPECT_NE(run.err.find(code), std::string::npos) << code << "\n" << run.text();
+}
+
+// --- debug views
+
+class DebugViews : public GraphTests {
+ protected:
+    RunResult show(const std::string& graph, const std::string& view, const std::string& file) const {
+        return run_weft({"render", "builtin:spheres", "--graph", (kGraphs / graph).string(), "--size",
+                         "64x36", "--debug", view, "--output", folder_ / file, "--validate", "--frames", "2",
+                         "--stats", folder_ / "stats.json"});
+    }
+};
+
+TEST_F(DebugViews, EveryOneOfTheShippedGraphsShowsSomething) {
+    const std::vector<std::pair<std::string, std::string>> views{
+        {"deferred.json", "Albedo"},   {"deferred.json", "Normals"},
+        {"deferred.json", "Depth"},    {"deferred.json", "velocity"},
+        {"deferred.json", "lights"},   {"bloom.json", "bloom.mip(2)"},
+        {"dof.json", "soft.layer(1)"}, {"edges.json", "Ends"},
+        {"taa.json", "Last frame"},    {"reaction_diffusion.json", "Second chemical"}};
+    for (const auto& [graph, view] : views) {
+        const RunResult run = show(graph, view, "view.png");
+        EXPECT_EQ(run.exit_code, 0) << graph << " " << view << "\n" << run.text();
+    }
+}
+
+TEST_F(DebugViews, ThePictureIsNoneOfTheirBusiness) {
+    const auto hash = [&] {
+        return nlohmann::json::parse(read_text(folder_ / "stats.json"))
+            .at("output_sha256")
+            .get<std::string>();
+    };
+    ASSERT_EQ(show("deferred.json", "Normals", "view.png").exit_code, 0);
+    const std::string with = hash();
+    ASSERT_EQ(run_weft({"render", "builtin:spheres", "--graph", (kGraphs / "deferred.json").string(),
+                        "--size", "64x36", "--output", folder_ / "plain.png", "--validate", "--frames", "2",
+                        "--stats", folder_ / "stats.json"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(with, hash());
+    EXPECT_NE(read_text(folder_ / "view.png"), read_text(folder_ / "plain.png"));
+}
+
+TEST_F(DebugViews, UnknownOnesAreGuessedAt) {
+    const RunResult run = show("deferred.json", "Normal", "view.png");
+    EXPECT_EQ(run.exit_code, 3);
+    EXPECT_NE(run.err.find("W103"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("Normals"), std::string::npos) << run.text();
+}
+
+}  // namespace
+}  // namespace weft::test
