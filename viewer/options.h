@@ -72,6 +72,12 @@ struct PlanOptions {
     std::string output;
 };
 
+struct SchemaOptions {
+    std::string file;    // empty: of all graphs
+    std::string output;  // empty: stdout
+    Limits limits;
+};
+
 struct ExplainOptions {
     std::string file;
     OfflineOptions offline;
