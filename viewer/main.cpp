@@ -97,7 +97,8 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
 void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     o.render.output.clear();
     add_render(command, o.render, raw);
-    for (const char* flag : {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats"})
+    for (const char* flag :
+         {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "without a window");
     command.add_option("-o,--output", o.render.output, "write the last frame: .png, .exr or .pfm");

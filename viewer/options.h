@@ -31,6 +31,7 @@ struct RenderOptions {
     std::string debug;  // a debug view, or a resource to be shown as one
     std::vector<std::string> observed;  // references that are read back every frame, besides `resource`
     bool validate = false;
+    bool quiet = false;  // warnings were said before
     std::string stats;
     std::string device;
     double timeout_s = 60;

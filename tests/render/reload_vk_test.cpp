@@ -261,6 +261,30 @@ TEST_F(ManyEdits, ShowTheLastGoodPictureAndLeaveNoObjectBehind) {
     extended() ? run(60, 500) : run(20, 60);
 }
 
+// One executor lives through all of these.
+TEST_F(ManyEdits, OfOneShaderLeaveNoPipelineBehind) {
+    const ObjectCounter objects(*device_);
+    begin();
+    int64_t first = 0;
+    for (int i = 1; i <= 12; ++i) {
+        SCOPED_TRACE(i);
+        const auto scale = [](int step) { return "scale = " + std::to_string(step) + ".0"; };
+        folder_.replace("paint.comp", scale(i), scale(i + 1));
+        render::Preparation made = prepare();
+        ASSERT_TRUE(made.result) << to_text(made.result.errors());
+        EXPECT_EQ(to_text(made.result->rebuilt), "1 of 4 shaders, 1 of 4 pipelines");
+        // With frames in flight, whose pipelines go when they are over.
+        ASSERT_NO_FATAL_FAILURE(draw(*live_, 2));
+        const Result<bool> swapped = live_->swap_in(std::move(*made.result));
+        ASSERT_TRUE(swapped && *swapped);
+        ASSERT_NO_FATAL_FAILURE(draw(*live_, kSettlingFrames));
+        ASSERT_TRUE(live_->finish());
+        if (i == 1) first = objects.live();
+    }
+    EXPECT_EQ(objects.live(), first);
+    EXPECT_TRUE(shown(*live_) == wanted());
+}
+
 class ManyEditsOnQueues : public ManyEdits {
  protected:
     void SetUp() override {
