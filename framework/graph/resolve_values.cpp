@@ -129,7 +129,8 @@ void count_draws(ResolveState& state) {
     for (const auto& [list, import] : state.input.graph.imports) {
         if (import.kind != import_kind_name(ImportKind::draw_list)) continue;
         const std::string name = list + "Draws";
-        if (state.names.values.contains(name) || state.input.graph.sizes.contains(name)) continue;
+        const bool taken = state.input.graph.sizes.contains(name) || state.input.graph.consts.contains(name);
+        if (taken || state.names.values.contains(name)) continue;
         const auto offered = state.input.imports.imports.find(list);
         if (offered == state.input.imports.imports.end())
             state.faulty_values.push_back(name);  // the import is reported

@@ -46,7 +46,7 @@ const std::vector<BadUsage>& bad_usages() {
         {"ExplainOnePassOfTwo", {"explain", kDeferred, "barrier", "gbuffer"}, "barrier PASS PASS"},
         {"ExplainTwoPassesOfOne", {"explain", kDeferred, "wait", "gbuffer", "lighting"}, "wait PASS"},
         {"DiffOfOne", {"diff", kDeferred}, "TO"},
-        {"LaterSchema", {"schema"}, "`schema` is not there yet"},
+        {"SchemaOfTwo", {"schema", kDeferred, kDeferred}, "not expected"},
         {"BenchWithoutWhat", {"bench"}, "subcommand is required"},
         {"BenchShape", {"bench", "compile", "--shape", "star"}, "--shape"},
         {"BenchOfNoPasses", {"bench", "compile", "--passes", "0"}, "--passes"},
