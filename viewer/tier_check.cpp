@@ -11,7 +11,7 @@ namespace weft::viewer {
 namespace {
 
 // What one tier doesn't use another may.
-constexpr std::array kUnusedCodes{"W130", "W132", "W133"};
+constexpr std::array kUnusedCodes{"W130", "W132", "W133", "W134", "W135", "W136"};
 
 class Findings {
  public:

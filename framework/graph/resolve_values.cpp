@@ -51,7 +51,8 @@ void resolve_params(ResolveState& state) {
             const std::string finite = std::isfinite(value) ? "" : "not a finite number: ";
             Diagnostic& d = state.error(param.loc, "W120",
                                         what + quoted(name) + " can't be " + finite + number_text(value));
-            if (param.is_bool || !param.allowed.empty() || param.range) add_help(d, allowed_text(param));
+            const bool limited = param.is_bool || !param.allowed.empty() || param.range;
+            add_help(d, limited ? allowed_text(param) : "any finite number will do");
         }
         state.names.values[name] = number_value(value);
         state.graph.params.push_back({name, value, ParamCost::nothing});

@@ -111,7 +111,7 @@ def main():
                 failures.append(f"{file.name}: accepted with a slip in {what}")
     check_tiers(program, failures)
     # A file that isn't there, and one that isn't JSON.
-    for bad in ("nowhere.json", "tests/viewer/bad/truncated.json"):
+    for bad in ("nowhere.json", "tests/diagnostics/W001_quote.json"):
         if graph_text.run(program, "schema", root / bad).returncode != 3:
             failures.append(f"{bad} is not exit code 3")
     if count < 100:
