@@ -135,7 +135,7 @@ Result<OpenSession> open_session(const RenderOptions& options) {
     Result<scene::Scene> scene =
         open_scene({options.scene, options.env, options.hour, options.lights, options.seed},
                    options.limits.scene, warnings);
-    report(warnings);
+    if (!options.quiet) report(warnings);
     if (!scene) return scene.take_errors();
     warn_of_exposure(*scene, options.exposure_ev.value_or(scene->exposure_ev));
     const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
@@ -154,7 +154,7 @@ Result<OpenSession> open_session(const RenderOptions& options) {
     warnings.clear();
     Result<std::unique_ptr<render::Session>> session =
         render::Session::create(**device, *scene, session_input(options, *scene, *camera, passes), warnings);
-    report(warnings);
+    if (!options.quiet) report(warnings);
     if (!session) return session.take_errors();
     return OpenSession{std::move(*device), std::move(*session)};
 }

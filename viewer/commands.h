@@ -24,6 +24,7 @@ enum class ExitCode : int {
 [[nodiscard]] ExitCode run_view(const ViewOptions& options);
 [[nodiscard]] ExitCode run_check(const CheckOptions& options);
 [[nodiscard]] ExitCode run_plan(const PlanOptions& options);
+[[nodiscard]] ExitCode run_schema(const SchemaOptions& options);
 [[nodiscard]] ExitCode run_explain(const ExplainOptions& options);
 [[nodiscard]] ExitCode run_diff(const DiffOptions& options);
 [[nodiscard]] ExitCode run_compare(const CompareOptions& options);

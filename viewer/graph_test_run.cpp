@@ -46,6 +46,7 @@ class TestRun {
         options_.queues = options.offline.queues;
         options_.device = options.device;
         options_.validate = true;
+        options_.quiet = true;
         std::set<std::string> refs;
         for (const ExpectationDesc& expectation : test.expect)
             if (!expectation.ref.empty() && expectation.what != "kept") refs.insert(expectation.ref);
@@ -103,8 +104,10 @@ class TestRun {
         for (ResourceId id = 0; id < to.graph.resources.size(); ++id) {
             const ResourceDecl& resource = to.graph.resources[id];
             if (resource.ring != id) continue;
-            const auto carried = std::ranges::find(between.carried, id, &CarryOver::to);
-            if (carried == between.carried.end()) measured_.lost.insert(resource.name);
+            // Of a history the earlier frames' copies, for this frame's own is written anew.
+            const bool carried = std::ranges::any_of(
+                between.carried, [&](const CarryOver& c) { return to.graph.resources[c.to].ring == id; });
+            if (!carried) measured_.lost.insert(resource.name);
         }
     }
 

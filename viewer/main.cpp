@@ -97,7 +97,8 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
 void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     o.render.output.clear();
     add_render(command, o.render, raw);
-    for (const char* flag : {"--resource", "--test-drop-barriers", "--output", "--frames", "--stats"})
+    for (const char* flag :
+         {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "without a window");
     command.add_option("-o,--output", o.render.output, "write the last frame: .png, .exr or .pfm");
@@ -143,6 +144,12 @@ void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
         ->check(CLI::IsMember({"text", "json", "dot", "html"}).description(""))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "a file in place of stdout");
+}
+
+void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
+    command.add_option("FILE", o.file, "a graph file, whose names become choices [all graphs]");
+    command.add_option("-o,--output", o.output, "a file in place of stdout");
+    add_limits(command, raw);
 }
 
 void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
@@ -217,6 +224,7 @@ int run(int argc, char** argv) {
     ViewOptions view_options;
     CheckOptions check_options;
     PlanOptions plan_options;
+    SchemaOptions schema_options;
     DoctorOptions doctor_options;
     ExplainOptions explain_options;
     DiffOptions diff_options;
@@ -230,6 +238,8 @@ int run(int argc, char** argv) {
     add_check(*check, check_options, raw);
     CLI::App* plan = app.add_subcommand("plan", "show the compiled frame: order, barriers, memory");
     add_plan(*plan, plan_options, raw);
+    CLI::App* schema = app.add_subcommand("schema", "print the JSON schema of graphs, or of one graph");
+    add_schema(*schema, schema_options, raw);
     CLI::App* explain = app.add_subcommand("explain", "say why a plan is as it is");
     add_explain(*explain, explain_options, raw);
     CLI::App* diff = app.add_subcommand("diff", "say what two plans have not in common");
@@ -254,7 +264,7 @@ int run(int argc, char** argv) {
         report(limits.errors());
         return exit_with(exit_code_for(limits.errors()));
     }
-    render_options.limits = compare_options.limits = *limits;
+    render_options.limits = compare_options.limits = schema_options.limits = *limits;
     render_options.size = parse_size(raw.size);
     render_options.params = parse_params(raw.params);
     view_options.render.limits = *limits;
@@ -273,14 +283,15 @@ int run(int argc, char** argv) {
     if (view->parsed()) return exit_with(run_view(view_options));
     if (check->parsed()) return exit_with(run_check(check_options));
     if (plan->parsed()) return exit_with(run_plan(plan_options));
+    if (schema->parsed()) return exit_with(run_schema(schema_options));
     if (explain->parsed()) return exit_with(run_explain(explain_options));
     if (diff->parsed()) return exit_with(run_diff(diff_options));
     if (compare->parsed()) return exit_with(run_compare(compare_options));
     if (doctor->parsed()) return exit_with(run_doctor(doctor_options));
     if (bench_compile->parsed()) return exit_with(run_bench_compile(bench_options));
     std::fputs(
-        "weft: say what to do: render, view, check, plan, explain, diff, compare, bench or doctor\nRun `weft "
-        "--help`.\n",
+        "weft: say what to do: render, view, check, plan, schema, explain, diff, compare, bench or doctor\nRun "
+        "`weft --help`.\n",
         stderr);
     return exit_with(ExitCode::usage);
 }

@@ -31,6 +31,7 @@ struct RenderOptions {
     std::string debug;  // a debug view, or a resource to be shown as one
     std::vector<std::string> observed;  // references that are read back every frame, besides `resource`
     bool validate = false;
+    bool quiet = false;  // warnings were said before
     std::string stats;
     std::string device;
     double timeout_s = 60;
@@ -69,6 +70,12 @@ struct PlanOptions {
     OfflineOptions offline;
     std::string format = "text";
     std::string output;
+};
+
+struct SchemaOptions {
+    std::string file;    // empty: of all graphs
+    std::string output;  // empty: stdout
+    Limits limits;
 };
 
 struct ExplainOptions {

@@ -70,6 +70,16 @@ std::string largest_at_peak(const FramePlan& plan) {
     return text;
 }
 
+// At the resource that takes the most where most is alive.
+Diagnostic memory_fault(const FramePlan& plan, const std::string& file, std::string code,
+                        std::string message) {
+    const std::vector<ResourceId> live = live_at_peak(plan);
+    const SourceLoc loc = live.empty() ? SourceLoc{} : plan.graph.resources[live.front()].loc;
+    Diagnostic d = plan.graph.sources.error(loc, std::move(code), std::move(message));
+    if (d.line == 0) d.file = file;
+    return d;
+}
+
 }  // namespace
 
 uint64_t placed_bytes(const FramePlan& plan, ResourceId resource) {
@@ -120,12 +130,11 @@ Diagnostics memory_faults(const FramePlan& plan, const DeviceProfile& profile, c
     for (size_t i = 0; i < wanted.size(); ++i) {
         const uint64_t room = profile.memory_heaps[i].size_bytes;
         if (wanted[i] <= room) continue;
-        Diagnostic d;
+        Diagnostic d =
+            memory_fault(plan, file, "W142",
+                         "the plan needs " + bytes_text(wanted[i]) + " of memory heap " + std::to_string(i) +
+                             " of \"" + profile.name + "\", which holds " + bytes_text(room));
         d.severity = Severity::warning;
-        d.code = "W142";
-        d.file = file;
-        d.message = "the plan needs " + bytes_text(wanted[i]) + " of memory heap " + std::to_string(i) +
-                    " of \"" + profile.name + "\", which holds " + bytes_text(room);
         d.help = {"a smaller --size, or smaller formats; largest where most is alive: " +
                   largest_at_peak(plan)};
         faults.push_back(std::move(d));
@@ -136,11 +145,9 @@ Diagnostics memory_faults(const FramePlan& plan, const DeviceProfile& profile, c
 Diagnostics budget_faults(const FramePlan& plan, const GraphLimits& limits, const std::string& file) {
     const uint64_t wanted = plan.memory.heap_bytes + plan.memory.persistent_bytes;
     if (wanted <= limits.transient_bytes) return {};
-    Diagnostic d;
-    d.code = "W143";
-    d.file = file;
-    d.message = "the frame's resources take " + bytes_text(wanted) + " of memory; the limit is " +
-                limit_bytes_text(limits.transient_bytes);
+    Diagnostic d = memory_fault(plan, file, "W143",
+                                "the frame's resources take " + bytes_text(wanted) +
+                                    " of memory; the limit is " + limit_bytes_text(limits.transient_bytes));
     d.help = {"a smaller --size, or smaller formats, " + raise_limit_text("graph.transientBytes") +
               "; largest where most is alive: " + largest_at_peak(plan)};
     return {std::move(d)};

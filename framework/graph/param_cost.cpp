@@ -116,6 +116,22 @@ class CostStep {
         for (const Expr& bound : *view.range) add(bound, ParamCost::live);
     }
 
+    // Of imports: by passes, whether they run or not, by views and by tests.
+    std::set<std::string, std::less<>> named_resources() const {
+        std::set<std::string, std::less<>> named = watched_resources(graph_);
+        const auto add_named = [&](const PortDesc& port) {
+            named.insert(port.ref.name);
+            if (port.otherwise) named.insert(port.otherwise->name);
+        };
+        for (const auto& [name, pass] : graph_.passes) {
+            for (const PortDesc& port : pass.in) add_named(port);
+            for (const PortDesc* port : written_ports(pass)) add_named(*port);
+            if (pass.indirect) add_named(*pass.indirect);
+            named.insert(pass.draws.begin(), pass.draws.end());
+        }
+        return named;
+    }
+
     // Not where faults hide what uses them.
     void warn() {
         if (is_unknown_ || !state_.errors.empty()) return;
@@ -131,6 +147,11 @@ class CostStep {
                                     std::string(named == &graph_.consts ? "constant " : "size ") +
                                     quoted(name),
                                 "remove it, or use it");
+        const std::set<std::string, std::less<>> named = named_resources();
+        for (const auto& [name, import] : graph_.imports)
+            if (!named.contains(name) && !costs_.contains(name + "Draws"))
+                state_.warn(import.loc, "W134", "nothing uses the import " + quoted(name),
+                            "remove it, or name it in a port or in \"draws\"");
     }
 
     ResolveState& state_;

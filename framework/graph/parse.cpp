@@ -32,11 +32,12 @@ void read_import_kind(ParseContext& context, const JsonNode& node, ImportDesc& i
     error.help.push_back("kinds are " + quoted_list(import_kinds()));
 }
 
+constexpr std::array kImportKeys{KeyRule<ImportDesc>{"kind", read_import_kind}};
+
 void read_imports(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    static constexpr std::array kKeys{KeyRule<ImportDesc>{"kind", read_import_kind}};
     read_named(context, node, "an import", [&](const JsonMember& member) {
         ImportDesc import{member.key, {}, member.key_loc};
-        if (!read_object(context, member.value, "an import", kKeys, import)) return;
+        if (!read_object(context, member.value, "an import", kImportKeys, import)) return;
         if (member.value.find("kind") == nullptr)
             missing_key(context, member.key_loc, "an import", "kind",
                         "kinds are " + quoted_list(import_kinds()));
@@ -80,23 +81,26 @@ void skip_object(ParseContext& context, const JsonNode& node, TierDesc&) {
 
 void skip_value(ParseContext&, const JsonNode&, TierDesc&) {}
 
+constexpr std::array kPatchKeys{
+    KeyRule<TierDesc>{"imports", skip_object},   KeyRule<TierDesc>{"consts", skip_object},
+    KeyRule<TierDesc>{"params", skip_object},    KeyRule<TierDesc>{"sizes", skip_object},
+    KeyRule<TierDesc>{"resources", skip_object}, KeyRule<TierDesc>{"passes", skip_object},
+    KeyRule<TierDesc>{"debug", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
+    KeyRule<TierDesc>{"frames", skip_value}};
+
 // Its sections are read where they have been merged: in the tier's own graph.
 void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {
-    static constexpr std::array kKeys{
-        KeyRule<TierDesc>{"imports", skip_object},   KeyRule<TierDesc>{"consts", skip_object},
-        KeyRule<TierDesc>{"params", skip_object},    KeyRule<TierDesc>{"sizes", skip_object},
-        KeyRule<TierDesc>{"resources", skip_object}, KeyRule<TierDesc>{"passes", skip_object},
-        KeyRule<TierDesc>{"debug", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
-        KeyRule<TierDesc>{"frames", skip_value}};
-    read_object(context, node, "a patch", kKeys, tier);
+    read_object(context, node, "a patch", kPatchKeys, tier);
 }
 
+constexpr std::array kTierKeys{KeyRule<TierDesc>{"set", skip_object},
+                               KeyRule<TierDesc>{"patch", check_patch}};
+
 void read_tiers(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    static constexpr std::array kKeys{KeyRule<TierDesc>{"set", skip_object},
-                                      KeyRule<TierDesc>{"patch", check_patch}};
     read_named(context, node, "a tier", [&](const JsonMember& member) {
         TierDesc tier{member.key, member.key_loc};
-        if (read_object(context, member.value, "a tier", kKeys, tier)) graph.tiers.push_back(std::move(tier));
+        if (read_object(context, member.value, "a tier", kTierKeys, tier))
+            graph.tiers.push_back(std::move(tier));
     });
 }
 
@@ -154,6 +158,14 @@ std::string stem(const std::string& path) {
 }
 
 }  // namespace
+
+void list_graph_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "graph", kTopKeys);
+    list_keys(lists, "import", kImportKeys);
+    lists.push_back({"importKind", false, import_kinds()});
+    list_keys(lists, "tier", kTierKeys);
+    list_keys(lists, "patch", kPatchKeys);
+}
 
 Result<GraphDesc> parse(const JsonDoc& document) {
     static constexpr std::array<std::string_view, 3> kExpressionNames{"consts", "params", "sizes"};

@@ -157,6 +157,13 @@ T lookup(const std::map<std::string, T>& values, const std::string& port, T othe
 
 }  // namespace
 
+void list_blend_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "blendEquations", kBlendKeys);
+    list_choices(lists, "blendName", kPresets);
+    list_choices(lists, "blendFactor", kFactors);
+    list_choices(lists, "blendOperation", kOps);
+}
+
 void parse_blend(ParseContext& context, const JsonNode* blend, const JsonNode* write_mask, PassDesc& pass) {
     const auto maps_blends = [](const JsonNode& node) {
         return node.kind == JsonKind::object && !is_equation(node);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "graph/format_words.h"
 #include "graph/json_doc.h"
 #include "weft/graph_desc.h"
 #include "weft/result.h"
@@ -155,6 +156,19 @@ bool read_object(ParseContext& context, const JsonNode& node, std::string_view w
     return true;
 }
 
+// What a table holds, for format_words().
+template <class T, size_t N>
+void list_keys(std::vector<FormatWords>& lists, std::string place, const std::array<KeyRule<T>, N>& rules) {
+    FormatWords& list = lists.emplace_back(FormatWords{std::move(place), true, {}});
+    for (const KeyRule<T>& rule : rules) list.words.emplace_back(rule.key);
+}
+
+template <class E, size_t N>
+void list_choices(std::vector<FormatWords>& lists, std::string place,
+                  const std::array<Choice<E>, N>& choices) {
+    lists.push_back({std::move(place), false, choice_names(std::span<const Choice<E>>(choices))});
+}
+
 // Calls read(member) for each entry of a map from names to things.
 template <class F>
 void read_named(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
@@ -188,5 +202,17 @@ void parse_pass_params(ParseContext& context, const JsonNode& node, PassDesc& pa
 void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass);
 // The colour attachments' blending and write masks, of which either may be absent. Reads pass.out.
 void parse_blend(ParseContext& context, const JsonNode* blend, const JsonNode* write_mask, PassDesc& pass);
+
+// --- the words of each part
+// -------------------------------------------------------------------------------------
+void list_graph_words(std::vector<FormatWords>& lists);
+void list_param_words(std::vector<FormatWords>& lists);
+void list_resource_words(std::vector<FormatWords>& lists);
+void list_pass_words(std::vector<FormatWords>& lists);
+void list_port_words(std::vector<FormatWords>& lists);
+void list_state_words(std::vector<FormatWords>& lists);
+void list_blend_words(std::vector<FormatWords>& lists);
+void list_debug_words(std::vector<FormatWords>& lists);
+void list_test_words(std::vector<FormatWords>& lists);
 
 }  // namespace weft

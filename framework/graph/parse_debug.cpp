@@ -45,12 +45,17 @@ void read_range(ParseContext& context, const JsonNode& node, DebugViewDesc& view
     if (good) view.range = std::move(range);
 }
 
+constexpr std::array kViewKeys{
+    KeyRule<DebugViewDesc>{"show", read_show}, KeyRule<DebugViewDesc>{"decode", read_decode},
+    KeyRule<DebugViewDesc>{"shader", read_view_shader}, KeyRule<DebugViewDesc>{"range", read_range}};
+
 }  // namespace
 
+void list_debug_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "debugView", kViewKeys);
+}
+
 void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    static constexpr std::array kKeys{
-        KeyRule<DebugViewDesc>{"show", read_show}, KeyRule<DebugViewDesc>{"decode", read_decode},
-        KeyRule<DebugViewDesc>{"shader", read_view_shader}, KeyRule<DebugViewDesc>{"range", read_range}};
     if (!expect(context, node, JsonKind::object)) return;
     for (const JsonMember& member : node.members) {
         if (context.is_full()) return;
@@ -58,7 +63,7 @@ void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
         DebugViewDesc view;
         view.name = member.key;
         view.loc = member.key_loc;
-        if (!read_object(context, member.value, "a debug view", kKeys, view)) continue;
+        if (!read_object(context, member.value, "a debug view", kViewKeys, view)) continue;
         if (member.value.find("show") == nullptr)
             missing_key(context, member.key_loc, "a debug view", "show",
                         "say which resource: \"show\": \"hdr\"");

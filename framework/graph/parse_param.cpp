@@ -104,6 +104,10 @@ void read_values(ParseContext& context, const JsonNode& node, std::string_view w
 
 }  // namespace
 
+void list_param_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "parameter", kParamKeys);
+}
+
 bool read_switch(ParseContext& context, const JsonNode& node, Expr& out) {
     ParamValueDesc value;
     if (!read_component(context, node, value)) return false;

@@ -98,10 +98,11 @@ void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.after, pass.after_locs);
 }
 
+constexpr std::array kCostKeys{KeyRule<PassDesc>{
+    "flops", [](ParseContext& c, const JsonNode& n, PassDesc& p) { read_expression(c, n, p.flops); }}};
+
 void read_cost(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    static constexpr std::array kKeys{KeyRule<PassDesc>{
-        "flops", [](ParseContext& c, const JsonNode& n, PassDesc& p) { read_expression(c, n, p.flops); }}};
-    read_object(context, node, "a cost", kKeys, pass);
+    read_object(context, node, "a cost", kCostKeys, pass);
 }
 
 void read_if(ParseContext& context, const JsonNode& node, PassDesc& pass) {
@@ -204,10 +205,15 @@ TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNo
     return kCustom;
 }
 
-void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, const std::string& type) {
-    std::vector<std::string> allowed;
+std::vector<std::string> keys_of(TypeMask types) {
+    std::vector<std::string> keys;
     for (const PassKey& key : kPassKeys)
-        if ((key.types & mask) != 0) allowed.emplace_back(key.key);
+        if ((key.types & types) != 0) keys.emplace_back(key.key);
+    return keys;
+}
+
+void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, const std::string& type) {
+    const std::vector<std::string> allowed = keys_of(mask);
     for (const JsonMember& member : node.members) {
         if (context.is_full()) break;
         const PointerScope scope(context, member.key);
@@ -291,6 +297,20 @@ void read_pass(ParseContext& context, const JsonMember& member, const JsonNode& 
 }
 
 }  // namespace
+
+void list_pass_words(std::vector<FormatWords>& lists) {
+    lists.push_back({"anyPass", true, keys_of(kAll)});
+    lists.push_back({"customPass", true, keys_of(kCustom), {"type"}, "anyPass"});
+    for (const Choice<TypeMask>& type : kBuiltinTypes) {
+        FormatWords& list = lists.emplace_back(
+            FormatWords{std::string(type.name) + "Pass", true, keys_of(type.value), {"type"}, "anyPass"});
+        for (const RequiredKey& key : kRequiredKeys)
+            if ((key.types & type.value) != 0) list.required.emplace_back(key.key);
+    }
+    list_choices(lists, "builtinType", kBuiltinTypes);
+    list_choices(lists, "queue", kQueues);
+    list_keys(lists, "cost", kCostKeys);
+}
 
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a pass", [&](const JsonMember& member) {

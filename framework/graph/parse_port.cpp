@@ -69,6 +69,22 @@ constexpr std::array kInputKeys{KeyRule<PortDraft>{"ref", read_ref}, KeyRule<Por
 constexpr std::array kOutputKeys{KeyRule<PortDraft>{"ref", read_ref},
                                  KeyRule<PortDraft>{"clear", read_clear}};
 
+constexpr std::array kGroupsKeys{KeyRule<PortDraft>{"indirect", read_ref}};
+
+struct DrawsDraft {
+    PortDraft commands;
+    std::string list;
+    SourceLoc list_loc;
+};
+constexpr std::array kDrawsKeys{
+    KeyRule<DrawsDraft>{"list",
+                        [](ParseContext& c, const JsonNode& n, DrawsDraft& d) {
+                            d.list_loc = n.loc;
+                            read_string(c, n, d.list);
+                        }},
+    KeyRule<DrawsDraft>{
+        "indirect", [](ParseContext& c, const JsonNode& n, DrawsDraft& d) { read_ref(c, n, d.commands); }}};
+
 template <size_t N>
 PortDraft read_port(ParseContext& context, const JsonNode& node, std::string name, SourceLoc loc,
                     std::string_view what, const std::array<KeyRule<PortDraft>, N>& keys) {
@@ -113,6 +129,17 @@ void read_ports(ParseContext& context, const JsonNode& node, F read) {
 }
 
 }  // namespace
+
+void list_port_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "input", kInputKeys);
+    list_keys(lists, "output", kOutputKeys);
+    list_keys(lists, "sampler", kSamplerKeys);
+    list_choices(lists, "filter", kFilters);
+    list_choices(lists, "wrap", kWraps);
+    list_choices(lists, "samplerCompare", kCompares);
+    list_keys(lists, "indirectGroups", kGroupsKeys);
+    list_keys(lists, "indirectDraws", kDrawsKeys);
+}
 
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_ports(context, node, [&](const JsonMember& member) {
@@ -164,11 +191,10 @@ void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass)
 
 // {"indirect": "args"}
 void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    static constexpr std::array kKeys{KeyRule<PortDraft>{"indirect", read_ref}};
     PortDraft draft;
     draft.port.port = "indirect";
     draft.port.loc = node.loc;
-    if (!read_object(context, node, "the size of a dispatch", kKeys, draft)) return;
+    if (!read_object(context, node, "the size of a dispatch", kGroupsKeys, draft)) return;
     if (node.members.empty())
         missing_key(context, node.loc, "the size of a dispatch", "indirect",
                     "name the buffer that holds it: { \"indirect\": \"args\" }");
@@ -177,24 +203,10 @@ void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass)
 
 // {"list": "opaque", "indirect": "commands"}
 void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    struct DrawsDraft {
-        PortDraft commands;
-        std::string list;
-        SourceLoc list_loc;
-    };
-    static constexpr std::array kKeys{
-        KeyRule<DrawsDraft>{"list",
-                            [](ParseContext& c, const JsonNode& n, DrawsDraft& d) {
-                                d.list_loc = n.loc;
-                                read_string(c, n, d.list);
-                            }},
-        KeyRule<DrawsDraft>{"indirect", [](ParseContext& c, const JsonNode& n, DrawsDraft& d) {
-                                read_ref(c, n, d.commands);
-                            }}};
     DrawsDraft draft;
     draft.commands.port.port = "indirect";
     draft.commands.port.loc = node.loc;
-    if (!read_object(context, node, "a list drawn indirectly", kKeys, draft)) return;
+    if (!read_object(context, node, "a list drawn indirectly", kDrawsKeys, draft)) return;
     for (const auto& [key, help] :
          {std::pair{"list", "name the draw list: { \"list\": \"opaque\", \"indirect\": \"commands\" }"},
           std::pair{"indirect", "name the buffer of draw commands, or write \"draws\": [\"opaque\"]"}})

@@ -128,10 +128,18 @@ void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
     }
 }
 
+constexpr std::array<std::string_view, 10> kImageKeys{"format", "size", "mips",    "layers", "depth",
+                                                      "kind",   "cube", "samples", "clear",  "preExposed"};
+constexpr std::array<std::string_view, 1> kBufferKeys{"count"};
+
+std::vector<std::string> keys_but(std::span<const std::string_view> others) {
+    std::vector<std::string> keys;
+    for (const KeyRule<ResourceDesc>& rule : kResourceKeys)
+        if (std::ranges::find(others, rule.key) == others.end()) keys.emplace_back(rule.key);
+    return keys;
+}
+
 void check_kind(ParseContext& context, const JsonMember& member) {
-    static constexpr std::array<std::string_view, 10> kImageKeys{
-        "format", "size", "mips", "layers", "depth", "kind", "cube", "samples", "clear", "preExposed"};
-    static constexpr std::array<std::string_view, 1> kBufferKeys{"count"};
     const JsonNode& node = member.value;
     if (node.find("buffer") != nullptr) {
         refuse(context, node, "a buffer", kImageKeys);
@@ -199,6 +207,15 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
 }
 
 }  // namespace
+
+void list_resource_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "resource", kResourceKeys);
+    static constexpr std::array<std::string_view, 2> kNotOfImages{"buffer", "count"};
+    lists.push_back({"imageResource", true, keys_but(kNotOfImages), {"format"}, "resource"});
+    lists.push_back({"bufferResource", true, keys_but(kImageKeys), {"buffer", "count"}, "resource"});
+    list_choices(lists, "imageKind", kKinds);
+    list_choices(lists, "onResize", kOnResizes);
+}
 
 void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a resource", [&](const JsonMember& member) {

@@ -38,10 +38,20 @@ constexpr std::array kStencilOps{
     Choice<StencilOp>{"decrement_wrap", StencilOp::decrement_wrap},
 };
 
+constexpr std::string_view kWrite = "_write";
+
+std::vector<std::string> depth_choices() {
+    std::vector<std::string> choices{"none"};
+    for (const Choice<CompareOp>& compare : kCompares) {
+        choices.emplace_back(compare.name);
+        choices.push_back(std::string(compare.name) + std::string(kWrite));
+    }
+    return choices;
+}
+
 // "none", "greater" (tested only) or "greater_write".
 void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     RasterState& state = pass.state;
-    constexpr std::string_view kWrite = "_write";
     if (!expect(context, node, JsonKind::string)) return;
     std::string_view name = node.string;
     if (name == "none") return;
@@ -52,12 +62,7 @@ void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
         state.depth_write = write;
         return;
     }
-    std::vector<std::string> allowed{"none"};
-    for (const Choice<CompareOp>& compare : kCompares) {
-        allowed.emplace_back(compare.name);
-        allowed.push_back(std::string(compare.name) + "_write");
-    }
-    bad_choice(context, node, node.string, allowed);
+    bad_choice(context, node, node.string, depth_choices());
 }
 
 // A number of the state: read here when it is written as one, by resolve() when it is an expression.
@@ -92,12 +97,13 @@ void read_bias_number(ParseContext& context, const JsonNode& node, PassDesc& pas
                       [](RasterState& s, double v) { s.*Member = static_cast<float>(v); });
 }
 
+constexpr std::array kBiasKeys{
+    KeyRule<PassDesc>{"constant", read_bias_number<&RasterState::depth_bias_constant>},
+    KeyRule<PassDesc>{"slope", read_bias_number<&RasterState::depth_bias_slope>},
+    KeyRule<PassDesc>{"clamp", read_bias_number<&RasterState::depth_bias_clamp>}};
+
 void read_bias(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    static constexpr std::array kKeys{
-        KeyRule<PassDesc>{"constant", read_bias_number<&RasterState::depth_bias_constant>},
-        KeyRule<PassDesc>{"slope", read_bias_number<&RasterState::depth_bias_slope>},
-        KeyRule<PassDesc>{"clamp", read_bias_number<&RasterState::depth_bias_clamp>}};
-    read_object(context, node, "a depth bias", kKeys, pass);
+    read_object(context, node, "a depth bias", kBiasKeys, pass);
 }
 
 // Which faces a stencil state is for.
@@ -120,32 +126,34 @@ void read_face_byte(ParseContext& context, const JsonNode& node, FaceDraft& draf
     });
 }
 
+using Face = StencilFaceState;
+constexpr std::array kFaceKeys{
+    KeyRule<FaceDraft>{"compare", read_face_choice<&Face::compare, kCompares>},
+    KeyRule<FaceDraft>{"fail", read_face_choice<&Face::fail, kStencilOps>},
+    KeyRule<FaceDraft>{"depthFail", read_face_choice<&Face::depth_fail, kStencilOps>},
+    KeyRule<FaceDraft>{"pass", read_face_choice<&Face::pass, kStencilOps>},
+    KeyRule<FaceDraft>{"readMask", read_face_byte<&Face::read_mask>},
+    KeyRule<FaceDraft>{"writeMask", read_face_byte<&Face::write_mask>},
+    KeyRule<FaceDraft>{"reference", read_face_byte<&Face::reference>}};
+
 void read_face(ParseContext& context, const JsonNode& node, FaceDraft draft) {
-    using Face = StencilFaceState;
-    static constexpr std::array kKeys{
-        KeyRule<FaceDraft>{"compare", read_face_choice<&Face::compare, kCompares>},
-        KeyRule<FaceDraft>{"fail", read_face_choice<&Face::fail, kStencilOps>},
-        KeyRule<FaceDraft>{"depthFail", read_face_choice<&Face::depth_fail, kStencilOps>},
-        KeyRule<FaceDraft>{"pass", read_face_choice<&Face::pass, kStencilOps>},
-        KeyRule<FaceDraft>{"readMask", read_face_byte<&Face::read_mask>},
-        KeyRule<FaceDraft>{"writeMask", read_face_byte<&Face::write_mask>},
-        KeyRule<FaceDraft>{"reference", read_face_byte<&Face::reference>}};
-    read_object(context, node, "a stencil state", kKeys, draft);
+    read_object(context, node, "a stencil state", kFaceKeys, draft);
 }
+
+constexpr std::array kFacesKeys{
+    KeyRule<PassDesc>{"front",
+                      [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                          read_face(c, n, {p, {&RasterState::stencil_front}});
+                      }},
+    KeyRule<PassDesc>{"back", [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                          read_face(c, n, {p, {&RasterState::stencil_back}});
+                      }}};
 
 // {"front": {…}, "back": {…}}, or one state for both faces.
 void read_stencil(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    static constexpr std::array kKeys{
-        KeyRule<PassDesc>{"front",
-                          [](ParseContext& c, const JsonNode& n, PassDesc& p) {
-                              read_face(c, n, {p, {&RasterState::stencil_front}});
-                          }},
-        KeyRule<PassDesc>{"back", [](ParseContext& c, const JsonNode& n, PassDesc& p) {
-                              read_face(c, n, {p, {&RasterState::stencil_back}});
-                          }}};
     pass.state.stencil_test = true;
     if (node.find("front") != nullptr || node.find("back") != nullptr) {
-        read_object(context, node, "a stencil state with two faces", kKeys, pass);
+        read_object(context, node, "a stencil state with two faces", kFacesKeys, pass);
         return;
     }
     read_face(context, node, {pass, {&RasterState::stencil_front, &RasterState::stencil_back}});
@@ -206,6 +214,20 @@ constexpr std::array kStateKeys{
 };
 
 }  // namespace
+
+void list_state_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "state", kStateKeys);
+    list_choices(lists, "cull", kCulls);
+    list_choices(lists, "frontFace", kFrontFaces);
+    list_choices(lists, "fill", kFills);
+    list_choices(lists, "topology", kTopologies);
+    lists.push_back({"depthTest", false, depth_choices()});
+    list_keys(lists, "depthBias", kBiasKeys);
+    list_keys(lists, "stencilFace", kFaceKeys);
+    list_keys(lists, "stencilFaces", kFacesKeys);
+    list_choices(lists, "compare", kCompares);
+    list_choices(lists, "stencilOperation", kStencilOps);
+}
 
 void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (!read_object(context, node, "a state", kStateKeys, pass)) return;

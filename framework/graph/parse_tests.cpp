@@ -81,19 +81,20 @@ void read_most(ParseContext& context, const JsonNode& node, TestDraft& draft) {
     draft.test.expect.push_back({What, "", 0, most, node.loc});
 }
 
+constexpr std::array kExpectKeys{KeyRule<TestDraft>{kValidation, read_most<kValidation>},
+                                 KeyRule<TestDraft>{kPasses, read_most<kPasses>},
+                                 KeyRule<TestDraft>{kBarriers, read_most<kBarriers>},
+                                 KeyRule<TestDraft>{kSubmissions, read_most<kSubmissions>},
+                                 KeyRule<TestDraft>{kTransientBytes, read_most<kTransientBytes>},
+                                 KeyRule<TestDraft>{kBlackFrames, read_most<kBlackFrames>},
+                                 KeyRule<TestDraft>{kPipelines, read_most<kPipelines>},
+                                 KeyRule<TestDraft>{kFinite, read_refs<kFinite>},
+                                 KeyRule<TestDraft>{kKept, read_refs<kKept>},
+                                 KeyRule<TestDraft>{kRange, read_bounds<kRange>},
+                                 KeyRule<TestDraft>{kMean, read_bounds<kMean>}};
+
 void read_expect(ParseContext& context, const JsonNode& node, TestDraft& draft) {
-    static constexpr std::array kKeys{KeyRule<TestDraft>{kValidation, read_most<kValidation>},
-                                      KeyRule<TestDraft>{kPasses, read_most<kPasses>},
-                                      KeyRule<TestDraft>{kBarriers, read_most<kBarriers>},
-                                      KeyRule<TestDraft>{kSubmissions, read_most<kSubmissions>},
-                                      KeyRule<TestDraft>{kTransientBytes, read_most<kTransientBytes>},
-                                      KeyRule<TestDraft>{kBlackFrames, read_most<kBlackFrames>},
-                                      KeyRule<TestDraft>{kPipelines, read_most<kPipelines>},
-                                      KeyRule<TestDraft>{kFinite, read_refs<kFinite>},
-                                      KeyRule<TestDraft>{kKept, read_refs<kKept>},
-                                      KeyRule<TestDraft>{kRange, read_bounds<kRange>},
-                                      KeyRule<TestDraft>{kMean, read_bounds<kMean>}};
-    read_object(context, node, "what a test expects", kKeys, draft);
+    read_object(context, node, "what a test expects", kExpectKeys, draft);
 }
 
 void read_test_tiers(ParseContext& context, const JsonNode& node, TestDraft& draft) {
@@ -169,26 +170,32 @@ GraphTestDesc finished(ParseContext& context, TestDraft draft) {
     return std::move(draft.test);
 }
 
+constexpr std::array kTestKeys{
+    KeyRule<TestDraft>{"tiers", read_test_tiers},
+    KeyRule<TestDraft>{"swap", read_swap},
+    KeyRule<TestDraft>{
+        "every", [](ParseContext& c, const JsonNode& n, TestDraft& d) { read_count(c, n, d.test.every); }},
+    KeyRule<TestDraft>{"scene", read_scene},
+    KeyRule<TestDraft>{"size", read_test_size},
+    KeyRule<TestDraft>{
+        "frames", [](ParseContext& c, const JsonNode& n, TestDraft& d) { read_count(c, n, d.test.frames); }},
+    KeyRule<TestDraft>{"params", read_test_params},
+    KeyRule<TestDraft>{"expect", read_expect}};
+
 }  // namespace
 
+void list_test_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "test", kTestKeys);
+    list_keys(lists, "expectation", kExpectKeys);
+}
+
 void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    static constexpr std::array kKeys{
-        KeyRule<TestDraft>{"tiers", read_test_tiers},
-        KeyRule<TestDraft>{"swap", read_swap},
-        KeyRule<TestDraft>{"every", [](ParseContext& c, const JsonNode& n,
-                                       TestDraft& d) { read_count(c, n, d.test.every); }},
-        KeyRule<TestDraft>{"scene", read_scene},
-        KeyRule<TestDraft>{"size", read_test_size},
-        KeyRule<TestDraft>{"frames", [](ParseContext& c, const JsonNode& n,
-                                        TestDraft& d) { read_count(c, n, d.test.frames); }},
-        KeyRule<TestDraft>{"params", read_test_params},
-        KeyRule<TestDraft>{"expect", read_expect}};
     if (!expect(context, node, JsonKind::array)) return;
     for (size_t i = 0; i < node.items.size() && !context.is_full(); ++i) {
         const PointerScope scope(context, std::to_string(i));
         TestDraft draft{graph, {}, {}, {}, {}, {}, false};
         draft.test.loc = node.items[i].loc;
-        if (read_object(context, node.items[i], "a test", kKeys, draft))
+        if (read_object(context, node.items[i], "a test", kTestKeys, draft))
             graph.tests.push_back(finished(context, std::move(draft)));
     }
 }

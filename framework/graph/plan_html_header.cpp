@@ -16,7 +16,7 @@ void write_fact(Markup& out, const char* name, const std::string& value) {
 std::string queues_text(const FramePlan& plan) {
     std::string text;
     for (uint32_t q = 0; q < plan.schedule.queues.size(); ++q)
-        text += (q > 0 ? ", " : "") + std::to_string(q) + " " + enum_name(plan.schedule.queues[q].kind);
+        text += (q > 0 ? ", " : "") + std::to_string(q) + ": " + enum_name(plan.schedule.queues[q].kind);
     return text;
 }
 

@@ -23,6 +23,7 @@ Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) 
     check_custom_passes(state);
     warn_unused(state);
     weigh_params(state);
+    warn_useless(state);
 
     if (!state.errors.empty()) return std::move(state.errors);
     state.graph.sources = input.graph.sources;

@@ -20,7 +20,7 @@ class AttachmentStep {
         std::ranges::sort(decl_.colors, {}, &AttachmentDecl::location);
         const uint32_t limit = state_.input.profile.max_color_attachments;
         if (decl_.colors.size() > limit) {
-            error(decl_.loc,
+            error(decl_.loc, "W180",
                   "pass " + quoted(decl_.name) + " has " + std::to_string(decl_.colors.size()) +
                       " colour outputs; the device offers " + std::to_string(limit),
                   "split the pass, or pack its outputs");
@@ -32,8 +32,8 @@ class AttachmentStep {
  private:
     const PassDesc& desc() const { return *work_.desc; }
 
-    void error(SourceLoc loc, const std::string& message, const std::string& help) {
-        add_help(state_.pass_error(pass_, loc, "W112", message), help);
+    void error(SourceLoc loc, const char* code, const std::string& message, const std::string& help) {
+        add_help(state_.pass_error(pass_, loc, code, message), help);
     }
 
     std::array<float, 4> clear_value(const UseDecl& use) {
@@ -76,11 +76,12 @@ class AttachmentStep {
         const std::string what = "output " + quoted(resolve.output) + " of pass " + quoted(decl_.name);
         if (color == decl_.colors.end()) {
             if (!work_.faulty)
-                error(resolve.output_loc, what + " is no colour attachment", "only those are resolved");
+                error(resolve.output_loc, "W179", what + " is no colour attachment",
+                      "only those are resolved");
             return;
         }
         if (color->resolve_use != kNoId)
-            return error(resolve.output_loc, what + " is resolved twice",
+            return error(resolve.output_loc, "W179", what + " is resolved twice",
                          "resolve it once, and copy the result");
         color->resolve_use = target;
         check_range(decl_.uses[target]);
@@ -95,16 +96,17 @@ class AttachmentStep {
         const std::string what = "pass " + quoted(decl_.name) + " can't resolve " + quoted(many.name) +
                                  " into " + quoted(one.name) + ": ";
         if (one.kind == ResourceKind::buffer)
-            return error(to.loc, what + "that is a buffer", "name an image");
+            return error(to.loc, "W179", what + "that is a buffer", "name an image");
         if (many.samples == 1)
-            return error(to.loc, what + "the former has one sample a pixel",
+            return error(to.loc, "W179", what + "the former has one sample a pixel",
                          "give it \"samples\": 4, or write " + quoted(one.name) + " directly");
         if (one.samples != 1)
-            return error(to.loc, what + "both are multisampled", "remove \"samples\" of " + quoted(one.name));
+            return error(to.loc, "W179", what + "both are multisampled",
+                         "remove \"samples\" of " + quoted(one.name));
         if (many.format != one.format)
-            return error(to.loc, what + "their formats differ", "give both the same format");
+            return error(to.loc, "W179", what + "their formats differ", "give both the same format");
         if (use_extent(state_, to) != decl_.render_extent)
-            error(to.loc,
+            error(to.loc, "W179",
                   what + "they are " + extent_text(decl_.render_extent) + " and " +
                       extent_text(use_extent(state_, to)),
                   "give both the same size, and pick the mip");
@@ -113,14 +115,14 @@ class AttachmentStep {
     void check_range(const UseDecl& use) {
         const ResourceDecl& resource = state_.graph.resources[use.resource];
         if (resource.image_kind == ImageKind::d3)
-            return error(use.loc,
+            return error(use.loc, "W169",
                          "attachment " + quoted(use.port) + " of pass " + quoted(decl_.name) +
                              " is the 3D image " + quoted(resource.name),
                          "write 3D images in a compute pass, or use an array");
         if (use.range.mips == 1 && use.range.layers == 1) return;
         const std::string pick =
             resource.name + (use.range.mips > 1 ? ".mip(0)" : "") + (use.range.layers > 1 ? ".layer(0)" : "");
-        error(use.loc,
+        error(use.loc, "W169",
               "attachment " + quoted(use.port) + " of pass " + quoted(decl_.name) +
                   " is one mip of one layer, but " + quoted(range_of(resource, use.range)) + " has " +
                   std::to_string(use.range.mips) + " mips and " + std::to_string(use.range.layers) +
@@ -139,7 +141,7 @@ class AttachmentStep {
         const std::vector<uint32_t> uses = attachment_uses();
         if (uses.empty()) {
             if (work_.faulty) return;
-            error(decl_.loc, "pass " + quoted(decl_.name) + " has no attachment to draw into",
+            error(decl_.loc, "W181", "pass " + quoted(decl_.name) + " has no attachment to draw into",
                   "name a fragment output in \"out\", or a \"depth\"");
             return;
         }
@@ -152,7 +154,7 @@ class AttachmentStep {
                 continue;
             const Extent3D extent = use_extent(state_, use);
             if (extent != decl_.render_extent) {
-                error(use.loc,
+                error(use.loc, "W174",
                       "attachments of pass " + quoted(decl_.name) + " differ in size: " + quoted(first.port) +
                           " is " + extent_text(decl_.render_extent) + ", " + quoted(use.port) + " is " +
                           extent_text(extent),
@@ -162,7 +164,7 @@ class AttachmentStep {
             const uint32_t samples = state_.graph.resources[use.resource].samples;
             const uint32_t wanted = state_.graph.resources[first.resource].samples;
             if (samples != wanted) {
-                error(use.loc,
+                error(use.loc, "W174",
                       "attachments of pass " + quoted(decl_.name) +
                           " differ in samples: " + quoted(first.port) + " has " + std::to_string(wanted) +
                           ", " + quoted(use.port) + " has " + std::to_string(samples),

@@ -63,7 +63,7 @@ class ShaderBinder {
             const auto out = decl_.uses.begin() + static_cast<std::ptrdiff_t>(out_index);
             if (out->resource != decl_.uses[in].resource || out->range != decl_.uses[in].range) {
                 Diagnostic& d =
-                    state_.pass_error(pass_, out->loc, "W112",
+                    state_.pass_error(pass_, out->loc, "W165",
                                       "port " + quoted(out->port) + " of pass " + quoted(decl_.name) +
                                           " is bound to two different things");
                 add_help(
@@ -133,7 +133,7 @@ class ShaderBinder {
         };
         const bool writes_stencil = s.stencil_test && (changes(s.stencil_front) || changes(s.stencil_back));
         if (!s.depth_test && !s.depth_write && !s.stencil_test) {
-            Diagnostic& d = state_.pass_error(pass_, use.loc, "W112",
+            Diagnostic& d = state_.pass_error(pass_, use.loc, "W182",
                                               "pass " + quoted(decl_.name) + " has the depth attachment " +
                                                   quoted(state_.resource_name(use.resource)) +
                                                   " but neither tests nor writes it");
@@ -153,31 +153,32 @@ class ShaderBinder {
     bool check_direction(const UseDecl& use, const ShaderBinding& binding) {
         const std::string what = "port " + quoted(use.port) + " of pass " + quoted(decl_.name);
         if (use.is_output && !binding.writes) {
-            Diagnostic& d =
-                error(use, what + " is an output, but shader " + quoted(desc().shader) + " only reads it");
+            Diagnostic& d = error(
+                use, "W112", what + " is an output, but shader " + quoted(desc().shader) + " only reads it");
             add_help(d, is_storage(binding.kind)
                             ? "remove `readonly` from it, or move the port to \"in\""
                             : "declare it as a storage image or buffer, or move the port to \"in\"");
             return false;
         }
         if (!use.is_output && binding.writes) {
-            Diagnostic& d =
-                error(use, what + " is an input, but shader " + quoted(desc().shader) + " may write it");
+            Diagnostic& d = error(
+                use, "W112", what + " is an input, but shader " + quoted(desc().shader) + " may write it");
             add_help(d, "declare it `readonly` in the shader, or move the port to \"out\"");
             return false;
         }
         const bool buffer = state_.graph.resources[use.resource].kind == ResourceKind::buffer;
         if (buffer != is_buffer(binding.kind)) {
             Diagnostic& d =
-                error(use, what + " is " + (buffer ? "a buffer" : "an image") + ", but shader " +
-                               quoted(desc().shader) + " declares " + (buffer ? "an image" : "a buffer"));
+                error(use, "W173",
+                      what + " is " + (buffer ? "a buffer" : "an image") + ", but shader " +
+                          quoted(desc().shader) + " declares " + (buffer ? "an image" : "a buffer"));
             add_help(d, "bind " + std::string(buffer ? "an image" : "a buffer") +
                             " to it, or change the declaration");
             return false;
         }
         if (binding.count != 1) {
             Diagnostic& d =
-                error(use, what + " is an array of descriptors in shader " + quoted(desc().shader));
+                error(use, "W173", what + " is an array of descriptors in shader " + quoted(desc().shader));
             add_help(d, "a port is one image or buffer: use a layered image, or one port for each");
             return false;
         }
@@ -193,8 +194,8 @@ class ShaderBinder {
         return Access::storage_write;
     }
 
-    Diagnostic& error(const UseDecl& use, std::string message) {
-        return state_.pass_error(pass_, use.loc, "W112", std::move(message));
+    Diagnostic& error(const UseDecl& use, const char* code, std::string message) {
+        return state_.pass_error(pass_, use.loc, code, std::move(message));
     }
 
     std::vector<std::string> offered(bool outputs) const {
@@ -212,7 +213,7 @@ class ShaderBinder {
     void report_no_binding(const UseDecl& use, const PortWork& port) {
         const std::vector<std::string> names = offered(use.is_output);
         Diagnostic& d =
-            state_.pass_error(pass_, port.desc->loc.line != 0 ? port.desc->loc : use.loc, "W112",
+            state_.pass_error(pass_, port.desc->loc.line != 0 ? port.desc->loc : use.loc, "W170",
                               "shader " + quoted(desc().shader) + " has nothing called " + quoted(use.port) +
                                   " for that port of pass " + quoted(decl_.name));
         add_help(d, did_you_mean_text(use.port, names));
@@ -242,17 +243,22 @@ class ShaderBinder {
         }
     }
 
-    void report_no_port(const std::string& name, const std::string& verb, const std::string& direction) {
-        const SourceLoc loc = desc().shader_loc.line != 0 ? desc().shader_loc : desc().loc;
-        Diagnostic& d =
-            state_.pass_error(pass_, loc, "W112",
-                              "shader " + quoted(desc().shader) + " " + verb + " " + quoted(name) +
-                                  ", but pass " + quoted(decl_.name) + " has no such port");
+    // A port that the shader doesn't have and that is called nearly so: a slip, and reported as that.
+    bool is_misspelt(const std::string& name) const {
         std::vector<std::string> unmatched;
         for (const PortWork& port : work_.ports) {
             if (!port.binding && !port.color_output && is_bound(port)) unmatched.push_back(port.desc->port);
         }
-        add_help(d, did_you_mean_text(name, unmatched));
+        return !did_you_mean(name, unmatched).empty();
+    }
+
+    void report_no_port(const std::string& name, const std::string& verb, const std::string& direction) {
+        if (is_misspelt(name)) return;
+        const SourceLoc loc = desc().shader_loc.line != 0 ? desc().shader_loc : desc().loc;
+        Diagnostic& d =
+            state_.pass_error(pass_, loc, "W171",
+                              "shader " + quoted(desc().shader) + " " + verb + " " + quoted(name) +
+                                  ", but pass " + quoted(decl_.name) + " has no such port");
         add_help(d, "add it to " + quoted(direction) + ": { " + quoted(name) + ": \"resource\" }");
     }
 

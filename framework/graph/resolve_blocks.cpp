@@ -36,7 +36,7 @@ class BlockStep {
         decl_.params_push = block.push_constants;
         const uint32_t limit = state_.input.profile.max_push_constants_bytes;
         if (block.push_constants && block.size_bytes > limit) {
-            Diagnostic& d = state_.pass_error(pass_, shader_loc(), "W112",
+            Diagnostic& d = state_.pass_error(pass_, shader_loc(), "W178",
                                               "Params of shader " + quoted(work_.desc->shader) + " has " +
                                                   std::to_string(block.size_bytes) +
                                                   " bytes; push constants hold " + std::to_string(limit));

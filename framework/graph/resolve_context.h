@@ -35,6 +35,7 @@ struct PortWork {
     bool is_resolve = false;      // gets the averages of a multisampled attachment
     bool is_indirect = false;     // holds the size of the dispatch
     bool reads_own_port = false;  // "in" and "out" both name this port: one binding, in place
+    bool is_reported = false;     // what it reads is wrong in itself
 
     [[nodiscard]] bool pinned() const { return !pins.empty(); }
 };
@@ -186,6 +187,9 @@ void resolve_blocks(ResolveState& state);
 void check_custom_passes(ResolveState& state);
 void check_turns(ResolveState& state);  // of passes spread over frames
 void warn_unused(ResolveState& state);
+// Those that debug views show and tests look at, by name.
+[[nodiscard]] std::set<std::string, std::less<>> watched_resources(const GraphDesc& graph);
 void weigh_params(ResolveState& state);  // what it costs to change them
+void warn_useless(ResolveState& state);  // of what is done for nothing; the passes' sources are known
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-// Parameters of C++ passes and their own checks; and what is left over at the end.
+// Parameters of C++ passes and their own checks.
 #include <algorithm>
 
 #include "graph/resolve_context.h"
@@ -72,21 +72,6 @@ void run_type_check(ResolveState& state, PassId pass) {
     }
 }
 
-// What a left-out pass, or a port that took its "else", names is used when the parameters stand otherwise.
-void mark_named(const ResolveState& state, std::vector<uint8_t>& used) {
-    const auto mark = [&](const PortDesc& port) {
-        const ResourceId id = state.resource_id(port.ref.name);
-        if (id != kNoId) used[id] = 1;
-        const ResourceId other = port.otherwise ? state.resource_id(port.otherwise->name) : kNoId;
-        if (other != kNoId) used[other] = 1;
-    };
-    for (const auto& [name, desc] : state.input.graph.passes) {
-        for (const PortDesc& port : desc.in) mark(port);
-        for (const PortDesc* port : written_ports(desc)) mark(*port);
-        if (desc.indirect) mark(*desc.indirect);
-    }
-}
-
 }  // namespace
 
 void check_custom_passes(ResolveState& state) {
@@ -95,17 +80,6 @@ void check_custom_passes(ResolveState& state) {
         if (!state.passes[pass].custom) continue;
         resolve_custom_params(state, pass);
         run_type_check(state, pass);
-    }
-}
-
-void warn_unused(ResolveState& state) {
-    std::vector<uint8_t> used(state.resources.size(), 0);
-    mark_named(state, used);
-    for (ResourceId id = 0; id < used.size(); ++id) {
-        const ResourceDecl& resource = state.graph.resources[id];
-        if (used[id] || !state.resources[id].desc || resource.age > 0) continue;
-        state.warn(resource.loc, "W130", "no pass uses resource " + quoted(resource.name),
-                   "remove it, or use it");
     }
 }
 

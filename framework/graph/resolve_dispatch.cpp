@@ -214,7 +214,7 @@ void check_blit(ResolveState& state, PassId pass) {
     const std::string fault = blit_fault(state, from, to);
     if (fault.empty()) return;
     Diagnostic& d =
-        state.pass_error(pass, to.loc, "W112",
+        state.pass_error(pass, to.loc, "W183",
                          "blit pass " + quoted(decl.name) + " can't go from " +
                              quoted(range_of(state.graph.resources[from.resource], from.range)) + " to " +
                              quoted(range_of(state.graph.resources[to.resource], to.range)) + ": " + fault);
@@ -230,7 +230,7 @@ void check_copy(ResolveState& state, PassId pass) {
     const UseDecl& to = decl.uses[1];
     if (state.resources[from.resource].suspect_shape || state.resources[to.resource].suspect_shape) return;
     if (same_shape(state, from, to)) return;
-    Diagnostic& d = state.pass_error(pass, to.loc, "W112",
+    Diagnostic& d = state.pass_error(pass, to.loc, "W183",
                                      "copy pass " + quoted(decl.name) + " has ends of different shape: " +
                                          shape_text(state, from) + " and " + shape_text(state, to));
     add_help(d, "give both the same size, mips, layers and bytes per texel, or use a fullscreen pass");

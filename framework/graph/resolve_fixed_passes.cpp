@@ -10,7 +10,7 @@ namespace {
 void report_port_counts(ResolveState& state, PassId pass, const std::string& wants,
                         const std::string& example) {
     const PassDecl& decl = state.graph.passes[pass];
-    Diagnostic& d = state.pass_error(pass, decl.loc, "W112",
+    Diagnostic& d = state.pass_error(pass, decl.loc, "W175",
                                      decl.type + " pass " + quoted(decl.name) + " needs " + wants);
     add_help(d, example);
 }
@@ -57,13 +57,23 @@ const PortDecl* find_declared(const PassType& type, const UseDecl& use) {
     return found == type.ports.end() ? nullptr : &*found;
 }
 
+// One of the ports is called nearly so and is none of the type's: that was reported.
+bool is_misspelt(const PassType& type, const PortDecl& wanted, const std::vector<PortDesc>& ports) {
+    const std::vector<std::string> known = port_names(type, wanted.is_output);
+    return std::ranges::any_of(ports, [&](const PortDesc& port) {
+        return std::ranges::find(known, port.port) == known.end() &&
+               !did_you_mean(port.port, {std::string(wanted.name)}).empty();
+    });
+}
+
 void report_missing_ports(ResolveState& state, PassId pass) {
     const PassWork& work = state.passes[pass];
     for (const PortDecl& port : work.custom->ports) {
         const std::vector<PortDesc>& ports = port.is_output ? work.desc->out : work.desc->in;
         if (std::ranges::find(ports, port.name, &PortDesc::port) != ports.end()) continue;
+        if (is_misspelt(*work.custom, port, ports)) continue;
         Diagnostic& d =
-            state.pass_error(pass, work.desc->loc, "W112",
+            state.pass_error(pass, work.desc->loc, "W176",
                              "pass " + quoted(work.desc->name) + " of type " + quoted(work.desc->type) +
                                  " lacks its port " + quoted(port.name));
         add_help(d, "add it to " + quoted(port.is_output ? "out" : "in") + ": { " + quoted(port.name) +
@@ -100,7 +110,7 @@ void bind_custom_pass(ResolveState& state, PassId pass) {
             continue;
         }
         const std::vector<std::string> names = port_names(*work.custom, use.is_output);
-        Diagnostic& d = state.pass_error(pass, use.loc, "W112",
+        Diagnostic& d = state.pass_error(pass, use.loc, "W176",
                                          "passes of type " + quoted(decl.type) + " have no " +
                                              (use.is_output ? "output " : "input ") + quoted(use.port));
         add_help(d, did_you_mean_text(use.port, names));

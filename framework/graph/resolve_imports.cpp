@@ -76,7 +76,7 @@ void check_vertex_inputs(ResolveState& state, PassId pass, const std::string& li
         if (std::ranges::find(names, input.name) != names.end()) continue;
         const PassDesc& desc = *state.passes[pass].desc;
         Diagnostic& d =
-            state.pass_error(pass, desc.shader_loc, "W112",
+            state.pass_error(pass, desc.shader_loc, "W167",
                              "shader " + quoted(desc.shader) + " reads vertex input " + quoted(input.name) +
                                  ", which draw list " + quoted(list) + " lacks");
         add_help(d, did_you_mean_text(input.name, names));

@@ -49,16 +49,17 @@ class InterfaceCheck {
     }
 
  private:
-    void check_use(const UseDecl& use, const PortWork& port) {
+    void check_use(const UseDecl& use, PortWork& port) {
         const ResourceDecl& resource = state_.graph.resources[use.resource];
-        if (resource.kind == ResourceKind::image && !check_aspects(use, resource)) return;
+        port.is_reported = resource.kind == ResourceKind::image && !check_aspects(use, resource);
+        if (port.is_reported) return;
         if (port.color_output) return check_color(use, resource, *port.color_output);
         if (port.is_depth_port) return check_depth(use, resource);
         if (!port.binding || use.access == Access::none) return;
         if (resource.kind == ResourceKind::buffer) return check_buffer(use, resource, *port.binding);
         if (!check_numbers(use, resource, *port.binding)) return;
         if (port.binding->kind == BindingKind::storage_image && resource.samples > 1) {
-            error(use,
+            error(use, "W173",
                   port_text(use) + " is a storage image, but " + quoted(resource.name) + " is multisampled",
                   "resolve it first, or sample it");
             return;
@@ -68,10 +69,8 @@ class InterfaceCheck {
         check_filter(use, resource);
     }
 
-    Diagnostic& error(const UseDecl& use, const std::string& message, const std::string& help) {
-        Diagnostic& d = state_.pass_error(pass_, use.loc, "W112", message);
-        add_help(d, help);
-        return d;
+    void error(const UseDecl& use, const char* code, const std::string& message, const std::string& help) {
+        add_help(state_.pass_error(pass_, use.loc, code, message), help);
     }
 
     std::string port_text(const UseDecl& use) const {
@@ -91,7 +90,7 @@ class InterfaceCheck {
     void check_color(const UseDecl& use, const ResourceDecl& resource, const StageVariable& output) {
         const FormatInfo& format = format_info(resource.format);
         if (resource.kind == ResourceKind::buffer || format.numeric == NumericClass::depth) {
-            error(use,
+            error(use, "W173",
                   port_text(use) + " is a colour output, but " + quoted(resource.name) + " is " +
                       (resource.kind == ResourceKind::buffer ? "a buffer" : "a depth image"),
                   "bind a colour image to it; depth goes to \"depth\"");
@@ -101,7 +100,7 @@ class InterfaceCheck {
                                     : output.scalar == ScalarType::u32 ? NumericClass::uint
                                                                        : NumericClass::float_like;
         if (wanted == format.numeric) return;
-        error(use,
+        error(use, "W172",
               port_text(use) + " gives " + numeric_name(wanted) + " values, but " + quoted(resource.name) +
                   " has format " + quoted(format.name),
               "change the output's type in the shader, or the format");
@@ -110,14 +109,14 @@ class InterfaceCheck {
     void check_depth(const UseDecl& use, const ResourceDecl& resource) {
         if (resource.kind == ResourceKind::buffer ||
             !(resource.aspects & (aspect::kDepth | aspect::kStencil))) {
-            error(use,
+            error(use, "W182",
                   "\"depth\" of pass " + quoted(state_.pass_name(pass_)) + " is " + quoted(resource.name) +
                       ", which is no depth image",
                   "give it a depth format: \"d32f\"");
             return;
         }
         if (!work_.desc->state.stencil_test || (resource.aspects & aspect::kStencil)) return;
-        error(use,
+        error(use, "W182",
               "pass " + quoted(state_.pass_name(pass_)) + " tests stencil, but " + quoted(resource.name) +
                   " has none",
               "use the format \"d32f_s8|d24_s8\"");
@@ -132,7 +131,7 @@ class InterfaceCheck {
         const NumericClass wanted =
             binding.numeric == NumericClass::depth ? NumericClass::float_like : binding.numeric;
         if (found != wanted) {
-            error(use,
+            error(use, "W172",
                   port_text(use) + ": shader " + quoted(work_.desc->shader) + " expects " +
                       numeric_name(wanted) + " values, but " + quoted(resource.name) + " has format " +
                       quoted(format.name),
@@ -140,7 +139,7 @@ class InterfaceCheck {
             return false;
         }
         if (!binding.shadow || format.depth) return true;
-        error(use,
+        error(use, "W172",
               port_text(use) + " compares depths, but " + quoted(resource.name) + " has format " +
                   quoted(format.name),
               "declare a plain sampler, or bind a depth image");
@@ -151,20 +150,20 @@ class InterfaceCheck {
         const std::string name(format_info(resource.format).name);
         if (binding.storage_format == Format::undefined) {
             if (!binding.reads || state_.input.profile.storage_read_without_format) return;
-            error(use, port_text(use) + " is read without a format, which the device can't do",
+            error(use, "W172", port_text(use) + " is read without a format, which the device can't do",
                   "declare layout(" + name + ") in the shader, or declare it `writeonly`");
             return;
         }
         const ResourceDesc* desc = state_.resources[use.resource].desc;
         if (binding.reads && desc && desc->formats.size() > 1) {
-            error(use,
+            error(use, "W172",
                   quoted(resource.name) + " has a choice of formats, but " + port_text(use) +
                       " reads it as a storage image, whose format the shader fixes",
                   "name one format: " + quoted(format_info(binding.storage_format).name));
             return;
         }
         if (binding.storage_format == resource.format) return;
-        error(use,
+        error(use, "W172",
               port_text(use) + ": the shader declares layout(" +
                   std::string(format_info(binding.storage_format).name) + "), but " + quoted(resource.name) +
                   " has format " + quoted(name),
@@ -173,7 +172,7 @@ class InterfaceCheck {
 
     void check_dimensions(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
         if (binding.kind == BindingKind::storage_image && use.range.mips != 1) {
-            error(use,
+            error(use, "W173",
                   port_text(use) + " is a storage image of one mip, but " + quoted(resource.name) + " has " +
                       std::to_string(use.range.mips),
                   "pick one: " + quoted(resource.name + ".mip(0)"));
@@ -199,7 +198,7 @@ class InterfaceCheck {
         if (fits && binding.multisampled == (resource.samples > 1)) return;
         const std::string declared = std::string(dim_name(binding.dim)) + (binding.multisampled ? "MS" : "") +
                                      (binding.arrayed ? "Array" : "");
-        error(use,
+        error(use, "W173",
               port_text(use) + " is declared as " + declared + " in shader " + quoted(work_.desc->shader) +
                   ", but " + quoted(range_of(resource, use.range)) + " has " +
                   std::to_string(use.range.layers) + " layers and " + std::to_string(resource.samples) +
@@ -218,14 +217,14 @@ class InterfaceCheck {
             use.sampler.filter == SamplerFilter::linear || use.sampler.mip_filter == SamplerFilter::linear;
         if (!integers || !linear) return;
         error(
-            use,
+            use, "W172",
             port_text(use) + " filters " + quoted(resource.name) + " linearly, but its numbers are integers",
             "use \"sampler\": { \"filter\": \"nearest\", \"mipFilter\": \"nearest\" }");
     }
 
     void check_buffer(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
         if (binding.block_bytes > resource.size_bytes) {
-            error(use,
+            error(use, "W166",
                   port_text(use) + " needs " + std::to_string(binding.block_bytes) + " bytes, but " +
                       quoted(resource.name) + " has " + std::to_string(resource.size_bytes),
                   "raise its count, or check the block's declaration");
@@ -233,7 +232,7 @@ class InterfaceCheck {
         }
         const bool uniform = binding.kind == BindingKind::uniform_buffer;
         if (uniform && resource.size_bytes > state_.input.profile.max_uniform_buffer_bytes) {
-            error(use,
+            error(use, "W166",
                   port_text(use) + " is a uniform buffer of " + std::to_string(resource.size_bytes) +
                       " bytes; the device offers " +
                       std::to_string(state_.input.profile.max_uniform_buffer_bytes),
@@ -245,7 +244,7 @@ class InterfaceCheck {
         // Reading vec4s as floats is fine; elements that straddle the shader's are not.
         const uint32_t step = binding.members.back().array_stride_bytes;
         if (step == 0 || step % resource.stride_bytes == 0 || resource.stride_bytes % step == 0) return;
-        error(use,
+        error(use, "W166",
               port_text(use) + ": the shader's elements are " + std::to_string(step) +
                   " bytes apart, those of " + quoted(resource.name) + " " +
                   std::to_string(resource.stride_bytes),
@@ -275,7 +274,7 @@ void check_layouts(ResolveState& state, PassId pass) {
             if (!both_writes_or_other_layout(state, uses[i], uses[j])) continue;
             const bool both_write = writes(uses[i].access) && writes(uses[j].access);
             Diagnostic& d = state.pass_error(
-                pass, uses[j].loc, "W112",
+                pass, uses[j].loc, both_write ? "W164" : "W163",
                 "ports " + quoted(uses[i].port) + " and " + quoted(uses[j].port) + " of pass " +
                     quoted(state.pass_name(pass)) +
                     (both_write ? " both write " : " need different layouts of ") +

@@ -84,7 +84,7 @@ void find_shader(ResolveState& state, PassId id) {
         return;
     }
     if (program == state.input.shaders.end()) {
-        Diagnostic& d = state.pass_error(id, work.desc->shader_loc, "W112",
+        Diagnostic& d = state.pass_error(id, work.desc->shader_loc, "W177",
                                          work.desc->shader.empty()
                                              ? decl.type + " pass " + quoted(decl.name) + " has no shader"
                                              : "shader " + quoted(work.desc->shader) + " of pass " +
@@ -101,7 +101,7 @@ void find_shader(ResolveState& state, PassId id) {
     if (work.shader->stages & wanted) return;
     work.shader = nullptr;
     Diagnostic& d =
-        state.pass_error(id, work.desc->shader_loc, "W112",
+        state.pass_error(id, work.desc->shader_loc, "W177",
                          "shader " + quoted(work.desc->shader) + " is not one for a " + decl.type + " pass");
     add_help(d, decl.kind == PassKind::compute ? "it needs a .comp shader" : "it needs a fragment stage");
 }

@@ -133,7 +133,10 @@ std::optional<BoundPort> bind_reference(ResolveState& state, PassId pass, const 
     const ResourceId named = find_port_resource(state, pass, ref, is_output);
     if (named == kNoId) return std::nullopt;
     const ResourceId resource = find_role(state, pass, ref, named, is_output);
-    if (resource == kNoId) return std::nullopt;
+    if (resource == kNoId) {
+        if (is_output) state.resources[named].suspect_writers = true;
+        return std::nullopt;
+    }
     if (!check_pin(state, pass, ref) || state.resources[resource].suspect_shape) {
         // An output is still known to write this resource, though not where.
         state.passes[pass].faulty = true;
@@ -239,7 +242,7 @@ void check_optional_ports(ResolveState& state, PassId pass) {
         const std::string who = work.shader
                                     ? "shader " + quoted(work.desc->shader) + " does not know " + constant
                                     : state.graph.passes[pass].type + " passes have no shader to ask";
-        Diagnostic& d = state.pass_error(pass, port.loc, "W112",
+        Diagnostic& d = state.pass_error(pass, port.loc, "W168",
                                          "port " + quoted(port.port) + " of pass " +
                                              quoted(state.pass_name(pass)) + " can't be optional: " + who);
         add_help(d, work.shader ? "declare it: layout(constant_id = 0) const bool " + constant + " = false;"

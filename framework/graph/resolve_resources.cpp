@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "graph/format_words.h"
 #include "graph/reference.h"
 #include "graph/resolve_context.h"
 
@@ -33,6 +34,15 @@ ExprValue default_size(const ResolveState& state) {
 bool default_size_is_faulty(const ResolveState& state) {
     return std::ranges::find(state.faulty_values, "render") != state.faulty_values.end();
 }
+
+struct Element {
+    std::string_view name;
+    uint32_t bytes;
+};
+constexpr std::array kElements{Element{"u32", 4},   Element{"i32", 4},    Element{"f32", 4},
+                               Element{"vec2", 8},  Element{"uvec2", 8},  Element{"ivec2", 8},
+                               Element{"vec4", 16}, Element{"uvec4", 16}, Element{"ivec4", 16},
+                               Element{"mat4", 64}};
 
 class ResourceStep {
  public:
@@ -161,17 +171,13 @@ class ResourceStep {
     }
 
     std::optional<uint32_t> element_bytes() {
-        static const std::map<std::string, uint32_t> kElements{
-            {"u32", 4},   {"i32", 4},   {"f32", 4},    {"vec2", 8},   {"uvec2", 8},
-            {"ivec2", 8}, {"vec4", 16}, {"uvec4", 16}, {"ivec4", 16}, {"mat4", 64}};
-        const auto plain = kElements.find(desc_.element);
-        if (plain != kElements.end()) return plain->second;
+        const auto plain = std::ranges::find(kElements, desc_.element, &Element::name);
+        if (plain != kElements.end()) return plain->bytes;
         const auto& strides = state_.input.imports.strides;
         const auto known = strides.find(desc_.element);
         if (known != strides.end()) return known->second;
         work_.suspect_shape = true;
-        std::vector<std::string> names;
-        for (const auto& [name, unused] : kElements) names.push_back(name);
+        std::vector<std::string> names = plain_elements();
         for (const auto& [name, unused] : strides) names.push_back(name);
         Diagnostic& d = state_.error(
             desc_.loc, "W116",
@@ -280,6 +286,12 @@ void name_resources(ResolveState& state) {
 }
 
 }  // namespace
+
+std::vector<std::string> plain_elements() {
+    std::vector<std::string> names;
+    for (const Element& element : kElements) names.emplace_back(element.name);
+    return names;
+}
 
 void resolve_resources(ResolveState& state) {
     name_resources(state);

@@ -132,7 +132,8 @@ class VersionConnector {
         const Seen& seen = seen_[u.pass][u.use];
         const ResourceDecl& resource = state_.graph.resources[use(u).resource];
         const ResourceWork& work = state_.resources[use(u).resource];
-        if (seen.nothing.empty() || seen.unknown || work.suspect_writers || work.suspect_shape) return;
+        if (seen.nothing.empty() || seen.unknown || port(u).is_reported) return;
+        if (work.suspect_writers || work.suspect_shape) return;
         const std::vector<VersionSource> missing = merged_sources(seen.nothing);
         const bool observer = state_.observers.contains(state_.pass_name(u.pass));
         const std::string who = observer ? "the observer" : "pass " + quoted(state_.pass_name(u.pass));

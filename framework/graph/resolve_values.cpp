@@ -51,7 +51,8 @@ void resolve_params(ResolveState& state) {
             const std::string finite = std::isfinite(value) ? "" : "not a finite number: ";
             Diagnostic& d = state.error(param.loc, "W120",
                                         what + quoted(name) + " can't be " + finite + number_text(value));
-            if (param.is_bool || !param.allowed.empty() || param.range) add_help(d, allowed_text(param));
+            const bool limited = param.is_bool || !param.allowed.empty() || param.range;
+            add_help(d, limited ? allowed_text(param) : "any finite number will do");
         }
         state.names.values[name] = number_value(value);
         state.graph.params.push_back({name, value, ParamCost::nothing});
@@ -128,7 +129,8 @@ void count_draws(ResolveState& state) {
     for (const auto& [list, import] : state.input.graph.imports) {
         if (import.kind != import_kind_name(ImportKind::draw_list)) continue;
         const std::string name = list + "Draws";
-        if (state.names.values.contains(name) || state.input.graph.sizes.contains(name)) continue;
+        const bool taken = state.input.graph.sizes.contains(name) || state.input.graph.consts.contains(name);
+        if (taken || state.names.values.contains(name)) continue;
         const auto offered = state.input.imports.imports.find(list);
         if (offered == state.input.imports.imports.end())
             state.faulty_values.push_back(name);  // the import is reported

@@ -85,8 +85,8 @@ Status Session::render_frame(double time_s, double delta_time_s) {
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
     if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s);
-    view_ = view_constants(input_.camera, view_.prev_view_projection, input_.size.width, input_.size.height,
-                           jitter_px(frame_index_, loaded_.desc.jitter));
+    view_ = view_constants(input_.camera, view_.prev_view_projection, selection_.size.width,
+                           selection_.size.height, jitter_px(frame_index_, loaded_.desc.jitter));
     scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_);
     const LightList lights{lights_};
     HostInputs host;

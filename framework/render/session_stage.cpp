@@ -104,6 +104,9 @@ Result<LoadedGraph> Session::load(const Selection& selection, const ImportCatalo
     input.memory = memory_.get();
     input.reader = [&](const std::string& path) {
         memory_->add_file(std::filesystem::absolute(path).lexically_normal());
+        std::error_code error;
+        if (std::filesystem::path real = std::filesystem::canonical(path, error); !error)
+            memory_->add_file(std::move(real));  // of a link, what it leads to
         return input_.reader(path);
     };
     Result<LoadedGraph> loaded = load_graph(input, warnings);

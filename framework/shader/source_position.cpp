@@ -74,10 +74,11 @@ Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::
     diagnostic.code = std::move(code);
     diagnostic.message = std::move(message);
     if (position.source == nullptr) return diagnostic;
+    // What is wrong with a file as a whole is shown at its beginning.
     diagnostic.file = position.source->path;
-    diagnostic.line = position.line;
-    diagnostic.column = position.column;
-    if (position.line > 0) diagnostic.source_line = line_of(position.source->text, position.line);
+    diagnostic.line = std::max(position.line, 1u);
+    diagnostic.column = std::max(position.column, 1u);
+    diagnostic.source_line = line_of(position.source->text, diagnostic.line);
     return diagnostic;
 }
 

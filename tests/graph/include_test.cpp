@@ -146,7 +146,7 @@ TEST(Include, ASyntaxFaultOfAnIncludedFileIsInThatFile) {
 TEST(Include, AValueThatReplacesOneShowsBothPlaces) {
     const Result<GraphDesc> graph = load({{"pipes/main.json",
                                            "{\"version\": 1, \"include\": [\"a.json\"],\n"
-                                           " \"passes\": {\"p\": {\"clear\": \"red\"}}}"},
+                                           " \"passes\": {\"p\": {\"clear\": true}}}"},
                                           {"pipes/a.json", kModule}});
     ASSERT_FALSE(graph.ok());
     const Diagnostic& fault = graph.errors().front();

@@ -103,9 +103,9 @@ INSTANTIATE_TEST_SUITE_P(
             "ParamStep", top("\"params\": {\"a\": {\"default\": 0, \"step\": $$0}}"), {"W109"}, "above zero"},
         FaultCase{"ParamString", top("\"params\": {\"a\": $$\"1\"}"), {"W102"}, "wanted object"},
         FaultCase{"AllAtOnce",
-                  top("\"frames\": $$\"x\", \"name\": $$7, \"sizes\": {\"a\": \"1 +$$\", $$\"b-\": 1}"),
+                  top("\"frames\": $$true, \"name\": $$7, \"sizes\": {\"a\": \"1 +$$\", $$\"b-\": 1}"),
                   {"W102", "W102", "W106", "W109"},
-                  "wanted number"}),
+                  "wanted a number or an expression"}),
     case_name);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -214,10 +214,10 @@ INSTANTIATE_TEST_SUITE_P(
                   resource("{\"format\": \"r8\", \"clear\": $$[0, 0, 0]}"),
                   {"W109"},
                   "found 3 values, wanted 4"},
-        FaultCase{"ClearString",
-                  resource("{\"format\": \"r8\", \"clear\": [0, 0, $$\"0\", 0]}"),
+        FaultCase{"ClearBoolean",
+                  resource("{\"format\": \"r8\", \"clear\": [0, 0, $$false, 0]}"),
                   {"W102"},
-                  "found string"},
+                  "wanted a number or an expression"},
         FaultCase{
             "ClearHuge", resource("{\"format\": \"r8\", \"clear\": $$1e300}"), {"W109"}, "out of range"},
         FaultCase{"PreExposed",
@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"CopyNeedsIn", marked_pass("\"type\": \"copy\", \"out\": [\"a\"]"), {"W108"}, "\"in\""},
         FaultCase{
             "UnknownPassKey", compute("$$\"shaders\": 1"), {"W101"}, "unknown key \"shaders\"", "\"shader\""},
-        FaultCase{"PerFrameNumber", compute("\"perFrame\": $$1"), {"W102"}, "true or false"},
+        FaultCase{"PerFrameList", compute("\"perFrame\": $$[1]"), {"W102"}, "a number or an expression"},
         FaultCase{"RepeatOfNothing", compute("\"repeat\": $${}"), {"W109"}, "without an index", "\"0..3\""},
         FaultCase{"RepeatNumber", compute("\"repeat\": {\"i\": $$4}"), {"W102"}, "a range in a string"},
         FaultCase{
@@ -378,7 +378,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{
             "StencilFace", state("\"stencil\": {\"front\": {}, $$\"pass\": \"keep\"}"), {"W101"}, "\"pass\""},
         FaultCase{"Scissor", state("\"scissor\": [0, 0, $$0, 1]"), {"W109"}, "found 0"},
-        FaultCase{"ScissorOutside", state("\"scissor\": $$[-1, 0, 1, 1]"), {"W109"}, "begins at 0"},
+        FaultCase{"ScissorOutside", state("\"scissor\": [$$-1, 0, 1, 1]"), {"W109"}, "found -1", "0 to"},
         FaultCase{"Blend", state("\"blend\": $$\"ad\""), {"W109"}, "\"ad\"", "did you mean \"add\"?"},
         FaultCase{"BlendPort",
                   state("\"blend\": {$$\"cc\": \"add\"}"),

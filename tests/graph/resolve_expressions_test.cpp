@@ -104,7 +104,8 @@ TEST_F(ResolveExpressions, WhatAParameterCosts) {
     shaders["make.comp"] = with_params(compute({image_out("dst")}), {member("live")});
     const ResolvedGraph g = good(R"j("params": {"live": 1, "scale": 1, "unused": 1},
       "sizes": {"s": "output * scale"}, "resources": {"a": {"format": "rgba16f", "size": "s"}},
-      "passes": {"p": {"type": "compute", "shader": "make.comp", "out": {"dst": "a"}}})j");
+      "passes": {"p": {"type": "compute", "shader": "make.comp", "out": {"dst": "a"}},
+                 "r": {"type": "readback", "in": ["a"]}})j");
     ASSERT_EQ(g.params.size(), 3u);
     EXPECT_EQ(g.params[0].cost, ParamCost::live);
     EXPECT_EQ(g.params[1].cost, ParamCost::graph) << "through the size";

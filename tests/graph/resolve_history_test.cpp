@@ -55,6 +55,7 @@ TEST_F(ResolveHistory, BecomesARingOfRoles) {
 }
 
 TEST_F(ResolveHistory, AReadOfTheLastFrameIsNoDependency) {
+    observed = {"y"};
     const ResolvedGraph g = good(temporal());
     const UseDecl& prev = use(g, "mix", "prev");
     EXPECT_EQ(g.resources[prev.resource].name, "acc[-1]");

@@ -23,16 +23,23 @@ class ResolveInterface : public ResolveTest {
 };
 
 TEST_F(ResolveInterface, PortWithoutBinding) {
-    shaders["other.comp"] = compute({sampled("sorce"), image_out("dst")});
+    shaders["other.comp"] = compute({sampled("picture"), image_out("dst")});
     const Result<ResolvedGraph> r = run(filter_pass("other.comp"));
     ASSERT_FALSE(r.ok());
     // The port has no binding, and the binding no port: both directions.
     ASSERT_EQ(r.errors().size(), 2u) << to_text(r.errors());
-    EXPECT_EQ(r.errors()[0].code, "W112");
+    EXPECT_EQ(r.errors()[0].code, "W170");
     EXPECT_EQ(r.errors()[0].line, 2u);
-    expect_help(r.errors()[0], R"j("dst", "sorce")j");
-    EXPECT_EQ(r.errors()[1].code, "W112");
-    EXPECT_NE(r.errors()[1].message.find(R"j(binds "sorce")j"), std::string::npos);
+    expect_help(r.errors()[0], R"j("dst", "picture")j");
+    EXPECT_EQ(r.errors()[1].code, "W171");
+    EXPECT_NE(r.errors()[1].message.find(R"j(binds "picture")j"), std::string::npos);
+}
+
+TEST_F(ResolveInterface, AMisspeltPortIsReportedOnce) {
+    shaders["other.comp"] = compute({sampled("scr"), image_out("dst")});
+    const Diagnostic d = bad(filter_pass("other.comp"));
+    EXPECT_EQ(d.code, "W170");
+    expect_help(d, "did you mean \"scr\"");
 }
 
 TEST_F(ResolveInterface, OptionalBinding) {
@@ -61,14 +68,14 @@ TEST_F(ResolveInterface, FailedShaderIsNotReportedAgain) {
 
 TEST_F(ResolveInterface, FloatSamplerOnIntegers) {
     const Diagnostic d = bad(filter_pass("filter.comp", "", "r32u"));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W172");
     EXPECT_NE(d.message.find(R"j("r32u")j"), std::string::npos) << d.message;
 }
 
 TEST_F(ResolveInterface, StorageFormatMustBeTheResources) {
     shaders["wrong.comp"] = compute({sampled("src"), image_out("dst", Format::rgba8)});
     const Diagnostic d = bad(filter_pass("wrong.comp"));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W172");
     EXPECT_NE(d.message.find("layout(rgba8)"), std::string::npos) << d.message;
 }
 
@@ -76,12 +83,13 @@ TEST_F(ResolveInterface, FallbackFormatsCantBeReadAsStorage) {
     shaders["rw.comp"] = compute({image_in_out("x")});
     const Diagnostic d = bad(R"j("resources": {"x": "rgba16f|rgba32f"}, "passes": {
       "a": {"type": "compute", "shader": "rw.comp", "out": ["x"]}})j");
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W172");
     expect_help(d, "rgba16f");
 }
 
 TEST_F(ResolveInterface, DirectionsMustAgree) {
     shaders["readonly.comp"] = compute({sampled("src"), image_in("dst")});
+    EXPECT_EQ(bad(filter_pass("readonly.comp")).code, "W112");
     EXPECT_NE(bad(filter_pass("readonly.comp")).message.find("only reads"), std::string::npos);
     shaders["writes.comp"] = compute({image_in_out("src"), image_out("dst")});
     const Diagnostic d = bad(filter_pass("writes.comp"));
@@ -91,21 +99,21 @@ TEST_F(ResolveInterface, DirectionsMustAgree) {
 
 TEST_F(ResolveInterface, BufferForAnImage) {
     shaders["buf.comp"] = compute({buffer("src", true, false), image_out("dst")});
-    EXPECT_EQ(bad(filter_pass("buf.comp")).code, "W112");
+    EXPECT_EQ(bad(filter_pass("buf.comp")).code, "W173");
 }
 
 TEST_F(ResolveInterface, DimensionsMustAgree) {
     shaders["cube.comp"] = compute({sampled("src"), image_out("dst")});
     shaders["cube.comp"].interface.bindings[0].dim = ImageDim::cube;
     const Diagnostic d = bad(filter_pass("cube.comp"));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W173");
     EXPECT_NE(d.message.find("Cube"), std::string::npos);
 }
 
 TEST_F(ResolveInterface, StorageImageIsOneMip) {
     const Diagnostic d = bad(R"j("resources": {"x": {"format": "rgba16f", "mips": 3}}, "passes": {
       "a": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}}})j");
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W173");
     expect_help(d, "x.mip(0)");
 }
 
@@ -113,7 +121,7 @@ TEST_F(ResolveInterface, OneSubresourceHasOneLayout) {
     const Diagnostic d = bad(R"j("resources": {"x": "rgba16f"}, "passes": {
       "c": {"type": "clear", "out": ["x"]},
       "a": {"type": "compute", "shader": "filter.comp", "in": {"src": "x"}, "out": {"dst": "x"}}})j");
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W163");
     EXPECT_NE(d.message.find("different layouts"), std::string::npos) << d.message;
 }
 
@@ -122,7 +130,7 @@ TEST_F(ResolveInterface, SmallBuffer) {
     shaders["b.comp"].interface.bindings[0].block_bytes = 64;
     const Diagnostic d = bad(R"j("resources": {"x": {"buffer": "u32", "count": 4}}, "passes": {
       "a": {"type": "compute", "shader": "b.comp", "out": {"dst": "x"}, "groups": 1}})j");
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W166");
     EXPECT_NE(d.message.find("64 bytes"), std::string::npos);
 }
 
@@ -167,7 +175,7 @@ TEST_F(ResolveInterface, PushConstantsHaveALimit) {
     profile.max_push_constants_bytes = 4;
     shaders["p.comp"] =
         with_params(compute({sampled("src"), image_out("dst")}), {member("gain"), member("taps")});
-    EXPECT_EQ(bad(filter_pass("p.comp")).code, "W112");
+    EXPECT_EQ(bad(filter_pass("p.comp")).code, "W178");
 }
 
 TEST_F(ResolveInterface, DispatchFromTheOutput) {
@@ -210,7 +218,7 @@ TEST_F(ResolveInterface, CopyEndsMustMatch) {
     const ResolvedGraph g = good(body("rgba16"));
     EXPECT_EQ(use(g, "k", "dst").access, Access::copy_write);
     EXPECT_EQ(use(g, "c", "x").access, Access::clear_write);
-    EXPECT_EQ(bad(body("rgba8")).code, "W112");
+    EXPECT_EQ(bad(body("rgba8")).code, "W183");
 }
 
 Status refuse(const PassDecl& pass, const ResolvedGraph&) {
@@ -255,8 +263,13 @@ TEST_F(ResolveInterface, CppPassPorts) {
     const Result<ResolvedGraph> r = run(R"j("resources": {"x": {"buffer": "Light", "count": 4}},
       "passes": {"u": {"type": "upload", "out": {"light": "x"}}})j");
     ASSERT_FALSE(r.ok());
-    ASSERT_EQ(r.errors().size(), 2u) << to_text(r.errors());
+    ASSERT_EQ(r.errors().size(), 1u) << to_text(r.errors());
+    EXPECT_EQ(r.errors()[0].code, "W176");
     expect_help(r.errors()[0], "did you mean \"lights\"");
+    const Diagnostic none = bad(R"j("resources": {"x": {"buffer": "Light", "count": 4}},
+      "passes": {"u": {"type": "upload"}, "c": {"type": "clear", "out": ["x"]}})j");
+    EXPECT_EQ(none.code, "W176");
+    EXPECT_NE(none.message.find("lacks its port"), std::string::npos) << none.message;
 }
 
 }  // namespace

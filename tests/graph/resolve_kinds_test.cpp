@@ -66,29 +66,29 @@ TEST_F(ResolveKinds, BindingsKnowTheKinds) {
           "r": {"type": "compute", "shader": "copy.comp", "in": {"src": ")j" +
                ref + R"j("}, "out": {"dst": "y"}}})j";
     };
-    EXPECT_EQ(bad(body(R"j("cube": 64)j", "x")).code, "W112");
+    EXPECT_EQ(bad(body(R"j("cube": 64)j", "x")).code, "W173");
     good(body(R"j("cube": 64)j", "x.layer(2)"));
     shaders["copy.comp"].interface.bindings[0].dim = ImageDim::cube;
     good(body(R"j("cube": 64)j", "x"));
     good(body(R"j("kind": "cubeArray", "size": 64, "layers": 2)j", "x.layer(6..11)"));
-    EXPECT_EQ(bad(body(R"j("layers": 6)j", "x")).code, "W112");
+    EXPECT_EQ(bad(body(R"j("layers": 6)j", "x")).code, "W173");
     shaders["copy.comp"].interface.bindings[0].dim = ImageDim::d3;
     good(body(R"j("kind": "3d", "size": 64, "depth": 4)j", "x"));
-    EXPECT_EQ(bad(body(R"j("cube": 64)j", "x")).code, "W112");
+    EXPECT_EQ(bad(body(R"j("cube": 64)j", "x")).code, "W173");
 }
 
 TEST_F(ResolveKinds, VolumesAreNoAttachments) {
     const Diagnostic d =
         bad(R"j("resources": {"x": {"format": "rgba16f", "kind": "3d", "depth": 4}}, "passes": {
       "f": {"type": "fullscreen", "shader": "draw", "out": {"color": "x"}}})j");
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W169");
     expect_help(d, "compute pass");
 }
 
 TEST_F(ResolveKinds, MultisampledImagesAreNoStorage) {
     const Diagnostic d = bad(R"j("resources": {"x": {"format": "rgba16f", "samples": 4}}, "passes": {
       "m": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}}})j");
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W173");
     expect_help(d, "resolve it");
 }
 
@@ -110,15 +110,15 @@ TEST_F(ResolveKinds, AttachmentsAreResolvedWhenThePassEnds) {
 
 TEST_F(ResolveKinds, AResolveNeedsEqualEnds) {
     const std::string one = R"j("format": "rgba16f")j";
-    EXPECT_EQ(bad(resolving(one, one)).code, "W112");
+    EXPECT_EQ(bad(resolving(one, one)).code, "W179");
     expect_help(bad(resolving(one, one)), R"j("samples": 4)j");
-    EXPECT_EQ(bad(resolving(ms(), ms())).code, "W112");
+    EXPECT_EQ(bad(resolving(ms(), ms())).code, "W179");
     const Diagnostic format = bad(resolving(ms(), R"j("format": "rgba8")j"));
-    EXPECT_EQ(format.code, "W112");
+    EXPECT_EQ(format.code, "W179");
     EXPECT_EQ(format.line, 5u);
     expect_help(format, "same format");
     const Diagnostic size = bad(resolving(ms(), R"j("format": "rgba16f", "size": "output / 2")j"));
-    EXPECT_EQ(size.code, "W112");
+    EXPECT_EQ(size.code, "W179");
     EXPECT_NE(size.message.find("640x360 and 320x180"), std::string::npos) << size.message;
 }
 
@@ -137,9 +137,9 @@ TEST_F(ResolveKinds, Blits) {
     EXPECT_EQ(use(g, "b", "dst").state.stages, stage::kBlit);
     const ResolvedGraph ints = good(body(R"j("format": "r32u")j", R"j("format": "r16u")j"));
     EXPECT_EQ(use(ints, "b", "src").sampler.filter, SamplerFilter::nearest);
-    EXPECT_EQ(bad(body(R"j("format": "r32u")j", half)).code, "W112");
-    EXPECT_EQ(bad(body(R"j("format": "rgba16f", "mips": 3)j", half)).code, "W112");
-    EXPECT_EQ(bad(body(ms(), half)).code, "W112");
+    EXPECT_EQ(bad(body(R"j("format": "r32u")j", half)).code, "W183");
+    EXPECT_EQ(bad(body(R"j("format": "rgba16f", "mips": 3)j", half)).code, "W183");
+    EXPECT_EQ(bad(body(ms(), half)).code, "W183");
     EXPECT_EQ(bad(body(R"j("format": "r32u")j", R"j("format": "r16u")j",
                        R"j({"ref": "x", "sampler": {"filter": "linear"}})j"))
                   .code,

@@ -88,7 +88,7 @@ TEST_F(ResolveRaster, DepthMayBeTestedAndSampledAtOnce) {
     if (!g) FAIL() << to_text(g.errors());
     EXPECT_EQ(find_pass(*g, "s")->uses.size(), 3u);
     const Diagnostic d = bad(sky("equal_write"));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W163");
     EXPECT_NE(d.message.find("different layouts"), std::string::npos);
 }
 
@@ -113,21 +113,21 @@ TEST_F(ResolveRaster, AttachmentsMustAgreeInSize) {
     const Diagnostic d =
         bad(graph(R"j("albedo": "rgba8", "normal": {"format": "rg16f", "size": "output / 2"})j",
                   R"j("g": )j" + raster(R"j("shader": "gbuffer", "out": ["albedo", "normal"])j")));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W174");
     EXPECT_NE(d.message.find("320x180"), std::string::npos) << d.message;
 }
 
 TEST_F(ResolveRaster, AttachmentIsOneMip) {
     const Diagnostic d = bad(graph(R"j("hdr": {"format": "rgba16f", "mips": 2})j",
                                    R"j("a": )j" + raster(R"j("shader": "mesh", "out": ["hdr"])j")));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W169");
     expect_help(d, "hdr.mip(0)");
 }
 
 TEST_F(ResolveRaster, OutputWithoutPort) {
     const Diagnostic d = bad(graph(R"j("albedo": "rgba8")j",
                                    R"j("g": )j" + raster(R"j("shader": "gbuffer", "out": ["albedo"])j")));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W171");
     EXPECT_NE(d.message.find(R"j(writes "normal")j"), std::string::npos) << d.message;
 }
 
@@ -141,7 +141,7 @@ TEST_F(ResolveRaster, DepthNeedsADepthFormat) {
 TEST_F(ResolveRaster, IntegerImageForAFloatOutput) {
     const Diagnostic d =
         bad(graph(R"j("hdr": "rgba32u")j", R"j("a": )j" + raster(R"j("shader": "mesh", "out": ["hdr"])j")));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W172");
 }
 
 TEST_F(ResolveRaster, DrawListsAndViews) {
@@ -167,7 +167,7 @@ TEST_F(ResolveRaster, VertexInputsComeFromTheDrawList) {
     shaders["mesh"].interface.vertex_inputs = {input};
     const Diagnostic d =
         bad(graph(R"j("hdr": "rgba16f")j", R"j("a": )j" + raster(R"j("shader": "mesh", "out": ["hdr"])j")));
-    EXPECT_EQ(d.code, "W112");
+    EXPECT_EQ(d.code, "W167");
     expect_help(d, "did you mean \"position\"");
 }
 

@@ -182,7 +182,8 @@ TEST_F(ResolveResources, DefaultSamplerNeedsAFilterableFormat) {
 
 TEST_F(ResolveResources, UnusedResourceIsAWarning) {
     good(
-        R"j("resources": {"x": "rgba16f", "y": "rgba16f"}, "passes": {"c": {"type": "clear", "out": ["x"]}})j");
+        R"j("resources": {"x": "rgba16f", "y": "rgba16f"}, "passes": {"c": {"type": "clear", "out": ["x"]},
+            "r": {"type": "readback", "in": ["x"]}})j");
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0].code, "W130");
     EXPECT_EQ(warnings[0].severity, Severity::warning);

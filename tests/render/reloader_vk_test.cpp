@@ -58,8 +58,16 @@ class Reloads : public SessionTest {
         }
         return std::nullopt;
     }
-    // Of the first texel of the last frame.
-    uint32_t first_texel() {
+    // All frames that were ever drawn, whatever was swapped meanwhile.
+    uint32_t counted() {
+        EXPECT_TRUE(live_->finish());
+        uint32_t count = 0;
+        for (const vk::ReadbackData& data : live_->take_readbacks())
+            if (data.pass == "observe:frames") std::memcpy(&count, data.bytes.data(), sizeof count);
+        return count;
+    }
+    // In the last frame.
+    uint32_t last_texel() {
         EXPECT_TRUE(live_->finish());
         const Result<vk::ReadbackData> output = live_->read_output();
         EXPECT_TRUE(output);
@@ -77,7 +85,7 @@ class Reloads : public SessionTest {
 TEST_F(Reloads, AnEditAnErrorAndItsEnd) {
     begin();
     EXPECT_FALSE(next(std::chrono::milliseconds(300))) << "nobody changed anything";
-    const uint32_t before = first_texel();
+    const uint32_t before = last_texel();
     real_graphics = std::exchange(device_->fn().vkCreateGraphicsPipelines, make_graphics);
     real_compute = std::exchange(device_->fn().vkCreateComputePipelines, make_compute);
     pipeline_threads.clear();
@@ -88,7 +96,7 @@ TEST_F(Reloads, AnEditAnErrorAndItsEnd) {
     EXPECT_TRUE(reload->good()) << to_text(reload->errors);
     EXPECT_EQ(to_text(reload->rebuilt), "1 of 4 shaders, 1 of 4 pipelines");
     draw(2);
-    const uint32_t after = first_texel();
+    const uint32_t after = last_texel();
     EXPECT_NE(after, before);
 
     folder_.remove("tint.glsl");
@@ -97,14 +105,14 @@ TEST_F(Reloads, AnEditAnErrorAndItsEnd) {
     ASSERT_FALSE(reload->good());
     EXPECT_EQ(reload->errors.front().code, "W203");
     draw(2);
-    EXPECT_EQ(first_texel(), after);
+    EXPECT_EQ(last_texel(), after);
 
     folder_.mend();
     reload = next();
     ASSERT_TRUE(reload) << "an include that was missing is waited for";
     EXPECT_TRUE(reload->good()) << to_text(reload->errors);
     EXPECT_EQ(to_text(reload->rebuilt), "nothing changed");
-    EXPECT_EQ(first_texel(), after);
+    EXPECT_EQ(last_texel(), after);
 
     device_->fn().vkCreateGraphicsPipelines = real_graphics;
     device_->fn().vkCreateComputePipelines = real_compute;
@@ -137,13 +145,13 @@ TEST_F(Reloads, AGraphThatStartsToIncludeIsFollowedThere) {
     ASSERT_TRUE(reload);
     ASSERT_TRUE(reload->good()) << to_text(reload->errors);
     draw(2);
-    const uint32_t before = first_texel();
+    const uint32_t before = last_texel();
     folder_.replace("deep/other.glsl", "0.5", "0.9");
     reload = next();
     ASSERT_TRUE(reload) << "the new include isn't watched";
     EXPECT_EQ(to_text(reload->rebuilt), "1 of 4 shaders, 1 of 4 pipelines");
     draw(2);
-    EXPECT_NE(first_texel(), before);
+    EXPECT_NE(last_texel(), before);
 }
 
 TEST_F(Reloads, ANewSizeMayComeInBetween) {
@@ -163,16 +171,13 @@ TEST_F(Reloads, ANewSizeMayComeInBetween) {
     const ResourceDecl* paint = find_resource(live_->plan().graph, "paint");
     ASSERT_NE(paint, nullptr);
     EXPECT_EQ(paint->extent, (Extent3D{56, 16, 1}));
-    uint32_t counted = 0;
-    for (const vk::ReadbackData& data : live_->take_readbacks())
-        if (data.pass == "observe:frames") std::memcpy(&counted, data.bytes.data(), sizeof counted);
-    EXPECT_EQ(counted, drawn_);
+    EXPECT_EQ(counted(), drawn_);
 }
 
 // What a menu of tiers or parameters does.
 TEST_F(Reloads, OtherParametersAreAnotherSelection) {
     begin();
-    const uint32_t before = first_texel();
+    const uint32_t before = last_texel();
     render::Selection selection = live_->selection();
     selection.params["gain"] = 0.125;
     reloader_->select(selection);
@@ -180,7 +185,40 @@ TEST_F(Reloads, OtherParametersAreAnotherSelection) {
     ASSERT_TRUE(reload);
     EXPECT_EQ(to_text(reload->rebuilt), "values");
     draw(1);
-    EXPECT_NE(first_texel(), before);
+    EXPECT_NE(last_texel(), before);
+}
+
+TEST_F(Reloads, AnotherTierIsAnotherSelection) {
+    begin();
+    render::Selection selection = live_->selection();
+    selection.tier = "low";
+    reloader_->select(selection);
+    const std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_TRUE(reload->good()) << to_text(reload->errors);
+    EXPECT_EQ(to_text(reload->rebuilt), "a new plan");
+    draw(1);
+    ASSERT_TRUE(live_->finish());
+    EXPECT_EQ(find_resource(live_->plan().graph, "paint")->extent, (Extent3D{20, 12, 1}));
+    EXPECT_EQ(counted(), drawn_);
+    // The tier stays when files change.
+    folder_.replace("paint.comp", "scale = 1.0", "scale = 0.5");
+    ASSERT_TRUE(next());
+    EXPECT_EQ(live_->selection().tier, "low");
+}
+
+TEST_F(Reloads, AnIncludedGraphIsFollowedToo) {
+    begin();
+    folder_.spoil("count.json", "{");
+    std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    ASSERT_FALSE(reload->good());
+    EXPECT_TRUE(reload->errors.front().file.ends_with("count.json")) << to_text(reload->errors);
+    folder_.set("count.json", folder_.text("count.json") + "\n", LiveFolder::Way::in_place);
+    reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_EQ(to_text(reload->rebuilt), "nothing changed");
+    EXPECT_EQ(counted(), drawn_);
 }
 
 }  // namespace

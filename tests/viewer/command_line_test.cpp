@@ -11,7 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
-constexpr const char* kBadFolder = WEFT_SOURCE_DIR "/tests/viewer/bad/";
 
 struct BadUsage {
     const char* name;
@@ -47,7 +46,7 @@ const std::vector<BadUsage>& bad_usages() {
         {"ExplainOnePassOfTwo", {"explain", kDeferred, "barrier", "gbuffer"}, "barrier PASS PASS"},
         {"ExplainTwoPassesOfOne", {"explain", kDeferred, "wait", "gbuffer", "lighting"}, "wait PASS"},
         {"DiffOfOne", {"diff", kDeferred}, "TO"},
-        {"LaterSchema", {"schema"}, "`schema` is not there yet"},
+        {"SchemaOfTwo", {"schema", kDeferred, kDeferred}, "not expected"},
         {"BenchWithoutWhat", {"bench"}, "subcommand is required"},
         {"BenchShape", {"bench", "compile", "--shape", "star"}, "--shape"},
         {"BenchOfNoPasses", {"bench", "compile", "--passes", "0"}, "--passes"},
@@ -97,7 +96,7 @@ TEST(Check, JsonHoldsEveryFieldOfTheContract) {
     EXPECT_EQ(good.exit_code, 0) << good.text();
     EXPECT_EQ(Json::parse(good.out), Json::array()) << good.text();
 
-    const std::string bad = std::string(kBadFolder) + "unknown_resource.json";
+    const std::string bad = WEFT_SOURCE_DIR "/tests/diagnostics/W103_port.json";
     const RunResult run = run_weft({"check", "--json", kDeferred, bad});
     EXPECT_EQ(run.exit_code, 3) << run.text();
     const Json list = Json::parse(run.out);
@@ -106,10 +105,10 @@ TEST(Check, JsonHoldsEveryFieldOfTheContract) {
     EXPECT_EQ(fault.at("code"), "W103");
     EXPECT_EQ(fault.at("severity"), "error");
     EXPECT_EQ(fault.at("file"), bad);
-    EXPECT_EQ(fault.at("line"), 8);
-    EXPECT_GT(fault.at("column"), 80);
-    EXPECT_EQ(fault.at("pointer"), "/passes/tonemap/in/hdr");
-    EXPECT_NE(fault.at("message").get<std::string>().find("hrd"), std::string::npos);
+    EXPECT_EQ(fault.at("line"), 7);
+    EXPECT_EQ(fault.at("column"), 41);
+    EXPECT_EQ(fault.at("pointer"), "/passes/show/in/src");
+    EXPECT_NE(fault.at("message").get<std::string>().find("colour"), std::string::npos);
     EXPECT_FALSE(fault.at("help").empty());
     EXPECT_TRUE(fault.at("notes").is_array());
     EXPECT_TRUE(fault.at("tier").is_null());

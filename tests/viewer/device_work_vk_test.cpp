@@ -23,7 +23,7 @@ class DeviceWork : public testing::Test {
  protected:
     void SetUp() override {
         if (!has_device()) GTEST_SKIP() << "no Vulkan device";
-        for (const auto& [name, content] : snippets_of("writing-a-graph.md")) folder_.write(name, content);
+        for (const auto& [name, content] : snippets_of("format.md")) folder_.write(name, content);
         graph_ = read_text(folder_ / "sparse.json");
     }
 

@@ -93,7 +93,7 @@ TEST_F(FullscreenEffect, DoesTheSameAsAComputePass) {
 TEST(Documentation, TheGraphPageRuns) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
-    write_snippets("writing-a-graph.md", folder);
+    write_snippets("format.md", folder);
     const RunResult run = render(folder, "fog.json", {"-o", "fog.pfm"});
     ASSERT_EQ(run.exit_code, 0) << run.text();
     const auto fog = read_pfm(folder / "fog.pfm");

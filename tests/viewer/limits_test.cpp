@@ -10,7 +10,7 @@
 namespace weft::test {
 namespace {
 
-constexpr const char* kGood = WEFT_SOURCE_DIR "/tests/viewer/bad/good.json";
+constexpr const char* kGood = WEFT_SOURCE_DIR "/tests/viewer/sky.json";
 
 class LimitsFile : public testing::Test {
  protected:

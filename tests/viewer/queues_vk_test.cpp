@@ -47,7 +47,7 @@ TEST(Queues, EveryShippedGraphGivesOnePicture) {
     const ScratchFolder folder;
     size_t graphs = 0;
     for (const auto& entry : std::filesystem::directory_iterator(WEFT_SOURCE_DIR "/graphs")) {
-        if (entry.path().extension() != ".json") continue;
+        if (entry.path().extension() != ".json" || entry.path().stem() == "weft.schema") continue;
         SCOPED_TRACE(entry.path().filename().string());
         ++graphs;
         std::set<std::string> pictures;

@@ -1,0 +1,10 @@
+#version 460
+layout(local_size_x = 8, local_size_y = 8) in;
+uniform sampler2D color;
+layout(rgba8) writeonly uniform image2D tinted;
+layout(push_constant) uniform Params { float amount; } params;
+
+void main() {
+    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    imageStore(tinted, at, texelFetch(color, at, 0) * params.amount);
+}

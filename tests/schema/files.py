@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+"""The schema accepts every graph that is shipped or documented, and rejects every faulty file whose fault is one of
+structure.
+  files.py PROGRAM SOURCE_ROOT"""
+import json
+import pathlib
+import sys
+
+import jsonschema
+
+import graph_text
+
+# Faults that a schema can see: unknown keys, wrong types, missing keys, bad values, unknown types, formats, imports.
+STRUCTURAL = {"W101", "W102", "W108", "W109", "W115", "W116"}
+# W109 with what only reading both values can tell.
+BEYOND_SCHEMAS = {
+    "the default {} lies outside the range", "the default {} is not listed", "the range ends before it begins",
+    "the bounds end before they begin", "the name {} is taken", "{} has a meaning of its own in expressions",
+}
+
+
+def beyond(message):
+    return any(all(part in message for part in pattern.split("{}")) for pattern in BEYOND_SCHEMAS)
+
+
+def shipped(root):
+    graphs = [file for folder in ("graphs", "docs/examples") for file in (root / folder).rglob("*.json")]
+    return [file for file in graphs if file.name != "weft.schema.json"]
+
+
+def documented(root):
+    """(name, value) of the whole graphs in pages."""
+    for page in sorted(root.glob("docs/*.md")):
+        for kind, name, text in graph_text.snippets(page.read_text()):
+            if kind == "file" and name.endswith(".json"):
+                yield f"{page.name}: {name}", graph_text.parse(text)
+
+
+def faulty(root):
+    return sorted((root / "tests/diagnostics").rglob("*.json"))
+
+
+def main():
+    program, root = sys.argv[1], pathlib.Path(sys.argv[2])
+    failures = []
+    text = graph_text.run(program, "schema").stdout
+    schema = json.loads(text)
+    jsonschema.Draft7Validator.check_schema(schema)
+    if text != (root / "graphs/weft.schema.json").read_text():
+        failures.append("graphs/weft.schema.json is not what `weft schema` prints: weft schema -o graphs/weft.schema.json")
+    validator = jsonschema.Draft7Validator(schema)
+
+    good = [(str(file.relative_to(root)), graph_text.parse(file.read_text())) for file in shipped(root)]
+    good += documented(root)
+    rejected = seen = 0
+    for file in faulty(root):
+        name = str(file.relative_to(root))
+        if file.name.endswith(".good.json") or file.name == "good.json":
+            good.append((name, graph_text.parse(file.read_text())))
+            continue
+        faults = json.loads(graph_text.run(program, "check", "--json", file).stdout or "[]")
+        errors = [fault for fault in faults if fault["severity"] == "error"]
+        own = [fault for fault in errors if fault["code"] in STRUCTURAL and not beyond(fault["message"])]
+        if not own or any(fault["code"].startswith("W0") for fault in errors):
+            continue
+        seen += 1
+        value = graph_text.parse(file.read_text())
+        if not validator.is_valid(value):
+            rejected += 1
+            continue
+        # Names that only the graph knows: its own schema has them.
+        narrow = json.loads(graph_text.run(program, "schema", file).stdout)
+        if jsonschema.Draft7Validator(narrow).is_valid(value):
+            failures.append(f"{name} is accepted, though: {own[0]['code']} {own[0]['message']}")
+    for name, value in good:
+        for error in validator.iter_errors(value):
+            failures.append(f"{name} is rejected: {error.json_path}: {error.message[:300]}")
+    if len(good) < 10 or seen < 5:
+        failures.append(f"only {len(good)} good and {seen} faulty files were found")
+    print("\n".join(failures))
+    print(f"{len(good)} good files, {seen} with faults of structure, {rejected} of them rejected by the schema of all graphs")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,82 @@
+// The schema knows the keys that the parser knows, and no others. Reads graphs/weft.schema.json, which
+// another test compares with what `weft schema` prints.
+#include "graph/format_words.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace weft::test {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::set<std::string>;
+
+const Json& schema() {
+    static const Json parsed = [] {
+        std::ifstream in(WEFT_SOURCE_DIR "/graphs/weft.schema.json");
+        return Json::parse(in);
+    }();
+    return parsed;
+}
+
+Words keys_of(const Json& object) {
+    Words keys;
+    for (const auto& [key, unused] : object.items()) keys.insert(key);
+    return keys;
+}
+
+const Json& place(const std::string& name) {
+    return name == "graph" ? schema() : schema().at("definitions").at(name);
+}
+
+Words words_of(const FormatWords& list) {
+    return {list.words.begin(), list.words.end()};
+}
+
+TEST(Schema, HasEveryKeyOfTheParserAndNoOther) {
+    size_t places = 0;
+    for (const FormatWords& list : format_words()) {
+        if (!list.are_keys) continue;
+        EXPECT_EQ(keys_of(place(list.place).at("properties")), words_of(list)) << list.place;
+        EXPECT_EQ(place(list.place).at("additionalProperties"), false) << list.place;
+        ++places;
+    }
+    EXPECT_GE(places, 30u);
+}
+
+TEST(Schema, HasEveryChoiceOfTheParserAndNoOther) {
+    for (const FormatWords& list : format_words()) {
+        if (list.are_keys || list.place == "formatName" || list.place == "plainElement") continue;
+        EXPECT_EQ(place(list.place).at("enum").get<Words>(), words_of(list)) << list.place;
+    }
+}
+
+// A definition with keys of its own that the parser doesn't list would escape the tests above.
+TEST(Schema, DescribesNoObjectThatTheParserDoesNotList) {
+    Words listed;
+    for (const FormatWords& list : format_words())
+        if (list.are_keys) listed.insert(list.place);
+    for (const auto& [name, definition] : schema().at("definitions").items()) {
+        const bool is_patch = name.ends_with(".patch");
+        if (!definition.contains("properties") || is_patch || name == "pass") continue;
+        EXPECT_TRUE(listed.contains(name)) << name;
+    }
+}
+
+TEST(Schema, ExplainsEveryKey) {
+    const Words plain{"front", "back",     "constant",  "slope",    "clamp",     "kind",
+                      "fill",  "topology", "depthBias", "readMask", "writeMask", "reference"};
+    for (const FormatWords& list : format_words()) {
+        if (!list.are_keys || !list.kind_of.empty() || list.place == "patch" || list.place == "graph")
+            continue;
+        for (const auto& [key, property] : place(list.place).at("properties").items())
+            EXPECT_TRUE(property.contains("markdownDescription") || plain.contains(key))
+                << list.place << "." << key;
+    }
+}
+
+}  // namespace
+}  // namespace weft::test

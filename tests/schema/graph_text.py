@@ -1,0 +1,50 @@
+"""JSON with comments and trailing commas, read as Weft reads it, for tools that know plain JSON only."""
+import json
+import re
+import subprocess
+
+STRING = r'"(?:[^"\\\n]|\\.)*"'
+COMMENT = re.compile(STRING + r"|//[^\n]*|/\*.*?\*/", re.S)
+TRAILING_COMMA = re.compile(STRING + r"|,(?=\s*[}\]])")
+
+
+def plain(text):
+    """The text without comments and trailing commas. What is in strings stays."""
+    for unwanted in (COMMENT, TRAILING_COMMA):
+        text = unwanted.sub(lambda match: match[0] if match[0].startswith('"') else " ", text)
+    return text
+
+
+def parse(text):
+    return json.loads(plain(text))
+
+
+def run(program, *arguments, folder=None):
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=folder, timeout=120)
+
+
+def snippets(page):
+    """The fenced blocks of a page that a comment before them marks: (kind, name, text), kind "file" or "over"."""
+    mark = re.compile(r"^<!-- (file|over): (\S+) -->\n+```\w*\n(.*?)^```", re.S | re.M)
+    return [match.groups() for match in mark.finditer(page)]
+
+
+def self_test():
+    cases = {
+        '{"a": 1, // one\n "b": [2, 3,], /* , */ }': {"a": 1, "b": [2, 3]},
+        '{"url": "http://x/*y*/", "q": "\\"//,]",}': {"url": "http://x/*y*/", "q": '"//,]'},
+        '[1, // a, ]\n /* ] */ 2 /* , */, // b\n]': [1, 2],
+        '{"a": [[1,],],}': {"a": [[1]]},
+        '["a,}", ",]"]': ["a,}", ",]"],
+    }
+    for text, value in cases.items():
+        assert parse(text) == value, text
+    for text in ('{"a": 1,, "b": 2}', '[,]x', '{"a" 1}'):
+        try:
+            parse(text)
+        except ValueError:
+            continue
+        raise AssertionError(f"{text} is no JSON")
+
+
+self_test()

@@ -1,0 +1,125 @@
+#!/usr/bin/python3
+"""`weft schema FILE`: a graph is accepted by its own schema, and with one of its names misspelt it is rejected.
+  names.py PROGRAM SOURCE_ROOT"""
+import copy
+import json
+import pathlib
+import sys
+import tempfile
+
+import jsonschema
+
+import graph_text
+
+SLIP = "Slip"
+
+
+def reference(text):
+    """hdr@glass → hdrSlip@glass"""
+    end = next((i for i, c in enumerate(text) if c in "@[."), len(text))
+    return text[:end] + SLIP + text[end:]
+
+
+def slips(graph):
+    """(what, graph with one name misspelt), for every name that the schema of all graphs can't know."""
+    for name, body in graph["passes"].items():
+        if body is None:  # taken away from what is included
+            continue
+        for key in ("in", "out"):
+            ports = body.get(key, [])
+            for i in (range(len(ports)) if isinstance(ports, list) else list(ports)):
+                yield from changed(graph, ["passes", name, key, i], reference)
+            if isinstance(ports, dict):
+                for port in ports:
+                    slip = copy.deepcopy(graph)
+                    at = slip["passes"][name][key]
+                    at[port + SLIP] = at.pop(port)
+                    # Ports of copies and blits may be called anything.
+                    if body.get("type") in ("compute", "fullscreen", "raster"):
+                        yield f"{name}.{key}: port {port}", slip
+        for key in ("params", "constants"):
+            for member in body.get(key, {}):
+                slip = copy.deepcopy(graph)
+                slip["passes"][name][key][member + SLIP] = slip["passes"][name][key].pop(member)
+                yield f"{name}.{key}.{member}", slip
+        if isinstance(body.get("depth"), str):
+            yield from changed(graph, ["passes", name, "depth"], reference)
+        if isinstance(body.get("draws"), list):
+            yield from changed(graph, ["passes", name, "draws", 0], reference)
+        if "shader" in body:
+            yield from changed(graph, ["passes", name, "shader"], lambda text: SLIP + text)
+        if "after" in body:
+            yield from changed(graph, ["passes", name, "after", 0], reference)
+
+
+def changed(graph, path, change):
+    slip = copy.deepcopy(graph)
+    at = slip
+    for step in path[:-1]:
+        at = at[step]
+    at[path[-1]] = change(at[path[-1]])
+    yield ".".join(map(str, path)), slip
+
+
+TIERED = """{ "version": 1, "include": ["deferred.json"], "debug": { "Lit": "hdr" },
+  "tiers": { "low": { "set": { "exposure": 1 }, "patch": { "passes": { "tonemap": { "in": { "hdr": "hdr@glass" } } } } } },
+  "tests": [{ "tiers": ["low"], "params": { "exposure": 2 }, "expect": { "finite": ["hdr"], "range": { "hdr": [0, 1] } } }],
+  "passes": { "glass": { "after": ["lighting"] } } }"""
+TIERED_SLIPS = ['"exposure": 1', '"exposure": 2', '"tonemap": { "in": { "hdr"', '"hdr@glass"', '["low"]', '["hdr"]',
+                '"Lit": "hdr"', '"range": { "hdr"', '["lighting"]']
+
+
+def check_tiers(program, failures):
+    """What stands in tiers, tests and views."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "tiered.json"
+        file.write_text(TIERED)
+        validator = own_validator(program, file)
+        for error in validator.iter_errors(graph_text.parse(TIERED)):
+            failures.append(f"tiers: {error.json_path}: {error.message[:300]}")
+        for part in TIERED_SLIPS:
+            assert TIERED.count(part) == 1, part
+            for word in ("exposure", "hdr", "low", "lighting"):
+                slip = TIERED.replace(part, part.replace(f'"{word}', f'"{word}{SLIP}'))
+                if slip != TIERED and validator.is_valid(graph_text.parse(slip)):
+                    failures.append(f"accepted: {part} with {word}{SLIP}")
+
+
+def own_validator(program, file):
+    run = graph_text.run(program, "schema", file)
+    assert run.returncode == 0, run.stderr
+    schema = json.loads(run.stdout)
+    jsonschema.Draft7Validator.check_schema(schema)
+    return jsonschema.Draft7Validator(schema)
+
+
+def main():
+    program, root = sys.argv[1], pathlib.Path(sys.argv[2])
+    failures, count = [], 0
+    files = [file for folder in ("graphs", "docs/examples") for file in sorted((root / folder).rglob("*.json"))
+             if file.name != "weft.schema.json"]
+    for file in files:
+        graph = graph_text.parse(file.read_text())
+        if "passes" not in graph:
+            continue
+        validator = own_validator(program, file)
+        for error in validator.iter_errors(graph):
+            failures.append(f"{file.name}: {error.json_path}: {error.message[:300]}")
+        for what, slip in slips(graph):
+            count += 1
+            if validator.is_valid(slip):
+                failures.append(f"{file.name}: accepted with a slip in {what}")
+    check_tiers(program, failures)
+    # A file that isn't there, and one that isn't JSON.
+    for bad in ("nowhere.json", "tests/diagnostics/W001_quote.json"):
+        if graph_text.run(program, "schema", root / bad).returncode != 3:
+            failures.append(f"{bad} is not exit code 3")
+    if count < 100:
+        failures.append(f"only {count} names were misspelt")
+    print("\n".join(failures))
+    print(f"{len(files)} graphs accepted, {count} slips rejected")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+"""docs/format.md: every example is a graph that `weft check` finds good, whose tests pass and whose views can be drawn, and
+every key of the format stands in one.
+An example marked `<!-- file: NAME -->` is a file; one marked `<!-- over: NAME -->` is what a graph holds that includes
+that file.
+  page.py PROGRAM SOURCE_ROOT"""
+import json
+import pathlib
+import sys
+import tempfile
+
+import jsonschema
+
+import graph_text
+
+DEFINITIONS = "#/definitions/"
+
+
+class KeyWalk:
+    """Which keys of which definitions of the schema a graph uses."""
+
+    def __init__(self, schema):
+        self.schema = schema
+        self.used = set()
+
+    def holds(self, schema, value):
+        whole = {**schema, "definitions": self.schema["definitions"]} if isinstance(schema, dict) else schema
+        return jsonschema.Draft7Validator(whole).is_valid(value)
+
+    def visit(self, schema, value, place):
+        if not isinstance(schema, dict):
+            return
+        if "$ref" in schema:
+            parts = schema["$ref"][len(DEFINITIONS):].split("/")
+            target = self.schema["definitions"][parts[0]]
+            for part in parts[1:]:
+                target = target[part]
+            if len(parts) == 3:  # a key that several kinds share
+                self.used.add((parts[0].removesuffix(".patch"), parts[2]))
+                return self.visit(target, value, place)
+            return self.visit(target, value, parts[0].removesuffix(".patch"))
+        for part in schema.get("anyOf", []):
+            if self.holds(part, value):
+                self.visit(part, value, place)
+        for part in schema.get("allOf", []):
+            self.visit(part, value, place)
+        if "if" in schema:
+            self.visit(schema.get("then" if self.holds(schema["if"], value) else "else"), value, place)
+        if isinstance(value, dict):
+            for key, inner in value.items():
+                known = schema.get("properties", {})
+                if key in known:
+                    self.used.add((place, key))
+                self.visit(known.get(key, schema.get("additionalProperties")), inner, place)
+        if isinstance(value, list) and isinstance(schema.get("items"), dict):
+            for item in value:
+                self.visit(schema["items"], item, place)
+
+
+def all_keys(schema):
+    """(definition, key) of all objects, but for kinds of passes and resources, whose keys are those of all kinds."""
+    keys = {("graph", key) for key in schema["properties"]}
+    for name, definition in schema["definitions"].items():
+        kinds = name.endswith("Pass") and name != "anyPass" or name.endswith("Resource") or name == "pass"
+        if not name.endswith(".patch") and not kinds:
+            keys |= {(name, key) for key in definition.get("properties", {})}
+    return keys
+
+
+def runs(program, file, graph, folder, has_device):
+    """Checked; its tests run and its views drawn where there is a device."""
+    yield graph_text.run(program, "check", file, folder=folder)
+    if has_device and "tests" in graph:
+        yield graph_text.run(program, "check", "--run", file, folder=folder)
+    for view in graph.get("debug", {}) if has_device else ():
+        yield graph_text.run(program, "render", "builtin:spheres", "--graph", file, "--debug", view, "--size", "64x48",
+                             "--validate", "-o", "view.png", folder=folder)
+
+
+def main():
+    program, root = sys.argv[1], pathlib.Path(sys.argv[2])
+    page = (root / "docs/format.md").read_text()
+    schema = json.loads(graph_text.run(program, "schema").stdout)
+    validator = jsonschema.Draft7Validator(schema)
+    walk = KeyWalk(schema)
+    failures, count = [], 0
+    has_device = graph_text.run(program, "doctor").returncode == 0
+    unmarked = page.count("```json") - sum(name.endswith(".json") for _, name, _ in graph_text.snippets(page))
+    if unmarked:
+        failures.append(f"{unmarked} JSON examples without a mark")
+    with tempfile.TemporaryDirectory() as folder:
+        files = []
+        for number, (kind, name, text) in enumerate(graph_text.snippets(page)):
+            file = pathlib.Path(folder) / name
+            if kind == "over":
+                text = '{ "version": 1, "include": ["%s"],\n%s}\n' % (name, text)
+                file = pathlib.Path(folder) / f"example{number}.json"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+            if file.suffix == ".json":
+                files.append(file)
+        for file in files:
+            count += 1
+            graph = graph_text.parse(file.read_text())
+            for error in validator.iter_errors(graph):
+                failures.append(f"schema: {error.json_path}: {error.message[:200]}\n{file.read_text()}")
+            walk.visit(schema, graph, "graph")
+            for run in runs(program, file.name, graph, folder, has_device):
+                if run.returncode != 0:
+                    failures.append(f"{' '.join(run.args[1:])}: {run.stderr}\n{file.read_text()}")
+    for place, key in sorted(all_keys(schema) - walk.used):
+        failures.append(f"no example has the key \"{key}\" of \"{place}\"")
+    print("\n".join(failures))
+    where = "" if has_device else ", without a device"
+    print(f"{count} examples, {len(walk.used & all_keys(schema))} keys{where}")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
