@@ -19,8 +19,9 @@ class Findings {
         ++variants_;
         for (Diagnostic& d : found) {
             const auto [it, is_new] = seen_.try_emplace(std::tuple(d.code, d.file, d.line, d.column),
-                                                        Seen{all_.size(), variants_, 1});
-            if (is_new) {
+                                                        Seen{all_.size(), variants_, variants_, 1});
+            // One that says two things of one place says both.
+            if (is_new || it->second.first == variants_) {
                 all_.push_back(std::move(d));
             } else if (it->second.last != variants_) {
                 it->second.last = variants_;
@@ -46,6 +47,7 @@ class Findings {
  private:
     struct Seen {
         size_t index;
+        size_t first;     // the variant that said so first
         size_t last;      // the variant that said so last
         size_t variants;  // how many said so
     };

@@ -30,14 +30,14 @@ report "Vulkan name in a module that knows no Vulkan" < <(
     grep -E '\b(Vk[A-Z]|VK_[A-Z]|vkCmd[A-Z]|vk[A-Z][a-z]+[A-Z(])|volk\.h|vulkan/' || true)
 
 report "unfinished" < <(
-  files "${everything[@]}" docs graphs README.md | xargs grep -nE '\b(TODO|FIXME|XXX|HACK)\b|[Nn]ot implemented' || true)
+  files "${everything[@]}" docs graphs README.md | xargs grep -nIE '\b(TODO|FIXME|XXX|HACK)\b|[Nn]ot implemented' || true)
 
 report "shared ownership, or a singleton" < <(
   sources framework passes viewer | code | grep -E '\b(std::)?(shared_ptr|weak_ptr|make_shared)\b|[gG]et_?[iI]nstance\(' || true)
 
 report "slow third-party header in a header" < <(
   files framework passes viewer | grep -E '\.h$' |
-    xargs grep -nE '#include [<"](nlohmann/json\.hpp|CLI/|tiny_gltf|stb_|tinyexr|fmt/|glslang/)' || true)
+    xargs grep -nIE '#include [<"](nlohmann/json\.hpp|CLI/|tiny_gltf|stb_|tinyexr|fmt/|glslang/)' || true)
 
 # The checker judges the stages, so it shares nothing with them.
 report "framework/check includes more than plans, declarations and the standard library" < <(

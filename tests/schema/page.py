@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""docs/format.md: every example is a graph that `weft check` finds good, and every key of the format stands in one.
+"""docs/format.md: every example is a graph that `weft check` finds good, whose tests pass and whose views can be drawn, and
+every key of the format stands in one.
 An example marked `<!-- file: NAME -->` is a file; one marked `<!-- over: NAME -->` is what a graph holds that includes
 that file.
   page.py PROGRAM SOURCE_ROOT"""
@@ -66,6 +67,16 @@ def all_keys(schema):
     return keys
 
 
+def runs(program, file, graph, folder, has_device):
+    """Checked; its tests run and its views drawn where there is a device."""
+    yield graph_text.run(program, "check", file, folder=folder)
+    if has_device and "tests" in graph:
+        yield graph_text.run(program, "check", "--run", file, folder=folder)
+    for view in graph.get("debug", {}) if has_device else ():
+        yield graph_text.run(program, "render", "builtin:spheres", "--graph", file, "--debug", view, "--size", "64x48",
+                             "--validate", "-o", "view.png", folder=folder)
+
+
 def main():
     program, root = sys.argv[1], pathlib.Path(sys.argv[2])
     page = (root / "docs/format.md").read_text()
@@ -73,6 +84,7 @@ def main():
     validator = jsonschema.Draft7Validator(schema)
     walk = KeyWalk(schema)
     failures, count = [], 0
+    has_device = graph_text.run(program, "doctor").returncode == 0
     unmarked = page.count("```json") - sum(name.endswith(".json") for _, name, _ in graph_text.snippets(page))
     if unmarked:
         failures.append(f"{unmarked} JSON examples without a mark")
@@ -93,13 +105,14 @@ def main():
             for error in validator.iter_errors(graph):
                 failures.append(f"schema: {error.json_path}: {error.message[:200]}\n{file.read_text()}")
             walk.visit(schema, graph, "graph")
-            run = graph_text.run(program, "check", file.name, folder=folder)
-            if run.returncode != 0:
-                failures.append(f"{run.stderr}\n{file.read_text()}")
+            for run in runs(program, file.name, graph, folder, has_device):
+                if run.returncode != 0:
+                    failures.append(f"{' '.join(run.args[1:])}: {run.stderr}\n{file.read_text()}")
     for place, key in sorted(all_keys(schema) - walk.used):
         failures.append(f"no example has the key \"{key}\" of \"{place}\"")
     print("\n".join(failures))
-    print(f"{count} examples, {len(walk.used & all_keys(schema))} keys")
+    where = "" if has_device else ", without a device"
+    print(f"{count} examples, {len(walk.used & all_keys(schema))} keys{where}")
     return 1 if failures else 0
 
 

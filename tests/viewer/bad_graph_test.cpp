@@ -31,7 +31,7 @@ TEST(BadGraph, RenderRefusesWhatCheckRefuses) {
     const RunResult run =
         run_weft({"render", "builtin:spheres", "--size", "16x16", "--graph", graph, "-o", scratch / "a.png"});
     if (run.exit_code == 4) GTEST_SKIP() << "no Vulkan device";
-    expect_refused(run, {graph + ":7:41: error[W103]", "did you mean \"color\"?"});
+    expect_refused(run, {graph + ":7:46: error[W103]", "did you mean \"color\"?"});
     EXPECT_FALSE(std::filesystem::exists(scratch / "a.png"));
 }
 

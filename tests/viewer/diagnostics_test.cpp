@@ -172,7 +172,7 @@ TEST(DiagnosticFiles, AreThereForEveryCodeOfThePage) {
     std::istringstream page(read_text(WEFT_SOURCE_DIR "/docs/diagnostics.md"));
     std::set<std::string> codes;
     for (std::string line; std::getline(page, line);) {
-        if (!line.starts_with("| W") || line.size() < 2 + kCodeLength || std::isdigit(line[3]) == 0) continue;
+        if (!line.starts_with("| W") || line.size() < 2 + kCodeLength || std::isdigit(line[4]) == 0) continue;
         const std::string code = line.substr(2, kCodeLength);
         codes.insert(code);
         if (kWithoutFile.contains(code)) continue;

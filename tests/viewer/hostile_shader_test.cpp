@@ -56,13 +56,13 @@ TEST_F(HostileShader, AMacroBombIsStopped) {
     EXPECT_LT(text.size(), 800u);
     const RunResult run = check(text);
     expect_refused_cheaply(
-        run, {"hostile.comp: error[W207]: compiling the compute stage takes more than", "shader."});
+        run, {"hostile.comp:1:1: error[W207]: compiling the compute stage takes more than", "shader."});
     EXPECT_EQ(run.err.find("error["), run.err.rfind("error[")) << "one cause, one message\n" << run.text();
 }
 
 TEST_F(HostileShader, AMacroThatIsNeverExpandedToTheEndIsStopped) {
     expect_refused_cheaply(check(bomb("")),
-                           {"hostile.comp: error[W207]: compiling the compute stage takes more than"});
+                           {"hostile.comp:1:1: error[W207]: compiling the compute stage takes more than"});
 }
 
 TEST_F(HostileShader, ACompilerThatCrashesIsAMessage) {
@@ -70,7 +70,7 @@ TEST_F(HostileShader, ACompilerThatCrashesIsAMessage) {
     for (int i = 0; i < 250'000; ++i) sum += "+f";
     expect_refused_cheaply(
         check(std::string(kHead) + "void main() { float f = 1; f = " + sum + "; " + kStore + " }\n"),
-        {"hostile.comp: error[W207]: compiling the compute stage crashed the compiler"});
+        {"hostile.comp:1:1: error[W207]: compiling the compute stage crashed the compiler"});
 }
 
 TEST_F(HostileShader, LimitsCanBeLowered) {
