@@ -106,7 +106,7 @@ TEST(Check, JsonHoldsEveryFieldOfTheContract) {
     EXPECT_EQ(fault.at("severity"), "error");
     EXPECT_EQ(fault.at("file"), bad);
     EXPECT_EQ(fault.at("line"), 7);
-    EXPECT_EQ(fault.at("column"), 41);
+    EXPECT_EQ(fault.at("column"), 46);
     EXPECT_EQ(fault.at("pointer"), "/passes/show/in/src");
     EXPECT_NE(fault.at("message").get<std::string>().find("colour"), std::string::npos);
     EXPECT_FALSE(fault.at("help").empty());

@@ -1,0 +1,163 @@
+// Whatever becomes of a shipped graph, in all its tiers: it is refused within a second, each message with a
+// code, a place and a remedy, or the checker passes its plan. No device is needed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <sstream>
+
+#include "check/check_plan.h"
+#include "graph/memory_report.h"
+#include "graph/stages.h"
+#include "graph_mutants.h"
+#include "render/import_catalog.h"
+#include "shader/load_graph.h"
+#include "shader/shader_memory.h"
+#include "weft/compile.h"
+#include "weft/registry.h"
+
+namespace weft::test {
+namespace {
+
+constexpr uint32_t kFirstSeed = 51000;
+constexpr double kMostTime_s = 1;
+
+std::string text_of_file(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+double cpu_time_s() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+// The place lies in the file as it was read.
+void expect_useful(const Diagnostic& d, const FileReader& reader) {
+    EXPECT_EQ(d.code.size(), 4u) << to_text(d);
+    EXPECT_FALSE(d.help.empty()) << to_text(d);
+    EXPECT_FALSE(d.message.empty());
+    ASSERT_GE(d.line, 1u) << to_text(d);
+    ASSERT_GE(d.column, 1u) << to_text(d);
+    std::istringstream lines(reader(d.file).value_or(""));
+    std::string line;
+    uint32_t count = 0;
+    while (count < d.line && std::getline(lines, line)) ++count;
+    if (count < d.line) line.clear();  // behind the last newline
+    EXPECT_LE(d.line, count + 1) << to_text(d);
+    EXPECT_LE(d.column, line.size() + 1) << to_text(d);
+}
+
+struct Tally {
+    uint32_t mutants = 0, good = 0, warned = 0;
+    double most_time_s = 0;
+    std::map<std::string, uint32_t> codes;
+};
+
+class GraphMutantsTest : public testing::Test {
+ protected:
+    GraphMutantsTest() {
+        Result<DeviceProfile> lavapipe = parse_profile(
+            text_of_file(GraphMutants::path_of("framework/profiles/lavapipe.json")), "lavapipe.json");
+        EXPECT_TRUE(lavapipe);
+        if (lavapipe) profile_ = std::move(*lavapipe);
+    }
+
+    LoadInput input_of(const std::string& root, FileReader reader, const std::string& tier) {
+        return {.path = GraphMutants::path_of(root),
+                .reader = std::move(reader),
+                .shader_root = GraphMutants::path_of("shaders"),
+                .shader_cache = {},
+                .passes = passes_,
+                .imports = imports_,
+                .profile = profile_,
+                .output_extent = {64, 36, 1},
+                .params = {},
+                .observed = {},
+                .graph_root = GraphMutants::path_of("graphs"),
+                .tier = tier,
+                .memory = &memory_};
+    }
+
+    // Faults of one tier; its plan is proved when there are none.
+    Diagnostics check_tier(const JsonDoc& document, const LoadInput& input, uint32_t queues,
+                           Diagnostics& warnings) {
+        const Result<LoadedGraph> loaded = load_graph(document, input, warnings);
+        if (!loaded) return loaded.errors();
+        CompileOptions options;
+        options.queues = logical_queues(profile_, queues);
+        options.granularity_bytes = profile_.buffer_image_granularity_bytes;
+        const FramePlan plan = compile(loaded->graph, profile_needs(loaded->graph, profile_), options);
+        Diagnostics faults = budget_faults(plan, input.limits.graph, input.path);
+        if (!faults.empty()) return faults;
+        EXPECT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
+        return {};
+    }
+
+    Diagnostics check(const std::string& root, const FileReader& reader, uint32_t queues,
+                      Diagnostics& warnings) {
+        const Result<JsonDoc> document = read_graph(input_of(root, reader, ""));
+        if (!document) return document.errors();
+        std::vector<std::string> tiers = tier_names(*document);
+        tiers.insert(tiers.begin(), "");
+        Diagnostics faults;
+        for (const std::string& tier : tiers) {
+            Diagnostics of_tier = check_tier(*document, input_of(root, reader, tier), queues, warnings);
+            faults.insert(faults.end(), of_tier.begin(), of_tier.end());
+        }
+        return faults;
+    }
+
+    void judge(const Mutant& mutant, Tally& tally) {
+        SCOPED_TRACE("seed " + std::to_string(mutant.seed) + ", " + mutant.file + " (loaded: " + mutant.root +
+                     "), " + mutant.how);
+        const FileReader reader = GraphMutants::reader_of(mutant);
+        memory_.begin();
+        Diagnostics warnings;
+        const double begin_s = cpu_time_s();
+        Diagnostics faults = check(mutant.root, reader, 1 + mutant.seed % 4, warnings);
+        const double time_s = cpu_time_s() - begin_s;
+        EXPECT_LE(time_s, kMostTime_s);
+        ++tally.mutants;
+        if (faults.empty()) ++tally.good;
+        for (const Diagnostic& d : faults) ++tally.codes[d.code];
+        faults.insert(faults.end(), warnings.begin(), warnings.end());
+        for (const Diagnostic& d : faults) expect_useful(d, reader);
+        if (!warnings.empty()) ++tally.warned;
+        tally.most_time_s = std::max(tally.most_time_s, time_s);
+    }
+
+    PassCatalog passes_ = registered_passes();
+    ImportCatalog imports_ = render::scene_imports({64, 36, 1});
+    DeviceProfile profile_;
+    ShaderMemory memory_;  // what mutants share
+};
+
+TEST_F(GraphMutantsTest, AreRefusedAtAPlaceOrProved) {
+    const GraphMutants mutants;
+    const FileReader plain = GraphMutants::reader_of({});
+    for (const std::string& file : mutants.files()) {
+        Diagnostics warnings;
+        const Diagnostics faults = check(file, plain, 1, warnings);
+        EXPECT_TRUE(faults.empty()) << file << ": " << to_text(faults);
+        EXPECT_TRUE(warnings.empty()) << file << ": " << to_text(warnings);
+    }
+    const uint32_t count = std::getenv("WEFT_EXTENDED") != nullptr ? 10000 : 300;
+    Tally tally;
+    for (uint32_t i = 0; i < count && !HasFatalFailure(); ++i) judge(mutants.make(kFirstSeed + i), tally);
+    std::printf("seeds %u to %u: %u of %u mutants are good, %u with warnings, the slowest took %.0f ms\n",
+                kFirstSeed, kFirstSeed + count - 1, tally.good, tally.mutants, tally.warned,
+                tally.most_time_s * 1e3);
+    for (const auto& [code, times] : tally.codes) std::printf("%s %u  ", code.c_str(), times);
+    std::printf("\n");
+    EXPECT_GT(tally.good, count / 20) << "the mutations are too wild to prove anything";
+    EXPECT_LT(tally.good, count * 3 / 4) << "the mutations are too tame to prove anything";
+}
+
+}  // namespace
+}  // namespace weft::test
