@@ -22,12 +22,11 @@ show() {
   local graph=$1 title=$2 alt=$3 options=$4
   # shellcheck disable=SC2086  # options are words
   "$weft" render --graph "$root/graphs/$graph.json" --size 960x540 $options -o "$scratch/$graph.png" </dev/null
-  # 256 colours, dithered, are half the bytes; the eye needs both pictures side by side to tell.
-  convert "$scratch/$graph.png" -strip -dither FloydSteinberg -colors 256 -define png:compression-filter=5 \
-    -define png:compression-level=9 "$here/images/gallery/$graph.png"
+  # A palette small enough would dither, which looks like the renderer's own noise.
+  convert "$scratch/$graph.png" -strip -sampling-factor 4:4:4 -quality 91 "$here/images/gallery/$graph.jpg"
   # shellcheck disable=SC2016  # the shell's own backquotes stay
   {
-    printf '\n## %s\n\n![%s](images/gallery/%s.png)\n\n' "$title" "$alt" "$graph"
+    printf '\n## %s\n\n![%s](images/gallery/%s.jpg)\n\n' "$title" "$alt" "$graph"
     cat
     printf '\n[`graphs/%s.json`](../graphs/%s.json), %d lines\n\n```\n./weft render --graph graphs/%s.json%s\n```\n' \
       "$graph" "$graph" "$(wc -l <"$root/graphs/$graph.json")" "$graph" "${options:+ $options}"
