@@ -47,7 +47,9 @@ Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session,
     double last_s = 0;
     while (options.render.frames == 0 || counts.frames < options.render.frames) {
         const Clock::time_point due = begin + counts.frames * kFrameTime;
-        if (end.within(options.fixed_dt ? std::chrono::nanoseconds(0) : due - Clock::now())) break;
+        const bool over = end.within(options.fixed_dt ? std::chrono::nanoseconds(0) : due - Clock::now());
+        // One frame is drawn in any case: whoever asks for a picture gets one that was drawn.
+        if (over && counts.frames > 0) break;
         if (const std::optional<render::Reload> reload = reloader.update()) tell(*reload, counts);
         const double dt_s = options.render.fixed_dt_s;
         const double now_s = options.fixed_dt ? static_cast<double>(counts.frames) * dt_s

@@ -103,5 +103,20 @@ TEST_F(View, AGraphThatIsBrokenFromTheStartIsAnError) {
     EXPECT_EQ(run.exit_code, 3) << run.text();
 }
 
+// Nobody holds its input open, as in a script: then it is over at once, but not before there is a picture.
+TEST_F(View, DrawsAFrameThoughItsInputHasEnded) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder folder;
+    const RunResult view =
+        run_program({"sh", "-c",
+                     std::string(WEFT_PROGRAM) + " view builtin:spheres --headless --size 64x36 -o " +
+                         (folder / "view.png") + " </dev/null"});
+    ASSERT_EQ(view.exit_code, 0) << view.text();
+    const RunResult render =
+        run_weft({"render", "builtin:spheres", "--size", "64x36", "-o", folder / "render.png"});
+    ASSERT_EQ(render.exit_code, 0) << render.text();
+    EXPECT_EQ(read_text(folder / "view.png"), read_text(folder / "render.png"));
+}
+
 }  // namespace
 }  // namespace weft::test
