@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "graph/debug_view.h"
 #include "graph/stages.h"
@@ -77,14 +79,16 @@ bool says_no_compiler(const Diagnostic& fault) {
     return fault.code == "X570";
 }
 
+// A shader that passes of several types name is compiled for each: all but one of them get a message.
 ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, ShaderMemory* memory,
                               Diagnostics& faults) {
     ShaderCatalog catalog;
+    std::set<std::pair<std::string, ProgramKind>> known;
     shader::StageCompiler compiler(roots);
     bool no_compiler = false;  // said once
     for (const auto& [name, pass] : graph.passes) {
         const std::optional<ProgramKind> kind = program_kind(pass);
-        if (!kind || pass.shader.empty() || catalog.contains(pass.shader)) continue;
+        if (!kind || pass.shader.empty() || !known.emplace(pass.shader, *kind).second) continue;
         Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots, compiler, memory);
         if (program) {
             catalog.emplace(pass.shader, std::move(*program));
@@ -95,7 +99,7 @@ ShaderCatalog compile_shaders(const GraphDesc& graph, const ShaderRoots& roots, 
         no_compiler = no_compiler || std::ranges::any_of(errors, says_no_compiler);
         locate(graph, pass, errors);
         append(faults, std::move(errors));
-        catalog.emplace(pass.shader, ShaderProgram{pass.shader, {}, {}, 0});
+        catalog[pass.shader] = ShaderProgram{pass.shader, {}, {}, 0};
     }
     return catalog;
 }
