@@ -182,7 +182,7 @@ class TimelineDrawing {
         for (size_t w = 0; w < page_.waits.size(); ++w) draw_wait(w, drawn[page_.waits[w].batch]++);
     }
 
-    // From the end of what is waited for; of the frame before, from a stub. `nth` of its batch.
+    // From the end of what is waited for; of the frame before, from a dot. `nth` of its batch.
     void draw_wait(size_t index, int32_t nth) {
         const WaitItem& item = page_.waits[index];
         const Batch &to = plan_.submissions.batches[item.batch],
@@ -205,7 +205,7 @@ class TimelineDrawing {
                   wait_label(page_, index));
         out_.empty("path", {{"class", "hit"}, {"d", path}});
         out_.empty("path", {{"class", "line"}, {"d", path}, {"marker-end", "url(#head-wait)"}});
-        if (before) out_.empty("circle", {{"class", "stub"}, {"cx", from_x}, {"cy", from_y}, {"r", 4}});
+        if (before) out_.empty("circle", {{"class", "origin"}, {"cx", from_x}, {"cy", from_y}, {"r", 4}});
         out_.close();
         out_.line();
     }

@@ -7,22 +7,11 @@
 
 #include "graph/plan_diff.h"
 #include "graph/plan_dump.h"
-#include "random_graph.h"
+#include "random_plan.h"
 #include "weft/compile.h"
 
 namespace weft::test {
 namespace {
-
-FramePlan random_plan(uint32_t seed) {
-    DeviceProfile profile;
-    profile.queue_families = {{QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
-    CompileOptions options;
-    options.queues = logical_queues(profile, 1 + seed % 4);
-    RandomGraphOptions features = all_features();
-    features.max_passes = 25;
-    const ResolvedGraph graph = random_graph(seed, features);
-    return compile(graph, content_needs(graph), options);
-}
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -36,7 +25,7 @@ constexpr uint32_t kSeeds = 24;
 
 TEST(ExplainRandom, CulledIsWhoDoesNotRun) {
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        const FramePlan plan = random_plan(seed);
+        const FramePlan plan = random_plan(seed, 25);
         for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) {
             const Result<std::string> answer = explain_culled(plan, plan.graph.passes[pass].name);
             ASSERT_TRUE(answer.ok());
@@ -51,7 +40,7 @@ TEST(ExplainRandom, CulledIsWhoDoesNotRun) {
 
 TEST(ExplainRandom, EveryBarrierBetweenTwoPassesIsFound) {
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        const FramePlan plan = random_plan(seed);
+        const FramePlan plan = random_plan(seed, 25);
         for (const PassStep& step : plan.barriers.steps)
             for (const BarrierDecl& barrier : step.barriers) {
                 if (barrier.from == kNoId) continue;
@@ -67,7 +56,7 @@ TEST(ExplainRandom, EveryBarrierBetweenTwoPassesIsFound) {
 
 TEST(ExplainRandom, PairsWithoutABarrierGetAReason) {
     for (uint32_t seed = 1; seed <= 8; ++seed) {
-        const FramePlan plan = random_plan(seed);
+        const FramePlan plan = random_plan(seed, 25);
         for (const PassDecl& a : plan.graph.passes)
             for (const PassDecl& b : plan.graph.passes) {
                 const Result<std::string> answer = explain_barrier(plan, a.name, b.name);
@@ -82,7 +71,7 @@ TEST(ExplainRandom, PairsWithoutABarrierGetAReason) {
 TEST(ExplainRandom, AliasIsWhatSharesBytes) {
     size_t shared = 0;
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        const FramePlan plan = random_plan(seed);
+        const FramePlan plan = random_plan(seed, 25);
         for (const Placement& p : plan.memory.placements)
             for (const Placement& q : plan.memory.placements) {
                 if (p.resource >= q.resource) continue;
@@ -101,7 +90,7 @@ TEST(ExplainRandom, AliasIsWhatSharesBytes) {
 TEST(ExplainRandom, WaitNamesEveryDependencyOfASubmission) {
     size_t waits = 0;
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        const FramePlan plan = random_plan(seed);
+        const FramePlan plan = random_plan(seed, 25);
         for (const QueueDependency& d : plan.submissions.dependencies) {
             if (d.to >= plan.schedule.order.size() || d.from >= plan.schedule.order.size()) continue;
             const std::string from = plan.graph.passes[plan.schedule.order[d.from]].name;
@@ -118,7 +107,7 @@ TEST(ExplainRandom, WaitNamesEveryDependencyOfASubmission) {
 
 TEST(ExplainRandom, AResourceNamesAllItsUsers) {
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        const FramePlan plan = random_plan(seed);
+        const FramePlan plan = random_plan(seed, 25);
         for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
             const Result<std::string> answer = explain_resource(plan, plan.graph.resources[id].name);
             ASSERT_TRUE(answer.ok());
@@ -131,8 +120,8 @@ TEST(ExplainRandom, AResourceNamesAllItsUsers) {
 
 TEST(DiffRandom, OfOneSeedIsNothingAndOfTwoIsWhatTheCountsSay) {
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        const FramePlan a = random_plan(seed), b = random_plan(seed + 1);
-        const PlanDiff none = diff_plans(a, random_plan(seed));
+        const FramePlan a = random_plan(seed, 25), b = random_plan(seed + 1, 25);
+        const PlanDiff none = diff_plans(a, random_plan(seed, 25));
         EXPECT_TRUE(none.same);
         EXPECT_TRUE(none.passes.changed.empty() && none.resources.changed.empty() && none.moved.empty());
         const PlanDiff diff = diff_plans(a, b);
@@ -147,7 +136,7 @@ TEST(DiffRandom, OfOneSeedIsNothingAndOfTwoIsWhatTheCountsSay) {
 
 // One pass is ordered behind the others: it alone has moved.
 TEST(DiffRandom, TheFewestMovesExplainANewOrder) {
-    FramePlan a = random_plan(4), b = a;
+    FramePlan a = random_plan(4, 25), b = a;
     ASSERT_GE(a.schedule.order.size(), 3u);
     std::rotate(b.schedule.order.begin(), b.schedule.order.begin() + 1, b.schedule.order.end());
     std::rotate(b.barriers.steps.begin(), b.barriers.steps.begin() + 1, b.barriers.steps.end());
@@ -162,7 +151,7 @@ TEST(DiffRandom, TheFewestMovesExplainANewOrder) {
 TEST(PlanDump, TextSpeaksOfQueuesAndOfWhatIsDoneOnce) {
     bool waits = false, prologue = false, afterwards = false;
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
-        const std::string text = plan_to_text(random_plan(seed));
+        const std::string text = plan_to_text(random_plan(seed, 25));
         waits = waits || has(text, "    wait for queue ");
         prologue = prologue || has(text, "once, before the first frame");
         afterwards = afterwards || has(text, "    afterwards    barrier ");

@@ -8,23 +8,12 @@
 #include "graph/plan_page.h"
 #include "markup_reader.h"
 #include "plan_expectations.h"
-#include "random_graph.h"
+#include "random_plan.h"
 
 namespace weft::test {
 namespace {
 
 constexpr uint32_t kSeeds = 24;
-
-FramePlan random_plan(uint32_t seed) {
-    DeviceProfile profile;
-    profile.queue_families = {{QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
-    CompileOptions options;
-    options.queues = logical_queues(profile, 1 + seed % 4);
-    RandomGraphOptions features = all_features();
-    features.max_passes = 40;
-    const ResolvedGraph graph = random_graph(seed, features);
-    return compile(graph, content_needs(graph), options);
-}
 
 FramePlan bench_plan(BenchShape shape, uint32_t passes) {
     const ResolvedGraph graph = make_bench_graph({passes, shape, 1});
@@ -109,7 +98,7 @@ TEST(PlanHtml, HoldsAllOfRandomPlansAndIsWellFormed) {
     size_t waits = 0, culled = 0, histories = 0, epilogues = 0;
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        const FramePlan plan = random_plan(seed);
+        const FramePlan plan = random_plan(seed, 40);
         const std::string text = plan_to_html(plan, {"random.json", "", "lavapipe"});
         const ReadPage page = read_markup(text);
         ASSERT_EQ(page.fault, "");
@@ -128,8 +117,8 @@ TEST(PlanHtml, HoldsAllOfRandomPlansAndIsWellFormed) {
 
 TEST(PlanHtml, TheSamePlanGivesTheSameBytes) {
     for (uint32_t seed = 1; seed <= 4; ++seed)
-        EXPECT_EQ(plan_to_html(random_plan(seed), {"a", "b", "c"}),
-                  plan_to_html(random_plan(seed), {"a", "b", "c"}));
+        EXPECT_EQ(plan_to_html(random_plan(seed, 40), {"a", "b", "c"}),
+                  plan_to_html(random_plan(seed, 40), {"a", "b", "c"}));
 }
 
 TEST(PlanHtml, CulledPassesSayWhy) {
