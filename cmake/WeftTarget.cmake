@@ -16,6 +16,22 @@ if(WEFT_SANITIZE)
   target_link_options(weft_options INTERFACE -fsanitize=${WEFT_SANITIZE} -fno-sanitize=vptr)
 endif()
 
+# Most of a test runs once for each time it is compiled: half of the optimiser's work on it would never pay.
+add_library(weft_test_options INTERFACE)
+target_link_libraries(weft_test_options INTERFACE weft_options)
+target_compile_options(weft_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
+
+# Headers of the standard library and of gtest are most of what a test costs to compile: they are compiled once. Weft's
+# own headers are not among them, so an edit rebuilds what it did before. -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON finds a
+# test that forgot an #include.
+if(WEFT_TESTS)
+  add_library(weft_precompiled_tests OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled_tests.cpp)
+  target_link_libraries(weft_precompiled_tests PRIVATE weft_test_options GTest::gtest)
+  target_precompile_headers(weft_precompiled_tests PRIVATE <algorithm> <array> <cmath> <cstdint> <cstring> <filesystem>
+    <fstream> <functional> <map> <memory> <numeric> <optional> <random> <set> <span> <sstream> <string> <string_view>
+    <tuple> <utility> <vector> <gtest/gtest.h> <nlohmann/json.hpp>)
+endif()
+
 # weft_library(NAME SOURCES...): a static library with the public headers and the shared options.
 function(weft_library name)
   add_library(${name} STATIC ${ARGN})
@@ -30,6 +46,7 @@ function(weft_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/framework ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE WEFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${name} PRIVATE weft_options ${ARG_LIBS} GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE weft_test_options ${ARG_LIBS} GTest::gtest_main)
+  target_precompile_headers(${name} REUSE_FROM weft_precompiled_tests)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 LABELS "${ARG_LABELS}")
 endfunction()
