@@ -6,8 +6,8 @@
 namespace weft::render {
 namespace {
 
-static_assert(sizeof(shared::FrameConstants) == 208 && sizeof(shared::ViewConstants) == 432);
-static_assert(sizeof(shared::Light) == 64 && sizeof(shared::Material) == 240 &&
+static_assert(sizeof(shared::FrameConstants) == 224 && sizeof(shared::ViewConstants) == 432);
+static_assert(sizeof(shared::Light) == 80 && sizeof(shared::Material) == 240 &&
               sizeof(shared::Instance) == 208);
 
 // What the ground below the horizon sends up: daylight on something of a quarter's albedo.
@@ -28,6 +28,13 @@ uint32_t gpu_light_type(scene::LightType type) {
             return shared::kLightSpot;
     }
     return shared::kLightPoint;
+}
+
+// Some unit vector across a unit vector; level where that is possible.
+glm::vec3 across(const glm::vec3& direction) {
+    const glm::vec3 level(-direction.z, 0, direction.x);
+    const float length = glm::length(level);
+    return length > 1e-3f ? level / length : glm::vec3(1, 0, 0);
 }
 
 }  // namespace
@@ -86,6 +93,7 @@ shared::Light gpu_light(const scene::Light& light, double time_s) {
     const float inner = std::cos(light.inner_cone_rad), outer = std::cos(light.outer_cone_rad);
     gpu.cone_scale = 1.0f / std::max(0.001f, inner - outer);
     gpu.cone_offset = -outer * gpu.cone_scale;
+    gpu.side = across(light.direction);
     return gpu;
 }
 

@@ -73,6 +73,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
 shared::FrameConstants Session::frame_constants(double time_s, double delta_time_s) const {
     shared::FrameConstants frame = scene_constants_;
     frame.light_count = static_cast<uint32_t>(lights_.size());
+    const auto directional = [](const shared::Light& light) { return light.type == shared::kLightDirectional; };
+    frame.directional_count = static_cast<uint32_t>(std::ranges::count_if(lights_, directional));
     frame.frame_index = static_cast<uint32_t>(frame_index_);
     frame.time_s = static_cast<float>(time_s);
     frame.delta_time_s = static_cast<float>(delta_time_s);

@@ -1,4 +1,5 @@
-// One light of the list that light_upload writes. Units: metres, candela (point, spot), lux (directional).
+// One light of the list that light_upload writes. Units: metres, candela (point, spot), lux (directional), cd/m²
+// (capsule, rectangle).
 #ifndef WEFT_SHARED_LIGHT
 #define WEFT_SHARED_LIGHT
 #include "begin.glsl"
@@ -6,18 +7,21 @@
 const uint kLightDirectional = 0u;
 const uint kLightPoint = 1u;
 const uint kLightSpot = 2u;
+const uint kLightCapsule = 3u;
+const uint kLightRectangle = 4u;
 
 struct Light {
-    vec3 position;
-    float range_m;       // 0: unlimited
-    vec3 intensity;      // colour × cd or lx, Rec.709
+    vec3 position;       // the middle of it
+    float range_m;       // 0: unlimited. From the nearest point of the shape
+    vec3 intensity;      // colour × the unit above, Rec.709
     uint type;
-    vec3 direction;      // in which the light travels
+    vec3 direction;      // in which the light travels; of a capsule the axis. Unit length
     float cone_scale;    // spot: saturate(cos(angle) · scale + offset)², as KHR_lights_punctual recommends
+    vec3 side;           // unit length, across the direction: the width of a rectangle, of doors and pictures
     float cone_offset;
-    uint reserved0;      // shadow and light-function indices will live here
-    uint reserved1;
-    uint reserved2;
+    vec2 half_size_m;    // rectangle: half width, half height; capsule: half length without the caps, radius
+    uint function;       // 0: none; else 1 + the index of its light function
+    uint shadow;         // 0: casts none; else 1 + the index of its shadow
 };
 
 #include "end.glsl"
