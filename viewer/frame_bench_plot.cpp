@@ -15,7 +15,7 @@ constexpr std::array kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f0
 
 std::string number(double value) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", value);
+    std::snprintf(text.data(), text.size(), "%.6g", value);
     return text.data();
 }
 
@@ -44,8 +44,11 @@ class Axes {
                 least_ms_ = std::min(least_ms_, median(light, graph));
                 most_ms_ = std::max(most_ms_, median(light, graph));
             }
-        least_ms_ = std::pow(10.0, std::floor(std::log10(std::max(least_ms_, 1e-4))));
-        most_ms_ = std::pow(10.0, std::ceil(std::log10(std::max(most_ms_, least_ms_ * 1.01))));
+        double step = 1e-4;
+        while (next(step) <= least_ms_) step = next(step);
+        least_ms_ = step;
+        while (step < most_ms_) step = next(step);
+        most_ms_ = step > least_ms_ ? step : next(step);
     }
     [[nodiscard]] double median(size_t light, size_t graph) const {
         return std::max(spread_of(bench_.at(light, graph).frame_ms(bench_.graphs.size() == 1)).median, 1e-4);
@@ -63,7 +66,7 @@ class Axes {
         for (const uint32_t lights : bench_.lights)
             text += line(x(lights), kTop, x(lights), kHeight - kBottom) +
                     label(x(lights), kHeight - kBottom + 16, "middle", std::to_string(lights));
-        for (double ms = least_ms_; ms <= most_ms_ * 1.001; ms *= 10)
+        for (double ms = least_ms_; ms <= most_ms_ * 1.001; ms = next(ms))
             text +=
                 line(kLeft, y(ms), kWidth - kRight, y(ms)) + label(kLeft - 6, y(ms) + 4, "end", number(ms));
         return text + label((kLeft + kWidth - kRight) / 2, kHeight - 8, "middle", "lights") +
@@ -71,6 +74,11 @@ class Axes {
     }
 
  private:
+    // 1, 2, 5, 10, 20, …
+    static double next(double step) {
+        const double first = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+        return step * (first > 1.5 && first < 3 ? 2.5 : 2);
+    }
     const FrameBench& bench_;
     double least_ms_, most_ms_ = 0;
 };
