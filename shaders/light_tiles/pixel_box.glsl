@@ -1,0 +1,44 @@
+// Boxes and planes in view space around what a rectangle of pixels shows. Needs frame_set.glsl. Units: metres.
+// Everything is made for the centres of pixels, because that is where surfaces are shaded.
+
+// What single precision may lose of a place, as a share of its distance: of a box made here, and of the same pixel's place
+// made by world_position().
+const float kPlaceError = 4e-6;
+// Instead of infinitely far; its square is still a number.
+const float kEndless = 1e17;
+
+struct Box {
+    vec3 low, high;
+};
+
+// x and y over distance along the view: the lower and upper ends of what some pixels show.
+struct Slopes {
+    vec2 low, high;
+};
+
+vec2 slope_of(vec2 pixel) {
+    const vec2 clip = pixel * view.inverse_viewport * 2.0 - 1.0;
+    return (clip + view.projection[2].xy) / vec2(view.projection[0].x, view.projection[1].y);
+}
+
+Slopes slopes_of(ivec2 first, ivec2 last) {
+    const vec2 a = slope_of(vec2(first) + 0.5), b = slope_of(vec2(last) + 0.5);
+    const vec2 error = kPlaceError * (1.0 + max(abs(a), abs(b)));
+    return Slopes(min(a, b) - error, max(a, b) + error);
+}
+
+float distance_of(float z) { return min(view.near_m / z, kEndless); }
+
+// The pixels' part between two distances.
+Box box_of(Slopes s, float near_m, float far_m) {
+    const float from_m = near_m * (1.0 - kPlaceError), to_m = far_m * (1.0 + kPlaceError);
+    return Box(vec3(min(s.low * from_m, s.low * to_m), -to_m), vec3(max(s.high * from_m, s.high * to_m), -from_m));
+}
+
+// Through the eye, inwards.
+void side_planes(Slopes s, out vec3 planes[4]) {
+    planes[0] = normalize(vec3(1.0, 0.0, s.low.x));
+    planes[1] = normalize(vec3(-1.0, 0.0, -s.high.x));
+    planes[2] = normalize(vec3(0.0, 1.0, s.low.y));
+    planes[3] = normalize(vec3(0.0, -1.0, -s.high.y));
+}
