@@ -39,16 +39,24 @@ void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transfor
     scene.instances.push_back({name, static_cast<uint32_t>(scene.meshes.size() - 1), material, transform});
 }
 
-void add_table(Scene& scene) {
-    MeshBuilder builder;
-    builder.add_rectangle({-8, 0, 8}, {16, 0, 0}, {0, 0, -16});
-    Material table;
-    table.name = "table";
-    table.base_color = glm::vec4(0.045f, 0.042f, 0.04f, 1);
-    table.metallic = 0;
-    table.roughness = 0.55f;
-    scene.materials.push_back(std::move(table));
-    place(scene, builder.finish("table"), static_cast<uint32_t>(scene.materials.size() - 1));
+uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughness) {
+    Material material;
+    material.name = name;
+    material.base_color = glm::vec4(color, 1);
+    material.metallic = 0;
+    material.roughness = roughness;
+    scene.materials.push_back(std::move(material));
+    return static_cast<uint32_t>(scene.materials.size() - 1);
+}
+
+void add_table_and_wall(Scene& scene) {
+    constexpr float kHalf = 8, kWallZ = -1.3f;
+    MeshBuilder table;
+    table.add_rectangle({-kHalf, 0, kHalf}, {2 * kHalf, 0, 0}, {0, 0, kWallZ - kHalf});
+    place(scene, table.finish("table"), add_matt(scene, "walnut", {0.075f, 0.05f, 0.036f}, 0.45f));
+    MeshBuilder wall;
+    wall.add_rectangle({-kHalf, 0, kWallZ}, {2 * kHalf, 0, 0}, {0, kHalf, 0});
+    place(scene, wall.finish("wall"), add_matt(scene, "plaster", {0.34f, 0.36f, 0.37f}, 0.9f));
 }
 
 // A pot with its lid: turned on a lathe, so that the grain goes round.
@@ -74,7 +82,7 @@ void add_balls(Scene& scene) {
         const uint32_t copper = add_metal(scene, {name.c_str(), {0.93f, 0.56f, 0.44f}, 0.3f, strengths[i]});
         MeshBuilder builder;
         builder.add_sphere({0, 0.34f, 0}, 0.34f, 64, 32);
-        const glm::vec3 at(-0.25f + 0.8f * static_cast<float>(i), 0, 0.95f);
+        const glm::vec3 at(-0.1f + 0.85f * static_cast<float>(i), 0, 1.15f);
         place(scene, builder.finish(name), copper, glm::translate(glm::mat4(1), at));
     }
 }
@@ -102,7 +110,7 @@ uint32_t add_star_of_grains(Scene& scene) {
 
 void add_plates(Scene& scene) {
     const glm::mat4 leaning =
-        glm::rotate(glm::translate(glm::mat4(1), glm::vec3(1.2f, 0.02f, -0.75f)), -0.32f, glm::vec3(1, 0, 0));
+        glm::rotate(glm::translate(glm::mat4(1), glm::vec3(0.95f, 0.0f, -0.78f)), -0.32f, glm::vec3(1, 0, 0));
     const uint32_t sheet = add_metal(scene, {"brushed sheet", {0.7f, 0.7f, 0.71f}, 0.3f, 0.85f});
     MeshBuilder builder;
     builder.add_rectangle({-0.95f, 0, 0}, {1.0f, 0, 0}, {0, 1.45f, 0});
@@ -112,9 +120,11 @@ void add_plates(Scene& scene) {
     grains.texture = add_star_of_grains(scene);
     grains.mag = grains.min = Filter::nearest;
     grains.mipmapped = false;
-    grains.transform = glm::mat3x2{1 / 1.2f, 0, 0, 1 / 1.2f, 0, 0};
+    // Texture coordinates are metres.
+    constexpr float kSide = 1.25f, kLeft = 0.15f;
+    grains.transform = glm::mat3x2{1 / kSide, 0, 0, 1 / kSide, -kLeft / kSide, 1};
     MeshBuilder square;
-    square.add_rectangle({0.2f, 0.1f, 0}, {1.2f, 0, 0}, {0, 1.2f, 0});
+    square.add_rectangle({kLeft, 0, 0}, {kSide, 0, 0}, {0, kSide, 0});
     place(scene, square.finish("star"), star, leaning);
 }
 
@@ -123,8 +133,8 @@ void add_lamps(Scene& scene) {
         glm::vec3 at, color;
         float intensity_cd;
     };
-    const std::array<Lamp, 4> lamps{{{{-2.6f, 2.6f, 2.6f}, {1.0f, 0.78f, 0.55f}, 520},
-                                     {{2.8f, 3.0f, 2.4f}, {0.65f, 0.8f, 1.0f}, 520},
+    const std::array<Lamp, 4> lamps{{{{-2.6f, 2.6f, 2.6f}, {1.0f, 0.74f, 0.5f}, 620},
+                                     {{2.8f, 3.0f, 2.4f}, {0.6f, 0.78f, 1.0f}, 620},
                                      {{0.2f, 3.4f, -0.2f}, {1.0f, 0.95f, 0.88f}, 420},
                                      {{-0.6f, 1.2f, 4.2f}, {1.0f, 0.9f, 0.8f}, 240}}};
     for (const Lamp& lamp : lamps) {
@@ -143,7 +153,7 @@ void add_lamps(Scene& scene) {
 Scene make_brushed() {
     Scene scene;
     scene.name = "brushed";
-    add_table(scene);
+    add_table_and_wall(scene);
     add_pot(scene);
     add_balls(scene);
     add_plates(scene);
@@ -151,7 +161,7 @@ Scene make_brushed() {
     Camera camera;
     camera.name = "table";
     camera.transform =
-        glm::inverse(glm::lookAt(glm::vec3(0.35f, 1.9f, 5.0f), glm::vec3(0.12f, 0.52f, 0), glm::vec3(0, 1, 0)));
+        glm::inverse(glm::lookAt(glm::vec3(0.35f, 2.3f, 5.4f), glm::vec3(0.08f, 0.56f, 0), glm::vec3(0, 1, 0)));
     camera.fov_y_rad = glm::radians(32.0f);
     scene.cameras.push_back(camera);
     scene.sky_zenith = glm::vec3(9, 10, 12);

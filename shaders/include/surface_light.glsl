@@ -25,9 +25,15 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     return radiance;
 }
 
+// Of the sky. An anisotropic surface mirrors it as one does whose highlight has the same height.
+vec3 sky_reflection(Surface s, vec3 v, float roughness) {
+    if (!s.anisotropic) return ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, roughness);
+    const float mean_roughness = sqrt(sqrt(s.alphas.x * s.alphas.y));
+    const vec3 mirrored = reflect(-v, bent_normal(s, v, roughness));
+    return ambient_reflection(s.normal, v, mirrored, s.diffuse, s.f0, s.f90, mean_roughness);
+}
+
 vec3 reflected_radiance(Surface s, vec3 position, vec3 orm, ivec2 pixel) {
     const vec3 v = normalize(view.eye - position);
-    const vec3 mirrored = reflect(-v, s.anisotropic ? bent_normal(s, v, orm.g) : s.normal);
-    return lights_reflection(s, v, position, pixel) +
-           orm.r * ambient_reflection(s.normal, v, mirrored, s.diffuse, s.f0, s.f90, orm.g);
+    return lights_reflection(s, v, position, pixel) + orm.r * sky_reflection(s, v, orm.g);
 }

@@ -13,15 +13,17 @@ layout(r32ui) writeonly uniform uimage2D tileClass;
 
 #include "tile_lights.glsl"
 
+bool needs_more(uint light) { return lights.items[light].type >= kLightCapsule || lights.items[light].function != 0u; }
+
 uint class_of(ivec2 tile) {
     if (texelFetch(hiz, tile, 0).r <= 0.0) return kTileSky;
+    const uint directional = min(frame.directional_count, uint(lights.items.length()));
+    for (uint i = 0u; i < directional; ++i)
+        if (needs_more(i)) return kTileAny;
     const uint list = tile_list(tile << kTileSizeLog2);
     const uint listed = tileLights.items[list];
-    for (uint i = 0u; i < listed; ++i) {
-        const uint index = tileLights.items[list + 1u + i];
-        const uint type = lights.items[index].type;
-        if ((type != kLightPoint && type != kLightSpot) || lights.items[index].function != 0u) return kTileAny;
-    }
+    for (uint i = 0u; i < listed; ++i)
+        if (needs_more(tileLights.items[list + 1u + i])) return kTileAny;
     return listed == 0u ? kTileDirectional : kTilePunctual;
 }
 

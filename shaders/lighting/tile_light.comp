@@ -5,6 +5,10 @@ layout(local_size_x = 16, local_size_y = 16) in;
 #include "tile_class.glsl"
 
 layout(constant_id = 0) const uint TILE_CLASS = 3u;
+const bool AREA_LIGHTS = TILE_CLASS == kTileAny;
+#define AREA_LIGHTS AREA_LIGHTS
+const bool LIGHT_FUNCTIONS = TILE_CLASS == kTileAny;
+#define LIGHT_FUNCTIONS LIGHT_FUNCTIONS
 
 #include "gbuffer_light.glsl"
 
