@@ -35,10 +35,23 @@ Box box_of(Slopes s, float near_m, float far_m) {
     return Box(vec3(min(s.low * from_m, s.low * to_m), -to_m), vec3(max(s.high * from_m, s.high * to_m), -from_m));
 }
 
-// Through the eye, inwards.
-void side_planes(Slopes s, out vec3 planes[4]) {
-    planes[0] = normalize(vec3(1.0, 0.0, s.low.x));
-    planes[1] = normalize(vec3(-1.0, 0.0, -s.high.x));
-    planes[2] = normalize(vec3(0.0, 1.0, s.low.y));
-    planes[3] = normalize(vec3(0.0, -1.0, -s.high.y));
+// Through the eye, inwards: x and z of the left and right ones, y and z of the lower and upper ones.
+struct SidePlanes {
+    vec2 left, right, lower, upper;
+};
+
+SidePlanes planes_of(Slopes s) {
+    return SidePlanes(normalize(vec2(1.0, s.low.x)), normalize(vec2(-1.0, -s.high.x)), normalize(vec2(1.0, s.low.y)),
+                      normalize(vec2(-1.0, -s.high.y)));
+}
+
+bool sphere_inside(vec4 sphere, SidePlanes p) {
+    const float nearest = min(min(dot(p.left, sphere.xz), dot(p.right, sphere.xz)),
+                              min(dot(p.lower, sphere.yz), dot(p.upper, sphere.yz)));
+    return nearest >= -sphere.w;
+}
+
+bool sphere_meets(vec4 sphere, Box box) {
+    const vec3 gap = max(max(box.low - sphere.xyz, sphere.xyz - box.high), 0.0);
+    return dot(gap, gap) <= sphere.w * sphere.w;
 }

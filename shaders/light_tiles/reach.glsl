@@ -1,5 +1,5 @@
 // What a light reaches, as a convex body in view space, and whether a box or a half-space lies apart from it. Needs
-// frame_set.glsl, shared/light.glsl and pixel_box.glsl. Units: metres.
+// pixel_box.glsl. Units: metres.
 //
 // One body for all types: a core, which is a point, a segment or a rectangle, and around each of its points the part of a
 // ball that lies within a cone: all of it (point, capsule), the half that a rectangle shines to, or a spot's cone. Of such a
@@ -18,33 +18,6 @@ struct Reach {
     float slack_m;     // what single precision may have lost; range_m has it in
 };
 
-// Twice the rounding of the light's place, world to view: four products, each half a unit in the last place.
-const float kTransformError = 1e-6;
-
-float sum_of_sizes(vec3 v) { return abs(v.x) + abs(v.y) + abs(v.z); }
-
-Reach reach_of(Light light) {
-    const mat3 turn = mat3(view.view);
-    Reach r;
-    r.center = (view.view * vec4(light.position, 1.0)).xyz;
-    r.slack_m = kTransformError * (sum_of_sizes(light.position) + sum_of_sizes(view.view[3].xyz)) +
-                kPlaceError * sum_of_sizes(r.center);
-    r.range_m = light.range_m > 0.0 ? light.range_m * (1.0 + kPlaceError) + r.slack_m : kEndless;
-    r.direction = turn * light.direction;
-    r.first = r.second = vec3(0.0);
-    r.cos_spread = -1.0;
-    if (light.type == kLightSpot) r.cos_spread = clamp(-light.cone_offset / light.cone_scale - kPlaceError, -1.0, 1.0);
-    if (light.type == kLightCapsule) r.first = r.direction * light.half_size_m.x;
-    if (light.type == kLightRectangle) {
-        const vec3 side = turn * light.side;
-        r.first = side * light.half_size_m.x;
-        r.second = cross(side, r.direction) * light.half_size_m.y;
-        r.cos_spread = 0.0;
-    }
-    r.sin_spread = sqrt(1.0 - r.cos_spread * r.cos_spread);
-    return r;
-}
-
 float core_extent(Reach r, vec3 n) { return abs(dot(n, r.first)) + abs(dot(n, r.second)); }
 
 // How far the body goes from its centre in a direction of unit length.
@@ -60,13 +33,6 @@ vec3 nearest_on_core(Reach r, vec3 place) {
     const float u = clamp(dot(p, r.first) / max(dot(r.first, r.first), 1e-12), -1.0, 1.0);
     const float v = clamp(dot(p, r.second) / max(dot(r.second, r.second), 1e-12), -1.0, 1.0);
     return r.center + r.first * u + r.second * v;
-}
-
-// Whether all of it lies behind one of the planes through the eye.
-bool outside(Reach r, vec3 planes[4]) {
-    bool apart = false;
-    for (int i = 0; i < 4; ++i) apart = apart || dot(planes[i], r.center) < -extent(r, planes[i]);
-    return apart;
 }
 
 // Whether the box begins beyond the light's end, seen from the core towards the box.

@@ -1,31 +1,45 @@
-// Which place each thread's entry gets in a list that is filled in chunks of CHUNK entries, in the threads' order: the same
-// on every run. One barrier a chunk; no subgroup operations, whose sizes differ. Once a shader.
+// Lists that come out sorted, and the same on every run, however threads are timed: in rounds, who enters sets a bit; after
+// a barrier the bits before one's own are one's place. For workgroups of 32 threads, which look at four entries each in a
+// round, or at one. No subgroup operations, whose sizes differ. All threads call these functions.
 
-const int kWords = (CHUNK + 31) / 32;
-// Who enters, as bits: of this chunk, of the next, and of the last, which slower threads may still read.
-shared uint entering[3][kWords];
+const uint kThreads = 32u;
+const uint kRound = 4u * kThreads;
+
+// Of this round, of the next, and of the last, which slower threads may still read.
+shared uint entering[3][4];
 uint round_ = 0u;
 
-// To be called by all threads before the first chunk.
-void begin_list() {
-    if (gl_LocalInvocationIndex < kWords) entering[0][gl_LocalInvocationIndex] = 0u;
-    barrier();
+// Once, before the first round; somebody else's barrier must follow.
+void begin_rounds() {
+    if (gl_LocalInvocationIndex < 4u) entering[0][gl_LocalInvocationIndex] = 0u;
 }
 
-// To be called by all threads: the place of this one's entry, if it enters; `listed` grows by all that do.
-uint listed_before(bool enters, inout uint listed) {
-    const uint now = round_ % 3u, next = (round_ + 1u) % 3u;
-    const uint word = gl_LocalInvocationIndex / 32u, bit = gl_LocalInvocationIndex % 32u;
-    if (gl_LocalInvocationIndex < kWords) entering[next][gl_LocalInvocationIndex] = 0u;
-    if (enters) atomicOr(entering[now][word], 1u << bit);
-    barrier();
-    uint place = listed;
-    for (uint i = 0u; i < kWords; ++i) {
-        const uint entries = entering[now][i];
-        if (i < word) place += uint(bitCount(entries));
-        if (i == word) place += uint(bitCount(entries & ((1u << bit) - 1u)));
-        listed += uint(bitCount(entries));
-    }
+// Gives the next round's bits their zeros, and this one's to all.
+uint close_round() {
+    const uint slot = round_ % 3u;
     ++round_;
-    return place;
+    if (gl_LocalInvocationIndex < 4u) entering[round_ % 3u][gl_LocalInvocationIndex] = 0u;
+    barrier();
+    return slot;
+}
+
+// Entry i of a round is for thread i % 32. The places of this thread's entries, and how many entered.
+uvec4 enter_four(bvec4 enters, out uint count) {
+    const uint own = 1u << gl_LocalInvocationIndex;
+    for (uint i = 0u; i < 4u; ++i)
+        if (enters[i]) atomicOr(entering[round_ % 3u][i], own);
+    const uint slot = close_round();
+    const uvec4 bits = uvec4(entering[slot][0], entering[slot][1], entering[slot][2], entering[slot][3]);
+    const uvec4 counts = uvec4(bitCount(bits));
+    count = counts.x + counts.y + counts.z + counts.w;
+    return uvec4(bitCount(bits & (own - 1u))) +
+           uvec4(0u, counts.x, counts.x + counts.y, counts.x + counts.y + counts.z);
+}
+
+uint enter_one(bool enters, out uint count) {
+    const uint own = 1u << gl_LocalInvocationIndex;
+    if (enters) atomicOr(entering[round_ % 3u][0], own);
+    const uint bits = entering[close_round()][0];
+    count = uint(bitCount(bits));
+    return uint(bitCount(bits & (own - 1u)));
 }

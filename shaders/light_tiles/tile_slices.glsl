@@ -1,122 +1,139 @@
-// The depth slices of a tile that have a pixel, and a box around each. Needs pixel_box.glsl, reach.glsl and the images
-// `depth`, `hiz` and `glassDepth`; for workgroups of 8 × 8 threads, one a tile.
+// The depth slices of a tile that have a pixel, with the pixels' rows and columns. Needs pixel_box.glsl, reach.glsl,
+// sorted_list.glsl and the images `depth`, `hiz` and `glassDepth`; for workgroups of 8 × 4 threads, one a tile, which have
+// two squares of 2 × 2 pixels each.
 
 const int kSlices = 32;
 const int kTilePx = 16;
 
-shared uint nearest_z, farthest_z;      // bits of floats, which sort as the floats do
-shared uint slice_pixels[kSlices];      // columns in the lower half, rows in the upper; 0: no pixel
-shared uint tile_pixels;
-shared vec3 slice_low[kSlices], slice_high[kSlices];
-shared uint occupied;
+shared uint slice_pixels[kSlices];  // columns in the lower half, rows in the upper; 0: no pixel
+shared uint occupied;               // a bit for each slice that has a pixel
+shared uint nearest_z, farthest_z;  // bits of floats, which sort as the floats do
 
-float first_m, slice_m;  // where the first slice begins, and how thick each is
+float first_m, slice_m, last_m;     // where the first slice begins, how thick each is, where the last one ends
 
-// Of a pixel: from where to where it is to be lit; empty if it shows nothing.
-struct Span {
-    bool empty;
-    float near_m, far_m;
+struct TileBounds {
+    SidePlanes sides;
+    Box box;
+    uint occupied;
 };
 
-ivec2 pixel_of(int i) {
-    return ivec2(gl_WorkGroupID.xy) * kTilePx + ivec2(gl_LocalInvocationID.xy) + 8 * ivec2(i & 1, i >> 1);
-}
+// The pixels of a square in the order of textureGather.
+const ivec2 kGathered[4] = ivec2[](ivec2(0, 1), ivec2(1, 1), ivec2(1, 0), ivec2(0, 0));
 
-Span span_of(ivec2 pixel) {
-    if (any(greaterThanEqual(pixel, ivec2(view.viewport_px)))) return Span(true, 0.0, 0.0);
-    const float z = texelFetch(depth, pixel, 0).r;
-    if (!TRANSLUCENT) return Span(z <= 0.0, distance_of(z), distance_of(z));
-    const float glass = texelFetch(glassDepth, pixel, 0).r;
-    if (glass <= 0.0) return Span(true, 0.0, 0.0);
-    return Span(false, distance_of(glass), z > 0.0 ? max(distance_of(z), distance_of(glass)) : kEndless);
+ivec2 tile_origin() { return ivec2(gl_WorkGroupID.xy) * kTilePx; }
+
+ivec2 square_in_tile(int i) { return (ivec2(gl_LocalInvocationID.xy) + ivec2(0, 4 * i)) * 2; }
+
+// 0 outside the picture.
+vec4 gather_depth(sampler2D image, ivec2 square) {
+    const vec4 z = textureGather(image, vec2(square + 1) * view.inverse_viewport);
+    const bvec2 inside = lessThan(square + 1, ivec2(view.viewport_px));
+    const bvec4 seen = bvec4(inside.y, inside.x && inside.y, inside.x, true);
+    return any(greaterThanEqual(square, ivec2(view.viewport_px))) ? vec4(0.0) : mix(vec4(0.0), z, seen);
 }
 
 int slice_of(float distance_m) { return int(clamp((distance_m - first_m) / slice_m, 0.0, float(kSlices - 1))); }
 
-// Near and far of the transparent span; the sky doesn't count, but goes on behind the last slice.
-bool find_translucent_range(out float near_m, out float far_m) {
-    near_m = far_m = 0.0;
-    if (!HAS_glassDepth) return false;
-    if (gl_LocalInvocationIndex == 0u) {
-        nearest_z = 0u;
-        farthest_z = floatBitsToUint(1.0);
+uint pixel_bits(ivec2 in_tile) { return (1u << in_tile.x) | (1u << (16 + in_tile.y)); }
+
+// Pixels in one slice are entered together.
+void enter_opaque(ivec2 square) {
+    const vec4 z = gather_depth(depth, tile_origin() + square);
+    ivec4 slice;
+    for (int i = 0; i < 4; ++i) slice[i] = z[i] > 0.0 ? slice_of(distance_of(z[i])) : -1;
+    for (int k = max(max(slice.x, slice.y), max(slice.z, slice.w)); k >= 0;) {
+        uint pixels = 0u;
+        int next = -1;
+        for (int i = 0; i < 4; ++i) {
+            if (slice[i] == k) pixels |= pixel_bits(square + kGathered[i]);
+            if (slice[i] < k) next = max(next, slice[i]);
+        }
+        atomicOr(slice_pixels[k], pixels);
+        atomicOr(occupied, 1u << k);
+        k = next;
     }
-    barrier();
-    for (int i = 0; i < 4; ++i) {
-        const ivec2 pixel = pixel_of(i);
-        if (span_of(pixel).empty) continue;
-        const float z = texelFetch(depth, pixel, 0).r, glass = texelFetch(glassDepth, pixel, 0).r;
-        atomicMax(nearest_z, floatBitsToUint(glass));
-        atomicMin(farthest_z, floatBitsToUint(z > 0.0 ? min(z, glass) : glass));
-    }
-    barrier();
-    if (nearest_z == 0u) return false;
-    near_m = distance_of(uintBitsToFloat(nearest_z));
-    far_m = distance_of(uintBitsToFloat(farthest_z));
-    return true;
 }
 
-bool find_range(out float near_m, out float far_m) {
-    if (TRANSLUCENT) return find_translucent_range(near_m, far_m);
-    const vec2 range = texelFetch(hiz, ivec2(gl_WorkGroupID.xy), 0).rg;
-    near_m = distance_of(range.x);
-    far_m = distance_of(range.y);
+// All slices from the transparent surface to the opaque one, or to the last.
+void enter_translucent(ivec2 square) {
+    const vec4 z = gather_depth(depth, tile_origin() + square), glass = gather_depth(glassDepth, tile_origin() + square);
+    for (int i = 0; i < 4; ++i) {
+        if (glass[i] <= 0.0) continue;
+        const int last = z[i] > 0.0 ? slice_of(distance_of(min(z[i], glass[i]))) : kSlices - 1;
+        for (int k = slice_of(distance_of(glass[i])); k <= last; ++k) {
+            atomicOr(slice_pixels[k], pixel_bits(square + kGathered[i]));
+            atomicOr(occupied, 1u << k);
+        }
+    }
+}
+
+// From the nearest transparent surface to what is farthest, without the sky.
+vec2 translucent_range() {
+    for (int s = 0; s < 2; ++s) {
+        const ivec2 square = tile_origin() + square_in_tile(s);
+        const vec4 z = gather_depth(depth, square), glass = gather_depth(glassDepth, square);
+        for (int i = 0; i < 4; ++i) {
+            if (glass[i] <= 0.0) continue;
+            atomicMax(nearest_z, floatBitsToUint(glass[i]));
+            atomicMin(farthest_z, floatBitsToUint(z[i] > 0.0 ? min(z[i], glass[i]) : glass[i]));
+        }
+    }
+    barrier();
+    return vec2(uintBitsToFloat(nearest_z), uintBitsToFloat(farthest_z));
+}
+
+// False, for all threads: the tile shows nothing that is lit. Ends with a barrier.
+bool find_slices() {
+    slice_pixels[gl_LocalInvocationIndex] = 0u;
+    if (gl_LocalInvocationIndex == 0u) {
+        occupied = nearest_z = 0u;
+        farthest_z = floatBitsToUint(1.0);
+    }
+    begin_rounds();
+    barrier();
+    const vec2 range = TRANSLUCENT ? translucent_range() : texelFetch(hiz, ivec2(gl_WorkGroupID.xy), 0).rg;
+    first_m = distance_of(range.x);
+    // No slice is thinner than what single precision tells apart.
+    slice_m = max((distance_of(range.y) - first_m) / float(kSlices), kPlaceError * distance_of(range.y));
+    last_m = TRANSLUCENT ? kEndless : first_m + slice_m * float(kSlices);
+    for (int s = 0; s < 2; ++s) {
+        if (TRANSLUCENT) enter_translucent(square_in_tile(s));
+        else enter_opaque(square_in_tile(s));
+    }
+    barrier();
     return range.x > 0.0;
 }
 
-void enter(ivec2 pixel, Span span) {
-    const ivec2 in_tile = pixel & (kTilePx - 1);
-    const uint bits = (1u << in_tile.x) | (1u << (16 + in_tile.y));
-    const int last = slice_of(span.far_m);
-    for (int k = slice_of(span.near_m); k <= last; ++k) atomicOr(slice_pixels[k], bits);
+TileBounds tile_bounds() {
+    const ivec2 last = min(tile_origin() + kTilePx, ivec2(view.viewport_px)) - 1;
+    const Slopes slopes = slopes_of(tile_origin(), last);
+    return TileBounds(planes_of(slopes), box_of(slopes, first_m, last_m), occupied);
 }
 
-// Of the pixels in a word of columns and rows.
-Slopes slopes_of_pixels(uint pixels) {
-    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * kTilePx;
-    const uint columns = pixels & 0xFFFFu, rows = pixels >> 16;
-    return slopes_of(tile + ivec2(findLSB(columns), findLSB(rows)), tile + ivec2(findMSB(columns), findMSB(rows)));
+// The slices that a sphere may reach into, as bits. What is beyond an edge by little is still at it: places are rounded.
+uint slices_at(vec4 sphere) {
+    const float a = clamp((-sphere.z - sphere.w - first_m) / slice_m - 0.01, 0.0, float(kSlices - 1));
+    const float b = clamp((-sphere.z + sphere.w - first_m) / slice_m + 0.01, 0.0, float(kSlices - 1));
+    return (~0u << int(a)) & (~0u >> (kSlices - 1 - int(b)));
 }
 
-void make_box(int k) {
-    const uint pixels = slice_pixels[k];
-    if (pixels == 0u) return;
+bool may_reach(vec4 sphere, TileBounds b) {
+    return sphere_inside(sphere, b.sides) && sphere_meets(sphere, b.box) && (slices_at(sphere) & b.occupied) != 0u;
+}
+
+Box slice_box(int k) {
+    const uint pixels = slice_pixels[k], columns = pixels & 0xFFFFu, rows = pixels >> 16;
+    const Slopes slopes = slopes_of(tile_origin() + ivec2(findLSB(columns), findLSB(rows)),
+                                    tile_origin() + ivec2(findMSB(columns), findMSB(rows)));
     const float near_m = first_m + slice_m * float(k);
-    const bool last = k == kSlices - 1;
-    const Box box = box_of(slopes_of_pixels(pixels), near_m, last && TRANSLUCENT ? kEndless : near_m + slice_m);
-    slice_low[k] = box.low;
-    slice_high[k] = box.high;
-    atomicOr(tile_pixels, pixels);
-    atomicOr(occupied, 1u << k);
+    return box_of(slopes, near_m, k == kSlices - 1 ? last_m : near_m + slice_m);
 }
 
-// To be called by all threads. False, for all of them: the tile shows nothing that is lit.
-bool find_slices() {
-    float near_m, far_m;
-    if (!find_range(near_m, far_m)) return false;
-    first_m = near_m;
-    // Not thinner than what single precision tells apart.
-    slice_m = max((far_m - near_m) / float(kSlices), kPlaceError * far_m);
-    if (gl_LocalInvocationIndex == 0u) tile_pixels = occupied = 0u;
-    if (gl_LocalInvocationIndex < kSlices) slice_pixels[gl_LocalInvocationIndex] = 0u;
-    barrier();
-    for (int i = 0; i < 4; ++i) {
-        const ivec2 pixel = pixel_of(i);
-        const Span span = span_of(pixel);
-        if (!span.empty) enter(pixel, span);
-    }
-    barrier();
-    if (gl_LocalInvocationIndex < kSlices) make_box(int(gl_LocalInvocationIndex));
-    barrier();
-    return true;
-}
-
-Slopes tile_slopes() { return slopes_of_pixels(tile_pixels); }
-
-bool reaches_slice(Reach r) {
-    for (uint todo = occupied; todo != 0u; todo &= todo - 1u) {
-        const int k = findLSB(todo);
-        if (reaches(r, Box(slice_low[k], slice_high[k]))) return true;
+bool reaches_slice(vec4 sphere, Reach r) {
+    const bool ball = r.cos_spread <= -1.0 && r.first == vec3(0.0);
+    for (uint todo = slices_at(sphere) & occupied; todo != 0u; todo &= todo - 1u) {
+        const Box box = slice_box(findLSB(todo));
+        if (sphere_meets(sphere, box) && (ball || reaches(r, box))) return true;
     }
     return false;
 }
