@@ -62,6 +62,10 @@ std::string limit_fault(const std::string& text) {
     return number ? "" : "\"" + text + "\" is not a finite number";
 }
 
+std::string plot_fault(const std::string& text) {
+    return text.size() > 4 && text.ends_with(".svg") ? "" : "a plot is an .svg, not \"" + text + "\"";
+}
+
 std::string env_fault(const std::string& text) {
     const bool is_file = text.find_first_of("./") != std::string::npos;
     return text == "sky" || text == "none" || is_file
@@ -83,8 +87,6 @@ std::string future_fault(const std::vector<std::string>& arguments) {
     const auto says = [&](const char* word) { return std::ranges::find(arguments, word) != arguments.end(); };
     if (arguments[0] == "view" && !says("--headless") && !says("--help") && !says("-h"))
         return "`view` is not there yet in this version of weft; `view --headless` is";
-    if (arguments.size() > 1 && arguments[0] == "bench" && arguments[1] == "frame")
-        return "`bench frame` is not there yet in this version of weft";
     for (const FutureFlags& command : kFutureFlags) {
         if (arguments.front() != command.command) continue;
         for (const std::string& argument : arguments)

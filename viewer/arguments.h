@@ -24,6 +24,9 @@ namespace weft::viewer {
 // What is wrong with a limit that a number may not pass, or empty.
 [[nodiscard]] std::string limit_fault(const std::string& text);
 
+// What is wrong with the name of a plot, or empty.
+[[nodiscard]] std::string plot_fault(const std::string& text);
+
 // A flag or command of the contract that is not there yet, as a message; empty when there is none. Such a
 // thing is refused by name, whatever else is wrong; its values are of no interest.
 [[nodiscard]] std::string future_fault(const std::vector<std::string>& arguments);

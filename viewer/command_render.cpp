@@ -64,6 +64,28 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     return write_image(options.output, data.extent.width, data.extent.height, texels);
 }
 
+// The environment is in cd/m²; how much of that makes a white pixel, the exposure says.
+void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
+    constexpr float kMiddleGrey = 0.18f, kMostStops = 6;
+    const float mean = mean_luminance(scene.environment);
+    if (mean <= 0) return;
+    const float stops = std::log2(mean / kMiddleGrey) + exposure_ev;
+    if (std::abs(stops) <= kMostStops) return;
+    Diagnostic d;
+    d.code = "S182";
+    d.severity = Severity::warning;
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "%.0f stops too %s for the exposure of %g EV", std::abs(stops),
+                  stops < 0 ? "dark" : "bright", exposure_ev);
+    d.message = "the environment \"" + scene.environment.name + "\" is " + text.data();
+    std::snprintf(text.data(), text.size(), "its values are taken as cd/m²: --exposure %.1f shows it",
+                  exposure_ev - stops);
+    d.help = {text.data()};
+    report({d});
+}
+
+}  // namespace
+
 render::SessionInput session_input(const RenderOptions& options, const scene::Scene& scene,
                                    const scene::Camera& camera, const PassCatalog& passes) {
     const std::filesystem::path root = shipped_root();
@@ -92,27 +114,14 @@ render::SessionInput session_input(const RenderOptions& options, const scene::Sc
     return input;
 }
 
-// The environment is in cd/m²; how much of that makes a white pixel, the exposure says.
-void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
-    constexpr float kMiddleGrey = 0.18f, kMostStops = 6;
-    const float mean = mean_luminance(scene.environment);
-    if (mean <= 0) return;
-    const float stops = std::log2(mean / kMiddleGrey) + exposure_ev;
-    if (std::abs(stops) <= kMostStops) return;
-    Diagnostic d;
-    d.code = "S182";
-    d.severity = Severity::warning;
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), "%.0f stops too %s for the exposure of %g EV", std::abs(stops),
-                  stops < 0 ? "dark" : "bright", exposure_ev);
-    d.message = "the environment \"" + scene.environment.name + "\" is " + text.data();
-    std::snprintf(text.data(), text.size(), "its values are taken as cd/m²: --exposure %.1f shows it",
-                  exposure_ev - stops);
-    d.help = {text.data()};
-    report({d});
+Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options) {
+    vk::DeviceOptions device_options;
+    device_options.validate = options.validate;
+    device_options.device = options.device;
+    device_options.queues = options.queues;
+    device_options.timeout_ns = static_cast<uint64_t>(options.timeout_s * 1e9);
+    return vk::Device::create(device_options);
 }
-
-}  // namespace
 
 bool report_messages(const std::vector<vk::Message>& messages) {
     for (const vk::Message& message : messages)
@@ -142,12 +151,7 @@ Result<OpenSession> open_session(const RenderOptions& options) {
     Result<scene::Camera> camera = choose_camera(*scene, options.camera, aspect);
     if (!camera) return camera.take_errors();
 
-    vk::DeviceOptions device_options;
-    device_options.validate = options.validate;
-    device_options.device = options.device;
-    device_options.queues = options.queues;
-    device_options.timeout_ns = static_cast<uint64_t>(options.timeout_s * 1e9);
-    Result<std::unique_ptr<vk::Device>> device = vk::Device::create(device_options);
+    Result<std::unique_ptr<vk::Device>> device = open_device(options);
     if (!device) return device.take_errors();
 
     const PassCatalog passes = registered_passes();

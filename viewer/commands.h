@@ -29,6 +29,7 @@ enum class ExitCode : int {
 [[nodiscard]] ExitCode run_diff(const DiffOptions& options);
 [[nodiscard]] ExitCode run_compare(const CompareOptions& options);
 [[nodiscard]] ExitCode run_bench_compile(const BenchOptions& options);
+[[nodiscard]] ExitCode run_bench_frame(const FrameBenchOptions& options);
 [[nodiscard]] ExitCode run_doctor(const DoctorOptions& options);
 
 // Prints to stderr.

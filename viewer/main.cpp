@@ -39,6 +39,7 @@ CLI::Validator limit_validator() {
 // Texts that need a second look after parsing.
 struct RawTexts {
     std::string size = "1280x720";
+    std::string bench_size = "640x360";
     std::vector<std::string> params;
     double exposure = 0;
     std::string limits;
@@ -187,12 +188,16 @@ void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
     add_limits(command, raw);
 }
 
-// `bench compile`.
-CLI::App* add_bench(CLI::App& app, BenchOptions& o) {
-    CLI::App* bench = app.add_subcommand("bench", "measure: `weft bench compile`");
-    bench->require_subcommand(1);
-    CLI::App* command =
-        bench->add_subcommand("compile", "how long compiling takes, on graphs made by a seed");
+// `bench compile` and `bench frame`.
+struct BenchCommands {
+    CLI::App* app = nullptr;
+    CLI::App* compile = nullptr;
+    BenchOptions compile_options;
+    FrameBenchOptions frame_options;
+};
+
+CLI::App* add_bench_compile(CLI::App& bench, BenchOptions& o) {
+    CLI::App* command = bench.add_subcommand("compile", "how long compiling takes, on graphs made by a seed");
     command->add_option("--passes", o.passes, "each writes one image and reads two")
         ->check(CLI::Range(1u, 1000000u))
         ->capture_default_str();
@@ -205,6 +210,51 @@ CLI::App* add_bench(CLI::App& app, BenchOptions& o) {
         ->capture_default_str();
     command->add_flag("--json", o.json, "as JSON");
     return command;
+}
+
+void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
+    CLI::App* command =
+        bench.add_subcommand("frame", "how long graphs take for a frame, over numbers of lights");
+    command->add_option("SCENE", o.scene, "as of weft render")->capture_default_str();
+    command
+        ->add_option("--graphs", o.graphs,
+                     "shipped graphs by name, or files; the first is what others are held against")
+        ->delimiter(',')
+        ->capture_default_str();
+    command->add_option("--lights", o.lights, "so many seeded lights, one after the other")
+        ->delimiter(',')
+        ->check(CLI::Range(1u, 65536u))
+        ->capture_default_str();
+    command->add_option("--size", raw.bench_size, "in pixels")
+        ->check(size_validator())
+        ->capture_default_str();
+    command->add_option("--camera", o.camera, "as of weft render");
+    command->add_option("--seed", o.seed, "of the lights")->capture_default_str();
+    command->add_option("--rounds", o.rounds, "so often each graph draws a frame, in turn with the others")
+        ->check(CLI::Range(1u, 1000u))
+        ->capture_default_str();
+    command->add_option("--plot", o.plot, "draw the times over the lights into this .svg")
+        ->check(CLI::Validator([](std::string& text) { return plot_fault(text); }, "FILE.svg"));
+    command->add_option("--device", o.device, "a device's index or part of its name");
+    command->add_option("--timeout", o.timeout_s, "seconds to wait for a frame")
+        ->check(CLI::Range(0.001, 3600.0))
+        ->capture_default_str();
+    add_limits(*command, raw);
+    command->add_flag("--json", o.json, "as JSON");
+}
+
+void add_bench(CLI::App& app, BenchCommands& bench, RawTexts& raw) {
+    bench.app = app.add_subcommand("bench", "measure: `weft bench compile`, `weft bench frame`");
+    bench.app->require_subcommand(1);
+    bench.compile = add_bench_compile(*bench.app, bench.compile_options);
+    add_bench_frame(*bench.app, bench.frame_options, raw);
+}
+
+ExitCode run_bench(BenchCommands& bench, const RawTexts& raw, const Limits& limits) {
+    if (bench.compile->parsed()) return run_bench_compile(bench.compile_options);
+    bench.frame_options.limits = limits;
+    bench.frame_options.size = parse_size(raw.bench_size);
+    return run_bench_frame(bench.frame_options);
 }
 
 // CLI11's own exit codes become usage errors.
@@ -229,7 +279,7 @@ int run(int argc, char** argv) {
     ExplainOptions explain_options;
     DiffOptions diff_options;
     CompareOptions compare_options;
-    BenchOptions bench_options;
+    BenchCommands bench;
     CLI::App* render = app.add_subcommand("render", "render a scene through a graph to a picture");
     add_render(*render, render_options, raw);
     CLI::App* view = app.add_subcommand("view", "draw on and on, and follow what changes in the files");
@@ -249,7 +299,7 @@ int run(int argc, char** argv) {
     CLI::App* doctor = app.add_subcommand("doctor", "say what this machine has and lacks");
     doctor->add_flag("--json", doctor_options.json, "the chosen device's profile, as JSON on stdout");
     doctor->add_option("--device", doctor_options.device, "a device's index or part of its name");
-    CLI::App* bench_compile = add_bench(app, bench_options);
+    add_bench(app, bench, raw);
     if (const std::string fault = future_fault({argv + std::min(argc, 1), argv + argc}); !fault.empty()) {
         std::fprintf(stderr, "weft: %s\n", fault.c_str());
         return exit_with(ExitCode::usage);
@@ -288,7 +338,7 @@ int run(int argc, char** argv) {
     if (diff->parsed()) return exit_with(run_diff(diff_options));
     if (compare->parsed()) return exit_with(run_compare(compare_options));
     if (doctor->parsed()) return exit_with(run_doctor(doctor_options));
-    if (bench_compile->parsed()) return exit_with(run_bench_compile(bench_options));
+    if (bench.app->parsed()) return exit_with(run_bench(bench, raw, *limits));
     std::fputs(
         "weft: say what to do: render, view, check, plan, schema, explain, diff, compare, bench or doctor\nRun "
         "`weft --help`.\n",

@@ -28,7 +28,7 @@ struct RenderOptions {
     std::optional<float> exposure_ev;
     std::map<std::string, double> params;
     std::string resource;
-    std::string debug;  // a debug view, or a resource to be shown as one
+    std::string debug;                  // a debug view, or a resource to be shown as one
     std::vector<std::string> observed;  // references that are read back every frame, besides `resource`
     bool validate = false;
     bool quiet = false;  // warnings were said before
@@ -107,6 +107,22 @@ struct BenchOptions {
     uint32_t seed = 1;
     uint32_t queues = 1;
     bool json = false;
+};
+
+struct FrameBenchOptions {
+    std::string scene = "builtin:lights";
+    std::vector<std::string> graphs{"deferred", "tiled_deferred",
+                                    "light_volumes"};  // shipped ones by name, or files
+    std::vector<uint32_t> lights{1, 10, 50, 100, 256, 1024, 3072};
+    Extent3D size{640, 360, 1};
+    std::string camera;
+    uint32_t seed = 1;
+    uint32_t rounds = 7;
+    std::string device;
+    double timeout_s = 60;
+    std::string plot;  // an .svg; empty: none
+    bool json = false;
+    Limits limits;
 };
 
 struct DoctorOptions {

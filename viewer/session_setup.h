@@ -15,6 +15,10 @@ struct OpenSession {
     std::unique_ptr<render::Session> session;  // last: destroyed first
 };
 
+// How the options want the camera's view of the scene drawn.
+[[nodiscard]] render::SessionInput session_input(const RenderOptions& options, const scene::Scene& scene,
+                                                 const scene::Camera& camera, const PassCatalog& passes);
+[[nodiscard]] Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options);
 // Warnings go to stderr.
 [[nodiscard]] Result<OpenSession> open_session(const RenderOptions& options);
 // Prints what the layers said, pass by pass. True: they said something.

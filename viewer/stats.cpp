@@ -6,6 +6,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "port_bytes.h"
+
 namespace weft::viewer {
 namespace {
 
@@ -20,23 +22,6 @@ Json distribution(std::vector<double> values) {
                                static_cast<size_t>(q * static_cast<double>(values.size())))];
     };
     return {{"min", values.front()}, {"median", quantile(0.5)}, {"p99", quantile(0.99)}};
-}
-
-// What a pass's ports touch: the bytes of every range, read and written once each.
-uint64_t port_bytes(const ResolvedGraph& graph, const PassDecl& pass) {
-    uint64_t bytes = 0;
-    for (const UseDecl& use : pass.uses) {
-        const ResourceDecl& resource = graph.resources[use.resource];
-        ResourceDecl part = resource;
-        if (resource.kind == ResourceKind::image) {
-            part.extent = mip_extent(resource.extent, use.range.mip);
-            part.mips = use.range.mips;
-            part.layers = use.range.layers;
-        }
-        const uint64_t once = content_bytes(part);
-        bytes += (reads(use.access) ? once : 0) + (writes(use.access) ? once : 0);
-    }
-    return bytes;
 }
 
 Json passes_json(const StatsInput& input) {

@@ -193,6 +193,7 @@ void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);

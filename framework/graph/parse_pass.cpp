@@ -44,6 +44,13 @@ void read_shader(ParseContext& context, const JsonNode& node, PassDesc& pass) {
 }
 
 void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    const auto is_of_a_count = [](const JsonMember& member) {
+        const std::vector<std::string> counts{"vertices", "instances"};
+        return std::ranges::find(counts, member.key) != counts.end() ||
+               !did_you_mean(member.key, counts).empty();
+    };
+    if (node.kind == JsonKind::object && std::ranges::any_of(node.members, is_of_a_count))
+        return parse_procedural_draws(context, node, pass);
     if (node.kind == JsonKind::object) return parse_indirect_draws(context, node, pass);
     read_names(context, node, pass.draws, pass.draw_locs);
 }
@@ -269,6 +276,14 @@ void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& p
     pass.state.depth_compare = CompareOp::greater;
 }
 
+void check_procedural(ParseContext& context, const JsonNode& node, const PassDesc& pass) {
+    if (pass.vertices.empty() || pass.state.cull != CullMode::material) return;
+    const JsonNode* cull = node.find("state")->find("cull");
+    const PointerScope scope(context, "state"), key(context, "cull");
+    context.error(cull->loc, "W109", "draws without a list have no material that says what is culled",
+                  "write \"none\", \"front\" or \"back\"");
+}
+
 void check_port_names(ParseContext& context, const PassDesc& pass) {
     for (const PortDesc& port : pass.in)
         if (pass.indirect && port.port == "indirect")
@@ -292,6 +307,7 @@ void read_pass(ParseContext& context, const JsonMember& member, const JsonNode& 
         key.read(context, *value, pass);
     }
     check_dispatch(context, member.value);
+    check_procedural(context, member.value, pass);
     check_port_names(context, pass);
     if ((mask & kDrawing) == mask) complete_depth(context, member, pass);
 }

@@ -85,6 +85,13 @@ constexpr std::array kDrawsKeys{
     KeyRule<DrawsDraft>{
         "indirect", [](ParseContext& c, const JsonNode& n, DrawsDraft& d) { read_ref(c, n, d.commands); }}};
 
+constexpr std::array kVerticesKeys{
+    KeyRule<PassDesc>{"vertices", [](ParseContext& c, const JsonNode& n,
+                                     PassDesc& p) { read_expression(c, n, p.vertices); }},
+    KeyRule<PassDesc>{"instances", [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                          read_expression(c, n, p.instances);
+                      }}};
+
 template <size_t N>
 PortDraft read_port(ParseContext& context, const JsonNode& node, std::string name, SourceLoc loc,
                     std::string_view what, const std::array<KeyRule<PortDraft>, N>& keys) {
@@ -139,6 +146,7 @@ void list_port_words(std::vector<FormatWords>& lists) {
     list_choices(lists, "samplerCompare", kCompares);
     list_keys(lists, "indirectGroups", kGroupsKeys);
     list_keys(lists, "indirectDraws", kDrawsKeys);
+    list_keys(lists, "proceduralDraws", kVerticesKeys);
 }
 
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass) {
@@ -217,6 +225,14 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
         pass.draw_locs.push_back(draft.list_loc);
     }
     if (draft.commands.has_ref) pass.indirect = std::move(draft.commands.port);
+}
+
+// {"vertices": 36, "instances": "maxLights"}
+void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    constexpr std::string_view kWhat = "draws without a list";
+    if (!read_object(context, node, kWhat, kVerticesKeys, pass)) return;
+    if (node.find("vertices") == nullptr && node.members.size() < 2)  // else it is misspelt
+        missing_key(context, node.loc, kWhat, "vertices", "say how many: { \"vertices\": 3 }");
 }
 
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {

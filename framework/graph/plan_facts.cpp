@@ -126,6 +126,9 @@ std::vector<std::string> pass_facts(const FramePlan& plan, PassId id) {
         facts.push_back("renders " + extent_fact(pass.render_extent));
     for (const std::string& list : pass.draw_lists)
         facts.push_back("draws " + list + " as seen by " + pass.view);
+    if (pass.vertices > 0)
+        facts.push_back("draws " + std::to_string(pass.vertices) + " vertices x " +
+                        std::to_string(pass.instances) + " as seen by " + pass.view);
     add_fields("state ", pass.state, facts);
     add_params(pass, facts);
     for (const UseDecl& use : pass.uses) {

@@ -109,7 +109,8 @@ void visit_fields(V& v, const PassDecl& x) {
         v("params", x.params);
     v("paramsBytes", x.params_bytes), v("paramsPush", x.params_push), v("customParams", x.custom_params);
     v("groups", x.groups), v("indirectUse", x.indirect_use), v("colors", x.colors), v("depth", x.depth), v("renderExtent", x.render_extent);
-    v("state", x.state), v("drawLists", x.draw_lists), v("view", x.view), v("clear", x.clear),
+    v("state", x.state), v("drawLists", x.draw_lists), v("vertices", x.vertices),
+        v("instances", x.instances), v("view", x.view), v("clear", x.clear),
         v("flops", x.flops);
     v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use), v("turn", x.turn),
         v("turns", x.turns);

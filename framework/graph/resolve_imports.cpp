@@ -1,5 +1,6 @@
 // Imports: what the graph asks of the program around it, checked against what that offers.
 #include <algorithm>
+#include <cmath>
 
 #include "graph/resolve_context.h"
 
@@ -84,6 +85,45 @@ void check_vertex_inputs(ResolveState& state, PassId pass, const std::string& li
     }
 }
 
+// What only a draw list brings: meshes, materials and instances.
+void check_procedural_shader(ResolveState& state, PassId pass) {
+    const ShaderInterface* shader = state.passes[pass].shader;
+    if (!shader) return;
+    const PassDesc& desc = *state.passes[pass].desc;
+    const std::string reads = "shader " + quoted(desc.shader) + " reads ";
+    std::string what;
+    if (!shader->vertex_inputs.empty()) what = "vertex input " + quoted(shader->vertex_inputs.front().name);
+    for (const ShaderBinding& binding : shader->bindings)
+        if (what.empty() && binding.set >= 2) what = "descriptor set " + std::to_string(binding.set);
+    if (what.empty()) return;
+    Diagnostic& d =
+        state.pass_error(pass, desc.shader_loc, "W167", reads + what + ", which draws without a list lack");
+    add_help(d, "place vertices by gl_VertexIndex and gl_InstanceIndex, or name a draw list");
+}
+
+// So many vertices and instances in place of lists.
+void count_vertices(ResolveState& state, PassId pass) {
+    constexpr double kMost = 1 << 24;
+    const PassDesc& desc = *state.passes[pass].desc;
+    PassDecl& decl = state.graph.passes[pass];
+    const auto counted = [&](const Expr& count, const char* what) -> uint32_t {
+        if (count.empty()) return 1;
+        const std::optional<ExprValue> value = state.evaluate_here(count);
+        if (!value) return 1;
+        const double whole = std::ceil(value->x);
+        if (!value->is_size && whole >= 1 && whole <= kMost) return static_cast<uint32_t>(whole);
+        Diagnostic& d = state.pass_error(
+            pass, count.loc, "W114",
+            "pass " + quoted(decl.name) + " would draw " +
+                (value->is_size ? "a size" : std::to_string(static_cast<int64_t>(whole))) + " " + what);
+        add_help(d, value->is_size ? "use .x or .y of it" : "1 to 16777216 are possible");
+        return 1;
+    };
+    decl.vertices = counted(desc.vertices, "vertices");
+    decl.instances = counted(desc.instances, "instances");
+    check_procedural_shader(state, pass);
+}
+
 }  // namespace
 
 void resolve_import(ResolveState& state, const ImportDesc& desc, ResourceDecl& decl, ResourceWork& work) {
@@ -116,7 +156,9 @@ void check_draw_list_imports(ResolveState& state) {
 void check_draws(ResolveState& state, PassId pass) {
     const PassDesc& desc = *state.passes[pass].desc;
     PassDecl& decl = state.graph.passes[pass];
-    if (desc.draws.empty()) {
+    if (!desc.vertices.empty()) {
+        count_vertices(state, pass);
+    } else if (desc.draws.empty()) {
         Diagnostic& d =
             state.pass_error(pass, desc.loc, "W118", "raster pass " + quoted(desc.name) + " draws nothing");
         add_help(d, "name the draw lists: \"draws\": [\"opaque\"]");

@@ -25,6 +25,37 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
                           bytes.data());
 }
 
+// So many vertices, of which the shader knows no more than the index.
+void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+                   uint32_t vertices, uint32_t instances) {
+    const DeviceFunctions& fn = context.device.fn();
+    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                         prepared.pipelines[0].pipeline.get());
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    fn.vkCmdDraw(context.commands, vertices, instances, 0, 0);
+}
+
+void draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+               const DrawPipeline& draw) {
+    const DeviceFunctions& fn = context.device.fn();
+    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
+    // All variants share one layout, but the draws before may have bound sets of their own.
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    DrawContext draws;
+    draws.fn = &fn;
+    draws.commands = context.commands;
+    draws.layout = prepared.layout.pipeline.get();
+    draws.list = draw.list;
+    draws.variant = draw.variant;
+    draws.cull = pass.state.cull;
+    draws.frame_slot = context.slot;
+    if (pass.draw_commands_use != kNoId)
+        draws.draw_commands = context.resources.buffer(pass.uses[pass.draw_commands_use].resource);
+    draws.uses_materials = prepared.layout.declares[kMaterialSet];
+    draws.uses_instances = prepared.layout.declares[kInstanceSet];
+    context.objects.draws->record(draws);
+}
+
 }  // namespace
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
@@ -40,36 +71,17 @@ void record_compute(const RecordContext& context, const PassDecl& pass, const Pr
 }
 
 void record_fullscreen(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
-    const DeviceFunctions& fn = context.device.fn();
     begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
-    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                         prepared.pipelines[0].pipeline.get());
-    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
-    fn.vkCmdDraw(context.commands, 3, 1, 0, 0);
+    draw_vertices(context, pass, prepared, 3, 1);
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
 void record_raster(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
-    const DeviceFunctions& fn = context.device.fn();
     begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
-    for (const DrawPipeline& draw : prepared.pipelines) {
-        fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
-        // All variants share one layout, but the draws before may have bound sets of their own.
-        bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
-        DrawContext draws;
-        draws.fn = &fn;
-        draws.commands = context.commands;
-        draws.layout = prepared.layout.pipeline.get();
-        draws.list = draw.list;
-        draws.variant = draw.variant;
-        draws.cull = pass.state.cull;
-        draws.frame_slot = context.slot;
-        if (pass.draw_commands_use != kNoId)
-            draws.draw_commands = context.resources.buffer(pass.uses[pass.draw_commands_use].resource);
-        draws.uses_materials = prepared.layout.declares[kMaterialSet];
-        draws.uses_instances = prepared.layout.declares[kInstanceSet];
-        context.objects.draws->record(draws);
-    }
+    if (pass.vertices > 0)
+        draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
+    else
+        for (const DrawPipeline& draw : prepared.pipelines) draw_list(context, pass, prepared, draw);
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 

@@ -318,6 +318,8 @@ struct PassDecl {
     RasterState state;
     std::vector<std::string> draw_lists;  // import names
     uint32_t draw_commands_use = kNoId;   // raster: the use that holds a draw command for each draw
+    uint32_t vertices = 0;   // raster, in place of lists: so many, which the shader places by their index
+    uint32_t instances = 0;  // … each so many times
     std::string view = "camera";
     std::array<float, 4> clear{0, 0, 0, 0};  // `clear` passes
     double flops = 0;                        // declared cost

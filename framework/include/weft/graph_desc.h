@@ -164,6 +164,7 @@ struct PassDesc {
     std::vector<ResolveDesc> resolves;
     std::vector<std::string> draws;
     std::vector<SourceLoc> draw_locs;
+    Expr vertices, instances;  // or: so many vertices without a list; instances absent: 1
     std::string view;
     std::vector<ParamValueDesc> params;
     std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name

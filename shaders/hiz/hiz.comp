@@ -1,0 +1,76 @@
+// The nearest and the farthest depth of squares of 2 to 128 pixels, in one dispatch: a workgroup is one square of 128
+// pixels, so no square is split and none waits for another workgroup.
+// in   depth       reversed: 1 near, 0 the sky, which counts as nothing
+// out  mip0…mip6   r: max z, g: min z over what is no sky; 0 and 1 where all is. Mip k has one texel for each square of
+//                  2^(k+1) pixels from pixel 0; the images hang over the picture to whole squares of 128 pixels.
+#version 460
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+uniform sampler2D depth;
+layout(rg32f) writeonly uniform image2D mip0, mip1, mip2, mip3, mip4, mip5, mip6;
+
+const int kSide1 = 32;  // texels of mip 1 along a square of 128 pixels
+const vec2 kSky = vec2(0.0, 1.0);
+
+// Mips 1 to 5 of the square, one behind the other.
+shared vec2 ranges[kSide1 * kSide1 + 16 * 16 + 8 * 8 + 4 * 4 + 2 * 2];
+
+vec2 merged(vec2 a, vec2 b) { return vec2(max(a.x, b.x), min(a.y, b.y)); }
+
+vec2 range_of(float z) { return z > 0.0 ? vec2(z) : kSky; }
+
+// Of 2 × 2 pixels. What hangs over the picture repeats its last pixels, which are in the same square.
+vec2 quad_range(ivec2 first, ivec2 last) {
+    if (any(greaterThan(first, last))) return kSky;
+    const ivec2 second = min(first + 1, last);
+    return merged(merged(range_of(texelFetch(depth, first, 0).r), range_of(texelFetch(depth, second, 0).r)),
+                  merged(range_of(texelFetch(depth, ivec2(second.x, first.y), 0).r),
+                         range_of(texelFetch(depth, ivec2(first.x, second.y), 0).r)));
+}
+
+// A quarter of the square: each thread has 4 × 4 pixels of it.
+void reduce_pixels(ivec2 quarter, ivec2 thread, ivec2 last) {
+    const ivec2 in_square = quarter * 16 + thread;
+    const ivec2 texel = ivec2(gl_WorkGroupID.xy) * kSide1 + in_square;
+    vec2 range = kSky;
+    for (int i = 0; i < 4; ++i) {
+        const ivec2 quad = texel * 2 + ivec2(i & 1, i >> 1);
+        const vec2 of_quad = quad_range(quad * 2, last);
+        imageStore(mip0, quad, of_quad.xyxy);
+        range = merged(range, of_quad);
+    }
+    imageStore(mip1, texel, range.xyxy);
+    ranges[in_square.y * kSide1 + in_square.x] = range;
+}
+
+// One texel of the next mip, from four that begin at `from` in rows of twice `side`.
+vec2 next_range(int from, ivec2 at, int side) {
+    const int first = from + at.y * 4 * side + at.x * 2;
+    return merged(merged(ranges[first], ranges[first + 1]),
+                  merged(ranges[first + 2 * side], ranges[first + 2 * side + 1]));
+}
+
+void main() {
+    const ivec2 thread = ivec2(gl_LocalInvocationID.xy);
+    const ivec2 last = textureSize(depth, 0) - 1;
+    for (int i = 0; i < 4; ++i) reduce_pixels(ivec2(i & 1, i >> 1), thread, last);
+    int from = 0;
+    for (int mip = 2; mip <= 6; ++mip) {
+        barrier();
+        const int side = 128 >> (mip + 1), to = from + 4 * side * side;
+        if (all(lessThan(thread, ivec2(side)))) {
+            const vec2 range = next_range(from, thread, side);
+            const ivec2 texel = ivec2(gl_WorkGroupID.xy) * side + thread;
+            if (mip < 6) ranges[to + thread.y * side + thread.x] = range;
+            switch (mip) {
+                case 2: imageStore(mip2, texel, range.xyxy); break;
+                case 3: imageStore(mip3, texel, range.xyxy); break;
+                case 4: imageStore(mip4, texel, range.xyxy); break;
+                case 5: imageStore(mip5, texel, range.xyxy); break;
+                default: imageStore(mip6, texel, range.xyxy);
+            }
+        }
+        from = to;
+    }
+}

@@ -1,0 +1,19 @@
+// A sphere around all that a light reaches. Units: metres, world space. Needs shared/light.glsl.
+
+// The cosine between a spot's axis and the edge of its cone.
+float cone_edge(Light light) { return -light.cone_offset / light.cone_scale; }
+
+// Centre and radius of a light that has a place and a range. Of a spot the smallest one around the part of its ball that
+// the cone cuts out: up to 45° through the apex and the rim, beyond that around the rim.
+vec4 light_sphere(Light light) {
+    const float range_m = light.range_m;
+    if (light.type == kLightCapsule) return vec4(light.position, light.half_size_m.x + range_m);
+    if (light.type == kLightRectangle) return vec4(light.position, length(light.half_size_m) + range_m);
+    const float edge = cone_edge(light);
+    if (light.type != kLightSpot || edge <= 0.0) return vec4(light.position, range_m);
+    if (edge * edge >= 0.5) {
+        const float radius_m = range_m * 0.5 / edge;
+        return vec4(light.position + light.direction * radius_m, radius_m);
+    }
+    return vec4(light.position + light.direction * (range_m * edge), range_m * sqrt(1.0 - edge * edge));
+}

@@ -1,0 +1,112 @@
+// The lights that may reach a tile of 16 × 16 pixels, a workgroup each: those of its super-tile that reach a box around one
+// of the tile's slices. The span from its nearest to its farthest pixel is cut into 32 slices of equal depth; a slice's box
+// is as wide as the pixels in it. After Harada's 2.5D culling (SIGGRAPH Asia 2012), which has one bit where there is a box
+// here. A sphere around each light is tried first; what is left is tried again, by as few threads as it takes.
+// in   depth         reversed; the sky is 0 and reached by nothing
+//      hiz           near and far of each tile, see hiz/hiz.comp
+//      lightBounds, superLights  see light_bounds.comp, super_tiles.comp
+//      glassDepth    with TRANSLUCENT: the nearest transparent surface; pixels then reach from it to the opaque surface, or
+//                    without end where there is none
+// out  tileLights    for each tile, in rows, a length and the lights' indices, ascending
+//      tileOverflow  grows by what lists have no room for: lights, lists; and the longest list that was wanted
+//      tileMask      optional: the same sets, without a limit, as a bit for each light
+#version 460
+#include "frame_set.glsl"
+#include "light_bounds.glsl"
+#include "pixel_box.glsl"
+#include "reach.glsl"
+#include "sorted_list.glsl"
+
+layout(constant_id = 0) const bool HAS_glassDepth = false;
+layout(constant_id = 1) const bool HAS_tileMask = false;
+layout(constant_id = 2) const bool TRANSLUCENT = false;
+
+layout(local_size_x = 8, local_size_y = 4) in;
+
+uniform sampler2D depth, hiz, glassDepth, lightBounds;
+readonly buffer SuperLights { uint items[]; } superLights;
+writeonly buffer TileLights { uint items[]; } tileLights;
+buffer TileOverflow { uint left_out, lists, longest; } tileOverflow;
+coherent buffer TileMask { uint items[]; } tileMask;
+
+#include "tile_slices.glsl"
+
+shared uint candidates[kRound];
+
+uint tile_index() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
+uint tile_total() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }
+uint list_stride() { return uint(tileLights.items.length()) / tile_total(); }
+uint mask_words() { return uint(tileMask.items.length()) / tile_total(); }
+
+uint super_list() {
+    const uvec2 super = gl_WorkGroupID.xy >> 3, supers = (gl_NumWorkGroups.xy + 7u) >> 3;
+    return (super.y * supers.x + super.x) * (uint(superLights.items.length()) / (supers.x * supers.y));
+}
+
+vec4 sphere_of(uint light) { return texelFetch(lightBounds, bounds_texel(light), 0); }
+
+Reach reach_of(uint light) {
+    const ivec2 at = bounds_texel(light);
+    const vec4 a = texelFetch(lightBounds, at + ivec2(0, 1), 0), b = texelFetch(lightBounds, at + ivec2(0, 2), 0);
+    const vec4 c = texelFetch(lightBounds, at + ivec2(0, 3), 0), d = texelFetch(lightBounds, at + ivec2(0, 4), 0);
+    return Reach(a.xyz, a.w, b.xyz, b.w, c.xyz, d.w, d.xyz, c.w);
+}
+
+// Of the super-tile's lights from `first` on, kRound at most: those whose spheres meet the tile go to `candidates`.
+uint find_candidates(uint first, uint end, TileBounds bounds) {
+    bvec4 kept;
+    uvec4 light;
+    for (uint i = 0u; i < 4u; ++i) {
+        const uint at = first + i * kThreads + gl_LocalInvocationIndex;
+        light[i] = superLights.items[min(at, end - 1u)];
+        kept[i] = at < end && may_reach(sphere_of(light[i]), bounds);
+    }
+    uint count;
+    const uvec4 place = enter_four(kept, count);
+    for (uint i = 0u; i < 4u; ++i)
+        if (kept[i]) candidates[place[i]] = light[i];
+    barrier();
+    return count;
+}
+
+void put(uint light, uint place) {
+    const uint stride = list_stride();
+    if (place + 1u < stride) tileLights.items[tile_index() * stride + 1u + place] = light;
+    if (HAS_tileMask) atomicOr(tileMask.items[tile_index() * mask_words() + light / 32u], 1u << (light % 32u));
+}
+
+uint fill_list() {
+    const TileBounds bounds = tile_bounds();
+    const uint list = super_list(), end = list + 1u + superLights.items[list];
+    uint listed = 0u;
+    for (uint first = list + 1u; first < end; first += kRound) {
+        const uint count = find_candidates(first, end, bounds);
+        for (uint i = 0u; i < count; i += kThreads) {
+            const uint at = i + gl_LocalInvocationIndex;
+            const uint light = candidates[min(at, count - 1u)];
+            const bool kept = at < count && reaches_slice(sphere_of(light), reach_of(light));
+            uint entered;
+            const uint place = enter_one(kept, entered);
+            if (kept) put(light, listed + place);
+            listed += entered;
+        }
+    }
+    return listed;
+}
+
+void clear_mask() {
+    if (!HAS_tileMask) return;
+    for (uint i = gl_LocalInvocationIndex; i < mask_words(); i += kThreads) tileMask.items[tile_index() * mask_words() + i] = 0u;
+    memoryBarrierBuffer();
+}
+
+void main() {
+    clear_mask();
+    const uint listed = find_slices() ? fill_list() : 0u, room = list_stride() - 1u;
+    if (gl_LocalInvocationIndex != 0u) return;
+    tileLights.items[tile_index() * list_stride()] = min(listed, room);
+    if (listed <= room) return;
+    atomicAdd(tileOverflow.left_out, listed - room);
+    atomicAdd(tileOverflow.lists, 1u);
+    atomicMax(tileOverflow.longest, listed);
+}

@@ -1,0 +1,13 @@
+// Depth where it can be read while stencil tests write the image that it came from.
+#version 460
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+uniform sampler2D depth;
+layout(r32f) writeonly uniform image2D surfaceDepth;
+
+void main() {
+    const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(surfaceDepth)))) return;
+    imageStore(surfaceDepth, pixel, texelFetch(depth, pixel, 0));
+}

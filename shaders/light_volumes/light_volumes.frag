@@ -1,0 +1,29 @@
+// What one light sends to the surface at a pixel, to be added to the others. The back faces of its proxy only mark.
+// Output: scene-linear Rec.709, cd/m² × preExposure.
+#version 460
+#include "brdf.glsl"
+#include "frame_set.glsl"
+#include "lights.glsl"
+#include "octahedral.glsl"
+#include "gbuffer_surface.glsl"
+#include "light_reflection.glsl"
+
+layout(early_fragment_tests) in;
+
+layout(location = 0) flat in uint light_index;
+layout(location = 0) out vec4 hdr;
+
+uniform sampler2D surfaceDepth;
+layout(std430) readonly buffer Lights { Light items[]; } lights;
+
+const float kMaxStored = 65000.0;
+
+void main() {
+    if (!gl_FrontFacing) discard;
+    const ivec2 pixel = ivec2(gl_FragCoord.xy);
+    const vec3 position = world_position(gl_FragCoord.xy * view.inverse_viewport, texelFetch(surfaceDepth, pixel, 0).r);
+    const Surface s = gbuffer_surface(pixel, texelFetch(orm, pixel, 0).rgb);
+    const vec3 v = normalize(view.eye - position);
+    const vec3 radiance = light_reflection(s, v, position, lights.items[light_index]) * frame.pre_exposure;
+    hdr = vec4(min(radiance, vec3(kMaxStored)), 0.0);
+}

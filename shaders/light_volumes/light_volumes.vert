@@ -1,0 +1,142 @@
+// Proxies: for each light a convex solid around all that it reaches, an instance each. Point lights have an icosahedron,
+// spots a pyramid of ten sides, capsules and rectangles a box, and what has no range covers the picture.
+//
+// Each proxy is there twice, so that one draw can do what takes a pipeline of its own elsewhere: primitives are
+// rasterised in order. First come its back faces, which mark the pixels whose surface they lie behind; then its front
+// faces, which shade marked pixels whose surface they lie before, and wipe the marks off. Triangles that face the other way
+// are collapsed. Where the eye, or the near plane, is within the proxy, its front is cut away, and what shades are the
+// back faces once more: turned round, so that they count as front faces, and moved onto the near plane.
+// Depth is reversed. Proxies are a hundredth too large, so that a sliver that was misjudged shows nothing.
+#version 460
+#include "frame_set.glsl"
+#include "shared/light.glsl"
+#include "light_bounds.glsl"
+
+layout(std430) readonly buffer Lights { Light items[]; } lights;
+
+layout(location = 0) flat out uint light_index;
+
+const int kTriangles = 20;
+const float kMargin = 1.01;
+const float kPi = 3.14159265358979;
+const int kSides = 10;
+const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // from the circle within a polygon to the one around it
+const float kAroundSphere = kMargin * 1.258408572;               // likewise the icosahedron
+
+const float kGolden = 1.618033988750;
+const vec3 kIcosahedron[12] = vec3[](
+    vec3(-1, kGolden, 0), vec3(1, kGolden, 0), vec3(-1, -kGolden, 0), vec3(1, -kGolden, 0),
+    vec3(0, -1, kGolden), vec3(0, 1, kGolden), vec3(0, -1, -kGolden), vec3(0, 1, -kGolden),
+    vec3(kGolden, 0, -1), vec3(kGolden, 0, 1), vec3(-kGolden, 0, -1), vec3(-kGolden, 0, 1));
+const uvec3 kIcosahedronFaces[kTriangles] = uvec3[](
+    uvec3(0, 11, 5), uvec3(0, 5, 1), uvec3(0, 1, 7), uvec3(0, 7, 10), uvec3(0, 10, 11), uvec3(1, 5, 9), uvec3(5, 11, 4),
+    uvec3(11, 10, 2), uvec3(10, 7, 6), uvec3(7, 1, 8), uvec3(3, 9, 4), uvec3(3, 4, 2), uvec3(3, 2, 6), uvec3(3, 6, 8),
+    uvec3(3, 8, 9), uvec3(4, 9, 5), uvec3(2, 4, 11), uvec3(6, 2, 10), uvec3(8, 6, 7), uvec3(9, 8, 1));
+const uvec3 kBoxFaces[12] = uvec3[](  // bit i of a corner: which end of axis i
+    uvec3(1, 3, 7), uvec3(1, 7, 5), uvec3(0, 4, 6), uvec3(0, 6, 2), uvec3(2, 6, 7), uvec3(2, 7, 3),
+    uvec3(0, 1, 5), uvec3(0, 5, 4), uvec3(4, 5, 7), uvec3(4, 7, 6), uvec3(0, 2, 3), uvec3(0, 3, 1));
+
+const int kEverywhere = 0;
+const int kSphere = 1;
+const int kCone = 2;
+const int kBox = 3;
+
+// Local space has side, up and back as its axes.
+struct Proxy {
+    int shape;
+    mat3 axes;
+    vec3 center;      // of a cone its apex
+    vec3 extent;      // sphere: around the solid; cone: rim, rim, height; box: halves
+};
+
+Proxy make_proxy(Light light) {
+    Proxy proxy;
+    proxy.axes = mat3(light.side, cross(light.side, light.direction), -light.direction);
+    proxy.center = light.position;
+    const float range_m = light.range_m;
+    const float edge = cone_edge(light);
+    if (range_m <= 0.0) {
+        proxy.shape = kEverywhere;
+        proxy.extent = vec3(0.0);
+    } else if (light.type == kLightCapsule) {
+        proxy.shape = kBox;
+        proxy.extent = kMargin * (vec3(range_m) + vec3(0.0, 0.0, light.half_size_m.x));
+    } else if (light.type == kLightRectangle) {
+        proxy.shape = kBox;
+        proxy.center += light.direction * (0.5 * range_m);
+        proxy.extent = kMargin * vec3(light.half_size_m + range_m, 0.5 * range_m);
+    } else if (light.type == kLightSpot && edge > 0.5) {
+        const float back_m = range_m * (kMargin - 1.0);
+        proxy.shape = kCone;
+        proxy.center -= light.direction * back_m;
+        const float height_m = range_m * kMargin + back_m;
+        const float rim_m = height_m * kAroundCircle * sqrt(1.0 - edge * edge) / edge;
+        proxy.extent = vec3(rim_m, rim_m, height_m);
+    } else {
+        proxy.shape = kSphere;
+        proxy.extent = vec3(kAroundSphere * range_m);
+    }
+    return proxy;
+}
+
+vec3 rim(int at) {
+    const float turn = float(at % kSides) * (2.0 * kPi / float(kSides));
+    return vec3(cos(turn), sin(turn), -1.0);
+}
+
+// A corner of a triangle of the solid, counter-clockwise from outside; where there are fewer triangles, a point.
+vec3 corner_of(Proxy proxy, int triangle, int corner) {
+    vec3 at = vec3(0.0);
+    if (proxy.shape == kSphere)
+        at = normalize(kIcosahedron[kIcosahedronFaces[triangle][corner]]);
+    else if (proxy.shape == kCone && triangle < kSides)
+        at = corner == 0 ? at : rim(triangle + corner - 1);
+    else if (proxy.shape == kCone && triangle < 2 * kSides - 2)
+        at = rim(corner == 0 ? 0 : triangle - kSides + 3 - corner);
+    else if (proxy.shape == kBox && triangle < 12)
+        at = vec3((uvec3(kBoxFaces[triangle][corner]) >> uvec3(0, 1, 2)) & 1u) * 2.0 - 1.0;
+    return proxy.center + proxy.axes * (at * proxy.extent);
+}
+
+// The whole picture at the far plane, as seen from the back.
+vec4 picture_corner(int triangle, int corner) {
+    if (triangle > 0) return vec4(0.0);
+    return vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
+
+// Whether some of the near plane may lie within.
+bool surrounds_eye(Proxy proxy) {
+    if (proxy.shape == kEverywhere) return true;
+    const vec3 near_corner = vec3(1.0 / view.projection[0][0], 1.0 / view.projection[1][1], 1.0);
+    const float near_m = kMargin * view.near_m * length(near_corner);
+    const vec3 eye = (view.eye - proxy.center) * proxy.axes;
+    if (proxy.shape == kSphere) return length(eye) < proxy.extent.x + near_m;
+    if (proxy.shape == kBox) return all(lessThan(abs(eye), proxy.extent + near_m));
+    const float slope = proxy.extent.x / proxy.extent.z;
+    const float room_m = slope * -eye.z + near_m * sqrt(1.0 + slope * slope);
+    return -eye.z > -near_m && -eye.z < proxy.extent.z + near_m && length(eye.xy) < room_m;
+}
+
+void main() {
+    const uint first = frame.directional_count;
+    const uint count = min(frame.light_count, uint(lights.items.length()));
+    light_index = first + uint(gl_InstanceIndex);
+    gl_Position = vec4(0.0, 0.0, -1.0, 1.0);
+    if (light_index >= count) return;
+    const Proxy proxy = make_proxy(lights.items[light_index]);
+    const int triangle = (gl_VertexIndex / 3) % kTriangles;
+    const bool shades = gl_VertexIndex >= 3 * kTriangles;
+    vec4 corners[3];
+    for (int i = 0; i < 3; ++i)
+        corners[i] = proxy.shape == kEverywhere
+                         ? picture_corner(triangle, i)
+                         : view.view_projection * vec4(corner_of(proxy, triangle, i), 1.0);
+    // The sign of its area in the picture, for what of it lies before the eye.
+    const float turn = determinant(mat3(corners[0].xyw, corners[1].xyw, corners[2].xyw));
+    const bool turned = shades && surrounds_eye(proxy);
+    const bool is_wanted = shades && !turned ? turn < 0.0 : turn > 0.0;
+    if (!is_wanted) return;
+    const int corner = gl_VertexIndex % 3;
+    gl_Position = corners[turned ? (3 - corner) % 3 : corner];
+    if (turned) gl_Position.z = gl_Position.w;
+}

@@ -1,0 +1,129 @@
+// Culls and shades in one dispatch: a workgroup is a tile of 16 × 16 pixels. It finds the nearest and the farthest of its
+// surfaces, tests the sphere around each light against the tile's four side planes and that range of depths, and adds what
+// the lights that pass send to each of its pixels, and the sky. Andersson 2009, "Parallel Graphics in Frostbite"; White and
+// Barré-Brisebois 2011, "More Performance!". The lights that pass are bits in shared memory, of which the lowest is taken
+// first: so lights are added up in their order whatever thread tested them, and no list can overflow.
+// Output: hdr, scene-linear Rec.709, cd/m² × preExposure, over the emission; listed: how many lights passed, a texel a tile.
+#version 460
+#include "brdf.glsl"
+#include "frame_set.glsl"
+#include "half_float.glsl"
+#include "lights.glsl"
+#include "octahedral.glsl"
+#include "sky.glsl"
+#include "gbuffer_surface.glsl"
+#include "light_bounds.glsl"
+#include "light_reflection.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+
+uniform sampler2D depth;
+layout(std430) readonly buffer Lights { Light items[]; } lights;
+layout(rgba16f) uniform image2D hdr;
+layout(r32f) writeonly uniform image2D listed;
+
+const float kMaxStored = 65000.0;
+const uint kThreads = 256u;
+const uint kMaxWords = 2048u;  // 32 lights each: as many as a graph may have
+
+shared uint nearest_bits;   // of non-negative floats; they are in the same order
+shared uint farthest_bits;
+shared uint reaching[kMaxWords];
+
+// What a tile's surfaces lie within, in view space: planes through the eye by their normals, which point inwards, and the
+// distances along the view's axis.
+struct Tile {
+    vec3 left, right, top, bottom;
+    float near_m, far_m;
+};
+
+Tile make_tile(uvec2 at, vec2 size_px) {
+    const vec2 low = vec2(at * 16u) / size_px * 2.0 - 1.0;
+    const vec2 high = vec2(at * 16u + 16u) / size_px * 2.0 - 1.0;
+    const mat4 p = view.projection;  // its third column holds what jitter moves the picture by
+    Tile tile;
+    tile.left = normalize(vec3(p[0][0], 0.0, p[2][0] + low.x));
+    tile.right = -normalize(vec3(p[0][0], 0.0, p[2][0] + high.x));
+    tile.top = normalize(vec3(0.0, p[1][1], p[2][1] + low.y));
+    tile.bottom = -normalize(vec3(0.0, p[1][1], p[2][1] + high.y));
+    tile.near_m = view.near_m / uintBitsToFloat(nearest_bits);
+    tile.far_m = view.near_m / uintBitsToFloat(farthest_bits);
+    return tile;
+}
+
+bool reaches(Light light, Tile tile) {
+    if (light.range_m <= 0.0) return true;
+    const vec4 sphere = light_sphere(light);
+    const vec3 center = (view.view * vec4(sphere.xyz, 1.0)).xyz;
+    const float radius_m = sphere.w + 1e-4 * (sphere.w - center.z);  // what rounding may take away
+    const float sides = min(min(dot(tile.left, center), dot(tile.right, center)),
+                            min(dot(tile.top, center), dot(tile.bottom, center)));
+    return sides > -radius_m && -center.z - radius_m < tile.far_m && -center.z + radius_m > tile.near_m;
+}
+
+void find_depths(float z) {
+    if (gl_LocalInvocationIndex == 0u) {
+        nearest_bits = 0u;
+        farthest_bits = floatBitsToUint(1.0);
+    }
+    barrier();
+    if (z > 0.0) {
+        atomicMax(nearest_bits, floatBitsToUint(z));
+        atomicMin(farthest_bits, floatBitsToUint(z));
+    }
+    barrier();
+}
+
+// Fills `reaching` by the lights from `first` on.
+void cull(uint first, uint count, vec2 size_px) {
+    const uint words = (count - first + 31u) / 32u;
+    for (uint word = gl_LocalInvocationIndex; word < words; word += kThreads) reaching[word] = 0u;
+    barrier();
+    if (nearest_bits > 0u) {
+        const Tile tile = make_tile(gl_WorkGroupID.xy, size_px);
+        for (uint i = gl_LocalInvocationIndex; first + i < count; i += kThreads)
+            if (reaches(lights.items[first + i], tile)) atomicOr(reaching[i >> 5], 1u << (i & 31u));
+    }
+    barrier();
+}
+
+vec3 lit_surface(ivec2 pixel, vec3 position, uint first, uint count) {
+    const vec3 material = texelFetch(orm, pixel, 0).rgb;
+    const Surface s = gbuffer_surface(pixel, material);
+    const vec3 v = normalize(view.eye - position);
+    vec3 radiance = vec3(0.0);
+    for (uint i = 0u; i < first; ++i) radiance += light_reflection(s, v, position, lights.items[i]);
+    for (uint word = 0u; first + word * 32u < count; ++word)
+        for (uint bits = reaching[word]; bits != 0u; bits &= bits - 1u)
+            radiance += light_reflection(s, v, position, lights.items[first + word * 32u + findLSB(bits)]);
+    return radiance + material.r * ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, material.g);
+}
+
+uint passed(uint words) {
+    uint sum = 0u;
+    for (uint word = 0u; word < words; ++word) sum += bitCount(reaching[word]);
+    return sum;
+}
+
+void main() {
+    const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    const ivec2 size = imageSize(hdr);
+    const bool inside = all(lessThan(pixel, size));
+    const float z = inside ? texelFetch(depth, pixel, 0).r : 0.0;
+    const uint count = min(min(frame.light_count, uint(lights.items.length())), kMaxWords * 32u);
+    const uint first = min(frame.directional_count, count);
+    find_depths(z);
+    cull(first, count, vec2(size));
+    if (gl_LocalInvocationIndex == 0u)
+        imageStore(listed, ivec2(gl_WorkGroupID.xy), vec4(passed((count - first + 31u) / 32u)));
+    if (!inside) return;
+    const vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
+    vec3 color;
+    if (z > 0.0) {
+        const vec3 lit = lit_surface(pixel, world_position(uv, z), first, count);
+        color = imageLoad(hdr, pixel).rgb + lit * frame.pre_exposure;
+    } else {
+        color = sky_radiance(ray_direction(uv)) * frame.pre_exposure;
+    }
+    imageStore(hdr, pixel, vec4(nearest_half(min(color, vec3(kMaxStored))), 1.0));
+}
