@@ -68,6 +68,7 @@ class CostStep {
         for (const PortDesc* port : written_ports(pass)) add_port(*port);
         if (pass.indirect) add_port(*pass.indirect);
         for (const Expr* expression : {&pass.condition, &pass.per_frame}) add(*expression, ParamCost::graph);
+        add(pass.view_number, ParamCost::graph);
         add(pass.flops, ParamCost::live);
         for (const RepeatDesc& repeat : pass.repeat)
             for (const Expr* expression : {&repeat.first, &repeat.last, &repeat.step})

@@ -1,6 +1,6 @@
 // Purpose: what a scene offers to graphs, known without a device: the draw lists opaque, masked and
 // transparent, their draw commands (opaqueCommands, …), the output image, the element types Light and
-// DrawCommand, and the view "camera".
+// DrawCommand, the views "camera" and "sun(0)" to "sun(3)", and the number directionalLights.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ inline constexpr std::array kDrawLists{"opaque", "masked", "transparent"};
 [[nodiscard]] std::string commands_of(std::string_view list);
 
 // The output is a UNORM image that the last pass encodes; after the frame it is copied, blitted or read back.
-// Without a scene every list has one draw.
+// Without a scene every list has one draw, and there is one directional light.
 [[nodiscard]] ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene = nullptr);
 
 }  // namespace weft::render

@@ -164,7 +164,9 @@ struct PassDesc {
     std::vector<ResolveDesc> resolves;
     std::vector<std::string> draws;
     std::vector<SourceLoc> draw_locs;
-    std::string view;
+    std::string view;  // "camera", or of a numbered one the name: "sun" of "sun(i)"
+    Expr view_number;  // absent: the view has none
+    SourceLoc view_loc;
     std::vector<ParamValueDesc> params;
     std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name
     Expr condition;                         // "if"; absent: always
