@@ -69,6 +69,7 @@ class CostStep {
         if (pass.indirect) add_port(*pass.indirect);
         for (const Expr* expression : {&pass.condition, &pass.per_frame, &pass.vertices, &pass.instances})
             add(*expression, ParamCost::graph);
+        add(pass.view_number, ParamCost::graph);
         add(pass.flops, ParamCost::live);
         for (const RepeatDesc& repeat : pass.repeat)
             for (const Expr* expression : {&repeat.first, &repeat.last, &repeat.step})

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "graph/expression.h"
 #include "graph/parse_context.h"
 
 namespace weft {
@@ -55,8 +56,21 @@ void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.draws, pass.draw_locs);
 }
 
+// "camera", or a name and a number in brackets: "sun(i)".
 void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_string(context, node, pass.view);
+    pass.view_loc = node.loc;
+    if (!read_string(context, node, pass.view)) return;
+    const size_t open = pass.view.find('(');
+    if (open == std::string::npos) return;
+    const LocatedText text{node.string, node.loc};
+    size_t end = open + 1;
+    Result<Expr> number = parse_expression_at(text, end, context.sources());
+    if (!number) return context.add(number.take_errors());
+    if (text.text.substr(end) != ")")
+        return context.error(text.at(end, 1), "W106", "the number of a view does not end with ')'",
+                             "write the view as \"" + pass.view.substr(0, open) + "(i)\"");
+    pass.view.resize(open);
+    pass.view_number = std::move(*number);
 }
 
 // One expression (a size counts for x and y), or two or three.

@@ -178,6 +178,7 @@ void bind_fixed_pass(ResolveState& state, PassId pass);  // clear, copy, readbac
 void bind_custom_pass(ResolveState& state, PassId pass);
 void set_constants(ResolveState& state, PassId pass);  // specialisation constants
 void check_draws(ResolveState& state, PassId pass);
+void resolve_view(ResolveState& state, PassId pass);
 void choose_formats(ResolveState& state);
 void check_interfaces(ResolveState& state);
 void resolve_versions(ResolveState& state);

@@ -173,14 +173,6 @@ void check_draws(ResolveState& state, PassId pass) {
         check_vertex_inputs(state, pass, list);
         decl.draw_lists.push_back(list);
     }
-    const std::vector<std::string>& views = state.input.imports.views;
-    decl.view = desc.view.empty() ? "camera" : desc.view;
-    if (std::ranges::find(views, decl.view) != views.end() || (views.empty() && desc.view.empty())) return;
-    Diagnostic& d =
-        state.pass_error(pass, desc.loc, "W118",
-                         "pass " + quoted(desc.name) + " is drawn from unknown view " + quoted(decl.view));
-    const std::string near = did_you_mean_text(decl.view, views);
-    add_help(d, near.empty() ? "views are " + joined(views) : near);
 }
 
 }  // namespace weft

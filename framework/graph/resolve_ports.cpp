@@ -265,6 +265,7 @@ void bind_ports(ResolveState& state) {
         const IndexScope scope(state, id);
         const PassKind kind = state.graph.passes[id].kind;
         if (kind == PassKind::raster) check_draws(state, id);
+        if (has_shader(kind)) resolve_view(state, id);
         check_optional_ports(state, id);
         if (has_shader(kind)) {
             if (!state.passes[id].shader) continue;

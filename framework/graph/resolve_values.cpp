@@ -139,6 +139,14 @@ void count_draws(ResolveState& state) {
     }
 }
 
+// What the catalogue counts for expressions. What the author calls so comes first.
+void add_offered_numbers(ResolveState& state) {
+    for (const auto& [name, number] : state.input.imports.numbers) {
+        const bool taken = state.input.graph.sizes.contains(name) || state.input.graph.consts.contains(name);
+        if (!taken) state.names.values.try_emplace(name, number_value(number));
+    }
+}
+
 }  // namespace
 
 void resolve_values(ResolveState& state) {
@@ -146,6 +154,7 @@ void resolve_values(ResolveState& state) {
     state.names.values["output"] = size_value(output.width, output.height);
     resolve_params(state);
     count_draws(state);
+    add_offered_numbers(state);
     NamedEvaluator(state).evaluate_all();
     if (const Expr& frames = state.input.graph.frames; !frames.empty())
         state.graph.frames =

@@ -104,6 +104,7 @@ std::vector<shared::Light> gpu_lights(std::span<const scene::Light> scene_lights
         if (light.intensity > 0) lights.push_back(gpu_light(light, time_s));
     std::stable_partition(lights.begin(), lights.end(),
                           [](const shared::Light& light) { return light.type == shared::kLightDirectional; });
+    if (!lights.empty() && lights[0].type == shared::kLightDirectional) lights[0].shadow = 1;
     return lights;
 }
 

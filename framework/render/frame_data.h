@@ -26,7 +26,7 @@ namespace weft::render {
 
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
 // Those that shine, directional ones first, then the others as the scene has them: what a full buffer cannot
-// hold is its tail.
+// hold is its tail. The first directional one casts the sun's shadows.
 [[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s);
 
 [[nodiscard]] shared::Material gpu_material(const scene::Material& material);

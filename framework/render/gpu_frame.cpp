@@ -6,24 +6,39 @@
 namespace weft::render {
 namespace {
 
-constexpr uint64_t kViewOffsetBytes = 256;  // the greatest uniform alignment a device may ask for
-constexpr uint64_t kSlotBytes = 768;
-static_assert(sizeof(shared::FrameConstants) <= kViewOffsetBytes);
-static_assert(kViewOffsetBytes + sizeof(shared::ViewConstants) <= kSlotBytes);
+// In a slot: the frame, the sun, and the views: first the camera's, then the sun's.
+constexpr uint64_t kAlignmentBytes = 256;  // the greatest that a device may ask of uniform buffers
+constexpr uint64_t kSunOffsetBytes = 256;
+constexpr uint64_t kViewsOffsetBytes = 768;
+constexpr uint64_t kViewBytes = 512;
+constexpr uint32_t kViews = 1 + shared::kMostSunCascades;
+constexpr uint64_t kSlotBytes = kViewsOffsetBytes + kViews * kViewBytes;
+static_assert(kSunOffsetBytes % kAlignmentBytes == 0 && kViewsOffsetBytes % kAlignmentBytes == 0 &&
+              kViewBytes % kAlignmentBytes == 0);
+static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);
+static_assert(kSunOffsetBytes + sizeof(shared::SunConstants) <= kViewsOffsetBytes);
+static_assert(sizeof(shared::ViewConstants) <= kViewBytes);
 
 constexpr VkShaderStageFlags kStages =
     VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
 constexpr std::array kBindings{
     VkDescriptorSetLayoutBinding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
     VkDescriptorSetLayoutBinding{1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
-    VkDescriptorSetLayoutBinding{2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, kStages, nullptr}};
+    VkDescriptorSetLayoutBinding{2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, kStages, nullptr},
+    VkDescriptorSetLayoutBinding{3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr}};
+
+uint32_t index_of(std::string_view view) {
+    for (uint32_t i = 0; i + 1 < kViews; ++i)
+        if (view == sun_view_name(i)) return i + 1;
+    return 0;
+}
 
 }  // namespace
 
 Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Environment& environment) {
     GpuFrame frame;
     Result<DescriptorSets> sets =
-        DescriptorSets::create(device, kBindings, vk::kFramesInFlight, "frame constants");
+        DescriptorSets::create(device, kBindings, vk::kFramesInFlight * kViews, "frame constants");
     if (!sets) return sets.take_errors();
     Result<vk::Buffer> constants =
         vk::Buffer::create(device, kSlotBytes * vk::kFramesInFlight, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
@@ -35,23 +50,33 @@ Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Environment& 
     const VkDescriptorImageInfo image = frame.environment_.descriptor();
     frame.sets_ = std::move(*sets);
     frame.constants_ = std::move(*constants);
-    for (uint32_t slot = 0; slot < vk::kFramesInFlight; ++slot) {
-        const uint64_t offset_bytes = slot * kSlotBytes;
+    for (uint32_t set = 0; set < vk::kFramesInFlight * kViews; ++set) {
+        const uint64_t slot_bytes = set / kViews * kSlotBytes;
+        const uint64_t view_bytes = slot_bytes + kViewsOffsetBytes + set % kViews * kViewBytes;
         const VkBuffer buffer = frame.constants_.handle();
-        const std::array infos{
-            VkDescriptorBufferInfo{buffer, offset_bytes, sizeof(shared::FrameConstants)},
-            VkDescriptorBufferInfo{buffer, offset_bytes + kViewOffsetBytes, sizeof(shared::ViewConstants)}};
-        write_buffers(device, frame.set(slot), 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, infos);
-        write_images(device, frame.set(slot), 2, {&image, 1});
+        const std::array infos{VkDescriptorBufferInfo{buffer, slot_bytes, sizeof(shared::FrameConstants)},
+                               VkDescriptorBufferInfo{buffer, view_bytes, sizeof(shared::ViewConstants)}};
+        const VkDescriptorBufferInfo sun{buffer, slot_bytes + kSunOffsetBytes, sizeof(shared::SunConstants)};
+        write_buffers(device, frame.sets_.sets[set], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, infos);
+        write_images(device, frame.sets_.sets[set], 2, {&image, 1});
+        write_buffers(device, frame.sets_.sets[set], 3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {&sun, 1});
     }
     return frame;
 }
 
-void GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame,
-                     const shared::ViewConstants& camera) {
+VkDescriptorSet GpuFrame::set(uint32_t slot, std::string_view view) const {
+    return sets_.sets[slot * kViews + index_of(view)];
+}
+
+void GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
+                     const SunCascades& sun) {
     std::byte* memory = constants_.mapped().data() + slot * kSlotBytes;
     std::memcpy(memory, &frame, sizeof frame);
-    std::memcpy(memory + kViewOffsetBytes, &camera, sizeof camera);
+    std::memcpy(memory + kSunOffsetBytes, &sun.constants, sizeof sun.constants);
+    memory += kViewsOffsetBytes;
+    std::memcpy(memory, &camera, sizeof camera);
+    for (uint32_t i = 0; i < sun.count; ++i)
+        std::memcpy(memory + (i + 1) * kViewBytes, &sun.views[i], sizeof sun.views[i]);
 }
 
 }  // namespace weft::render

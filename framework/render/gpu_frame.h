@@ -1,10 +1,12 @@
-// Purpose: set 0 of every frame in flight: frame constants and the view, in host-written memory, one copy a
-// slot, and the environment that all frames share.
+// Purpose: set 0 of every frame in flight, one for each view that a pass may look through: frame constants,
+// the sun's cascades and the view, in host-written memory, one copy a slot, and the environment that all
+// frames share.
 #pragma once
 
 #include "render/descriptor_sets.h"
 #include "render/frame_data.h"
 #include "render/gpu_environment.h"
+#include "render/sun_cascades.h"
 #include "vulkan/executor.h"
 
 namespace weft::render {
@@ -14,12 +16,14 @@ class GpuFrame {
     [[nodiscard]] static Result<GpuFrame> create(vk::Device& device, const scene::Environment& environment);
 
     // The slot must not be in flight: Executor::begin_frame() says which one is free.
-    void write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera);
+    void write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
+               const SunCascades& sun);
     [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
-    [[nodiscard]] VkDescriptorSet set(uint32_t slot) const { return sets_.sets[slot]; }
+    // Of a view that import_catalog.h offers.
+    [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
 
  private:
-    DescriptorSets sets_;  // one a slot
+    DescriptorSets sets_;  // by slot and view
     vk::Buffer constants_;
     GpuEnvironment environment_;
 };

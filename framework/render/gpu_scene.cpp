@@ -70,8 +70,8 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
 }
 
 void GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                         const shared::ViewConstants& camera) {
-    frame_.write(slot, frame, camera);
+                         const shared::ViewConstants& camera, const SunCascades& sun) {
+    frame_.write(slot, frame, camera, sun);
     const std::vector<Draw>& draws = lists_[std::string(kSortedList)];
     far_to_near_.resize(draws.size());
     std::iota(far_to_near_.begin(), far_to_near_.end(), 0u);
@@ -123,8 +123,8 @@ VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {
     }
 }
 
-VkDescriptorSet GpuScene::frame_set(uint32_t frame_slot, std::string_view) const {
-    return frame_.set(frame_slot);
+VkDescriptorSet GpuScene::frame_set(uint32_t frame_slot, std::string_view view) const {
+    return frame_.set(frame_slot, view);
 }
 
 void GpuScene::record(const vk::DrawContext& context) const {

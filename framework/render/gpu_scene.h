@@ -22,7 +22,8 @@ class GpuScene final : public vk::DrawSource {
 
     // Fills the slot's constants and sorts what is transparent; call between Executor::begin_frame() and
     // run().
-    void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera);
+    void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
+                   const SunCascades& sun);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;

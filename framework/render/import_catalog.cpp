@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/sun_cascades.h"
 #include "shared/draw_command.glsl"
 #include "shared/light.glsl"
 
@@ -61,6 +62,14 @@ uint32_t count_draws(const scene::Scene* scene, std::string_view list) {
         }));
 }
 
+// Those that shine.
+uint32_t count_directional_lights(const scene::Scene* scene) {
+    if (scene == nullptr) return 1;
+    return static_cast<uint32_t>(std::ranges::count_if(scene->lights, [](const scene::Light& light) {
+        return light.type == scene::LightType::directional && light.intensity > 0;
+    }));
+}
+
 ImportDecl output(Extent3D extent) {
     ImportDecl import;
     import.name = "backbuffer";
@@ -112,6 +121,8 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     }
     catalog.imports.emplace("backbuffer", output(output_extent));
     catalog.views = {"camera"};
+    for (uint32_t i = 0; i < shared::kMostSunCascades; ++i) catalog.views.push_back(sun_view_name(i));
+    catalog.numbers = {{"directionalLights", count_directional_lights(scene)}};
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)}, {"Light", sizeof(shared::Light)}};
     return catalog;
 }

@@ -59,6 +59,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
         scene.lights, [](const scene::Light& light) { return light.path.turns_per_s != 0; });
     session->lights_ = gpu_lights(scene.lights, 0);
     session->scene_constants_ = scene_constants(scene);
+    session->scene_bounds_ = scene::world_bounds(scene);
     Result<Prepared> first = session->follow_with(session->selection_, loaded->shaders, loaded->graph);
     if (!first) return first.take_errors();
     first->loaded = std::move(*loaded);
@@ -73,7 +74,9 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
 shared::FrameConstants Session::frame_constants(double time_s, double delta_time_s) const {
     shared::FrameConstants frame = scene_constants_;
     frame.light_count = static_cast<uint32_t>(lights_.size());
-    const auto directional = [](const shared::Light& light) { return light.type == shared::kLightDirectional; };
+    const auto directional = [](const shared::Light& light) {
+        return light.type == shared::kLightDirectional;
+    };
     frame.directional_count = static_cast<uint32_t>(std::ranges::count_if(lights_, directional));
     frame.frame_index = static_cast<uint32_t>(frame_index_);
     frame.time_s = static_cast<float>(time_s);
@@ -83,13 +86,21 @@ shared::FrameConstants Session::frame_constants(double time_s, double delta_time
     return frame;
 }
 
+// Directional lights come first.
+SunCascades Session::find_sun() const {
+    if (sun_maps_.count == 0 || lights_.empty() || lights_[0].type != shared::kLightDirectional) return {};
+    const float aspect = view_.viewport_px.x / view_.viewport_px.y;
+    return sun_cascades(input_.camera, aspect, {-lights_[0].direction, scene_bounds_}, sun_maps_);
+}
+
 Status Session::render_frame(double time_s, double delta_time_s) {
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
     if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s);
     view_ = view_constants(input_.camera, view_.prev_view_projection, selection_.size.width,
                            selection_.size.height, jitter_px(frame_index_, loaded_.desc.jitter));
-    scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_);
+    sun_ = find_sun();
+    scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_, sun_);
     const LightList lights{lights_};
     HostInputs host;
     host.set("lights", lights);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "render/prepared.h"
+#include "render/sun_cascades.h"
 #include "scene/scene.h"
 #include "shader/load_graph.h"
 #include "shared/frame.glsl"
@@ -89,6 +90,8 @@ class Session {
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
+    // Of the last frame; none where no pass looks through the sun's eyes.
+    [[nodiscard]] const SunCascades& sun() const { return sun_; }
 
  private:
     Session(vk::Device& device, const SessionInput& input);
@@ -104,6 +107,7 @@ class Session {
     void adopt(Prepared& next);
     [[nodiscard]] StageMark running() const;
     [[nodiscard]] shared::FrameConstants frame_constants(double time_s, double delta_time_s) const;
+    [[nodiscard]] SunCascades find_sun() const;
 
     vk::Device& device_;
     const SessionInput input_;
@@ -124,6 +128,9 @@ class Session {
     bool lights_move_ = false;
     std::vector<shared::Light> lights_;  // of this frame
     shared::ViewConstants view_{};
+    scene::Bounds scene_bounds_;
+    SunMaps sun_maps_;
+    SunCascades sun_;
     shared::FrameConstants scene_constants_{};
     float pre_exposure_ = 1;
     uint64_t frame_index_ = 0;

@@ -222,6 +222,7 @@ Status Session::hand_over_to(Stage stage) {
 void Session::adopt(Prepared& next) {
     selection_ = std::move(next.selection);
     if (next.loaded) loaded_ = std::move(*next.loaded);
+    sun_maps_ = sun_maps_of(plan());
     const std::lock_guard lock(marking_);
     const uint64_t turn = mark_.turn + 1;
     mark_ = std::move(next.mark);

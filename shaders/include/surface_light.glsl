@@ -2,6 +2,8 @@
 // forward shading share it. Its ports are the buffer `lights` and, where lights are culled, the lists `tileLights`: then
 // only those of the pixel's tile are asked, in the same order. A light that is not listed would add exactly nothing, so
 // the sum is the same to the last bit. Needs brdf.glsl, frame_set.glsl, lights.glsl and sky.glsl.
+#include "sun_shadow.glsl"
+
 layout(constant_id = 15) const bool HAS_tileLights = false;
 
 layout(std430) readonly buffer Lights { Light items[]; } lights;
@@ -17,10 +19,12 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint list = HAS_tileLights ? tile_list(pixel) : 0u;
     const uint listed = HAS_tileLights ? tileLights.items[list] : all - directional;
     vec3 radiance = vec3(0.0);
+    const float sunshine = sun_visibility(position, s.normal, distance(position, view.eye));
     for (uint i = 0u; i < directional + listed; ++i) {
         uint index = i;
         if (HAS_tileLights && i >= directional) index = tileLights.items[list + 1u + i - directional];
-        radiance += light_reflection(s, v, position, lights.items[index]);
+        const float visible = lights.items[index].shadow == 0u ? 1.0 : sunshine;
+        radiance += light_reflection(s, v, position, lights.items[index]) * visible;
     }
     return radiance;
 }

@@ -165,7 +165,9 @@ struct PassDesc {
     std::vector<std::string> draws;
     std::vector<SourceLoc> draw_locs;
     Expr vertices, instances;  // or: so many vertices without a list; instances absent: 1
-    std::string view;
+    std::string view;  // "camera", or of a numbered one the name: "sun" of "sun(i)"
+    Expr view_number;  // absent: the view has none
+    SourceLoc view_loc;
     std::vector<ParamValueDesc> params;
     std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name
     Expr condition;                         // "if"; absent: always

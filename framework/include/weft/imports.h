@@ -45,7 +45,8 @@ struct ImportDecl {
 
 struct ImportCatalog {
     std::map<std::string, ImportDecl, std::less<>> imports;
-    std::vector<std::string> views;                        // "camera", …
+    std::vector<std::string> views;                        // "camera", "sun(0)", "sun(1)", …
+    std::map<std::string, double, std::less<>> numbers;    // that expressions may name: "directionalLights"
     std::map<std::string, uint32_t, std::less<>> strides;  // element types of buffers: "Light" → bytes
 };
 

@@ -1,0 +1,226 @@
+#include "render/sun_cascades.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace weft::render {
+namespace {
+
+static_assert(sizeof(shared::SunCascade) == 80 && sizeof(shared::SunConstants) == 336);
+
+// Of equal ratios; the rest of equal steps. Zhang et al. take a half; rooms and courts are seen nearer by.
+constexpr double kRatioShare = 0.6;
+// Shadows end here, where the scene does not end before.
+constexpr double kMostReach_m = 250;
+// Beyond the sphere: what the filter and the offset along the normal reach, and half a texel of snapping.
+constexpr double kBorderTexels = 6;
+// Beyond the scene's bounds, of their depth: rounding must not cut off what lies on them.
+constexpr double kDepthMargin = 0.01;
+
+struct Axes {
+    glm::dvec3 right, down, to_sun;
+};
+
+Axes axes_of(const glm::vec3& to_sun) {
+    const glm::dvec3 back = glm::normalize(glm::dvec3(to_sun));
+    const glm::dvec3 up = std::abs(back.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+    const glm::dvec3 right = glm::normalize(glm::cross(up, back));
+    return {right, -glm::cross(back, right), back};
+}
+
+struct Sphere {
+    glm::dvec3 center{0};
+    double radius_m = 0;
+};
+
+Sphere sphere_of(const scene::Bounds& bounds) {
+    const glm::dvec3 least(bounds.min), most(bounds.max);
+    return {(least + most) * 0.5, glm::length(most - least) * 0.5};
+}
+
+// The least sphere around what lies between two distances from the eye within the frustum: by symmetry it is
+// on the axis, and touches the corners of both ends, or those of the far end alone.
+Sphere sphere_of_part(const scene::Camera& camera, double aspect, double from_m, double to_m) {
+    const double tan_y = std::tan(double{camera.fov_y_rad} * 0.5);
+    const double cos_corner = 1 / std::sqrt(1 + tan_y * tan_y * (1 + aspect * aspect));
+    const double along = std::min((from_m + to_m) * 0.5 / cos_corner, to_m * cos_corner);
+    const glm::dmat4 world(camera.transform);
+    const double radius2 = to_m * to_m - 2 * to_m * along * cos_corner + along * along;
+    return {glm::dvec3(world[3]) - glm::dvec3(world[2]) * along, std::sqrt(radius2)};
+}
+
+// Depths along the light that hold all of the scene.
+struct DepthRange {
+    double farthest = 0, nearest = 0;
+};
+
+DepthRange depth_range(const scene::Bounds& bounds, const glm::dvec3& to_sun) {
+    DepthRange range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 at((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
+                            (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
+                            (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
+        range.farthest = std::min(range.farthest, glm::dot(at, to_sun));
+        range.nearest = std::max(range.nearest, glm::dot(at, to_sun));
+    }
+    const double margin = std::max((range.nearest - range.farthest) * kDepthMargin, 0.01);
+    return {range.farthest - margin, range.nearest + margin};
+}
+
+// Sets one row of a matrix that multiplies (x, y, z, 1).
+void set_row(glm::mat4& matrix, int row, const glm::vec3& factors, double offset) {
+    for (int column = 0; column < 3; ++column) matrix[column][row] = factors[column];
+    matrix[3][row] = static_cast<float>(offset);
+}
+
+// One cascade's map. Its axes are rounded to single precision first, the same in every frame; its origin is a
+// whole number of texels, which single precision holds exactly. So two frames' maps differ by whole texels,
+// exactly.
+struct MapMatrices {
+    glm::mat4 to_map{0}, to_clip{0};
+    glm::dvec2 origin_texels{0};
+};
+
+MapMatrices matrices_of(const Sphere& sphere, double texel_m, uint32_t size_px, const Axes& axes,
+                        const DepthRange& depth) {
+    const double side_m = texel_m * size_px;
+    const std::array<glm::vec3, 2> across{glm::vec3(axes.right / side_m), glm::vec3(axes.down / side_m)};
+    MapMatrices matrices;
+    for (int row = 0; row < 2; ++row) {
+        const glm::vec3& axis = across[static_cast<size_t>(row)];
+        const double center_texels = glm::dot(glm::dvec3(axis), sphere.center) * size_px;
+        const double origin = std::round(center_texels - 0.5 * size_px);
+        matrices.origin_texels[row] = origin;
+        set_row(matrices.to_map, row, axis, -origin / size_px);
+        set_row(matrices.to_clip, row, axis * 2.0f, -2 * origin / size_px - 1);
+    }
+    const double depth_m = depth.nearest - depth.farthest;
+    set_row(matrices.to_map, 2, glm::vec3(axes.to_sun / depth_m), -depth.farthest / depth_m);
+    set_row(matrices.to_clip, 2, glm::vec3(axes.to_sun / depth_m), -depth.farthest / depth_m);
+    matrices.to_map[3][3] = matrices.to_clip[3][3] = 1;
+    return matrices;
+}
+
+// Parallel: depth is linear, and the eye is where the map's middle meets the scene's edge towards the sun.
+shared::ViewConstants view_of(const SunCascade& cascade, const MapMatrices& matrices, uint32_t size_px,
+                              const Axes& axes, const DepthRange& depth) {
+    shared::ViewConstants view{};
+    const glm::dvec3 eye =
+        cascade.center + axes.to_sun * (depth.nearest - glm::dot(cascade.center, axes.to_sun));
+    glm::dmat4 to_world(1);
+    to_world[0] = glm::dvec4(axes.right, 0);
+    to_world[1] = glm::dvec4(-axes.down, 0);
+    to_world[2] = glm::dvec4(axes.to_sun, 0);
+    to_world[3] = glm::dvec4(eye, 1);
+    view.view = glm::mat4(glm::inverse(to_world));
+    const glm::dmat4 inverse = glm::inverse(glm::dmat4(matrices.to_clip));
+    view.projection = glm::mat4(glm::dmat4(matrices.to_clip) * to_world);
+    view.view_projection = view.steady_view_projection = view.prev_view_projection = matrices.to_clip;
+    view.inverse_view_projection = glm::mat4(inverse);
+    view.eye = glm::vec3(eye);
+    view.viewport_px = glm::vec2(static_cast<float>(size_px));
+    view.inverse_viewport = 1.0f / view.viewport_px;
+    return view;
+}
+
+// What bounds the parts: the camera's slices, or the scene where that is less. The last one holds the whole
+// scene, unless that is larger than shadows reach: then it ends with the reach.
+class Parts {
+ public:
+    Parts(const scene::Camera& camera, double aspect, const scene::Bounds& bounds, uint32_t count)
+        : camera_(camera), aspect_(aspect), scene_(sphere_of(bounds)), count_(count) {
+        const double reach_m = std::min(2 * scene_.radius_m, kMostReach_m);
+        const double near_m = std::min(double{camera.near_m}, reach_m);
+        ends_m_ = split_distances(near_m, std::max(reach_m, 1e-3), count);
+    }
+
+    [[nodiscard]] Sphere sphere(uint32_t i) const {
+        const double from_m = i == 0 ? 0 : ends_m_[i - 1] * (1 - double{shared::kSunBlend});
+        const Sphere part = sphere_of_part(camera_, aspect_, from_m, ends_m_[i]);
+        return holds_scene(i) || scene_.radius_m < part.radius_m ? scene_ : part;
+    }
+    [[nodiscard]] double end_m(uint32_t i) const {
+        return holds_scene(i) ? std::numeric_limits<double>::infinity() : ends_m_[i];
+    }
+
+ private:
+    [[nodiscard]] bool holds_scene(uint32_t i) const {
+        return i + 1 == count_ && 2 * scene_.radius_m <= kMostReach_m;
+    }
+
+    const scene::Camera& camera_;
+    double aspect_;
+    Sphere scene_;
+    uint32_t count_;
+    std::array<double, shared::kMostSunCascades> ends_m_{};
+};
+
+// Single precision's own infinity is no number for shaders.
+float finite(double x) {
+    return static_cast<float>(std::min(x, 1e30));
+}
+
+// The number of "sun(2)"; kNoId: another view.
+uint32_t cascade_of(const std::string& view) {
+    for (uint32_t i = 0; i < shared::kMostSunCascades; ++i)
+        if (view == sun_view_name(i)) return i;
+    return kNoId;
+}
+
+}  // namespace
+
+std::string sun_view_name(uint32_t cascade) {
+    return "sun(" + std::to_string(cascade) + ")";
+}
+
+SunMaps sun_maps_of(const FramePlan& plan) {
+    SunMaps maps;
+    for (const PassDecl& pass : plan.graph.passes) {
+        const uint32_t i = cascade_of(pass.view);
+        if (i == kNoId) continue;
+        maps.count = std::max(maps.count, i + 1);
+        if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
+            maps.size_px[i] = std::max(maps.size_px[i], pass.render_extent.width);
+    }
+    return maps;
+}
+
+std::array<double, shared::kMostSunCascades> split_distances(double near_m, double far_m, uint32_t count) {
+    std::array<double, shared::kMostSunCascades> ends_m{};
+    for (uint32_t i = 0; i < count; ++i) {
+        const double share = (i + 1.0) / count;
+        const double by_ratio = near_m * std::pow(far_m / near_m, share);
+        const double by_step = near_m + (far_m - near_m) * share;
+        ends_m[i] = kRatioShare * by_ratio + (1 - kRatioShare) * by_step;
+    }
+    return ends_m;
+}
+
+SunCascades sun_cascades(const scene::Camera& camera, float aspect, const SunScene& scene,
+                         const SunMaps& maps) {
+    SunCascades result;
+    const Axes axes = axes_of(scene.to_sun);
+    const DepthRange depth = depth_range(scene.bounds, axes.to_sun);
+    const Parts parts(camera, aspect, scene.bounds, maps.count);
+    result.count = result.constants.count = maps.count;
+    result.constants.to_sun = scene.to_sun;
+    for (uint32_t i = 0; i < maps.count; ++i) {
+        const Sphere sphere = parts.sphere(i);
+        const uint32_t size_px = std::max(maps.size_px[i], 1u);
+        SunCascade& cascade = result.cascades[i];
+        cascade.center = sphere.center;
+        cascade.radius_m = sphere.radius_m;
+        cascade.end_m = parts.end_m(i);
+        cascade.texel_m = 2 * std::max(sphere.radius_m, 1e-3) / std::max(size_px - 2 * kBorderTexels, 1.0);
+        const MapMatrices matrices = matrices_of(sphere, cascade.texel_m, size_px, axes, depth);
+        cascade.origin_texels = matrices.origin_texels;
+        result.constants.cascades[i] = {matrices.to_map, finite(cascade.end_m),
+                                        static_cast<float>(cascade.texel_m),
+                                        static_cast<float>(depth.nearest - depth.farthest), 0};
+        result.views[i] = view_of(cascade, matrices, size_px, axes, depth);
+    }
+    return result;
+}
+
+}  // namespace weft::render

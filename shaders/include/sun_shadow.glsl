@@ -1,0 +1,79 @@
+// How much of the sun reaches a point, of the maps that graphs/modules/sun_shadows.json draws: port `sunShadow`.
+// Without the port, and without a sun, there are no shadows. Needs frame_set.glsl.
+// Filter: a tent over 4 × 4 texels, as in Castaño 2013, "Shadow Mapping Summary". Depths are compared along the plane
+// of the surface: Isidoro 2006, "Shadow Mapping: GPU-based Tips and Techniques". What is left is an offset along the
+// normal that grows with the texels: Holbert 2011, "Saying Goodbye to Shadow Acne".
+
+layout(constant_id = 20) const bool HAS_sunShadow = false;
+uniform sampler2DArrayShadow sunShadow;
+
+// Steeper planes than this are not followed by the filter: normal maps have no say in where a surface lies.
+const float kSunMostSlope = 2.0;
+// How far the filter looks, and the corners of the four texels that share one depth, in texels.
+const float kSunReach = 2.8284, kSunQuadReach = 0.7071;
+// What rounding, and normals that are not quite the surface's, may add, in texels along the light.
+const float kSunBiasTexels = 0.5;
+
+struct SunPlace {
+    uint cascade;
+    vec3 at;       // texels, and the map's depth
+    vec2 slope;    // of the surface there: depth a texel
+    vec2 size;     // of the map, in texels
+};
+
+// A plane that is tilted by θ rises by tan θ a texel, and a step of d along its normal lifts it by d / cos θ: for what
+// the slope does not follow, d is so large that no texel that the filter looks at is above it.
+SunPlace place_in_map(uint i, vec3 position, vec3 normal) {
+    const SunCascade cascade = sun.cascades[i];
+    const vec2 size = vec2(textureSize(sunShadow, 0).xy);
+    const float cos_light = max(dot(normal, sun.to_sun), 1e-3);
+    const float sin_light = sqrt(max(0.0, 1.0 - cos_light * cos_light));
+    const vec2 across = mat3x2(cascade.world_to_map) * normal * (size * cascade.texel_m);
+    const vec2 slope = -across / max(cos_light, sin_light / kSunMostSlope);
+    const float offset = kSunQuadReach * sin_light + kSunReach * max(0.0, sin_light - kSunMostSlope * cos_light);
+    const vec3 moved = position + (normal * offset + sun.to_sun * kSunBiasTexels) * cascade.texel_m;
+    const vec3 place = (cascade.world_to_map * vec4(moved, 1.0)).xyz;
+    return SunPlace(i, vec3(place.xy * size, place.z), slope * (cascade.texel_m / cascade.depth_m), size);
+}
+
+bool is_in_map(SunPlace place) {
+    return all(greaterThanEqual(place.at.xy, vec2(2.0))) && all(lessThanEqual(place.at.xy, place.size - 2.0));
+}
+
+// The share of the tent that the sun sees: four gathers of 2 × 2 texels. Along each side the four weigh 1 − f, 2 − f,
+// 1 + f and f, where f is how far the point is past the centre of the second.
+float filtered(SunPlace place) {
+    const vec2 second = floor(place.at.xy - 0.5);
+    const vec2 f = place.at.xy - 0.5 - second;
+    const mat2 wx = mat2(1.0 - f.x, 2.0 - f.x, 1.0 + f.x, f.x);
+    const mat2 wy = mat2(1.0 - f.y, 2.0 - f.y, 1.0 + f.y, f.y);
+    float sum = 0.0;
+    for (int y = 0; y < 2; ++y) {
+        for (int x = 0; x < 2; ++x) {
+            const vec2 corner = second + vec2(2 * x, 2 * y);  // where the four texels meet
+            // What is farther than the scene hides behind nothing.
+            const float z = clamp(place.at.z + dot(place.slope, corner - place.at.xy), 0.0, 1.0);
+            const vec4 lit = textureGather(sunShadow, vec3(corner / place.size, float(place.cascade)), z);
+            sum += dot(lit, vec4(wx[x].x * wy[y].y, wx[x].y * wy[y].y, wx[x].y * wy[y].x, wx[x].x * wy[y].x));
+        }
+    }
+    return sum / 16.0;
+}
+
+// 1: all of it, 0: none. `view_distance` is the point's distance from the eye, in metres. At its end a map gives way to
+// the next one, the last to the light.
+float sun_visibility(vec3 position, vec3 normal, float view_distance) {
+    if (!HAS_sunShadow || sun.count == 0u) return 1.0;
+    if (dot(normal, sun.to_sun) <= 0.0) return 0.0;
+    uint i = 0u;
+    while (i < sun.count && view_distance > sun.cascades[i].end_m) ++i;
+    float visible = 0.0, rest = 1.0;
+    for (; i < sun.count && rest > 0.0; ++i) {
+        const SunPlace place = place_in_map(i, position, normal);
+        if (!is_in_map(place)) continue;
+        const float share = rest * clamp((1.0 - view_distance / sun.cascades[i].end_m) / kSunBlend, 0.0, 1.0);
+        visible += share * filtered(place);
+        rest -= share;
+    }
+    return visible + rest;
+}

@@ -1,0 +1,21 @@
+// Debug view of `sunShadow`: its maps beside one another, what is nearest to the sun brightest. Where nothing casts a
+// shadow it is blue.
+#version 460
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+
+uniform sampler2DArray shown;
+
+layout(push_constant) uniform Params { vec2 shownSize; vec2 colorSize; } params;
+
+void main() {
+    const int layers = textureSize(shown, 0).z;
+    const float side = min(params.colorSize.x / float(layers), params.colorSize.y);
+    const vec2 at = uv * params.colorSize / side;
+    const int layer = int(at.x);
+    color = vec4(0.0, 0.0, 0.0, 1.0);
+    if (layer >= layers || at.y >= 1.0) return;
+    const float z = textureLod(shown, vec3(fract(at.x), at.y, float(layer)), 0.0).r;
+    color.rgb = z > 0.0 ? vec3(z) : vec3(0.1, 0.2, 0.5);
+}
