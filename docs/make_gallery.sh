@@ -55,8 +55,8 @@ END
 
 show edges "Edges" "The court as a pale drawing: outlines in ink, creases in red" "" <<'END'
 A view for finding faults. Ink is where depth jumps: near plane over distance runs straight across the screen on any
-plane, so only ends of surfaces have a second difference, and steep floors stay clean. Red is where the normals bend. The
-lit picture stays faintly below.
+plane, so only ends of surfaces have a second difference, and steep floors stay clean. Red is where the normals bend.
+Where leaf lies on leaf the ink is thinned. The lit picture stays faintly below.
 END
 
 show reaction_diffusion "Reaction and diffusion" "Worms and rings of enamel, cream and coral on dark blue" "" <<'END'
@@ -66,9 +66,9 @@ rings, worms and mazes meet. The dish is drawn as a lit relief.
 END
 
 show fjord "Fjord" "A sunrise behind mountains, mirrored in still water" "" <<'END'
-A picture in the spirit of shader toys, also without a scene. One pass raises the land, ridge upon ridge; one marches a
-ray for each pixel over it, through mist, with shadows, clouds, and a mirrored ray where it meets water; one draws shafts
-of light out of the sun, and the last develops the film.
+A picture in the spirit of shader toys, also without a scene. One pass raises the land, ridge upon ridge; one marches
+four rays for each pixel over it, through mist, with shadows, clouds, and a mirrored ray where it meets water; one draws
+shafts of light out of the sun, and the last develops the film.
 END
 
 mv "$scratch/gallery.md" "$here/gallery.md"

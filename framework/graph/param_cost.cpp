@@ -134,16 +134,16 @@ class CostStep {
         return named;
     }
 
-    // Not where faults hide what uses them.
+    // Not where faults hide what uses them, nor of what an included file offers.
     void warn() {
         if (is_unknown_ || !state_.errors.empty()) return;
         for (const auto& [name, param] : graph_.params)
-            if (!costs_.contains(name))
+            if (!costs_.contains(name) && !state_.is_included(param.loc))
                 state_.warn(param.loc, "W132", "nothing uses parameter " + quoted(name),
                             "remove it, or name it in a shader's Params or in an expression");
         for (const auto* named : {&graph_.consts, &graph_.sizes})
             for (const auto& [name, expression] : *named)
-                if (!costs_.contains(name))
+                if (!costs_.contains(name) && !state_.is_included(expression.loc))
                     state_.warn(expression.loc, "W133",
                                 "nothing uses " +
                                     std::string(named == &graph_.consts ? "constant " : "size ") +
@@ -151,7 +151,7 @@ class CostStep {
                                 "remove it, or use it");
         const std::set<std::string, std::less<>> named = named_resources();
         for (const auto& [name, import] : graph_.imports)
-            if (!named.contains(name) && !costs_.contains(name + "Draws"))
+            if (!named.contains(name) && !costs_.contains(name + "Draws") && !state_.is_included(import.loc))
                 state_.warn(import.loc, "W134", "nothing uses the import " + quoted(name),
                             "remove it, or name it in a port or in \"draws\"");
     }

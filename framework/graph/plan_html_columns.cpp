@@ -17,6 +17,14 @@ void write_end(const PageColumn& column, const char* name, int32_t y_px, Markup&
 
 }  // namespace
 
+bool open_column_panel(const PlanPage& page, Markup& out, const char* id, const char* title,
+                       const std::string& text) {
+    open_panel(out, id, title, text);
+    const bool runs = !page.plan->schedule.order.empty();
+    if (!runs) out.leaf("p", {{"class", "none"}}, "No pass runs.");
+    return runs;
+}
+
 int32_t heading_height_px(const PlanPage& page) {
     if (!page.columns.slanted) return kFlatHeading_px;
     int32_t longest_px = 0;
@@ -38,7 +46,7 @@ void write_heading(const PlanPage& page, Markup& out) {
             turn += std::to_string(x_px) + " " + std::to_string(bottom_px) + ") rotate(-45)";
             out.leaf("text", {{"class", "name"}, {"transform", turn}}, short_name(name));
         } else {
-            const size_t fits = static_cast<size_t>(column.box_width_px) * 2 / 15;
+            const size_t fits = characters_in(column.box_width_px);
             const std::string numbered = std::to_string(p) + " " + name;
             out.leaf("text", {{"class", "name mid"}, {"x", x_px}, {"y", bottom_px}},
                      short_name(numbered.size() <= fits ? numbered : name));

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "graph/layered_layout.h"
+#include "graph/plan_html_edges.h"
 #include "graph/plan_html_parts.h"
 #include "graph/plan_names.h"
 #include "graph/plan_page_sizes.h"
@@ -13,11 +14,8 @@ constexpr int32_t kBoxHeight_px = 44;
 constexpr int32_t kMargin_px = 16;
 constexpr int32_t kRoomyGraph_px = 880;                  // a graph of few layers fills it
 constexpr int32_t kLeastGap_px = 64, kMostGap_px = 120;  // between layers
-constexpr int32_t kLane_px = 14;                         // of edges from frame to frame, below the boxes
-
-std::string point(int32_t x, int32_t y) {
-    return std::to_string(x) + " " + std::to_string(y);
-}
+constexpr int32_t kLane_px = 20;                         // of edges from frame to frame, below the boxes
+constexpr size_t kMostNamedEdges = 200;                  // more leave no room
 
 // Edges of one kind leave and arrive at one height, so that those of other kinds can be told apart.
 int32_t port_offset_px(EdgeKind kind) {
@@ -52,19 +50,18 @@ class GraphDrawing {
     }
 
     void draw() {
+        find_ways();
         const auto lanes = static_cast<int32_t>(std::count_if(page_.edges.begin(), page_.edges.end(),
                                                               [](const EdgeItem& e) { return e.history; }));
         const int32_t below_px = lanes == 0 ? 0 : (lanes + 1) * kLane_px;
-        open_drawing(out_, "Graph of passes", layout_.width_px + 2 * kMargin_px,
-                     layout_.height_px + below_px + 2 * kMargin_px);
+        const PointPx size{layout_.width_px + 2 * kMargin_px, layout_.height_px + below_px + 2 * kMargin_px};
+        open_drawing(out_, "Graph of passes", size.x, size.y);
         write_arrow_heads();
-        int32_t lane = 0;
-        for (const bool raw : {false, true})
-            for (size_t e = 0; e < page_.edges.size(); ++e)
-                if (!page_.edges[e].history && (page_.edges[e].kind == EdgeKind::raw) == raw)
-                    draw_edge(e, way(e));
-        for (size_t e = 0; e < page_.edges.size(); ++e)
-            if (page_.edges[e].history) draw_edge(e, way_below(page_.edges[e], lane++));
+        const std::vector<EdgeName> names = edge_names(size);
+        for (const bool reads : {false, true})  // which lie on top
+            for (size_t i = 0; i < ways_.size(); ++i)
+                if ((page_.edges[drawn_[i]].kind == EdgeKind::raw) == reads)
+                    draw_edge(drawn_[i], ways_[i].path(), names[i]);
         for (const PassId pass : passes_) draw_pass(pass);
         close_drawing(out_);
     }
@@ -101,8 +98,21 @@ class GraphDrawing {
     }
     int32_t right_px(PassId pass) const { return corner(pass).x + boxes_[box_of_[pass]].width_px; }
 
+    // Reads of this frame first, then those from frame to frame.
+    void find_ways() {
+        for (const auto& [history, raw] : {std::pair{false, true}, {true, true}, {false, false}}) {
+            int32_t lane = 0;
+            for (size_t e = 0; e < page_.edges.size(); ++e) {
+                if (page_.edges[e].history != history || (page_.edges[e].kind == EdgeKind::raw) != raw)
+                    continue;
+                drawn_.push_back(e);
+                ways_.push_back(history ? way_below(page_.edges[e], lane++) : way(e));
+            }
+        }
+    }
+
     // Level in boxes' layers, curved in between.
-    std::string way(size_t edge) const {
+    EdgeWay way(size_t edge) const {
         const EdgeItem& item = page_.edges[edge];
         const int32_t offset_px = kBoxHeight_px / 2 + port_offset_px(item.kind);
         std::vector<PointPx> points{{right_px(item.from), corner(item.from).y + offset_px}};
@@ -110,20 +120,21 @@ class GraphDrawing {
         for (const PointPx& bend : layout_.bends[edge])
             points.push_back({bend.x + kMargin_px, bend.y + kMargin_px + port_offset_px(item.kind) / 3});
         points.push_back({corner(item.to).x - 5, corner(item.to).y + offset_px});
-        std::string path = "M" + point(points[0].x, points[0].y);
+        EdgeWay way;
+        way.move(points[0]);
         for (size_t i = 1; i < points.size(); ++i) {
             const PointPx &a = points[i - 1], &b = points[i];
             const int32_t middle = (a.x + b.x) / 2;
             if (i % 2 == 0 || a.y == b.y)
-                path += "L" + point(b.x, b.y);
+                way.line(b);
             else
-                path += "C" + point(middle, a.y) + " " + point(middle, b.y) + " " + point(b.x, b.y);
+                way.curve({middle, a.y}, {middle, b.y}, b);
         }
-        return path;
+        return way;
     }
 
     // From frame to frame: down, back below all boxes, and up.
-    std::string way_below(const EdgeItem& item, int32_t lane) const {
+    EdgeWay way_below(const EdgeItem& item, int32_t lane) const {
         constexpr int32_t kBend_px = 8;
         const int32_t from_x = right_px(item.from) - 14 - 4 * (lane % 4),
                       to_x = corner(item.to).x + 14 + 4 * (lane % 4);
@@ -131,10 +142,37 @@ class GraphDrawing {
                       to_y = corner(item.to).y + kBoxHeight_px + 5;
         const int32_t lane_y = layout_.height_px + kMargin_px + (lane + 1) * kLane_px;
         const int32_t turn = to_x < from_x ? -kBend_px : kBend_px;
-        return "M" + point(from_x, from_y) + "V" + std::to_string(lane_y - kBend_px) + "Q" +
-               point(from_x, lane_y) + " " + point(from_x + turn, lane_y) + "H" +
-               std::to_string(to_x - turn) + "Q" + point(to_x, lane_y) + " " +
-               point(to_x, lane_y - kBend_px) + "V" + std::to_string(to_y);
+        EdgeWay way;
+        way.move({from_x, from_y});
+        way.line({from_x, lane_y - kBend_px});
+        way.bend({from_x, lane_y}, {from_x + turn, lane_y});
+        way.line({to_x - turn, lane_y});
+        way.bend({to_x, lane_y}, {to_x, lane_y - kBend_px});
+        way.line({to_x, to_y});
+        return way;
+    }
+
+    // All resources, or the first of them and how many more there are.
+    NameChoices names_of(size_t edge) const {
+        const std::vector<ResourceId>& resources = page_.edges[edge].resources;
+        if (resources.empty()) return {};
+        std::string all;
+        for (const ResourceId id : resources)
+            all += (all.empty() ? "" : ", ") + plan_.graph.resources[id].name;
+        if (resources.size() == 1) return {all};
+        return {all, plan_.graph.resources[resources[0]].name + " +" + std::to_string(resources.size() - 1)};
+    }
+
+    std::vector<EdgeName> edge_names(PointPx drawing) const {
+        if (ways_.size() > kMostNamedEdges) return std::vector<EdgeName>(ways_.size());
+        std::vector<NameChoices> names;
+        for (const size_t edge : drawn_) names.push_back(names_of(edge));
+        std::vector<AreaPx> boxes;
+        for (const PassId pass : passes_) {
+            const PointPx at = corner(pass);
+            boxes.push_back({at.x, at.y, boxes_[box_of_[pass]].width_px, kBoxHeight_px});
+        }
+        return place_edge_names(ways_, names, boxes, drawing);
     }
 
     void write_arrow_heads() {
@@ -155,7 +193,7 @@ class GraphDrawing {
         out_.close();
     }
 
-    void draw_edge(size_t edge, const std::string& path) {
+    void draw_edge(size_t edge, const std::string& path, const EdgeName& name) {
         const std::string kind = edge_style(page_.edges[edge]);
         const bool live =
             plan_.live.live_passes[page_.edges[edge].from] && plan_.live.live_passes[page_.edges[edge].to];
@@ -163,6 +201,8 @@ class GraphDrawing {
                   edge_label(page_, edge));
         out_.empty("path", {{"class", "hit"}, {"d", path}});
         out_.empty("path", {{"class", "line"}, {"d", path}, {"marker-end", "url(#head-" + kind + ")"}});
+        if (!name.text.empty())
+            out_.leaf("text", {{"class", "edgename mid"}, {"x", name.at.x}, {"y", name.at.y}}, name.text);
         out_.close();
         out_.line();
     }
@@ -200,6 +240,8 @@ class GraphDrawing {
     std::vector<uint32_t> box_of_;
     std::vector<LayoutBox> boxes_;
     LayeredLayout layout_;
+    std::vector<size_t> drawn_;  // edges, in the order of their names' rank
+    std::vector<EdgeWay> ways_;  // of each of these
 };
 
 void write_graph_legend(const PlanPage& page, Markup& out) {

@@ -18,10 +18,12 @@ struct Row {
     ResourceId resource = kNoId;
     uint32_t first = 0;
     uint32_t last = 0;
+    bool unread = false;
 };
 
 // Transients by first use, then what is kept, then imports.
-std::vector<Row> make_rows(const FramePlan& plan) {
+std::vector<Row> make_rows(const PlanPage& page) {
+    const FramePlan& plan = *page.plan;
     std::vector<Row> rows;
     const auto end = static_cast<uint32_t>(plan.schedule.order.size()) - 1;
     for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
@@ -29,7 +31,8 @@ std::vector<Row> make_rows(const FramePlan& plan) {
         const LifetimeSpan& span = plan.lifetimes.spans[id];
         const bool frame = plan.graph.resources[id].lifetime != ResourceLifetime::transient;
         if (!frame && span.first > span.last) continue;
-        rows.push_back(frame ? Row{id, 0, end} : Row{id, span.first, span.last});
+        const bool unread = has_no_reader(page, id);
+        rows.push_back(frame ? Row{id, 0, end, unread} : Row{id, span.first, span.last, unread});
     }
     std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
         const ResourceLifetime x = plan.graph.resources[a.resource].lifetime,
@@ -45,8 +48,12 @@ class LifetimeDrawing {
         : page_(page),
           plan_(*page.plan),
           out_(out),
-          rows_(make_rows(plan_)),
+          rows_(make_rows(page)),
           top_px_(heading_height_px(page)) {}
+
+    [[nodiscard]] bool shows_unread() const {
+        return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.unread; });
+    }
 
     void draw() {
         const int32_t height_px = top_px_ + static_cast<int32_t>(rows_.size()) * kRow_px + 6;
@@ -71,9 +78,10 @@ class LifetimeDrawing {
             const std::string size =
                 bytes > 0 ? bytes_text(bytes) : std::string(enum_name(resource.lifetime));
             out_.open("li");
-            open_item(out_, "row", resource_keys(page_, row.resource), resource.name + ", " + size);
+            open_item(out_, row.unread ? "row unread" : "row", resource_keys(page_, row.resource),
+                      resource.name + ", " + size + (row.unread ? ", no reader" : ""));
             out_.leaf("b", {}, resource.name);
-            out_.leaf("small", {}, size);
+            out_.leaf("small", {}, row.unread ? "no reader" : size);
             out_.close();
             out_.close();
         }
@@ -90,18 +98,22 @@ class LifetimeDrawing {
         const std::string text =
             frame ? std::string(enum_name(resource.lifetime)) + ", lives longer than a frame"
                   : "lives from " + pass_at(plan_, row.first) + " to " + pass_at(plan_, row.last);
-        open_item(out_, frame ? "life long" : "life", resource_keys(page_, row.resource),
-                  resource.name + " " + text);
+        const std::string style =
+            std::string("life") + (frame ? " long" : "") + (row.unread ? " unread" : "");
+        open_item(out_, style, resource_keys(page_, row.resource),
+                  resource.name + " " + text + (row.unread ? ", no reader: no pass that runs reads it" : ""));
         out_.empty("rect", {{"class", "hit"},
                             {"x", left_px},
                             {"y", y_px + 2},
                             {"width", right_px - left_px},
                             {"height", kRow_px - 4}});
+        // A frame around all of one that nobody reads: its writer may be all there is of it.
+        const int32_t bar_px = row.unread ? kRow_px - 4 : 8, over_px = row.unread && !frame ? 3 : 0;
         out_.empty("rect", {{"class", "bar"},
-                            {"x", left_px},
-                            {"y", y_px + kRow_px / 2 - 4},
-                            {"width", right_px - left_px},
-                            {"height", 8},
+                            {"x", left_px - over_px},
+                            {"y", y_px + (kRow_px - bar_px) / 2},
+                            {"width", right_px - left_px + 2 * over_px},
+                            {"height", bar_px},
                             {"rx", 4}});
         out_.close();
         for (const PassId pass : page_.users[row.resource])
@@ -150,19 +162,19 @@ class LifetimeDrawing {
 }  // namespace
 
 void write_lifetimes(const PlanPage& page, Markup& out) {
-    open_panel(out, "lifetimes", "Lifetimes",
-               "From the first pass that uses a resource to the last, and what each does to it. What is kept "
-               "or imported "
-               "lives on.");
-    if (page.plan->schedule.order.empty())
-        out.leaf("p", {{"class", "none"}}, "No pass runs.");
-    else
-        LifetimeDrawing(page, out).draw();
-    write_legend(out, {{"cell write", "W writes"},
-                       {"cell read", "R reads"},
-                       {"cell both", "RW both, in place"},
-                       {"life", "alive, and untouched"},
-                       {"life long", "lives longer than a frame"}});
+    std::vector<std::pair<const char*, const char*>> legend{{"cell write", "W writes"},
+                                                            {"cell read", "R reads"},
+                                                            {"cell both", "RW both, in place"},
+                                                            {"life", "alive, and untouched"},
+                                                            {"life long", "lives longer than a frame"}};
+    if (open_column_panel(page, out, "lifetimes", "Lifetimes",
+                          "From the first pass that uses a resource to the last, and what each does to it. "
+                          "What is kept or imported lives on.")) {
+        LifetimeDrawing drawing(page, out);
+        drawing.draw();
+        if (drawing.shows_unread()) legend.emplace_back("life unread", "written, and never read");
+    }
+    write_legend(out, legend);
     out.close();
 }
 

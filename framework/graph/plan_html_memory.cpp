@@ -18,20 +18,23 @@ class MemoryDrawing {
  public:
     MemoryDrawing(const PlanPage& page, Markup& out)
         : page_(page), plan_(*page.plan), out_(out), heading_px_(heading_height_px(page)) {
+        for (uint32_t h = 0; h < plan_.memory.heaps.size(); ++h)
+            if (!plan_.memory.heaps[h].persistent) heaps_.push_back(h);
+        scales_ = make_byte_scales(plan_.memory, heaps_);
         int32_t y_px = heading_px_ + kStrip_px;
-        for (uint32_t h = 0; h < plan_.memory.heaps.size(); ++h) {
-            if (plan_.memory.heaps[h].persistent) continue;
-            heaps_.push_back(h);
-            scales_.push_back(make_byte_scale(plan_.memory, h));
+        for (size_t h = 0; h < heaps_.size(); ++h) {
+            blocks_.push_back(place_blocks(plan_, heaps_[h], scales_[h]));
             tops_px_.push_back(y_px + kHeapGap_px);
-            y_px = tops_px_.back() + scales_.back().height_px();
+            y_px = tops_px_.back() + scales_[h].height_px;
         }
         height_px_ = y_px + 8;
     }
 
     [[nodiscard]] bool empty() const { return heaps_.empty(); }
-    [[nodiscard]] bool exact() const {
-        return std::all_of(scales_.begin(), scales_.end(), [](const ByteScale& s) { return s.exact; });
+    [[nodiscard]] bool enlarges() const {
+        return std::any_of(blocks_.begin(), blocks_.end(), [](const std::vector<BlockPlace>& of_heap) {
+            return !of_heap.empty() && of_heap.back().enlarged;
+        });
     }
 
     void draw() {
@@ -59,18 +62,8 @@ class MemoryDrawing {
             const HeapPlan& heap = plan_.memory.heaps[heaps_[h]];
             write_label(tops_px_[h] - 24, "strong",
                         "heap " + std::to_string(heaps_[h]) + (heap.buffers ? ", buffers" : ""));
-            int32_t free_px = 0;
-            std::string last;
-            const int32_t end_px = scales_[h].height_px();
-            for (size_t i = 0; i + 1 < scales_[h].bytes.size(); ++i) {
-                const int32_t y_px = scales_[h].y_px[i];
-                const std::string bytes = bytes_text(scales_[h].bytes[i]);
-                if (y_px < free_px || y_px > end_px - kLabel_px || bytes == last) continue;
-                last = bytes;
-                write_label(tops_px_[h] + y_px - kLabel_px / 2, "", bytes);
-                free_px = y_px + kLabel_px;
-            }
-            write_label(tops_px_[h] + end_px - kLabel_px / 2, "", bytes_text(scales_[h].bytes.back()));
+            for (const ByteTick& tick : byte_ticks(scales_[h]))
+                write_label(tops_px_[h] + tick.y_px - kLabel_px / 2, "", tick.text);
         }
         out_.close();
         out_.line();
@@ -103,46 +96,48 @@ class MemoryDrawing {
     }
 
     void draw_heap(size_t index) {
-        const ByteScale& scale = scales_[index];
+        const int32_t top_px = tops_px_[index], right_px = page_.columns.width_px - 1;
         out_.empty("rect", {{"class", "heap"},
                             {"x", 1},
-                            {"y", tops_px_[index]},
-                            {"width", page_.columns.width_px - 2},
-                            {"height", scale.height_px()}});
+                            {"y", top_px},
+                            {"width", right_px - 1},
+                            {"height", scales_[index].height_px}});
+        std::string lines;
+        for (const ByteTick& tick : byte_ticks(scales_[index]))
+            lines += "M1 " + std::to_string(top_px + tick.y_px) + "H" + std::to_string(right_px);
+        out_.empty("path", {{"class", "tick"}, {"d", lines}});
         size_t hue = 0;
-        for (const Placement& p : plan_.memory.placements) {
-            if (p.heap != heaps_[index]) continue;
-            const LifetimeSpan& span = plan_.lifetimes.spans[p.resource];
-            if (span.first <= span.last) draw_block(p, span, scale, tops_px_[index], hue++ % kHues);
-        }
+        for (const BlockPlace& block : blocks_[index]) draw_block(block, top_px, hue++ % kHues);
         out_.line();
     }
 
-    void draw_block(const Placement& p, const LifetimeSpan& span, const ByteScale& scale, int32_t heap_px,
-                    size_t hue) {
+    void draw_block(const BlockPlace& block, int32_t heap_px, size_t hue) {
+        const Placement& p = *block.placement;
+        const LifetimeSpan& span = plan_.lifetimes.spans[p.resource];
         const PageColumn &first = page_.columns.passes[span.first], &last = page_.columns.passes[span.last];
         const int32_t left_px = first.left_px, width_px = last.left_px + last.width_px - left_px;
-        const int32_t top_px = heap_px + scale.at(p.offset_bytes);
-        const int32_t height_px = heap_px + scale.at(p.offset_bytes + p.size_bytes) - top_px;
+        const int32_t top_px = heap_px + block.top_px;
         const std::string& name = plan_.graph.resources[p.resource].name;
         const std::string size = bytes_text(p.size_bytes);
-        open_item(out_, "block h" + std::to_string(hue), resource_keys(page_, p.resource),
+        open_item(out_, "block h" + std::to_string(hue) + (block.enlarged ? " enlarged" : ""),
+                  resource_keys(page_, p.resource),
                   name + ": " + size + " at " + bytes_text(p.offset_bytes) + ", from " +
-                      pass_at(plan_, span.first) + " to " + pass_at(plan_, span.last));
+                      pass_at(plan_, span.first) + " to " + pass_at(plan_, span.last) +
+                      (block.enlarged ? ", drawn larger than to scale" : ""));
         out_.empty("rect", {{"class", "mark"},
                             {"x", left_px},
                             {"y", top_px},
                             {"width", width_px},
-                            {"height", std::max(1, height_px - 1)},
-                            {"rx", 3}});
-        const size_t fits = static_cast<size_t>(std::max(0, width_px - 14)) * 2 / 15;
-        if (height_px >= 15 && fits >= 4) {
-            const std::string both = name + "  " + size;
-            out_.leaf(
-                "text",
-                {{"class", "name"}, {"x", left_px + 7}, {"y", top_px + std::min(height_px / 2 + 4, 19)}},
-                both.size() <= fits ? both : short_name(name, fits));
-        }
+                            {"height", block.height_px - 1},
+                            {"rx", block.enlarged ? 0 : 3}});
+        const std::string both = name + "  " + size;
+        const size_t fits = characters_in(width_px - 14);
+        if (block.height_px >= 15 && fits >= kLeastNameCharacters)
+            out_.leaf("text",
+                      {{"class", "name"},
+                       {"x", left_px + 7},
+                       {"y", top_px + std::min(block.height_px / 2 + 4, 19)}},
+                      both.size() <= fits ? both : short_name(name, fits));
         out_.close();
     }
 
@@ -153,6 +148,7 @@ class MemoryDrawing {
     int32_t height_px_ = 0;
     std::vector<uint32_t> heaps_;
     std::vector<ByteScale> scales_;
+    std::vector<std::vector<BlockPlace>> blocks_;
     std::vector<int32_t> tops_px_;
 };
 
@@ -160,14 +156,16 @@ class MemoryDrawing {
 
 void write_memory(const PlanPage& page, Markup& out) {
     MemoryDrawing drawing(page, out);
-    std::string text =
-        "Who lies where in the memory of the transients, and when. Blocks in one row of bytes share them.";
-    if (!drawing.exact()) text += " Small blocks are drawn larger than they are.";
-    open_panel(out, "memory", "Memory", text);
-    if (drawing.empty() || page.plan->schedule.order.empty())
+    open_panel(out, "memory", "Memory",
+               "Who lies where in the memory of the transients, and when. Blocks in one row of bytes share "
+               "them. Bytes are to scale from each heap's axis.");
+    const bool none = drawing.empty() || page.plan->schedule.order.empty();
+    if (none)
         out.leaf("p", {{"class", "none"}}, "The frame has no transient resources.");
     else
         drawing.draw();
+    if (!none && drawing.enlarges())
+        write_legend(out, {{"enlarged", "too small to be seen: drawn larger than to scale"}});
     out.close();
 }
 

@@ -23,6 +23,10 @@ void write_words(const PlanPage& page, Markup& out);  // every explanation
 void open_item(Markup& out, const std::string& style, const std::string& keys, const std::string& label);
 // Heading, and what it shows in a line.
 void open_panel(Markup& out, const char* id, const char* title, const std::string& text);
+// One whose columns are the passes that run. Where none does it says so and returns false: nothing is to be
+// drawn.
+[[nodiscard]] bool open_column_panel(const PlanPage& page, Markup& out, const char* id, const char* title,
+                                     const std::string& text);
 // "frame" around a drawing that scrolls sideways together with its like.
 void open_drawing(Markup& out, const std::string& label, int32_t width_px, int32_t height_px);
 void close_drawing(Markup& out);

@@ -92,8 +92,11 @@ class TimelineDrawing {
                             {"width", width_px},
                             {"height", kLaneHeight_px},
                             {"rx", 8}});
-        const std::string name = (width_px < 100 ? "sub " : "submission ") + std::to_string(index);
-        out_.leaf("text", {{"class", "kind"}, {"x", left_px + 8}, {"y", lane_px(batch.queue) + 15}}, name);
+        const std::string number = std::to_string(index), name = "submission " + number;
+        const int32_t room_px = width_px - 12;
+        const bool fits = small_text_in(name, room_px) == name;
+        out_.leaf("text", {{"class", "kind"}, {"x", left_px + 8}, {"y", lane_px(batch.queue) + 15}},
+                  fits ? name : small_text_in("sub " + number, room_px));
         out_.close();
         out_.line();
     }
@@ -124,7 +127,8 @@ class TimelineDrawing {
             out_.leaf("text", {{"class", "name mid"}, {"x", middle_px}, {"y", y_px + kBoxHeight_px / 2 - 2}},
                       short_name(plan_.graph.passes[pass].name));
         const int32_t kind_y_px = y_px + kBoxHeight_px / 2 + (page_.columns.slanted ? 4 : 15);
-        out_.leaf("text", {{"class", "kind mid"}, {"x", middle_px}, {"y", kind_y_px}}, below_name(position));
+        out_.leaf("text", {{"class", "kind mid"}, {"x", middle_px}, {"y", kind_y_px}},
+                  small_text_in(below_name(position), column.box_width_px - 4));
         out_.close();
         draw_marks(barriers_at(page_, BarrierPlace::after_pass, position),
                    column.box_left_px + column.box_width_px + 4, y_px);
@@ -243,13 +247,10 @@ void write_timeline_legend(const PlanPage& page, Markup& out) {
 }  // namespace
 
 void write_timeline(const PlanPage& page, Markup& out) {
-    open_panel(out, "timeline", "Timeline",
-               "What each queue runs, in the order of submission. The marks in front of a pass are the "
-               "barriers that it "
-               "waits for, those behind it what it leaves for others.");
-    if (page.plan->schedule.order.empty())
-        out.leaf("p", {{"class", "none"}}, "No pass runs.");
-    else
+    if (open_column_panel(
+            page, out, "timeline", "Timeline",
+            "What each queue runs, in the order of submission. The marks in front of a pass are "
+            "the barriers that it waits for, those behind it what it leaves for others."))
         TimelineDrawing(page, out).draw();
     write_timeline_legend(page, out);
     out.close();

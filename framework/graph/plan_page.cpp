@@ -167,6 +167,27 @@ std::string edge_keys(const PlanPage& page, size_t edge) {
     return keys;
 }
 
+bool has_no_reader(const PlanPage& page, ResourceId resource) {
+    const FramePlan& plan = *page.plan;
+    const ResourceDecl& decl = plan.graph.resources[resource];
+    if (decl.import) return false;
+    bool read = false, written = false;
+    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+        const bool same =
+            id == resource || (decl.ring != kNoId && plan.graph.resources[id].ring == decl.ring);
+        if (!same) continue;
+        for (const PassId pass : page.users[id]) {
+            if (!plan.live.live_passes[pass]) continue;
+            for (const UseDecl& use : plan.graph.passes[pass].uses) {
+                if (use.resource != id) continue;
+                read = read || reads(use.access);
+                written = written || writes(use.access);
+            }
+        }
+    }
+    return written && !read;
+}
+
 std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, uint32_t position) {
     const auto order = [](const BarrierItem& item) {
         const bool prologue = item.place == BarrierPlace::prologue;

@@ -82,6 +82,9 @@ struct PlanPage {
 [[nodiscard]] std::string batch_keys(const PlanPage& page, size_t batch);
 [[nodiscard]] std::string edge_keys(const PlanPage& page, size_t edge);
 
+// Written by passes that run and read by none, in this frame or a later one. Who takes an import is not
+// known.
+[[nodiscard]] bool has_no_reader(const PlanPage& page, ResourceId resource);
 // The barriers that stand right before or after the pass at a position, by index.
 [[nodiscard]] std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, uint32_t position);
 [[nodiscard]] const std::string& pass_at(const FramePlan& plan, uint32_t position);

@@ -1,7 +1,9 @@
-// Purpose: a scale of bytes on which small resources stay visible beside large ones: between any two places
-// where one begins or ends there is some room, the rest is shared out by size. Units: pixels of the page.
+// Purpose: where the blocks of a heap stand on the page: bytes are to scale. A block too small to be seen or
+// pointed at is drawn larger, and says so; those that it would hide among its like move on, down to the
+// heap's end at most. Units: pixels of the page, from the heap's top.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "weft/plan.h"
@@ -9,15 +11,31 @@
 namespace weft {
 
 struct ByteScale {
-    std::vector<uint64_t> bytes;  // where something begins or ends, ascending, from 0
-    std::vector<int32_t> y_px;    // of each
-    bool exact = true;            // nothing is drawn larger than it is
+    uint64_t bytes = 1;  // of the whole heap
+    int32_t height_px = 0;
 
-    [[nodiscard]] int32_t height_px() const { return y_px.empty() ? 0 : y_px.back(); }
-    // Of one of `bytes`.
     [[nodiscard]] int32_t at(uint64_t byte) const;
 };
 
-[[nodiscard]] ByteScale make_byte_scale(const MemoryPlan& memory, uint32_t heap);
+struct ByteTick {
+    int32_t y_px = 0;
+    std::string text;  // all of an axis in one unit
+};
+
+struct BlockPlace {
+    const Placement* placement = nullptr;
+    int32_t top_px = 0;
+    int32_t height_px = 0;
+    bool enlarged = false;  // higher than to scale
+};
+
+// All heaps have the scale of the largest one of `heaps`, but for those that would be too low.
+[[nodiscard]] std::vector<ByteScale> make_byte_scales(const MemoryPlan& memory,
+                                                      const std::vector<uint32_t>& heaps);
+// From 0 by a power of two, and the heap's end.
+[[nodiscard]] std::vector<ByteTick> byte_ticks(const ByteScale& scale);
+// Those that live, as the plan has them; enlarged ones come last, to lie on top.
+[[nodiscard]] std::vector<BlockPlace> place_blocks(const FramePlan& plan, uint32_t heap,
+                                                   const ByteScale& scale);
 
 }  // namespace weft

@@ -73,6 +73,18 @@ int32_t slanted_px(const std::string& name) {
     return name_width_px(name) * 71 / 100;
 }
 
+size_t characters_in(int32_t width_px) {
+    return static_cast<size_t>(std::max(0, width_px)) * 2 / 15;
+}
+
+std::string small_text_in(const std::string& text, int32_t width_px) {
+    constexpr int32_t kCharacter_px = 7, kEllipsis_px = 14;
+    const auto characters = [](int32_t px) { return static_cast<size_t>(std::max(0, px) / kCharacter_px); };
+    if (text.size() <= characters(width_px)) return text;
+    const size_t fits = characters(width_px - kEllipsis_px) + 1;
+    return fits < kLeastNameCharacters ? "" : short_name(text, fits);
+}
+
 std::string short_name(const std::string& name, size_t most_characters) {
     if (name.size() <= most_characters) return name;
     return name.substr(0, most_characters - 1) + "\xE2\x80\xA6";

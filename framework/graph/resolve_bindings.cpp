@@ -243,12 +243,14 @@ class ShaderBinder {
         }
     }
 
-    // A port that the shader doesn't have and that is called nearly so: a slip, and reported as that.
+    // A port that the shader doesn't have and that is called nearly so: a slip, and reported as that, or as a
+    // resource that there is not.
     bool is_misspelt(const std::string& name) const {
         std::vector<std::string> unmatched;
-        for (const PortWork& port : work_.ports) {
-            if (!port.binding && !port.color_output && is_bound(port)) unmatched.push_back(port.desc->port);
-        }
+        const std::vector<std::string> known = offered(true);
+        for (const auto* ports : {&desc().in, &desc().out})
+            for (const PortDesc& port : *ports)
+                if (std::ranges::find(known, port.port) == known.end()) unmatched.push_back(port.port);
         return !did_you_mean(name, unmatched).empty();
     }
 

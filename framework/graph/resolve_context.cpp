@@ -63,6 +63,11 @@ Diagnostic& ResolveState::pass_error(PassId pass, SourceLoc loc, std::string cod
     return errors.emplace_back(std::move(fault));
 }
 
+bool ResolveState::is_included(SourceLoc loc) const {
+    const std::vector<SourceFile>& files = input.graph.sources.files;
+    return loc.file < files.size() && files[loc.file].included_at.file < files.size();
+}
+
 void ResolveState::warn(SourceLoc loc, std::string code, std::string message, std::string help) {
     Diagnostic warning = input.graph.sources.error(loc, std::move(code), std::move(message));
     warning.severity = Severity::warning;

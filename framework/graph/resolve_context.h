@@ -77,11 +77,11 @@ struct ResolveState {
     Diagnostics errors = {};
     ResolvedGraph graph = {};
     ResolveNames names = {};
-    std::vector<std::string> faulty_values = {};  // params and sizes already reported
+    std::vector<std::string> faulty_values = {};     // params and sizes already reported
     std::map<std::string, uint32_t> histories = {};  // of resources that keep earlier frames, by name
     std::set<std::string> suspect_histories = {};    // reported
-    std::vector<ResourceWork> resources = {};     // by ResourceId
-    std::vector<PassWork> passes = {};            // by PassId
+    std::vector<ResourceWork> resources = {};        // by ResourceId
+    std::vector<PassWork> passes = {};               // by PassId
     std::map<std::string, PassDesc> observers = {};
     uint64_t repeat_steps = 0;  // of all passes so far
     uint64_t tried_passes = 0;  // those that `if` leaves out are counted too
@@ -99,6 +99,8 @@ struct ResolveState {
     Diagnostic& pass_error(PassId pass, SourceLoc loc, std::string code, std::string message);
     // The same fault at the same place was reported.
     [[nodiscard]] bool is_known(const Diagnostic& fault) const;
+    // In a file that another one includes: it may offer what this graph has no use for.
+    [[nodiscard]] bool is_included(SourceLoc loc) const;
     void warn(SourceLoc loc, std::string code, std::string message, std::string help);
     // Reports and returns nullopt when the expression is wrong; quiet when it only names what was reported
     // already.

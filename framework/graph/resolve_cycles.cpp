@@ -141,11 +141,25 @@ class CycleReport {
         return "";
     }
 
+    bool writes_resource(PassId pass, ResourceId resource) const {
+        return std::ranges::any_of(state_.graph.passes[pass].uses, [&](const UseDecl& use) {
+            return use.resource == resource && writes(use.access);
+        });
+    }
+
+    // A repeat that goes on from what its own earlier turns wrote.
+    bool goes_on(PassId pass, ResourceId resource) const {
+        const auto turns = state_.instances.find(state_.author_name(pass));
+        return turns != state_.instances.end() && turns->second.size() > 1 && writes_resource(pass, resource);
+    }
+
     std::string remedy(const OrderArc& cut, const std::vector<PassId>& knot) const {
-        const std::string to = quoted(state_.pass_name(cut.to));
+        const std::string to = quoted(state_.author_name(cut.to));
         if (cut.kind == EdgeKind::after) return "remove the \"after\" of " + to + ", or one of the reads";
         const std::string& resource = state_.resource_name(cut.resource);
-        const std::string writer = cut.pinnable ? writer_outside(knot, cut.resource) : "";
+        const std::string writer = !cut.pinnable                   ? ""
+                                   : goes_on(cut.to, cut.resource) ? state_.author_name(cut.to)
+                                                                   : writer_outside(knot, cut.resource);
         if (writer.empty()) {
             return "one of these passes must read another resource, or another version: name@pass";
         }

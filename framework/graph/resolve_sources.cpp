@@ -25,11 +25,18 @@ class VersionConnector {
         for (PassId pass = 0; pass < seen_.size(); ++pass)
             seen_[pass].resize(state_.graph.passes[pass].uses.size());
         for (const Cell& cell : cells_) gather(cell);
+        const auto known = static_cast<std::ptrdiff_t>(state_.errors.size());
         for (PassId pass = 0; pass < seen_.size(); ++pass) finish_pass(pass);
+        std::stable_sort(state_.errors.begin() + known, state_.errors.end(), stands_before);
         sort_edges();
     }
 
  private:
+    // In the file; passes come by name.
+    static bool stands_before(const Diagnostic& a, const Diagnostic& b) {
+        return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
+    }
+
     UseDecl& use(const CellUse& u) { return state_.graph.passes[u.pass].uses[u.use]; }
     PortWork& port(const CellUse& u) { return state_.passes[u.pass].ports[u.use]; }
 

@@ -116,6 +116,7 @@ void warn_unused(ResolveState& state) {
     for (ResourceId id = 0; id < state.graph.resources.size(); ++id) {
         const ResourceDecl& resource = state.graph.resources[id];
         if (used.contains(resource.name) || !state.resources[id].desc || resource.age > 0) continue;
+        if (state.is_included(resource.loc)) continue;
         state.warn(resource.loc, "W130", "no pass uses resource " + quoted(resource.name),
                    "remove it, or use it");
     }

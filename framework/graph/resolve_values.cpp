@@ -24,12 +24,14 @@ bool allows(const ParamDesc& param, double value) {
     return !param.range || (value >= (*param.range)[0] && value <= (*param.range)[1]);
 }
 
-void check_override_names(ResolveState& state) {
+void add_unknown_params(const GraphDesc& graph, const std::map<std::string, double>& params,
+                        Diagnostics& faults) {
     std::vector<std::string> known;
-    for (const auto& [name, unused] : state.input.graph.params) known.push_back(name);
-    for (const auto& [name, unused] : state.input.params) {
-        if (state.input.graph.params.contains(name)) continue;
-        Diagnostic& d = state.error({}, "W120", "the graph has no parameter " + quoted(name));
+    for (const auto& [name, unused] : graph.params) known.push_back(name);
+    for (const auto& [name, unused] : params) {
+        if (graph.params.contains(name)) continue;
+        Diagnostic& d = faults.emplace_back(
+            graph.sources.error({}, "W120", "the graph has no parameter " + quoted(name)));
         const std::string near = did_you_mean_text(name, known);
         if (!near.empty()) {
             add_help(d, near);
@@ -40,20 +42,17 @@ void check_override_names(ResolveState& state) {
     }
 }
 
+double value_of(const std::string& name, const ParamDesc& param,
+                const std::map<std::string, double>& params) {
+    const auto given = params.find(name);
+    return given != params.end() ? given->second : param.default_value;
+}
+
 void resolve_params(ResolveState& state) {
-    check_override_names(state);
+    for (Diagnostic& fault : param_faults(state.input.graph, state.input.params))
+        state.errors.push_back(std::move(fault));
     for (const auto& [name, param] : state.input.graph.params) {
-        const auto given = state.input.params.find(name);
-        const bool overridden = given != state.input.params.end();
-        const double value = overridden ? given->second : param.default_value;
-        if (!allows(param, value)) {
-            const std::string what = overridden ? "parameter " : "the default of parameter ";
-            const std::string finite = std::isfinite(value) ? "" : "not a finite number: ";
-            Diagnostic& d = state.error(param.loc, "W120",
-                                        what + quoted(name) + " can't be " + finite + number_text(value));
-            const bool limited = param.is_bool || !param.allowed.empty() || param.range;
-            add_help(d, limited ? allowed_text(param) : "any finite number will do");
-        }
+        const double value = value_of(name, param, state.input.params);
         state.names.values[name] = number_value(value);
         state.graph.params.push_back({name, value, ParamCost::nothing});
     }
@@ -148,6 +147,22 @@ void add_offered_numbers(ResolveState& state) {
 }
 
 }  // namespace
+
+Diagnostics param_faults(const GraphDesc& graph, const std::map<std::string, double>& params) {
+    Diagnostics faults;
+    add_unknown_params(graph, params, faults);
+    for (const auto& [name, param] : graph.params) {
+        const double value = value_of(name, param, params);
+        if (allows(param, value)) continue;
+        const std::string what = params.contains(name) ? "parameter " : "the default of parameter ";
+        const std::string finite = std::isfinite(value) ? "" : "not a finite number: ";
+        Diagnostic& d = faults.emplace_back(graph.sources.error(
+            param.loc, "W120", what + quoted(name) + " can't be " + finite + number_text(value)));
+        const bool limited = param.is_bool || !param.allowed.empty() || param.range;
+        add_help(d, limited ? allowed_text(param) : "any finite number will do");
+    }
+    return faults;
+}
 
 void resolve_values(ResolveState& state) {
     const Extent3D output = state.input.output_extent;

@@ -57,6 +57,8 @@ struct ResolveInput {
     // Of images with alternatives, by name: the first ones are not to be used, though the device has them.
     std::map<std::string, size_t> skipped_formats = {};
 };
+// Values that parameters may not have, defaults among them, and names that the graph doesn't know: W120.
+[[nodiscard]] Diagnostics param_faults(const GraphDesc& graph, const std::map<std::string, double>& params);
 // Warnings go to `warnings`.
 [[nodiscard]] Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings);
 

@@ -11,6 +11,7 @@ uniform sampler2D lines;
 layout(push_constant) uniform Params {
     float faint;  // 0: blank paper, 1: the picture
     float exposure;
+    float lineWidth;  // px
 } params;
 
 const vec3 kPaper = vec3(0.93, 0.91, 0.86), kInk = vec3(0.012, 0.018, 0.05), kRed = vec3(0.52, 0.06, 0.02);
@@ -24,11 +25,20 @@ vec2 smooth_lines() {
     return min(sum * 1.6, vec2(1.0));
 }
 
+// How much of the neighbourhood is ink: about 0.2 beside a line, more where leaf lies on leaf.
+float crowding() {
+    const vec2 step_uv = max(1.0, params.lineWidth) / vec2(textureSize(lines, 0));
+    float sum = 0.0;
+    for (int i = 0; i < 49; ++i) sum += textureLod(lines, uv + step_uv * (vec2(i % 7, i / 7) - 3.0), 0.0).r / 49.0;
+    return sum;
+}
+
 void main() {
     const vec3 scene = filmic(textureLod(hdr, uv, 0.0).rgb * exp2(params.exposure));
     const vec2 line = smooth_lines();
     vec3 color = kPaper * mix(vec3(1.0), scene, params.faint);
-    color = mix(color, kRed, line.g * 0.7);
-    color = mix(color, kInk, line.r);
+    color = mix(color, kRed, line.g * 0.7 * (1.0 - line.r));
+    // Ink that would run together is thinned: what is left lets the leaves be told apart.
+    color = mix(color, kInk, line.r * mix(1.0, 0.45, smoothstep(0.34, 0.6, crowding())));
     backbuffer = vec4(srgb_encode(color), 1.0);
 }

@@ -31,6 +31,14 @@ float noise(vec2 p) {
 // The next octave: twice as fine, turned so that lattices don't line up.
 vec2 finer(vec2 p) { return mat2(1.6, 1.2, -1.2, 1.6) * p + 17.3; }
 
+// Octaves that a patch of this width, in lattices of the first, can't show give way to their mean: they would glitter.
+float soft_noise_within(vec2 p, int octaves, float width) {
+    float sum = 0.0, share = 0.5;
+    for (int i = 0; i < octaves; ++i, share *= 0.5, width *= 2.0, p = finer(p))
+        sum += share * mix(noise(p), 0.5, smoothstep(0.3, 1.0, width));
+    return sum;
+}
+
 float soft_noise(vec2 p, int octaves) {
     float sum = 0.0, share = 0.5;
     for (int i = 0; i < octaves; ++i, share *= 0.5, p = finer(p)) sum += share * noise(p);

@@ -1,5 +1,5 @@
-// One ray a pixel over land, water and sky at sundown. Output: scene-linear; alpha: how much of the sun's sky is seen,
-// which the shafts of light start from.
+// Four rays a pixel over land, water and sky at sundown. Output: scene-linear; alpha: how much of the sun's sky is
+// seen, which the shafts of light start from.
 #version 460
 #include "land.glsl"
 
@@ -11,6 +11,7 @@ layout(rgba16f) writeonly uniform image2D scene;
 layout(push_constant) uniform Params { float time; float mist; } params;
 
 const float kFarthest = 16.0;
+const int kRays = 4, kSteps = 320, kHalvings = 5;
 const vec3 kSunLight = vec3(7.5, 3.7, 1.5), kShade = vec3(0.16, 0.20, 0.34);
 
 float height_at(vec2 xz) { return textureLod(land, land_uv(xz), 0.0).r; }
@@ -29,20 +30,29 @@ vec3 sky(vec3 ray) {
     return color + vec3(42.0, 26.0, 13.0) * smoothstep(0.99982, 0.99992, toward) * (1.0 - cloud);
 }
 
-// Where the ray meets the land, or kFarthest. Steps grow with what is free below and with distance, of which each is
-// `least` at least; the last one is cut where a straight line between both its ends would meet the land.
+// Where the ray meets the land, or kFarthest. Steps grow with what is free below, slowly enough for steep peaks, and
+// with distance, of which each is `least` at least. The last one is halved until it is known on which side of a ridge
+// the ray ends: the far side lies in the sun.
 float land_distance(vec3 from, vec3 ray, float start, float least) {
-    float t = start, before = start, gap = 1.0, gap_before = 1.0;
-    for (int i = 0; i < 160 && gap > 0.0; ++i) {
+    float t = start, before = start, gap = 1.0;
+    for (int i = 0; i < kSteps; ++i) {
         const vec3 p = from + ray * t;
         if (t >= kFarthest || (p.y > kHighest && ray.y > 0.0)) return kFarthest;
         gap = p.y - height_at(p.xz);
         if (gap <= 0.0) break;
         before = t;
-        gap_before = gap;
-        t += max(0.4 * gap, least * t);
+        t += max(0.25 * gap, least * t);
     }
-    return gap > 0.0 ? kFarthest : mix(before, t, clamp(gap_before / (gap_before - gap), 0.0, 1.0));
+    if (gap > 0.0) return kFarthest;
+    for (int i = 0; i < kHalvings; ++i) {
+        const float middle = 0.5 * (before + t);
+        const vec3 p = from + ray * middle;
+        if (p.y > height_at(p.xz))
+            before = middle;
+        else
+            t = middle;
+    }
+    return t;
 }
 
 float sunlit(vec3 p) {
@@ -55,9 +65,13 @@ float sunlit(vec3 p) {
     return smoothstep(0.0, 1.0, lit);
 }
 
+// How wide a pixel is at that distance.
+float footprint_km(float distance_km) { return distance_km * 2.0 / (kFocal * float(imageSize(scene).y)); }
+
 vec3 normal_at(vec2 xz, float distance_km) {
-    const float e = max(0.008, 0.0012 * distance_km);
-    const vec2 rough = vec2(soft_noise(xz * 60.0, 4), soft_noise(xz * 60.0 + 9.0, 4)) - 0.47;
+    const float width = footprint_km(distance_km), e = max(0.008, 0.7 * width);
+    const vec2 rough = vec2(soft_noise_within(xz * 60.0, 4, 60.0 * width),
+                            soft_noise_within(xz * 60.0 + 9.0, 4, 60.0 * width)) - 0.47;
     const vec2 slope = vec2(height_at(xz + vec2(e, 0.0)) - height_at(xz - vec2(e, 0.0)),
                             height_at(xz + vec2(0.0, e)) - height_at(xz - vec2(0.0, e))) / (2.0 * e);
     return normalize(vec3(-slope.x - rough.x * 0.7, 1.0, -slope.y - rough.y * 0.7));
@@ -65,8 +79,9 @@ vec3 normal_at(vec2 xz, float distance_km) {
 
 vec3 ground(vec3 p, float distance_km) {
     const vec3 n = normal_at(p.xz, distance_km);
-    const float patchy = soft_noise(p.xz * 9.0, 4);
-    const float trees = soft_noise(p.xz * 140.0 / (1.0 + 0.4 * distance_km), 3);
+    const float width = footprint_km(distance_km), tree_rate = 140.0 / (1.0 + 0.4 * distance_km);
+    const float patchy = soft_noise_within(p.xz * 9.0, 4, 9.0 * width);
+    const float trees = soft_noise_within(p.xz * tree_rate, 3, tree_rate * width);
     const float snow = smoothstep(0.55, 0.95, p.y + 0.7 * (patchy - 0.45)) * smoothstep(0.42, 0.72, n.y);
     const float woods = smoothstep(0.62, 0.3, p.y + 0.5 * (patchy - 0.45)) * smoothstep(0.35, 0.65, n.y);
     vec3 albedo = mix(vec3(0.17, 0.14, 0.13), vec3(0.26, 0.21, 0.18), patchy);
@@ -100,25 +115,37 @@ vec3 wave_normal(vec2 xz, float distance_km) {
     return normalize(vec3((soft_noise(p, 3) - 0.44) * calm, 1.0, (soft_noise(p + 40.0, 3) - 0.44) * calm * 2.0));
 }
 
+// What a ray through this point of the picture sees; alpha: the sun's sky.
+vec4 seen_at(vec2 at, vec2 size) {
+    const vec2 screen = (2.0 * at - size) / size.y;
+    const vec3 ray = normalize(vec3(screen.x, 0.10 - screen.y, kFocal));
+    float met;
+    const vec3 color = land_or_sky(kEye, ray, 0.05, 0.004, met);
+    const float water = ray.y < 0.0 ? -kEye.y / ray.y : kFarthest;
+    if (water >= met || water >= kFarthest) return vec4(color, met < kFarthest ? 0.0 : 1.0);
+    const vec3 p = kEye + ray * water;
+    const vec3 n = wave_normal(p.xz, water);
+    vec3 up = reflect(ray, n);
+    up.y = max(up.y, 0.004);
+    float ignored;
+    const vec3 mirrored = land_or_sky(p, normalize(up), 0.03, 0.015, ignored);
+    const float fresnel = 0.02 + 0.98 * pow(1.0 - max(dot(-ray, n), 0.0), 5.0);
+    return vec4(through_air(mix(vec3(0.008, 0.025, 0.04), min(mirrored, vec3(9.0)), fresnel), kEye, ray, water), 0.0);
+}
+
+// The rays of a pixel weigh less the brighter they are: a sunlit crest thinner than a pixel would be a dot of its own.
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(scene);
     if (any(greaterThanEqual(pixel, size))) return;
-    const vec2 screen = (2.0 * (vec2(pixel) + 0.5) - vec2(size)) / float(size.y);
-    const vec3 ray = normalize(vec3(screen.x, 0.10 - screen.y, kFocal));
-    float met;
-    vec3 color = land_or_sky(kEye, ray, 0.05, 0.009, met);
-    float open = met < kFarthest ? 0.0 : 1.0;
-    const float water = ray.y < 0.0 ? -kEye.y / ray.y : kFarthest;
-    if (water < met && water < kFarthest) {
-        const vec3 p = kEye + ray * water;
-        const vec3 n = wave_normal(p.xz, water);
-        vec3 up = reflect(ray, n);
-        up.y = max(up.y, 0.004);
-        float ignored;
-        const vec3 mirrored = land_or_sky(p, normalize(up), 0.03, 0.025, ignored);
-        const float fresnel = 0.02 + 0.98 * pow(1.0 - max(dot(-ray, n), 0.0), 5.0);
-        color = through_air(mix(vec3(0.008, 0.025, 0.04), min(mirrored, vec3(9.0)), fresnel), kEye, ray, water);
-        open = 0.0;
+    vec3 sum = vec3(0.0);
+    float weights = 0.0, open = 0.0;
+    for (int i = 0; i < kRays; ++i) {
+        const vec2 within = (vec2(i, (2 * i + 1) % 5) + 0.5) / float(kRays);  // rows 1, 3, 0, 2: a turned grid
+        const vec4 seen = seen_at(vec2(pixel) + within, vec2(size));
+        const float weight = 1.0 / (1.0 + max(seen.r, max(seen.g, seen.b)));
+        sum += min(seen.rgb, vec3(60.0)) * weight;
+        weights += weight;
+        open += seen.a / float(kRays);
     }
-    imageStore(scene, pixel, vec4(min(color, vec3(60.0)), open));
+    imageStore(scene, pixel, vec4(sum / weights, open));
 }

@@ -23,11 +23,6 @@ def beyond(message):
     return any(all(part in message for part in pattern.split("{}")) for pattern in BEYOND_SCHEMAS)
 
 
-def shipped(root):
-    graphs = [file for folder in ("graphs", "docs/examples") for file in (root / folder).rglob("*.json")]
-    return [file for file in graphs if file.name != "weft.schema.json"]
-
-
 def documented(root):
     """(name, value) of the whole graphs in pages."""
     for page in sorted(root.glob("docs/*.md")):
@@ -50,7 +45,7 @@ def main():
         failures.append("graphs/weft.schema.json is not what `weft schema` prints: weft schema -o graphs/weft.schema.json")
     validator = jsonschema.Draft7Validator(schema)
 
-    good = [(str(file.relative_to(root)), graph_text.parse(file.read_text())) for file in shipped(root)]
+    good = [(str(file.relative_to(root)), graph_text.parse(file.read_text())) for file in graph_text.shipped(root)]
     good += documented(root)
     rejected = seen = 0
     for file in faulty(root):
@@ -77,9 +72,8 @@ def main():
             failures.append(f"{name} is rejected: {error.json_path}: {error.message[:300]}")
     if len(good) < 10 or seen < 5:
         failures.append(f"only {len(good)} good and {seen} faulty files were found")
-    print("\n".join(failures))
-    print(f"{len(good)} good files, {seen} with faults of structure, {rejected} of them rejected by the schema of all graphs")
-    return 1 if failures else 0
+    return graph_text.verdict(failures, f"{len(good)} good files, {seen} with faults of structure, {rejected} of them "
+                                        "rejected by the schema of all graphs")
 
 
 if __name__ == "__main__":

@@ -23,10 +23,23 @@ def run(program, *arguments, folder=None):
     return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=folder, timeout=120)
 
 
+def shipped(root):
+    """The graphs that come with Weft, and those of examples."""
+    graphs = [file for folder in ("graphs", "docs/examples") for file in sorted((root / folder).rglob("*.json"))]
+    return [file for file in graphs if file.name != "weft.schema.json"]
+
+
 def snippets(page):
     """The fenced blocks of a page that a comment before them marks: (kind, name, text), kind "file" or "over"."""
     mark = re.compile(r"^<!-- (file|over): (\S+) -->\n+```\w*\n(.*?)^```", re.S | re.M)
     return [match.groups() for match in mark.finditer(page)]
+
+
+def verdict(failures, summary):
+    """The exit code of a test, which has said what failed and what it looked at."""
+    print("\n".join(failures))
+    print(summary)
+    return 1 if failures else 0
 
 
 def self_test():

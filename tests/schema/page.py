@@ -110,10 +110,8 @@ def main():
                     failures.append(f"{' '.join(run.args[1:])}: {run.stderr}\n{file.read_text()}")
     for place, key in sorted(all_keys(schema) - walk.used):
         failures.append(f"no example has the key \"{key}\" of \"{place}\"")
-    print("\n".join(failures))
     where = "" if has_device else ", without a device"
-    print(f"{count} examples, {len(walk.used & all_keys(schema))} keys{where}")
-    return 1 if failures else 0
+    return graph_text.verdict(failures, f"{count} examples, {len(walk.used & all_keys(schema))} keys{where}")
 
 
 if __name__ == "__main__":

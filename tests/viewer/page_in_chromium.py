@@ -124,11 +124,15 @@ ARTICLE = '(document.getElementById(%s)?.textContent ?? "none").replace(/\\s+/g,
 EXPLAINED = 'document.getElementById("explained").textContent.replace(/\\s+/g, "")'
 # Words that stick out of their box, or of their drawing.
 STICKS_OUT = """(() => { const out = [];
-  for (const item of document.querySelectorAll("svg .pass, svg .block, svg .cell")) {
+  for (const item of document.querySelectorAll("svg .pass, svg .batch, svg .block, svg .cell")) {
     const box = item.querySelector(".box, .mark").getBBox();
     for (const text of item.querySelectorAll("text")) { const t = text.getBBox();
       if (t.x < box.x || t.x + t.width > box.x + box.width || t.y < box.y - 1 || t.y + t.height > box.y + box.height + 2)
         out.push(text.textContent + " of " + item.getAttribute("aria-label")); } }
+  const boxes = [...document.querySelectorAll("#graph .pass .box")].map((box) => box.getBBox());
+  for (const name of document.querySelectorAll("#graph .edgename")) { const t = name.getBBox();
+    if (boxes.some((b) => t.x < b.x + b.width && b.x < t.x + t.width && t.y < b.y + b.height && b.y < t.y + t.height))
+      out.push(name.textContent + " beside an edge covers a box"); }
   for (const svg of document.querySelectorAll("svg")) { const whole = svg.getBoundingClientRect();
     for (const text of svg.querySelectorAll("text")) { const t = text.getBoundingClientRect();
       if (t.left < whole.left - 1 || t.right > whole.right + 1 || t.top < whole.top - 1 || t.bottom > whole.bottom + 1)
@@ -153,6 +157,8 @@ def check_hover(browser, faults, style):
         faults.append(f"a pointer over {key} ({style}) does not explain it")
     if not browser.value('document.getElementById("tip").classList.contains("shown")'):
         faults.append(f"a pointer over {key} ({style}) shows no tip")
+    if not browser.value(f'document.getElementById("tip").textContent === document.querySelector({selector}).ariaLabel'):
+        faults.append(f"the tip of {key} ({style}) does not say what its label does")
     browser.point_at(1, 1)
     return True
 

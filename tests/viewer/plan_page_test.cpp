@@ -56,6 +56,8 @@ TEST(PlanPage, WorksInABrowser) {
         std::string name, graph, queues;
     };
     for (const Page& page : {Page{"deferred", kDeferred, "1"}, Page{"deferred3", kDeferred, "3"},
+                             Page{"bloom", WEFT_SOURCE_DIR "/graphs/bloom.json", "1"},
+                             Page{"dof", WEFT_SOURCE_DIR "/graphs/dof.json", "1"},
                              Page{"forward", WEFT_SOURCE_DIR "/graphs/forward.json", "2"},
                              Page{"things", WEFT_SOURCE_DIR "/tests/viewer/pages/things.json", "3"},
                              Page{"long", folder / "long.json", "1"}}) {

@@ -1,0 +1,192 @@
+// What the page's drawings promise: bytes to scale, words inside their boxes, names beside edges.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "graph/plan_html_edges.h"
+#include "graph/plan_page.h"
+#include "graph/plan_page_bytes.h"
+#include "graph/plan_page_sizes.h"
+#include "markup_reader.h"
+#include "plan_expectations.h"
+#include "random_plan.h"
+
+namespace weft::test {
+namespace {
+
+// Two images and some tiny buffers, all alive at once.
+FramePlan uneven_plan() {
+    GraphBuilder b;
+    const ResourceId large = b.image("large", Format::r32u, 256), small = b.image("small", Format::r32u, 128);
+    std::vector<BuilderUse> made{{"a", large, Access::storage_write, {}, kNoId},
+                                 {"b", small, Access::storage_write, {}, kNoId}};
+    std::vector<BuilderUse> used{{"a", large, Access::sampled_read, {}, kNoId},
+                                 {"b", small, Access::sampled_read, {}, kNoId}};
+    for (int i = 0; i < 5; ++i) {
+        const std::string name = "tiny" + std::to_string(i);
+        const ResourceId tiny = b.buffer(name, 16);
+        made.push_back({name, tiny, Access::storage_write, {}, kNoId});
+        used.push_back({name, tiny, Access::storage_read, {}, kNoId});
+    }
+    const ResourceId result = b.image("result");
+    used.push_back({"dst", result, Access::storage_write, {}, kNoId});
+    b.compute("make", made);
+    b.compute("use", used);
+    read_back(b, "out", result);
+    return compiled(b);
+}
+
+// For every block of every heap, with its scale.
+template <class Visit>
+void for_blocks(const FramePlan& plan, const Visit& visit) {
+    std::vector<uint32_t> heaps;
+    for (uint32_t h = 0; h < plan.memory.heaps.size(); ++h)
+        if (!plan.memory.heaps[h].persistent) heaps.push_back(h);
+    const std::vector<ByteScale> scales = make_byte_scales(plan.memory, heaps);
+    for (size_t h = 0; h < heaps.size(); ++h)
+        for (const BlockPlace& block : place_blocks(plan, heaps[h], scales[h])) visit(block, scales[h]);
+}
+
+void expect_to_scale(const FramePlan& plan) {
+    for_blocks(plan, [](const BlockPlace& block, const ByteScale& scale) {
+        const double px_per_byte = static_cast<double>(scale.height_px) / static_cast<double>(scale.bytes);
+        const double true_px = static_cast<double>(block.placement->size_bytes) * px_per_byte;
+        EXPECT_GE(block.top_px, 0);
+        EXPECT_LE(block.top_px + block.height_px, scale.height_px);
+        if (block.enlarged) {
+            EXPECT_GT(block.height_px, true_px - 1);
+            return;
+        }
+        EXPECT_NEAR(block.height_px, true_px, 1.01);
+        EXPECT_NEAR(block.top_px, static_cast<double>(block.placement->offset_bytes) * px_per_byte, 0.51);
+    });
+}
+
+TEST(PlanPageDrawing, BytesAreToScaleOrSaidToBeEnlarged) {
+    expect_to_scale(uneven_plan());
+    for (uint32_t seed = 1; seed <= 24; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        expect_to_scale(random_plan(seed, 40));
+    }
+}
+
+TEST(PlanPageDrawing, TinyBlocksAreEnlargedSideBySideAndSaySo) {
+    const FramePlan plan = uneven_plan();
+    std::vector<int32_t> tops_px;
+    for_blocks(plan, [&](const BlockPlace& block, const ByteScale&) {
+        if (plan.graph.resources[block.placement->resource].name.starts_with("tiny")) {
+            EXPECT_TRUE(block.enlarged);
+            for (const int32_t other_px : tops_px) EXPECT_GE(std::abs(other_px - block.top_px), 6);
+            tops_px.push_back(block.top_px);
+        }
+    });
+    EXPECT_EQ(tops_px.size(), 5u);
+    const std::string text = plan_to_html(plan, {});
+    EXPECT_NE(text.find("tiny0: 16 B at"), std::string::npos);
+    EXPECT_NE(text.find("to use, drawn larger than to scale\""), std::string::npos);
+    EXPECT_NE(text.find("too small to be seen: drawn larger than to scale"), std::string::npos);
+}
+
+TEST(PlanPageDrawing, AxesHaveOneUnitAndEndWithTheHeap) {
+    const std::vector<ByteTick> ticks = byte_ticks({29'000'000, 320});
+    const std::vector<std::string> wanted{"0",      "4 MiB",  "8 MiB",  "12 MiB",
+                                          "16 MiB", "20 MiB", "24 MiB", "27.7 MiB"};
+    ASSERT_EQ(ticks.size(), wanted.size());
+    for (size_t i = 0; i < ticks.size(); ++i) EXPECT_EQ(ticks[i].text, wanted[i]);
+    for (size_t i = 1; i < ticks.size(); ++i) EXPECT_GE(ticks[i].y_px - ticks[i - 1].y_px, 14);
+    EXPECT_EQ(byte_ticks({1, 96}).back().text, "1 B");
+}
+
+TEST(PlanPageDrawing, WhatIsWrittenAndNeverReadSaysSo) {
+    GraphBuilder b;
+    const ResourceId color = b.image("color"), velocity = b.image("velocity");
+    b.pass("draw", PassKind::fullscreen,
+           {{"color", color, Access::color_write, {}, kNoId},
+            {"velocity", velocity, Access::color_write, {}, kNoId}});
+    read_back(b, "out", color);
+    const FramePlan plan = compiled(b);
+    const PlanPage page = make_page(plan, {});
+    EXPECT_TRUE(has_no_reader(page, velocity));
+    EXPECT_FALSE(has_no_reader(page, color));
+    const std::string text = plan_to_html(plan, {});
+    EXPECT_NE(text.find("<small>no reader</small>"), std::string::npos);
+    EXPECT_NE(text.find("velocity lives from draw to draw, no reader: no pass that runs reads it"),
+              std::string::npos);
+    EXPECT_NE(text.find("written, and never read"), std::string::npos);
+}
+
+TEST(PlanPageDrawing, WhatTheNextFrameReadsHasAReader) {
+    GraphBuilder b;
+    const ResourceId steady = b.image("steady"), result = b.image("result");
+    const std::vector<ResourceId> roles = b.ring(steady, 1);
+    b.compute("mix", {{"before", roles[1], Access::sampled_read, {}, kNoId},
+                      {"steady", steady, Access::storage_write, {}, kNoId},
+                      {"dst", result, Access::storage_write, {}, kNoId}});
+    read_back(b, "out", result);
+    const FramePlan plan = compiled(b);
+    EXPECT_FALSE(has_no_reader(make_page(plan, {}), steady));
+}
+
+struct Area {
+    int32_t x, y, width, height;
+};
+
+bool touch(const Area& a, const Area& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+int32_t number(const ReadElement& e, const char* attribute) {
+    return std::stoi(e.attributes.at(attribute));
+}
+
+TEST(PlanPageDrawing, NamesBesideEdgesTouchNoBoxAndNoOtherName) {
+    size_t named = 0;
+    for (uint32_t seed = 1; seed <= 24; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const ReadPage page = read_markup(plan_to_html(random_plan(seed, 40), {}));
+        ASSERT_EQ(page.fault, "");
+        size_t drawings = 0;  // the graph is the first
+        std::vector<Area> boxes, names;
+        for (const ReadElement& e : page.elements) {
+            drawings += e.tag == "svg" ? 1 : 0;
+            if (drawings != 1) continue;
+            if (e.tag == "rect" && e.attributes.at("class") == "box")
+                boxes.push_back({number(e, "x"), number(e, "y"), number(e, "width"), number(e, "height")});
+            if (e.tag != "text" || e.attributes.at("class") != "edgename mid") continue;
+            const auto width = static_cast<int32_t>(e.text.size()) * 7;
+            names.push_back({number(e, "x") - width / 2, number(e, "y") - 10, width, 13});
+        }
+        ASSERT_FALSE(boxes.empty());
+        for (size_t i = 0; i < names.size(); ++i) {
+            for (const Area& box : boxes) EXPECT_FALSE(touch(names[i], box));
+            for (size_t k = 0; k < i; ++k) EXPECT_FALSE(touch(names[i], names[k]));
+        }
+        named += names.size();
+    }
+    EXPECT_GT(named, 24u * 5);
+}
+
+TEST(PlanPageDrawing, ANameFindsRoomAboveALevelWayAndNoneBetweenBoxes) {
+    EdgeWay way;
+    way.move({50, 50});
+    way.line({250, 50});
+    const std::vector<EdgeName> free = place_edge_names({way}, {{"hdr"}}, {}, {300, 100});
+    EXPECT_EQ(free[0].text, "hdr");
+    EXPECT_LT(free[0].at.y, 50);
+    EXPECT_NEAR(free[0].at.x, 150, 4);
+    const std::vector<AreaPx> boxes{{0, 0, 300, 46}, {0, 54, 300, 46}};
+    EXPECT_EQ(place_edge_names({way}, {{"hdr"}}, boxes, {300, 100})[0].text, "");
+    const std::vector<EdgeName> shorter =
+        place_edge_names({way}, {{std::string(60, 'x'), "hdr +7"}}, {}, {300, 100});
+    EXPECT_EQ(shorter[0].text, "hdr +7");
+}
+
+TEST(PlanPageDrawing, SmallTextIsCutToItsRoomOrLeftOut) {
+    EXPECT_EQ(small_text_in("fullscreen", 80), "fullscreen");
+    EXPECT_EQ(small_text_in("fullscreen", 50), "fulls\xE2\x80\xA6");
+    EXPECT_EQ(small_text_in("fullscreen", 20), "");
+    EXPECT_EQ(small_text_in("12", 20), "12");
+}
+
+}  // namespace
+}  // namespace weft::test
