@@ -2,29 +2,25 @@
 // forward shading share it. Its ports are the buffer `lights` and, where lights are culled, the lists `tileLights`: then
 // only those of the pixel's tile are asked, in the same order. A light that is not listed would add exactly nothing, so
 // the sum is the same to the last bit. Needs brdf.glsl, frame_set.glsl, lights.glsl and sky.glsl.
-#include "sun_shadow.glsl"
-
 layout(constant_id = 15) const bool HAS_tileLights = false;
 
 layout(std430) readonly buffer Lights { Light items[]; } lights;
 layout(std430) readonly buffer TileLights { uint items[]; } tileLights;
 
 #include "light_reflection.glsl"
+#include "directional_lights.glsl"
 #include "tile_lights.glsl"
 
-// Directional lights are in no list: they come first, then what reaches the tile that `pixel` lies in.
+// Directional lights are in no list; the others are those of the tile that `pixel` lies in.
 vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint all = min(frame.light_count, uint(lights.items.length()));
     const uint directional = min(frame.directional_count, all);
     const uint list = HAS_tileLights ? tile_list(pixel) : 0u;
     const uint listed = HAS_tileLights ? tileLights.items[list] : all - directional;
-    vec3 radiance = vec3(0.0);
-    const float sunshine = sun_visibility(position, s.normal, distance(position, view.eye));
-    for (uint i = 0u; i < directional + listed; ++i) {
-        uint index = i;
-        if (HAS_tileLights && i >= directional) index = tileLights.items[list + 1u + i - directional];
-        const float visible = lights.items[index].shadow == 0u ? 1.0 : sunshine;
-        radiance += light_reflection(s, v, position, lights.items[index]) * visible;
+    vec3 radiance = directional_reflection(s, v, position);
+    for (uint i = 0u; i < listed; ++i) {
+        const uint index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
+        radiance += light_reflection(s, v, position, lights.items[index]);
     }
     return radiance;
 }

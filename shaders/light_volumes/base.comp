@@ -8,7 +8,6 @@
 #include "octahedral.glsl"
 #include "sky.glsl"
 #include "gbuffer_surface.glsl"
-#include "light_reflection.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -16,16 +15,17 @@ uniform sampler2D depth;
 layout(std430) readonly buffer Lights { Light items[]; } lights;
 layout(rgba16f) uniform image2D hdr;
 
+#include "light_reflection.glsl"
+#include "directional_lights.glsl"
+
 const float kMaxStored = 65000.0;
 
 vec3 lit_surface(ivec2 pixel, vec3 position) {
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
     const Surface s = gbuffer_surface(pixel, material);
     const vec3 v = normalize(view.eye - position);
-    vec3 radiance = material.r * ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, material.g);
-    const uint count = min(frame.directional_count, uint(lights.items.length()));
-    for (uint i = 0u; i < count; ++i) radiance += light_reflection(s, v, position, lights.items[i]);
-    return radiance;
+    return directional_reflection(s, v, position) +
+           material.r * ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, material.g);
 }
 
 void main() {

@@ -13,7 +13,6 @@
 #include "sky.glsl"
 #include "gbuffer_surface.glsl"
 #include "light_bounds.glsl"
-#include "light_reflection.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -21,6 +20,9 @@ uniform sampler2D depth;
 layout(std430) readonly buffer Lights { Light items[]; } lights;
 layout(rgba16f) uniform image2D hdr;
 layout(r32f) writeonly uniform image2D listed;
+
+#include "light_reflection.glsl"
+#include "directional_lights.glsl"
 
 const float kMaxStored = 65000.0;
 const uint kThreads = 256u;
@@ -91,8 +93,7 @@ vec3 lit_surface(ivec2 pixel, vec3 position, uint first, uint count) {
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
     const Surface s = gbuffer_surface(pixel, material);
     const vec3 v = normalize(view.eye - position);
-    vec3 radiance = vec3(0.0);
-    for (uint i = 0u; i < first; ++i) radiance += light_reflection(s, v, position, lights.items[i]);
+    vec3 radiance = directional_reflection(s, v, position);
     for (uint word = 0u; first + word * 32u < count; ++word)
         for (uint bits = reaching[word]; bits != 0u; bits &= bits - 1u)
             radiance += light_reflection(s, v, position, lights.items[first + word * 32u + findLSB(bits)]);
