@@ -31,5 +31,7 @@ small() {
 }
 cd "$scratch/tutorial"
 for shown in 02 03 03-noon 04 05 06 07 08 10 10-depth; do small "$shown.png" "$shown"; done
+convert \( 07.png -crop 80x90+300+0 \) \( 08.png -crop 80x90+300+0 \) +repage -filter point -resize 300% +append glow.png
+small glow.png 08-detail
 convert \( 08.png -crop 80x90+355+90 \) \( 09.png -crop 80x90+355+90 \) +repage -filter point -resize 300% +append detail.png
 small detail.png 09-detail

@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -7,10 +10,13 @@
 #include "files.h"
 #include "graph/debug_view.h"
 #include "image_file.h"
+#include "progress_text.h"
+#include "render/import_catalog.h"
 #include "render/session.h"
 #include "render/texels.h"
 #include "scene_source.h"
 #include "session_setup.h"
+#include "shader/load_graph.h"
 #include "stats.h"
 #include "weft/registry.h"
 
@@ -24,10 +30,33 @@ struct RunOutcome {
     std::vector<vk::ReadbackData> readbacks;
 };
 
+// On stderr, once it takes longer than a moment. The device is some frames behind what is told.
+class RenderProgress {
+ public:
+    RenderProgress(const RenderOptions& options, uint32_t frames)
+        : text_("rendering", isatty(STDERR_FILENO) == 1), frames_(frames), is_quiet_(options.quiet) {}
+    ~RenderProgress() { std::fputs(text_.finish().c_str(), stderr); }
+    RenderProgress(const RenderProgress&) = delete;
+    RenderProgress& operator=(const RenderProgress&) = delete;
+
+    void tell(uint32_t done) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+        if (!is_quiet_) std::fputs(text_.at(elapsed.count(), "frames", done, frames_).c_str(), stderr);
+    }
+
+ private:
+    ProgressText text_;
+    uint32_t frames_;
+    bool is_quiet_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
 Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& options, uint32_t frames) {
+    RenderProgress progress(options, frames);
     for (uint32_t i = 0; i < frames; ++i) {
         if (Status s = session.render_frame(i * options.fixed_dt_s, options.fixed_dt_s); !s)
             return s.take_errors();
+        progress.tell(i + 1);
     }
     if (Status s = session.finish(); !s) return s.take_errors();
     Result<vk::ReadbackData> output = session.read_output();
@@ -123,6 +152,29 @@ Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options) {
     return vk::Device::create(device_options);
 }
 
+namespace {
+
+// Before a scene is loaded and a device made: both take their time.
+Status check_graph(const RenderOptions& options, const PassCatalog& passes) {
+    const render::SessionInput session = session_input(options, {}, {}, passes);
+    const ImportCatalog imports = render::scene_imports(options.size);
+    const DeviceProfile profile;
+    return check_request({.path = session.graph_path,
+                          .reader = session.reader,
+                          .shader_root = session.shader_root,
+                          .shader_cache = {},
+                          .passes = passes,
+                          .imports = imports,
+                          .profile = profile,
+                          .params = options.params,
+                          .limits = options.limits,
+                          .graph_root = session.graph_root,
+                          .tier = options.tier,
+                          .debug = options.debug});
+}
+
+}  // namespace
+
 bool report_messages(const std::vector<vk::Message>& messages) {
     for (const vk::Message& message : messages)
         std::fprintf(stderr, "validation: %s%s%s: %s\n", message.id.c_str(),
@@ -140,6 +192,8 @@ ExitCode fail_on_device(const Diagnostics& errors) {
 }
 
 Result<OpenSession> open_session(const RenderOptions& options) {
+    const PassCatalog passes = registered_passes();
+    if (Status s = check_graph(options, passes); !s) return s.take_errors();
     Diagnostics warnings;
     Result<scene::Scene> scene =
         open_scene({options.scene, options.env, options.hour, options.lights, options.seed},
@@ -154,7 +208,6 @@ Result<OpenSession> open_session(const RenderOptions& options) {
     Result<std::unique_ptr<vk::Device>> device = open_device(options);
     if (!device) return device.take_errors();
 
-    const PassCatalog passes = registered_passes();
     warnings.clear();
     Result<std::unique_ptr<render::Session>> session =
         render::Session::create(**device, *scene, session_input(options, *scene, *camera, passes), warnings);

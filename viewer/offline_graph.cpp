@@ -22,24 +22,28 @@ Diagnostics of_tier(Diagnostics faults, const std::string& tier) {
 }
 
 Result<LoadedGraph> load_offline(const JsonDoc& document, const OfflineOptions& options,
-                                 const DeviceProfile& profile, Diagnostics& warnings) {
+                                 const DeviceProfile& profile, Diagnostics& warnings, SharedByTiers* shared) {
     const PassCatalog passes = registered_passes();
     const ImportCatalog imports = render::scene_imports(options.size);
-    return load_graph(document,
-                      {.path = document.sources.files.front().path,
-                       .reader = {},
-                       .shader_root = shipped_root() / "shaders",
-                       .shader_cache = shader_cache(),
-                       .passes = passes,
-                       .imports = imports,
-                       .profile = profile,
-                       .output_extent = options.size,
-                       .params = options.params,
-                       .shader_worker = find_shader_worker(),
-                       .limits = options.limits,
-                       .graph_root = graph_root(),
-                       .tier = options.tier},
-                      warnings);
+    LoadInput input{.path = document.sources.files.front().path,
+                    .reader = {},
+                    .shader_root = shipped_root() / "shaders",
+                    .shader_cache = shader_cache(),
+                    .passes = passes,
+                    .imports = imports,
+                    .profile = profile,
+                    .output_extent = options.size,
+                    .params = options.params,
+                    .shader_worker = find_shader_worker(),
+                    .limits = options.limits,
+                    .graph_root = graph_root(),
+                    .tier = options.tier};
+    if (shared != nullptr) {
+        input.memory = &shared->shaders;
+        if (!shared->formats && options.params.empty()) shared->formats = common_formats(document, input);
+        if (shared->formats) input.common_formats = &*shared->formats;
+    }
+    return load_graph(document, input, warnings);
 }
 
 }  // namespace
@@ -50,10 +54,10 @@ Result<JsonDoc> read_offline(const std::string& file, const OfflineOptions& opti
 }
 
 Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOptions& options,
-                                    Diagnostics& warnings) {
+                                    Diagnostics& warnings, SharedByTiers* shared) {
     Result<DeviceProfile> profile = load_profile(options.profile);
     if (!profile) return profile.take_errors();
-    Result<LoadedGraph> loaded = load_offline(document, options, *profile, warnings);
+    Result<LoadedGraph> loaded = load_offline(document, options, *profile, warnings, shared);
     if (!loaded) return loaded.take_errors();
     CompileOptions compile_options;
     compile_options.granularity_bytes = profile->buffer_image_granularity_bytes;

@@ -4,10 +4,13 @@
 // more memory than the profile's device has.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "graph/json_doc.h"
 #include "options.h"
+#include "shader/load_graph.h"
+#include "shader/shader_memory.h"
 #include "weft/device_profile.h"
 #include "weft/plan.h"
 #include "weft/result.h"
@@ -19,9 +22,15 @@ struct OfflinePlan {
     DeviceProfile profile;
 };
 
+// What the tiers of one document have in common, found by the first that is compiled.
+struct SharedByTiers {
+    ShaderMemory shaders;
+    std::optional<SkippedFormats> formats;
+};
+
 [[nodiscard]] Result<JsonDoc> read_offline(const std::string& file, const OfflineOptions& options);
 [[nodiscard]] Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOptions& options,
-                                                  Diagnostics& warnings);
+                                                  Diagnostics& warnings, SharedByTiers* shared = nullptr);
 [[nodiscard]] Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOptions& options,
                                                   Diagnostics& warnings);
 

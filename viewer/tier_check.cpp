@@ -71,11 +71,13 @@ CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options)
         checked.tiers = tiers.size() - 1;
     }
     Findings findings;
+    SharedByTiers shared;
     for (const std::string& tier : tiers) {
         OfflineOptions of_tier = options;
         of_tier.tier = tier;
         Diagnostics found;
-        Result<OfflinePlan> made = compile_offline(*document, of_tier, found);
+        Result<OfflinePlan> made =
+            compile_offline(*document, of_tier, found, tiers.size() > 1 ? &shared : nullptr);
         if (!made) found.insert(found.end(), made.errors().begin(), made.errors().end());
         if (made && !checked.plan) checked.plan = std::move(made->plan);
         findings.add(std::move(found));

@@ -19,6 +19,9 @@
 
 namespace weft {
 
+// How many of an image's alternative formats are passed over, by the image's name; see ResolveInput.
+using SkippedFormats = std::map<std::string, size_t>;
+
 struct LoadInput {
     std::string path;
     FileReader reader;                   // for the graph file
@@ -35,18 +38,29 @@ struct LoadInput {
     std::filesystem::path graph_root = {};  // the graphs/ folder, where included files are looked for as well
     std::string tier = {};                  // empty: the file as it is
     std::string debug = {};                 // a view to add, kDebugView, to be observed; empty: none
-    ShaderMemory* memory = nullptr;  // what earlier loads left for this one
+    ShaderMemory* memory = nullptr;         // what earlier loads left for this one
+    // What common_formats() found, for loads without observers and parameters. Null: the other tiers are
+    // loaded to see.
+    const SkippedFormats* common_formats = nullptr;
 };
 
 struct LoadedGraph {
     GraphDesc desc;
     ShaderCatalog shaders;
     ResolvedGraph graph;
-    std::map<std::string, size_t> skipped_formats;  // so that all tiers have the same; see ResolveInput
+    SkippedFormats skipped_formats;  // so that all tiers have the same
 };
 
 // What is written: the graph's file and all that it includes. Its tiers are load_graph()'s choice.
 [[nodiscard]] Result<JsonDoc> read_graph(const LoadInput& input);
+
+// What is wrong with the file and with the tier, view and parameters that are asked for, before any shader is
+// looked at: for those who have slow work to do before they load.
+[[nodiscard]] Status check_request(const LoadInput& input);
+
+// The formats that all tiers of a document share, found once for load_graph() of each. Every tier is loaded;
+// the tier, parameters and observers of `input` mean nothing.
+[[nodiscard]] SkippedFormats common_formats(const JsonDoc& document, const LoadInput& input);
 
 // Warnings go to `warnings`.
 [[nodiscard]] Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input,

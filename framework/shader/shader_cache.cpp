@@ -30,7 +30,8 @@ fs::path manifest_file(const std::string& reference, ProgramKind kind, const Sha
     hash.add(reference);
     hash.add(static_cast<uint64_t>(kind));
     std::error_code error;
-    for (const fs::path& root : roots.roots) hash.add(fs::absolute(root, error).generic_string());
+    for (const fs::path& root : roots.roots)
+        hash.add(fs::absolute(root.empty() ? fs::path(".") : root, error).generic_string());
     hash.add(fs::absolute(roots.include_root, error).generic_string());
     return file_named(roots.cache_dir, hash.value(), ".manifest");
 }

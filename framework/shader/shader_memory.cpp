@@ -13,7 +13,8 @@ namespace {
 std::string key_of(const std::string& reference, ProgramKind kind, const ShaderRoots& roots) {
     std::string key = reference + '\n' + std::to_string(static_cast<int>(kind));
     std::error_code error;
-    for (const fs::path& root : roots.roots) key += '\n' + fs::absolute(root, error).generic_string();
+    for (const fs::path& root : roots.roots)
+        key += '\n' + fs::absolute(root.empty() ? fs::path(".") : root, error).generic_string();
     return key + '\n' + fs::absolute(roots.include_root, error).generic_string();
 }
 
@@ -30,6 +31,7 @@ void ShaderMemory::forget_unused() {
 
 const ShaderProgram* ShaderMemory::find(const std::string& reference, ProgramKind kind,
                                         const ShaderRoots& roots) {
+    ++requests_;
     const auto found = entries_.find(key_of(reference, kind, roots));
     if (found != entries_.end()) {
         shader::SourceReader reader(roots);

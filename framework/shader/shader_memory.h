@@ -32,7 +32,8 @@ class ShaderMemory {
     void add_files_of(const shader::SourceReader& reader);
     // Absolute, of the load since begin().
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
-    // How many programs find() didn't have, since ever.
+    // How many programs were asked for, since ever, and how many of them find() didn't have.
+    [[nodiscard]] uint64_t requests() const { return requests_; }
     [[nodiscard]] uint64_t misses() const { return misses_; }
 
  private:
@@ -43,6 +44,7 @@ class ShaderMemory {
     };
     std::map<std::string, Entry> entries_;
     std::set<std::filesystem::path> files_;
+    uint64_t requests_ = 0;
     uint64_t misses_ = 0;
 };
 

@@ -53,7 +53,9 @@ SourceLookup SourceReader::look(size_t root, const fs::path& relative) {
     SourceProbe probe{root, key, false, 0};
     std::error_code error;
     const fs::path folder =
-        roots_[root].canonical.empty() ? fs::absolute(roots_[root].shown, error) : roots_[root].canonical;
+        roots_[root].canonical.empty()
+            ? fs::absolute(roots_[root].shown.empty() ? fs::path(".") : roots_[root].shown, error)
+            : roots_[root].canonical;
     places_.push_back((folder / relative).lexically_normal());
     const fs::path file =
         roots_[root].canonical.empty() ? fs::path() : fs::canonical(folder / relative, error);

@@ -1,0 +1,15 @@
+// What the directional lights, the first ones of the buffer `lights`, send from a surface to the eye; of the sun only what
+// its shadows leave. Needs light_reflection.glsl.
+#include "sun_shadow.glsl"
+
+vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
+    const uint count = min(frame.directional_count, uint(lights.items.length()));
+    if (count == 0u) return vec3(0.0);
+    const float sunshine = sun_visibility(position, s.normal, distance(position, view.eye));
+    vec3 radiance = vec3(0.0);
+    for (uint i = 0u; i < count; ++i) {
+        const float visible = lights.items[i].shadow == 0u ? 1.0 : sunshine;
+        if (visible > 0.0) radiance += light_reflection(s, v, position, lights.items[i]) * visible;
+    }
+    return radiance;
+}

@@ -1,0 +1,114 @@
+// Formats that all tiers share, and how often a graph of several tiers is loaded to find them.
+#include "shader/load_graph.h"
+#include "shader/shader_memory.h"
+#include "shader_folder.h"
+
+namespace weft {
+namespace {
+
+// Tier "paint" writes `color` as a storage image; without it, it is an attachment.
+constexpr const char* kGraph = R"({
+  "version": 1, "name": "tiers", "imports": { "backbuffer": "output" },
+  "resources": { "color": "b10g11r11f|rgba16f" },
+  "passes": {
+    "draw": { "type": "fullscreen", "shader": "draw.frag", "out": ["color"] },
+    "show": { "type": "fullscreen", "shader": "show.frag", "in": ["color"], "out": ["backbuffer"] }
+  },
+  "tiers": {
+    "low": {}, "medium": {}, "high": {},
+    "paint": { "patch": { "passes": { "draw": { "type": "compute", "shader": "paint.comp" } } } }
+  }
+})";
+constexpr size_t kTiers = 5;  // with the file as it is
+
+class TierFormats : public ShaderFolder {
+ protected:
+    TierFormats() {
+        write("graph/g.json", kGraph);
+        write("graph/draw.frag",
+              "#version 460\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1); }\n");
+        write("graph/show.frag",
+              "#version 460\nlayout(location = 0) in vec2 uv;\nlayout(location = 0) out vec4 backbuffer;\n"
+              "uniform sampler2D color;\nvoid main() { backbuffer = texture(color, uv); }\n");
+        write("graph/paint.comp",
+              "#version 460\nlayout(local_size_x = 8, local_size_y = 8) in;\n"
+              "uniform writeonly image2D color;\n"
+              "void main() { imageStore(color, ivec2(gl_GlobalInvocationID.xy), vec4(1)); }\n");
+        ImportDecl output;
+        output.name = "backbuffer";
+        output.kind = ImportKind::output;
+        output.resource.name = "backbuffer";
+        output.resource.lifetime = ResourceLifetime::imported;
+        output.resource.format = Format::rgba8;
+        output.resource.extent = {64, 64, 1};
+        output.resource.import = ImportState{};
+        imports_.imports.emplace("backbuffer", output);
+        const FormatFeatureMask drawn = ~format_feature::kStorage;
+        profile_.formats = {{Format::b10g11r11f, drawn},
+                            {Format::rgba8, drawn},
+                            {Format::rgba16f, drawn | format_feature::kStorage}};
+    }
+
+    LoadInput input(const std::string& tier, const SkippedFormats* common = nullptr) {
+        LoadInput made{.path = (base_ / "graph/g.json").string(),
+                       .reader = {},
+                       .shader_root = base_ / "shaders",
+                       .shader_cache = {},
+                       .passes = passes_,
+                       .imports = imports_,
+                       .profile = profile_};
+        made.reader = [](const std::string& path) {
+            std::ifstream in(path);
+            return std::optional(std::string(std::istreambuf_iterator<char>(in), {}));
+        };
+        made.tier = tier;
+        made.memory = &memory_;
+        made.common_formats = common;
+        return made;
+    }
+
+    Format format_of(const JsonDoc& document, const std::string& tier, const SkippedFormats* common) {
+        Diagnostics warnings;
+        const Result<LoadedGraph> loaded = load_graph(document, input(tier, common), warnings);
+        EXPECT_TRUE(loaded.ok()) << to_text(loaded.errors());
+        return loaded ? find_resource(loaded->graph, "color")->format : Format::undefined;
+    }
+
+    PassCatalog passes_;
+    ImportCatalog imports_;
+    DeviceProfile profile_;
+    ShaderMemory memory_;
+};
+
+// Each load of a tier asks for the two programs of its passes.
+TEST_F(TierFormats, FoundOnceTheyLoadEachTierTwiceInsteadOfAllTiersForEach) {
+    const Result<JsonDoc> document = read_graph(input(""));
+    ASSERT_TRUE(document.ok()) << to_text(document.errors());
+    const std::vector<std::string> tiers{"", "low", "medium", "high", "paint"};
+    for (const std::string& tier : tiers)
+        EXPECT_EQ(format_of(*document, tier, nullptr), Format::rgba16f) << tier;
+    EXPECT_EQ(memory_.requests(), kTiers * kTiers * 2) << "each looks at all";
+
+    const uint64_t before = memory_.requests();
+    const SkippedFormats common = common_formats(*document, input("low"));
+    EXPECT_EQ(common, (SkippedFormats{{"color", 1}}));
+    for (const std::string& tier : tiers)
+        EXPECT_EQ(format_of(*document, tier, &common), Format::rgba16f) << tier;
+    EXPECT_EQ(memory_.requests() - before, 2 * kTiers * 2);
+    EXPECT_EQ(memory_.misses(), 3u) << "each program is compiled once";
+}
+
+TEST_F(TierFormats, WithoutATierThatNeedsTheOtherTheFirstIsTaken) {
+    std::string text(kGraph);
+    text.replace(text.find("\"type\": \"compute\", \"shader\": \"paint.comp\""), 41,
+                 "\"shader\": \"draw.frag\"");
+    write("graph/g.json", text);
+    const Result<JsonDoc> document = read_graph(input(""));
+    ASSERT_TRUE(document.ok()) << to_text(document.errors());
+    const SkippedFormats common = common_formats(*document, input(""));
+    EXPECT_EQ(format_of(*document, "low", &common), Format::b10g11r11f);
+    EXPECT_EQ(format_of(*document, "low", nullptr), Format::b10g11r11f);
+}
+
+}  // namespace
+}  // namespace weft
