@@ -133,18 +133,20 @@ Box slice_box(int k) {
     return box_of(slopes, near_m, k == kSlices - 1 ? last_m : near_m + slice_m);
 }
 
-// Slices are tried with the light's sphere first: many devices take as long for a test that few threads need.
-bool reaches_slice(vec4 sphere, Reach r) {
+// Slices are tried with the light's sphere first, and only where that meets one with the light itself.
+bool reaches_slice(vec4 sphere, Reach r, TileBounds b) {
     const bool ball = r.cos_spread <= -1.0 && r.first == vec3(0.0);
-    uint met = 0u;
-    for (uint todo = slices_at(sphere) & occupied; todo != 0u; todo &= todo - 1u) {
-        const int k = findLSB(todo);
-        if (!sphere_meets(sphere, slice_box(k))) continue;
-        met |= 1u << k;
-        if (ball) break;
+    uint todo = slices_at(sphere) & b.occupied;
+    if (!ball && !reaches(r, b.box)) todo = 0u;
+    while (todo != 0u) {
+        Box box;
+        bool met = false;
+        while (todo != 0u && !met) {
+            box = slice_box(findLSB(todo));
+            met = sphere_meets(sphere, box);
+            todo &= todo - 1u;
+        }
+        if (met && (ball || reaches(r, box))) return true;
     }
-    if (ball) return met != 0u;
-    for (; met != 0u; met &= met - 1u)
-        if (reaches(r, slice_box(findLSB(met)))) return true;
     return false;
 }

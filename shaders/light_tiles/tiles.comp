@@ -84,7 +84,7 @@ uint fill_list() {
         for (uint i = 0u; i < count; i += kThreads) {
             const uint at = i + gl_LocalInvocationIndex;
             const uint light = candidates[min(at, count - 1u)];
-            const bool kept = at < count && reaches_slice(sphere_of(light), reach_of(light));
+            const bool kept = at < count && reaches_slice(sphere_of(light), reach_of(light), bounds);
             uint entered;
             const uint place = enter_one(kept, entered);
             if (kept) put(light, listed + place);
