@@ -1,6 +1,7 @@
 #include "scene/builtin_scenes.h"
 
 #include "scene/builtin_atrium.h"
+#include "scene/builtin_brushed.h"
 #include "scene/builtin_cornell.h"
 #include "scene/builtin_spheres.h"
 #include "scene/daylight.h"
@@ -21,7 +22,7 @@ Scene make_lights(const BuiltinOptions& options) {
 }  // namespace
 
 std::vector<std::string> builtin_scene_names() {
-    return {"atrium", "cornell", "lights", "mirror", "spheres"};
+    return {"atrium", "brushed", "cornell", "lights", "mirror", "spheres"};
 }
 
 bool has_hours(std::string_view name) {
@@ -31,6 +32,7 @@ bool has_hours(std::string_view name) {
 Result<Scene> make_builtin(std::string_view name, const BuiltinOptions& options) {
     if (name == "atrium") return make_atrium(options.hour.value_or(kDefaultHour));
     if (name == "lights") return make_lights(options);
+    if (name == "brushed") return make_brushed();
     if (name == "cornell") return make_cornell();
     if (name == "mirror") return make_mirror();
     if (name == "spheres") return make_spheres();

@@ -183,6 +183,30 @@ void apply_material_extensions(const tinygltf::ExtensionMap& extensions, Materia
     }
 }
 
+// The texture is described as core ones are, but tinygltf doesn't read it.
+TextureSlot extension_slot(const tinygltf::Value& extension, const char* key, const tinygltf::Model& model) {
+    if (!extension.Has(key)) return {};
+    const tinygltf::Value& info = extension.Get(key);
+    tinygltf::TextureInfo core;
+    core.index = static_cast<int>(number_or(info, "index", -1));
+    core.texCoord = static_cast<int>(number_or(info, "texCoord", 0));
+    if (info.Has("extensions")) {
+        const tinygltf::Value& extensions = info.Get("extensions");
+        for (const std::string& name : extensions.Keys()) core.extensions.emplace(name, extensions.Get(name));
+    }
+    return convert_slot(core, model);
+}
+
+void apply_anisotropy(const tinygltf::ExtensionMap& extensions, const tinygltf::Model& model, Material& out) {
+    const tinygltf::Value* anisotropy = find_extension(extensions, "KHR_materials_anisotropy");
+    if (anisotropy == nullptr) return;
+    out.anisotropy = unit(number_or(*anisotropy, "anisotropyStrength", 0));
+    constexpr double kFullTurn = 6.283185307179586;
+    const double rotation = std::remainder(number_or(*anisotropy, "anisotropyRotation", 0), kFullTurn);
+    out.anisotropy_rotation_rad = static_cast<float>(rotation);
+    out.anisotropy_texture = extension_slot(*anisotropy, "anisotropyTexture", model);
+}
+
 // KHR_materials_unlit: the surface shows its base colour and answers no light. That is a black one which
 // glows.
 void make_unlit(Material& out) {
@@ -194,6 +218,7 @@ void make_unlit(Material& out) {
     out.specular = 0;
     out.roughness = 1;
     out.normal_texture = {};
+    out.anisotropy = 0;
 }
 
 Material convert(const tinygltf::Material& source, const tinygltf::Model& model) {
@@ -217,6 +242,7 @@ Material convert(const tinygltf::Material& source, const tinygltf::Model& model)
     out.occlusion_texture = convert_slot(source.occlusionTexture, model);
     out.emissive_texture = convert_slot(source.emissiveTexture, model);
     apply_material_extensions(source.extensions, out);
+    apply_anisotropy(source.extensions, model, out);
     if (find_extension(source.extensions, "KHR_materials_unlit") != nullptr) make_unlit(out);
     return out;
 }

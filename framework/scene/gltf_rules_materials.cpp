@@ -73,6 +73,11 @@ void check_material_extensions(Checker& c, const Fields& material) {
     if (const auto strength = material.extension("KHR_materials_emissive_strength")) {
         strength->number_in("emissiveStrength", 0, kUnbounded);
     }
+    if (const auto anisotropy = material.extension("KHR_materials_anisotropy")) {
+        anisotropy->number_in("anisotropyStrength", 0, 1);
+        anisotropy->number("anisotropyRotation", Need::optional);
+        check_texture_info(c, *anisotropy, "anisotropyTexture");
+    }
 }
 
 void check_material(Checker& c, const Fields& material) {

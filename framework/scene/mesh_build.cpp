@@ -21,7 +21,7 @@ bool is_usable(const glm::vec3& p) {
 bool reads_second_uvs(const Material& material) {
     for (const TextureSlot* slot :
          {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-          &material.occlusion_texture, &material.emissive_texture}) {
+          &material.occlusion_texture, &material.emissive_texture, &material.anisotropy_texture}) {
         if (slot->texture != kNone && slot->uv_set == 1) return true;
     }
     return false;
@@ -66,9 +66,14 @@ class Builder {
         }
         const bool own_tangents = primitive.normal != kNone && primitive.tangent != kNone;
         if (own_tangents && read_tangents(from, primitive.tangent, mesh)) return;
-        const bool of_second =
-            primitive.material != kNone && document_.materials[primitive.material].normal_texture.uv_set == 1;
-        generate_tangents(mesh, of_second ? 1 : 0);
+        generate_tangents(mesh, uv_set_of_tangents(primitive));
+    }
+
+    [[nodiscard]] uint32_t uv_set_of_tangents(const Primitive& primitive) const {
+        if (primitive.material == kNone) return 0;
+        const Material& material = document_.materials[primitive.material];
+        const bool bumpy = material.normal_texture.texture != kNone;
+        return bumpy ? material.normal_texture.uv_set : material.anisotropy_texture.uv_set;
     }
 
     // Only where a texture of the material reads them.

@@ -45,6 +45,7 @@ std::vector<SlotUse> slot_uses(const Document& document, std::vector<Material>& 
         add(material.normal_texture, TexelMeaning::normal);
         add(material.occlusion_texture, TexelMeaning::linear_data);
         add(material.emissive_texture, TexelMeaning::srgb_color);
+        add(material.anisotropy_texture, TexelMeaning::linear_data);
     }
     return uses;
 }

@@ -54,6 +54,35 @@ TEST_F(GltfMaterial, UnlitShowsItsBaseColour) {
         EXPECT_EQ(warning.message.find("unlit"), std::string::npos) << warning.message;
 }
 
+TEST_F(GltfMaterial, ReadsAnisotropy) {
+    const Material material = load(with_material(R"({"extensions":{"KHR_materials_anisotropy":{
+        "anisotropyStrength":0.75,"anisotropyRotation":7.283185307179586,"anisotropyTexture":{"index":1,"texCoord":1,
+        "extensions":{"KHR_texture_transform":{"offset":[0.5,0.25]}}}}}})"))
+                                  .materials.at(0);
+    EXPECT_FLOAT_EQ(material.anisotropy, 0.75f);
+    EXPECT_NEAR(material.anisotropy_rotation_rad, 1, 1e-6) << "less a full turn";
+    const TextureSlot& slot = material.anisotropy_texture;
+    EXPECT_NE(slot.texture, kNone);
+    EXPECT_EQ(slot.uv_set, 1u);
+    EXPECT_EQ(slot.mag, Filter::nearest);
+    EXPECT_EQ(slot.transform[2], glm::vec2(0.5f, 0.25f));
+    const Material plain =
+        load(with_material(R"({"extensions":{"KHR_materials_anisotropy":{}}})")).materials.at(0);
+    EXPECT_EQ(plain.anisotropy, 0);
+    EXPECT_EQ(plain.anisotropy_texture.texture, kNone);
+}
+
+TEST_F(GltfMaterial, AnisotropyIsCheckedAndClamped) {
+    const Scene clamped =
+        load(with_material(R"({"extensions":{"KHR_materials_anisotropy":{"anisotropyStrength":3}}})"));
+    EXPECT_EQ(clamped.materials.at(0).anisotropy, 1);
+    EXPECT_EQ(where(warnings_.at(0)),
+              "S154 /materials/0/extensions/KHR_materials_anisotropy/anisotropyStrength");
+    const Diagnostic error = fail(
+        with_material(R"({"extensions":{"KHR_materials_anisotropy":{"anisotropyTexture":{"index":9}}}})"));
+    EXPECT_EQ(where(error), "S110 /materials/0/extensions/KHR_materials_anisotropy/anisotropyTexture/index");
+}
+
 TEST_F(GltfMaterial, DefaultsAreThoseOfGltf) {
     const Material material = load(GltfText()).materials.at(0);
     EXPECT_EQ(material.base_color, glm::vec4(1));
