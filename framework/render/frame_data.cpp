@@ -7,7 +7,7 @@ namespace weft::render {
 namespace {
 
 static_assert(sizeof(shared::FrameConstants) == 224 && sizeof(shared::ViewConstants) == 432);
-static_assert(sizeof(shared::Light) == 80 && sizeof(shared::Material) == 240 &&
+static_assert(sizeof(shared::Light) == 80 && sizeof(shared::Material) == 288 &&
               sizeof(shared::Instance) == 208);
 
 // What the ground below the horizon sends up: daylight on something of a quarter's albedo.
@@ -128,6 +128,10 @@ shared::Material gpu_material(const scene::Material& m) {
     gpu.occlusion_uv = uv_of(m.occlusion_texture);
     gpu.emissive_uv = uv_of(m.emissive_texture);
     gpu.emission_tint = m.tinted_emission ? 1.0f : 0.0f;
+    gpu.anisotropy = m.anisotropy;
+    gpu.anisotropy_turn = {std::cos(m.anisotropy_rotation_rad), std::sin(m.anisotropy_rotation_rad)};
+    gpu.anisotropy_uv = uv_of(m.anisotropy_texture);
+    gpu.anisotropy_textured = m.anisotropy_texture.texture == scene::kNone ? 0.0f : 1.0f;
     return gpu;
 }
 

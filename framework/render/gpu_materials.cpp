@@ -9,7 +9,7 @@
 namespace weft::render {
 namespace {
 
-constexpr uint32_t kTexturesPerMaterial = 5;
+constexpr uint32_t kTexturesPerMaterial = 6;
 constexpr VkShaderStageFlags kMaterialStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 ResourceDecl texture_decl(const std::string& name, uint32_t width_px, uint32_t height_px, uint32_t mips,
@@ -93,8 +93,7 @@ Status GpuMaterials::upload_textures(vk::Device& device, const scene::Scene& sce
 
 Status GpuMaterials::upload_constants(vk::Device& device, const scene::Scene& scene) {
     // 256 is the greatest minUniformBufferOffsetAlignment that Vulkan lets a device ask for.
-    constants_stride_bytes_ = 256;
-    static_assert(sizeof(shared::Material) <= 256);
+    constants_stride_bytes_ = (sizeof(shared::Material) + 255) / 256 * 256;
     std::vector<std::byte> bytes(std::max<size_t>(1, scene.materials.size()) * constants_stride_bytes_);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const shared::Material constants = gpu_material(scene.materials[i]);
@@ -112,9 +111,9 @@ void GpuMaterials::write_set(vk::Device& device, const scene::Material& m, uint3
     const VkDescriptorBufferInfo buffer{constants_.handle(), index * constants_stride_bytes_,
                                         sizeof(shared::Material)};
     const std::array<VkDescriptorImageInfo, kTexturesPerMaterial> images{
-        image(device, m.base_color_texture, white_), image(device, m.metallic_roughness_texture, white_),
+        image(device, m.base_color_texture, white_),   image(device, m.metallic_roughness_texture, white_),
         image(device, m.normal_texture, flat_normal_), image(device, m.occlusion_texture, white_),
-        image(device, m.emissive_texture, white_)};
+        image(device, m.emissive_texture, white_),     image(device, m.anisotropy_texture, white_)};
     write_buffers(device, set(index), 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {&buffer, 1});
     write_images(device, set(index), 1, images);
 }

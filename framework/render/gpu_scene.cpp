@@ -57,8 +57,11 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
         const glm::vec3 center =
             instance.transform * glm::vec4((mesh.bounds_min + mesh.bounds_max) * 0.5f, 1);
-        lists_[draw_list_of(material)].push_back(
-            {geometry_.meshes[instance.mesh], i, instance.material, material.double_sided, mirrored, center});
+        for (const char* list : kDrawLists)
+            if (is_in_draw_list(material, list))
+                lists_[list].push_back({geometry_.meshes[instance.mesh], i, instance.material,
+                                        draw_variant(material, list), material.double_sided, mirrored,
+                                        center});
     }
     // Few state changes; stable, so that equal draws keep the scene's order and the picture is always the
     // same.
@@ -142,6 +145,7 @@ void GpuScene::record(const vk::DrawContext& context) const {
     for (uint32_t i = 0; i < found->second.size(); ++i) {
         const uint32_t place = place_of(context.list, i);
         const Draw& draw = found->second[place];
+        if (draw.variant != context.variant) continue;
         if (context.uses_materials && draw.material != bound_material) {
             const VkDescriptorSet set = materials_.set(draw.material);
             fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 2, 1, &set,

@@ -1,6 +1,6 @@
-// Purpose: a scene on the GPU as graphs draw it: the lists opaque and masked, sorted by material, and
-// transparent, sorted by distance in every frame; a buffer of draw commands for each, and the sets 0 (frame),
-// 2 (material) and 3 (draw) that shaders/include/*_set.glsl declare.
+// Purpose: a scene on the GPU as graphs draw it: the lists opaque, masked and anisotropic, sorted by
+// material, and transparent, sorted by distance in every frame; a buffer of draw commands for each, and the
+// sets 0 (frame), 2 (material) and 3 (draw) that shaders/include/*_set.glsl declare.
 #pragma once
 
 #include <map>
@@ -35,6 +35,7 @@ class GpuScene final : public vk::DrawSource {
         MeshRange mesh;
         uint32_t instance = 0;
         uint32_t material = 0;
+        uint32_t variant = 0;  // of its list
         bool double_sided = false;
         bool mirrored = false;  // negative determinant: the winding is swapped
         glm::vec3 center{0};    // of its bounds, in the world

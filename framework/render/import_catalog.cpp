@@ -17,11 +17,20 @@ VertexFormat canonical_vertex_format() {
              {"uv", Format::rg32f, 1, 16}}};
 }
 
-ImportDecl draw_list(const std::string& name, DrawVariant variant, uint32_t draws) {
+DrawVariant variant(const std::string& name, bool masked, bool anisotropic) {
+    return {name, {{"MASKED", masked ? 1.0 : 0.0}, {"ANISOTROPIC", anisotropic ? 1.0 : 0.0}}};
+}
+
+std::vector<DrawVariant> variants_of(const std::string& list) {
+    if (list == "anisotropic") return {variant("opaque", false, true), variant("masked", true, true)};
+    return {variant(list, list == "masked", false)};
+}
+
+ImportDecl draw_list(const std::string& name, uint32_t draws) {
     ImportDecl import;
     import.name = name;
     import.kind = ImportKind::draw_list;
-    import.variants = {std::move(variant)};
+    import.variants = variants_of(name);
     import.vertex_format = canonical_vertex_format();
     import.draws = draws;
     return import;
@@ -48,7 +57,7 @@ uint32_t count_draws(const scene::Scene* scene, std::string_view list) {
     if (scene == nullptr) return 1;
     return static_cast<uint32_t>(
         std::ranges::count_if(scene->instances, [&](const scene::Instance& instance) {
-            return draw_list_of(scene->materials[instance.material]) == list;
+            return is_in_draw_list(scene->materials[instance.material], list);
         }));
 }
 
@@ -73,16 +82,22 @@ ImportDecl output(Extent3D extent) {
 
 }  // namespace
 
-const char* draw_list_of(const scene::Material& material) {
+bool is_in_draw_list(const scene::Material& material, std::string_view list) {
+    if (list == "anisotropic")
+        return material.anisotropy > 0 && material.alpha_mode != scene::AlphaMode::blend;
     switch (material.alpha_mode) {
         case scene::AlphaMode::opaque:
-            return "opaque";
+            return list == "opaque";
         case scene::AlphaMode::mask:
-            return "masked";
+            return list == "masked";
         case scene::AlphaMode::blend:
-            return "transparent";
+            return list == "transparent";
     }
-    return "opaque";
+    return false;
+}
+
+uint32_t draw_variant(const scene::Material& material, std::string_view list) {
+    return list == "anisotropic" && material.alpha_mode == scene::AlphaMode::mask ? 1 : 0;
 }
 
 std::string commands_of(std::string_view list) {
@@ -92,8 +107,7 @@ std::string commands_of(std::string_view list) {
 ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     ImportCatalog catalog;
     for (const char* list : kDrawLists) {
-        const double masked = std::string_view(list) == "masked" ? 1 : 0;
-        ImportDecl import = draw_list(list, {list, {{"MASKED", masked}}}, count_draws(scene, list));
+        ImportDecl import = draw_list(list, count_draws(scene, list));
         catalog.imports.emplace(commands_of(list), draw_commands(import));
         catalog.imports.emplace(list, std::move(import));
     }

@@ -1,6 +1,7 @@
 // Purpose: what a scene offers to graphs, known without a device: the draw lists opaque, masked and
-// transparent, their draw commands (opaqueCommands, …), the output image, the element types Light and
-// DrawCommand, and the view "camera".
+// transparent, which are all draws, and anisotropic, which are some of the first two once more; their draw
+// commands (opaqueCommands, …), the output image, the element types Light and DrawCommand, and the view
+// "camera".
 #pragma once
 
 #include <array>
@@ -10,8 +11,10 @@
 
 namespace weft::render {
 
-inline constexpr std::array kDrawLists{"opaque", "masked", "transparent"};
-[[nodiscard]] const char* draw_list_of(const scene::Material& material);
+inline constexpr std::array kDrawLists{"opaque", "masked", "transparent", "anisotropic"};
+[[nodiscard]] bool is_in_draw_list(const scene::Material& material, std::string_view list);
+// Where draws of a material are in the list's variants.
+[[nodiscard]] uint32_t draw_variant(const scene::Material& material, std::string_view list);
 // The import that holds a shared::DrawCommand for each draw of the list; of one, where there is none.
 [[nodiscard]] std::string commands_of(std::string_view list);
 

@@ -63,7 +63,7 @@ Diagnostics transparent_left_out(const FramePlan& plan, const scene::Scene& scen
     std::set<uint32_t> materials;
     size_t objects = 0;
     for (const scene::Instance& instance : scene.instances) {
-        if (std::string_view(draw_list_of(scene.materials[instance.material])) != "transparent") continue;
+        if (!is_in_draw_list(scene.materials[instance.material], "transparent")) continue;
         materials.insert(instance.material);
         ++objects;
     }

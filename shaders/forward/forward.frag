@@ -14,11 +14,11 @@ layout(constant_id = 0) const bool MASKED = false;
 layout(constant_id = 1) const bool BLENDED = false;
 // Sees what the G-buffer of the deferred pipeline would have kept, so that the two can be compared.
 layout(constant_id = 2) const bool QUANTIZED = false;
+// By the draw list of that name; others draw what is anisotropic as if it were not.
+layout(constant_id = 3) const bool ANISOTROPIC = false;
 
 layout(location = 5) in vec3 world_point;
 layout(location = 0) out vec4 hdr;
-
-layout(std430) readonly buffer Lights { Light items[]; } lights;
 
 #include "surface_light.glsl"
 
@@ -42,8 +42,13 @@ void main() {
         coat = unorm8(coat);
         point = world_position(gl_FragCoord.xy / view.viewport_px, gl_FragCoord.z);
     }
-    const Surface s = make_surface(n, root * root, orm.b, orm.g, coat.rgb * coat.rgb, coat.a);
-    const vec3 radiance = (emission() + reflected_radiance(s, point, orm)) * frame.pre_exposure;
+    Surface s = make_surface(n, root * root, orm.b, orm.g, coat.rgb * coat.rgb, coat.a);
+    if (ANISOTROPIC) {
+        const vec4 grain = anisotropy(n);
+        s = stretched(s, grain.xyz, grain.w);
+    }
+    const vec3 reflected = reflected_radiance(s, point, orm, ivec2(gl_FragCoord.xy));
+    const vec3 radiance = (emission() + reflected) * frame.pre_exposure;
     const float alpha = BLENDED ? base.a : 1.0;
     hdr = vec4(nearest_half(min(radiance * alpha, vec3(kMaxStored))), alpha);
 }

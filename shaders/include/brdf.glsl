@@ -12,6 +12,10 @@ struct Surface {
     vec3 f0;
     float f90;
     float alpha;      // roughness²
+    bool anisotropic; // the rest counts only then
+    vec3 tangent;     // across the normal: where the highlight is stretched to
+    vec3 bitangent;
+    vec2 alphas;      // along tangent and bitangent
 };
 
 // The least α that is lit by points: below it a highlight is smaller than any pixel and overflows half floats.
@@ -24,6 +28,18 @@ Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughne
     s.f0 = mix(dielectric_f0 * specular, base_color, metallic);
     s.f90 = mix(specular, 1.0, metallic);
     s.alpha = max(roughness * roughness, kMinAlpha);
+    s.anisotropic = false;
+    s.tangent = s.bitangent = vec3(0.0);
+    s.alphas = vec2(s.alpha);
+    return s;
+}
+
+// Rougher along `tangent`, of unit length and across the normal; `strength` from 0 to 1. KHR_materials_anisotropy.
+Surface stretched(Surface s, vec3 tangent, float strength) {
+    s.anisotropic = true;
+    s.tangent = tangent;
+    s.bitangent = cross(s.normal, tangent);
+    s.alphas.x = mix(s.alpha, 1.0, strength * strength);
     return s;
 }
 
@@ -44,6 +60,36 @@ float smith_visibility(float alpha, float nl, float nv) {
     return 0.5 / max(lambda_v + lambda_l, 1e-7);
 }
 
+// The same two of an anisotropic surface: Burley 2012, "Physically-Based Shading at Disney"; Heitz 2014. Each direction
+// is given along tangent, bitangent and normal.
+float stretched_ggx_distribution(vec2 alphas, vec3 h) {
+    const vec3 flattened = vec3(h.xy / alphas, h.z);
+    const float d = dot(flattened, flattened);
+    return 1.0 / (kPi * alphas.x * alphas.y * d * d);
+}
+
+float stretched_smith_visibility(vec2 alphas, vec3 l, vec3 v) {
+    const float lambda_v = l.z * length(vec3(alphas * v.xy, v.z));
+    const float lambda_l = v.z * length(vec3(alphas * l.xy, l.z));
+    return 0.5 / max(lambda_v + lambda_l, 1e-7);
+}
+
+float stretched_specular(Surface s, vec3 v, vec3 l, vec3 h, float nl, float nv) {
+    const mat3 to_surface = transpose(mat3(s.tangent, s.bitangent, s.normal));
+    return stretched_ggx_distribution(s.alphas, to_surface * h) *
+           stretched_smith_visibility(s.alphas, vec3((to_surface * l).xy, nl), vec3((to_surface * v).xy, nv));
+}
+
+// The normal of a plain mirror that shows about the middle of what a stretched lobe reflects. McAuley 2015, "Rendering
+// the World of Far Cry 4".
+vec3 bent_normal(Surface s, vec3 v, float roughness) {
+    const float strength = sqrt(clamp((s.alphas.x - s.alpha) / max(1.0 - s.alpha, 1e-4), 0.0, 1.0));
+    const float straight = 1.0 - strength * (1.0 - roughness);
+    const float straight2 = straight * straight;
+    const vec3 bent = cross(cross(s.bitangent, v), s.bitangent);
+    return normalize(mix(bent, s.normal, straight2 * straight2));
+}
+
 vec3 schlick(vec3 f0, float f90, float vh) {
     const float m = clamp(1.0 - vh, 0.0, 1.0);
     const float m2 = m * m;
@@ -57,7 +103,9 @@ vec3 reflect_light(Surface s, vec3 v, vec3 l) {
     const float nv = max(dot(s.normal, v), 1e-4);
     const vec3 h = normalize(v + l);
     const vec3 f = schlick(s.f0, s.f90, dot(v, h));
-    const float specular = ggx_distribution(s.alpha, s.normal, h) * smith_visibility(s.alpha, nl, nv);
+    const float specular = s.anisotropic
+                               ? stretched_specular(s, v, l, h, nl, nv)
+                               : ggx_distribution(s.alpha, s.normal, h) * smith_visibility(s.alpha, nl, nv);
     const float base = 1.0 - max(f.r, max(f.g, f.b));
     return (s.diffuse * (base / kPi) + f * specular) * nl;
 }

@@ -1,4 +1,4 @@
-// Set 2: one material and its textures. glTF 2.0, Appendix B, and KHR_materials_specular.
+// Set 2: one material and its textures. glTF 2.0, Appendix B, KHR_materials_specular and KHR_materials_anisotropy.
 #include "shared/material.glsl"
 
 layout(set = 2, binding = 0, std140) uniform MaterialBlock { Material material; };
@@ -7,6 +7,7 @@ layout(set = 2, binding = 2) uniform sampler2D metallic_roughness_texture;  // g
 layout(set = 2, binding = 3) uniform sampler2D normal_texture;
 layout(set = 2, binding = 4) uniform sampler2D occlusion_texture;           // r
 layout(set = 2, binding = 5) uniform sampler2D emissive_texture;            // sRGB
+layout(set = 2, binding = 6) uniform sampler2D anisotropy_texture;          // rg direction, b strength
 
 vec2 transformed(TextureTransform transform, vec2 uv) {
     const vec3 homogeneous = vec3(uv, 1.0);

@@ -65,11 +65,15 @@ vec2 ambient_dfg(float roughness, float nv) {
     return vec2(-1.04, 1.04) * a004 + r.zw;
 }
 
-vec3 ambient_reflection(vec3 n, vec3 v, vec3 diffuse, vec3 f0, float f90, float roughness) {
+// Of a surface that mirrors what lies in the direction `mirrored`.
+vec3 ambient_reflection(vec3 n, vec3 v, vec3 mirrored, vec3 diffuse, vec3 f0, float f90, float roughness) {
     const float nv = clamp(dot(n, v), 0.0, 1.0);
     const vec2 dfg = ambient_dfg(roughness, nv);
     const vec3 specular = f0 * dfg.x + f90 * dfg.y;
-    const vec3 mirrored = mirrored_radiance(reflect(-v, n), n, roughness);
     return diffuse * (1.0 - max(specular.r, max(specular.g, specular.b))) * sky_irradiance_over_pi(n) +
-           specular * mirrored;
+           specular * mirrored_radiance(mirrored, n, roughness);
+}
+
+vec3 ambient_reflection(vec3 n, vec3 v, vec3 diffuse, vec3 f0, float f90, float roughness) {
+    return ambient_reflection(n, v, reflect(-v, n), diffuse, f0, f90, roughness);
 }

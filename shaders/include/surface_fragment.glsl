@@ -37,6 +37,22 @@ vec3 occlusion_roughness_metalness() {
     return vec3(mix(1.0, ao, material.occlusion_strength), material.roughness * mr.g, material.metallic * mr.b);
 }
 
+// Along which unit vector across `n` the surface is rougher (xyz), and how much so (w). KHR_materials_anisotropy.
+vec4 anisotropy(vec3 n) {
+    const vec3 texel = texture(anisotropy_texture, texture_uv(material.anisotropy_uv)).rgb;
+    const vec2 grain = material.anisotropy_textured > 0.0 ? texel.rg * 2.0 - 1.0 : vec2(1.0, 0.0);
+    const vec2 turn = material.anisotropy_turn;
+    const vec2 turned = mat2(turn, -turn.y, turn.x) * grain;
+    const vec3 any = abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);  // where there is no tangent
+    vec3 t = world_tangent.xyz - n * dot(n, world_tangent.xyz);
+    if (dot(t, t) < 1e-12) t = cross(any, n);
+    t = normalize(t);
+    const vec3 b = cross(n, t) * world_tangent.w * (gl_FrontFacing ? 1.0 : -1.0);
+    const vec3 direction = t * turned.x + b * turned.y;
+    const float length2 = dot(direction, direction);
+    return vec4(length2 > 1e-12 ? direction * inversesqrt(length2) : t, material.anisotropy * texel.b);
+}
+
 // cd/m².
 vec3 emission() {
     const vec3 tint = mix(vec3(1.0), vertex_color().rgb, material.emission_tint);

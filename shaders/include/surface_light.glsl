@@ -1,13 +1,39 @@
-// What a surface sends to the eye of all lights and of the sky, but for its own emission. Units: cd/m². Deferred and
-// forward shading share it. Needs brdf.glsl, frame_set.glsl, lights.glsl and sky.glsl, and a buffer port `lights`.
+// What a surface sends to the eye of the lights and of the sky, but for its own emission. Units: cd/m². Deferred and
+// forward shading share it. Its ports are the buffer `lights` and, where lights are culled, the lists `tileLights`: then
+// only those of the pixel's tile are asked, in the same order. A light that is not listed would add exactly nothing, so
+// the sum is the same to the last bit. Needs brdf.glsl, frame_set.glsl, lights.glsl and sky.glsl.
+layout(constant_id = 15) const bool HAS_tileLights = false;
 
-vec3 reflected_radiance(Surface s, vec3 position, vec3 orm) {
-    const vec3 v = normalize(view.eye - position);
+layout(std430) readonly buffer Lights { Light items[]; } lights;
+layout(std430) readonly buffer TileLights { uint items[]; } tileLights;
+
+#include "light_reflection.glsl"
+#include "tile_lights.glsl"
+
+// Directional lights are in no list: they come first, then what reaches the tile that `pixel` lies in.
+vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
+    const uint all = min(frame.light_count, uint(lights.items.length()));
+    const uint directional = min(frame.directional_count, all);
+    const uint list = HAS_tileLights ? tile_list(pixel) : 0u;
+    const uint listed = HAS_tileLights ? tileLights.items[list] : all - directional;
     vec3 radiance = vec3(0.0);
-    const uint count = min(frame.light_count, uint(lights.items.length()));
-    for (uint i = 0u; i < count; ++i) {
-        const Incident light = light_at(lights.items[i], position);
-        radiance += reflect_light(s, v, light.direction) * light.irradiance;
+    for (uint i = 0u; i < directional + listed; ++i) {
+        uint index = i;
+        if (HAS_tileLights && i >= directional) index = tileLights.items[list + 1u + i - directional];
+        radiance += light_reflection(s, v, position, lights.items[index]);
     }
-    return radiance + orm.r * ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, orm.g);
+    return radiance;
+}
+
+// Of the sky. An anisotropic surface mirrors it as one does whose highlight has the same height.
+vec3 sky_reflection(Surface s, vec3 v, float roughness) {
+    if (!s.anisotropic) return ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, roughness);
+    const float mean_roughness = sqrt(sqrt(s.alphas.x * s.alphas.y));
+    const vec3 mirrored = reflect(-v, bent_normal(s, v, roughness));
+    return ambient_reflection(s.normal, v, mirrored, s.diffuse, s.f0, s.f90, mean_roughness);
+}
+
+vec3 reflected_radiance(Surface s, vec3 position, vec3 orm, ivec2 pixel) {
+    const vec3 v = normalize(view.eye - position);
+    return lights_reflection(s, v, position, pixel) + orm.r * sky_reflection(s, v, orm.g);
 }

@@ -1,4 +1,4 @@
-// A material as set 2 holds it, beside its five textures. Texture transforms are two rows: uv' = (row0·(u,v,1), …).
+// A material as set 2 holds it, beside its six textures. Texture transforms are two rows: uv' = (row0·(u,v,1), …).
 #ifndef WEFT_SHARED_MATERIAL
 #define WEFT_SHARED_MATERIAL
 #include "begin.glsl"
@@ -24,6 +24,10 @@ struct Material {
     TextureTransform occlusion_uv;
     TextureTransform emissive_uv;
     float emission_tint;     // 1: vertex colours multiply the emission too
+    float anisotropy;        // strength, 0 to 1
+    vec2 anisotropy_turn;    // cosine and sine of the way that the direction is turned from the tangent
+    TextureTransform anisotropy_uv;
+    float anisotropy_textured;  // 1: a texture has directions; 0: there is only the tangent
     float reserved0;
     float reserved1;
     float reserved2;

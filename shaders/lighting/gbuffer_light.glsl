@@ -1,0 +1,40 @@
+// Deferred lighting of one pixel: adds the light of every source, and of the sky, to the emission that the G-buffer pass
+// left in hdr; a pixel without a surface shows the sky. Output: scene-linear Rec.709, cd/m² × preExposure. Its ports are
+// those of surface_light.glsl, the G-buffer and hdr. Compute stages only.
+#include "brdf.glsl"
+#include "frame_set.glsl"
+#include "half_float.glsl"
+#include "lights.glsl"
+#include "octahedral.glsl"
+#include "sky.glsl"
+#include "gbuffer_surface.glsl"
+#include "surface_light.glsl"
+
+uniform sampler2D depth;
+layout(rgba16f) uniform image2D hdr;
+
+// Half floats end at 65504; what is brighter stays finite.
+const float kMaxStored = 65000.0;
+
+vec3 lit_surface(ivec2 pixel, vec2 uv, float z) {
+    const vec3 material = texelFetch(orm, pixel, 0).rgb;
+    return reflected_radiance(gbuffer_surface(pixel, material), world_position(uv, z), material, pixel);
+}
+
+void store_light(ivec2 pixel, vec3 color) {
+    imageStore(hdr, pixel, vec4(nearest_half(min(color, vec3(kMaxStored))), 1.0));
+}
+
+vec3 sky_light(vec2 uv) { return sky_radiance(ray_direction(uv)) * frame.pre_exposure; }
+
+void light_pixel(ivec2 pixel) {
+    const vec2 uv = (vec2(pixel) + 0.5) / vec2(imageSize(hdr));
+    const float z = texelFetch(depth, pixel, 0).r;
+    vec3 color;
+    if (z > 0.0) {
+        color = imageLoad(hdr, pixel).rgb + lit_surface(pixel, uv, z) * frame.pre_exposure;
+    } else {
+        color = sky_light(uv);
+    }
+    store_light(pixel, color);
+}
