@@ -54,6 +54,7 @@ class SessionTest : public ::testing::Test {
         render::SessionInput input;
         input.graph_path = graph;
         input.reader = reader;
+        input.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.shader_root = WEFT_SOURCE_DIR "/shaders";
         input.passes = &passes_;
         input.size = size;

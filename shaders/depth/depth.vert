@@ -1,0 +1,10 @@
+// Geometry of a pass that wants depth and nothing else.
+#version 460
+#include "frame_set.glsl"
+#include "surface_vertex.glsl"
+
+void main() {
+    const Instance instance = place_surface();
+    const vec4 world = instance.object_to_world * vec4(position.xyz, 1.0);
+    gl_Position = view.view_projection * world;
+}

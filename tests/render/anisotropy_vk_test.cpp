@@ -1,0 +1,123 @@
+// Anisotropic metal against its reference, through both pipelines that draw it as such: a square that faces
+// the camera, in strips of different strength and direction, under parallel light.
+#include <array>
+#include <numbers>
+
+#include "quad_scene.h"
+#include "reference_anisotropy.h"
+#include "session_fixture.h"
+
+namespace weft::test {
+namespace {
+
+constexpr size_t kStrips = 4;
+const glm::vec3 kColor{0.9f, 0.6f, 0.3f};
+
+class Anisotropy : public SessionTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+    // cd/m² in the middle of each strip.
+    std::array<glm::vec3, kStrips> strips(const scene::Scene& scene, const std::string& graph = GetParam()) {
+        std::array<glm::vec3, kStrips> found{};
+        const std::string path = WEFT_SOURCE_DIR "/graphs/" + graph + ".json";
+        const Rendered picture = render(scene, scene.cameras[0], kQuadSize, 0, {"hdr"}, path);
+        if (picture.images.empty()) return found;
+        for (size_t i = 0; i < kStrips; ++i)
+            found[i] =
+                picture.images.at("hdr")[8 * kQuadSize.width + (2 * i + 1) * kQuadSize.width / (2 * kStrips)];
+        return found;
+    }
+    static scene::Scene striped_metal() {
+        scene::Scene scene = quad_scene();
+        scene.materials[0].base_color = glm::vec4(kColor, 1);
+        scene.materials[0].metallic = 1;
+        scene.materials[0].specular = 1;
+        scene.materials[0].roughness = 0.5f;
+        scene.materials.resize(kStrips, scene.materials[0]);
+        scene.instances.clear();
+        for (uint32_t i = 0; i < kStrips; ++i) {
+            const float n = kStrips, x = (2 * static_cast<float>(i) + 1) / n - 1;
+            const glm::mat4 moved = glm::translate(glm::mat4(1), glm::vec3(x, 0, 0));
+            scene.instances.push_back({"strip", 0, i, glm::scale(moved, glm::vec3(1 / n, 1, 1))});
+        }
+        return scene;
+    }
+    // `slack` is what the expectation is uncertain by.
+    static void expect_metal(const glm::vec3& found, const Stretched& s, double turn_rad, const glm::dvec3& l,
+                             const std::string& what, double slack = 2e-3) {
+        const glm::dvec3 turned(std::cos(turn_rad) * l.x + std::sin(turn_rad) * l.y,
+                                -std::sin(turn_rad) * l.x + std::cos(turn_rad) * l.y, l.z);
+        const glm::dvec3 wanted = reflected_by_metal(s, kColor, {0, 0, 1}, turned) * 10.0;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(found[c], wanted[c], wanted[c] * slack + 1e-4) << what << "." << c;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Graphs, Anisotropy, ::testing::Values("light_indexed", "forward_plus"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+constexpr std::array<glm::dvec3, 3> kFrom{{{0.6, 0, 0.8}, {0, 0.6, 0.8}, {-0.48, 0.36, 0.8}}};
+
+TEST_P(Anisotropy, StrengthAndRotationAreThoseOfTheExtension) {
+    scene::Scene scene = striped_metal();
+    constexpr std::array<float, kStrips> kStrength{1.0f, 0.5f, 0.8f, 0.8f}, kTurn{0, 0, 0.7f, -2.0f};
+    for (size_t i = 0; i < kStrips; ++i) {
+        scene.materials[i].anisotropy = kStrength[i];
+        scene.materials[i].anisotropy_rotation_rad = kTurn[i];
+    }
+    for (const glm::dvec3& from : kFrom) {
+        scene.lights = {frontal_light(10)};
+        scene.lights[0].direction = -from;
+        const std::array<glm::vec3, kStrips> found = strips(scene);
+        for (size_t i = 0; i < kStrips; ++i)
+            expect_metal(found[i], stretched(0.5, kStrength[i]), kTurn[i], from,
+                         "strip " + std::to_string(i));
+    }
+}
+
+TEST_P(Anisotropy, TexturesTurnAndWeaken) {
+    scene::Scene scene = striped_metal();
+    // Along −x at full strength; along +y at 0.4; along +x+y at full, turned by a quarter.
+    const std::array<std::array<uint8_t, 4>, kStrips> texels{
+        {{0, 128, 255, 255}, {128, 255, 102, 255}, {255, 255, 255, 255}, {128, 0, 255, 255}}};
+    const std::array<double, kStrips> turn{0, kPi / 2, kPi / 4 + kPi / 2, -kPi / 2},
+        strength{0.8, 0.32, 0.8, 0.8};
+    for (uint32_t i = 0; i < kStrips; ++i) {
+        scene.textures.push_back(
+            {"grain", 1, 1, scene::ColorSpace::linear, {{texels[i].begin(), texels[i].end()}}});
+        scene.materials[i].anisotropy = 0.8f;
+        scene.materials[i].anisotropy_texture.texture = i;
+        scene.materials[i].anisotropy_rotation_rad = i == 2 ? std::numbers::pi_v<float> / 2 : 0.0f;
+    }
+    scene.lights = {frontal_light(10)};
+    scene.lights[0].direction = -kFrom[2];
+    const std::array<glm::vec3, kStrips> found = strips(scene);
+    for (size_t i = 0; i < kStrips; ++i)  // 128 of 255 is not quite the middle
+        expect_metal(found[i], stretched(0.5, strength[i]), turn[i], kFrom[2], "strip " + std::to_string(i),
+                     2e-2);
+}
+
+TEST_P(Anisotropy, OtherGraphsDrawItAsIfItWereNot) {
+    scene::Scene scene = striped_metal();
+    scene.lights = {frontal_light(10)};
+    scene.lights[0].direction = -kFrom[0];
+    const std::string plain = std::string_view(GetParam()) == "forward_plus" ? "forward" : "deferred";
+    const std::array<glm::vec3, kStrips> isotropic = strips(scene);
+    for (scene::Material& material : scene.materials) material.anisotropy = 0.9f;
+    EXPECT_EQ(strips(scene, plain), isotropic);
+    EXPECT_NE(strips(scene), isotropic);
+}
+
+TEST_P(Anisotropy, HolesOfMaskedMetalStayHoles) {
+    scene::Scene scene = striped_metal();
+    scene.lights = {frontal_light(10)};
+    for (size_t i = 0; i < kStrips; ++i) {
+        scene.materials[i].anisotropy = 0.9f;
+        scene.materials[i].alpha_mode = scene::AlphaMode::mask;
+        scene.materials[i].base_color.a = i % 2 == 0 ? 0.25f : 0.75f;
+    }
+    const std::array<glm::vec3, kStrips> found = strips(scene);
+    for (size_t i = 0; i < kStrips; ++i) EXPECT_EQ(found[i].r > 0, i % 2 == 1) << i;
+}
+
+}  // namespace
+}  // namespace weft::test
