@@ -111,9 +111,9 @@ void GpuMaterials::write_set(vk::Device& device, const scene::Material& m, uint3
     const VkDescriptorBufferInfo buffer{constants_.handle(), index * constants_stride_bytes_,
                                         sizeof(shared::Material)};
     const std::array<VkDescriptorImageInfo, kTexturesPerMaterial> images{
-        image(device, m.base_color_texture, white_), image(device, m.metallic_roughness_texture, white_),
+        image(device, m.base_color_texture, white_),   image(device, m.metallic_roughness_texture, white_),
         image(device, m.normal_texture, flat_normal_), image(device, m.occlusion_texture, white_),
-        image(device, m.emissive_texture, white_), image(device, m.anisotropy_texture, white_)};
+        image(device, m.emissive_texture, white_),     image(device, m.anisotropy_texture, white_)};
     write_buffers(device, set(index), 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {&buffer, 1});
     write_images(device, set(index), 1, images);
 }

@@ -60,7 +60,8 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         for (const char* list : kDrawLists)
             if (is_in_draw_list(material, list))
                 lists_[list].push_back({geometry_.meshes[instance.mesh], i, instance.material,
-                                        draw_variant(material, list), material.double_sided, mirrored, center});
+                                        draw_variant(material, list), material.double_sided, mirrored,
+                                        center});
     }
     // Few state changes; stable, so that equal draws keep the scene's order and the picture is always the
     // same.

@@ -92,7 +92,8 @@ ImportDecl output(Extent3D extent) {
 }  // namespace
 
 bool is_in_draw_list(const scene::Material& material, std::string_view list) {
-    if (list == "anisotropic") return material.anisotropy > 0 && material.alpha_mode != scene::AlphaMode::blend;
+    if (list == "anisotropic")
+        return material.anisotropy > 0 && material.alpha_mode != scene::AlphaMode::blend;
     switch (material.alpha_mode) {
         case scene::AlphaMode::opaque:
             return list == "opaque";

@@ -68,8 +68,9 @@ void add_pot(Scene& scene) {
     builder.add_lathe({{0.84f, 0.98f}, {0.8f, 1.01f}, {0.1f, 1.07f}}, shape);
     place(scene, builder.finish("pot"), steel, glm::translate(glm::mat4(1), glm::vec3(-1.35f, 0, -0.35f)));
     MeshBuilder knob;
-    knob.add_lathe({{0.1f, 1.06f}, {0.06f, 1.1f}, {0.07f, 1.16f}, {0.13f, 1.2f}, {0.12f, 1.24f}, {0.01f, 1.26f}},
-                   {.segments = 32});
+    knob.add_lathe(
+        {{0.1f, 1.06f}, {0.06f, 1.1f}, {0.07f, 1.16f}, {0.13f, 1.2f}, {0.12f, 1.24f}, {0.01f, 1.26f}},
+        {.segments = 32});
     const uint32_t brass = add_metal(scene, {"brass", {0.89f, 0.71f, 0.36f}, 0.22f, 0});
     place(scene, knob.finish("knob"), brass, glm::translate(glm::mat4(1), glm::vec3(-1.35f, 0, -0.35f)));
 }
@@ -160,8 +161,8 @@ Scene make_brushed() {
     add_lamps(scene);
     Camera camera;
     camera.name = "table";
-    camera.transform =
-        glm::inverse(glm::lookAt(glm::vec3(0.35f, 2.3f, 5.4f), glm::vec3(0.08f, 0.56f, 0), glm::vec3(0, 1, 0)));
+    camera.transform = glm::inverse(
+        glm::lookAt(glm::vec3(0.35f, 2.3f, 5.4f), glm::vec3(0.08f, 0.56f, 0), glm::vec3(0, 1, 0)));
     camera.fov_y_rad = glm::radians(32.0f);
     scene.cameras.push_back(camera);
     scene.sky_zenith = glm::vec3(9, 10, 12);

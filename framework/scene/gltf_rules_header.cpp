@@ -8,9 +8,9 @@ namespace {
 
 constexpr uint64_t kMaxExtensions = 1024;
 constexpr std::array<std::string_view, 8> kKnownExtensions{
-    "KHR_lights_punctual",             "KHR_materials_anisotropy", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",               "KHR_materials_specular",   "KHR_materials_unlit",
-    "KHR_mesh_quantization",           "KHR_texture_transform"};
+    "KHR_lights_punctual",   "KHR_materials_anisotropy", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",     "KHR_materials_specular",   "KHR_materials_unlit",
+    "KHR_mesh_quantization", "KHR_texture_transform"};
 
 void check_version(const Fields& asset, const char* key, bool fine, const std::string& version,
                    Report& report) {

@@ -77,7 +77,8 @@ struct Material {
     TextureSlot normal_texture;              // linear
     TextureSlot occlusion_texture;           // linear: r
     TextureSlot emissive_texture;            // sRGB
-    // KHR_materials_anisotropy: how much rougher it is along the tangent, turned counter-clockwise about the normal.
+    // KHR_materials_anisotropy: how much rougher it is along the tangent, turned counter-clockwise about the
+    // normal.
     float anisotropy = 0;
     float anisotropy_rotation_rad = 0;
     TextureSlot anisotropy_texture;  // linear: rg the direction, b a factor of the strength

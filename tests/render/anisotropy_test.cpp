@@ -32,7 +32,8 @@ TEST(ReferenceAnisotropy, DistributionIsNormalised) {
         double sum = 0;
         for (int i = 0; i < kSteps; ++i)
             for (int j = 0; j < kSteps; ++j) {
-                // tan of an angle on either axis, so that the plane has an end; each axis as wide as its lobe.
+                // tan of an angle on either axis, so that the plane has an end; each axis as wide as its
+                // lobe.
                 const double a = ((i + 0.5) / kSteps - 0.5) * kPi, b = ((j + 0.5) / kSteps - 0.5) * kPi;
                 const double x = s.along * std::tan(a), y = s.across * std::tan(b);
                 const double area = s.along * s.across / std::pow(std::cos(a) * std::cos(b), 2);
@@ -47,9 +48,10 @@ TEST(ReferenceAnisotropy, DistributionIsNormalised) {
 TEST(ReferenceAnisotropy, MaskingLeavesTheProjectedArea) {
     // ∫ D·G1(v)·max(v·h, 0) dω = n·v (Heitz 2014, equation 15); D·(n·h) weighs the half vectors already.
     const Stretched s = stretched(0.5, 0.7);
-    for (const glm::dvec3 v : {glm::dvec3(0.8, 0, 0.6), glm::dvec3(0, 0.8, 0.6), glm::dvec3(0.6, 0.6, 0.52915026)}) {
-        const double seen = mean_over_normals(
-            s, [&](const glm::dvec3& h) { return std::max(0.0, glm::dot(v, h)) / h.z; });
+    for (const glm::dvec3 v :
+         {glm::dvec3(0.8, 0, 0.6), glm::dvec3(0, 0.8, 0.6), glm::dvec3(0.6, 0.6, 0.52915026)}) {
+        const double seen =
+            mean_over_normals(s, [&](const glm::dvec3& h) { return std::max(0.0, glm::dot(v, h)) / h.z; });
         EXPECT_NEAR(seen / (1 + smith_lambda(s, v)), v.z, 2e-3);
     }
 }

@@ -1,5 +1,5 @@
-// Anisotropic metal against its reference, through both pipelines that draw it as such: a square that faces the camera,
-// in strips of different strength and direction, under parallel light.
+// Anisotropic metal against its reference, through both pipelines that draw it as such: a square that faces
+// the camera, in strips of different strength and direction, under parallel light.
 #include <array>
 #include <numbers>
 
@@ -22,7 +22,8 @@ class Anisotropy : public SessionTest, public ::testing::WithParamInterface<cons
         const Rendered picture = render(scene, scene.cameras[0], kQuadSize, 0, {"hdr"}, path);
         if (picture.images.empty()) return found;
         for (size_t i = 0; i < kStrips; ++i)
-            found[i] = picture.images.at("hdr")[8 * kQuadSize.width + (2 * i + 1) * kQuadSize.width / (2 * kStrips)];
+            found[i] =
+                picture.images.at("hdr")[8 * kQuadSize.width + (2 * i + 1) * kQuadSize.width / (2 * kStrips)];
         return found;
     }
     static scene::Scene striped_metal() {
@@ -46,7 +47,8 @@ class Anisotropy : public SessionTest, public ::testing::WithParamInterface<cons
         const glm::dvec3 turned(std::cos(turn_rad) * l.x + std::sin(turn_rad) * l.y,
                                 -std::sin(turn_rad) * l.x + std::cos(turn_rad) * l.y, l.z);
         const glm::dvec3 wanted = reflected_by_metal(s, kColor, {0, 0, 1}, turned) * 10.0;
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], wanted[c], wanted[c] * slack + 1e-4) << what << "." << c;
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(found[c], wanted[c], wanted[c] * slack + 1e-4) << what << "." << c;
     }
 };
 
@@ -67,7 +69,8 @@ TEST_P(Anisotropy, StrengthAndRotationAreThoseOfTheExtension) {
         scene.lights[0].direction = -from;
         const std::array<glm::vec3, kStrips> found = strips(scene);
         for (size_t i = 0; i < kStrips; ++i)
-            expect_metal(found[i], stretched(0.5, kStrength[i]), kTurn[i], from, "strip " + std::to_string(i));
+            expect_metal(found[i], stretched(0.5, kStrength[i]), kTurn[i], from,
+                         "strip " + std::to_string(i));
     }
 }
 
@@ -76,9 +79,11 @@ TEST_P(Anisotropy, TexturesTurnAndWeaken) {
     // Along −x at full strength; along +y at 0.4; along +x+y at full, turned by a quarter.
     const std::array<std::array<uint8_t, 4>, kStrips> texels{
         {{0, 128, 255, 255}, {128, 255, 102, 255}, {255, 255, 255, 255}, {128, 0, 255, 255}}};
-    const std::array<double, kStrips> turn{0, kPi / 2, kPi / 4 + kPi / 2, -kPi / 2}, strength{0.8, 0.32, 0.8, 0.8};
+    const std::array<double, kStrips> turn{0, kPi / 2, kPi / 4 + kPi / 2, -kPi / 2},
+        strength{0.8, 0.32, 0.8, 0.8};
     for (uint32_t i = 0; i < kStrips; ++i) {
-        scene.textures.push_back({"grain", 1, 1, scene::ColorSpace::linear, {{texels[i].begin(), texels[i].end()}}});
+        scene.textures.push_back(
+            {"grain", 1, 1, scene::ColorSpace::linear, {{texels[i].begin(), texels[i].end()}}});
         scene.materials[i].anisotropy = 0.8f;
         scene.materials[i].anisotropy_texture.texture = i;
         scene.materials[i].anisotropy_rotation_rad = i == 2 ? std::numbers::pi_v<float> / 2 : 0.0f;
@@ -87,7 +92,8 @@ TEST_P(Anisotropy, TexturesTurnAndWeaken) {
     scene.lights[0].direction = -kFrom[2];
     const std::array<glm::vec3, kStrips> found = strips(scene);
     for (size_t i = 0; i < kStrips; ++i)  // 128 of 255 is not quite the middle
-        expect_metal(found[i], stretched(0.5, strength[i]), turn[i], kFrom[2], "strip " + std::to_string(i), 2e-2);
+        expect_metal(found[i], stretched(0.5, strength[i]), turn[i], kFrom[2], "strip " + std::to_string(i),
+                     2e-2);
 }
 
 TEST_P(Anisotropy, OtherGraphsDrawItAsIfItWereNot) {

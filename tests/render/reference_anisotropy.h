@@ -1,6 +1,6 @@
-// Reflection of an anisotropic metal in double precision: GGX with a roughness for each of two directions (Burley 2012),
-// height-correlated Smith for it (Heitz 2014), roughness and strength as KHR_materials_anisotropy says. Directions are
-// along tangent, bitangent and normal.
+// Reflection of an anisotropic metal in double precision: GGX with a roughness for each of two directions
+// (Burley 2012), height-correlated Smith for it (Heitz 2014), roughness and strength as
+// KHR_materials_anisotropy says. Directions are along tangent, bitangent and normal.
 #pragma once
 
 #include "reference_brdf.h"

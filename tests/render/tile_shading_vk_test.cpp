@@ -1,5 +1,5 @@
-// Shading by tile lists: the same picture as without culling, in deferred and in forward shading, and each tile in the one
-// list of its class.
+// Shading by tile lists: the same picture as without culling, in deferred and in forward shading, and each
+// tile in the one list of its class.
 #include <algorithm>
 #include <cstring>
 #include <set>
@@ -17,14 +17,14 @@ std::string graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
 }
 
-
 class TileShading : public SessionTest {
  protected:
     // What is observed, as bytes, after one frame.
-    std::map<std::string, std::vector<std::byte>> bytes_of(const scene::Scene& scene, const std::string& graph,
+    std::map<std::string, std::vector<std::byte>> bytes_of(const scene::Scene& scene,
+                                                           const std::string& graph,
                                                            std::vector<std::string> observed) {
-        const std::unique_ptr<render::Session> session =
-            start(scene, scene.cameras.at(0), graph_path(graph), kSize, std::move(observed), scene.exposure_ev);
+        const std::unique_ptr<render::Session> session = start(scene, scene.cameras.at(0), graph_path(graph),
+                                                               kSize, std::move(observed), scene.exposure_ev);
         if (!session || !session->render_frame(0, 0) || !session->finish()) {
             ADD_FAILURE() << "no picture of " << graph;
             return {};
@@ -84,7 +84,8 @@ TEST_F(TileShading, ForwardPicturesAreThoseOfAllLights) {
 }
 
 TEST_F(TileShading, EachTileIsInTheListOfItsClass) {
-    // Below the horizon's line only: the upper part of the picture is sky, the ground's edge is far from all lamps.
+    // Below the horizon's line only: the upper part of the picture is sky, the ground's edge is far from all
+    // lamps.
     scene::Scene scene = std::move(scene::make_builtin("spheres")).value();
     scene.lights[0].range_m = 6;
     scene.cameras[0].transform = scene::framing_camera(scene, 16.0f / 9).transform;
@@ -95,12 +96,14 @@ TEST_F(TileShading, EachTileIsInTheListOfItsClass) {
     std::map<std::string, std::vector<std::byte>> found = bytes_of(scene, "light_indexed", observed);
     const std::vector<float> depth = words<float>(found["depth"]);
     const std::vector<uint32_t> lights = words<uint32_t>(found["tileLights"]);
-    const uint32_t columns = (kSize.width + kTilePx - 1) / kTilePx, rows = (kSize.height + kTilePx - 1) / kTilePx;
+    const uint32_t columns = (kSize.width + kTilePx - 1) / kTilePx,
+                   rows = (kSize.height + kTilePx - 1) / kTilePx;
     const size_t stride = lights.size() / (size_t{columns} * rows);
     std::vector<bool> surface(size_t{columns} * rows, false);
     for (uint32_t y = 0; y < kSize.height; ++y)
         for (uint32_t x = 0; x < kSize.width; ++x)
-            if (depth[size_t{y} * kSize.width + x] > 0) surface[size_t{y / kTilePx} * columns + x / kTilePx] = true;
+            if (depth[size_t{y} * kSize.width + x] > 0)
+                surface[size_t{y / kTilePx} * columns + x / kTilePx] = true;
     std::vector<std::vector<uint32_t>> wanted(names.size());
     for (uint32_t tile = 0; tile < columns * rows; ++tile)
         wanted[!surface[tile] ? 0 : lights[tile * stride] == 0 ? 1 : 2].push_back(tile);

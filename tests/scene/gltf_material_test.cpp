@@ -66,7 +66,8 @@ TEST_F(GltfMaterial, ReadsAnisotropy) {
     EXPECT_EQ(slot.uv_set, 1u);
     EXPECT_EQ(slot.mag, Filter::nearest);
     EXPECT_EQ(slot.transform[2], glm::vec2(0.5f, 0.25f));
-    const Material plain = load(with_material(R"({"extensions":{"KHR_materials_anisotropy":{}}})")).materials.at(0);
+    const Material plain =
+        load(with_material(R"({"extensions":{"KHR_materials_anisotropy":{}}})")).materials.at(0);
     EXPECT_EQ(plain.anisotropy, 0);
     EXPECT_EQ(plain.anisotropy_texture.texture, kNone);
 }
@@ -77,8 +78,8 @@ TEST_F(GltfMaterial, AnisotropyIsCheckedAndClamped) {
     EXPECT_EQ(clamped.materials.at(0).anisotropy, 1);
     EXPECT_EQ(where(warnings_.at(0)),
               "S154 /materials/0/extensions/KHR_materials_anisotropy/anisotropyStrength");
-    const Diagnostic error = fail(with_material(
-        R"({"extensions":{"KHR_materials_anisotropy":{"anisotropyTexture":{"index":9}}}})"));
+    const Diagnostic error = fail(
+        with_material(R"({"extensions":{"KHR_materials_anisotropy":{"anisotropyTexture":{"index":9}}}})"));
     EXPECT_EQ(where(error), "S110 /materials/0/extensions/KHR_materials_anisotropy/anisotropyTexture/index");
 }
 
