@@ -10,16 +10,23 @@ layout(std430) readonly buffer TileLights { uint items[]; } tileLights;
 #include "light_reflection.glsl"
 #include "tile_lights.glsl"
 
+// Lights without a place, which come first and reach everything.
+vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
+    const uint directional = min(frame.directional_count, uint(lights.items.length()));
+    vec3 radiance = vec3(0.0);
+    for (uint i = 0u; i < directional; ++i) radiance += light_reflection(s, v, position, lights.items[i]);
+    return radiance;
+}
+
 // Directional lights are in no list: they come first, then what reaches the tile that `pixel` lies in.
 vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint all = min(frame.light_count, uint(lights.items.length()));
     const uint directional = min(frame.directional_count, all);
     const uint list = HAS_tileLights ? tile_list(pixel) : 0u;
     const uint listed = HAS_tileLights ? tileLights.items[list] : all - directional;
-    vec3 radiance = vec3(0.0);
-    for (uint i = 0u; i < directional + listed; ++i) {
-        uint index = i;
-        if (HAS_tileLights && i >= directional) index = tileLights.items[list + 1u + i - directional];
+    vec3 radiance = directional_reflection(s, v, position);
+    for (uint i = 0u; i < listed; ++i) {
+        const uint index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
         radiance += light_reflection(s, v, position, lights.items[index]);
     }
     return radiance;
