@@ -36,9 +36,10 @@ int slice_of(float distance_m) { return int(clamp((distance_m - first_m) / slice
 
 uint pixel_bits(ivec2 in_tile) { return (1u << in_tile.x) | (1u << (16 + in_tile.y)); }
 
-// Pixels in one slice are entered together.
-void enter_opaque(ivec2 square) {
+// Pixels in one slice are entered together. The slices, as bits.
+uint enter_opaque(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square);
+    uint entered = 0u;
     ivec4 slice;
     for (int i = 0; i < 4; ++i) slice[i] = z[i] > 0.0 ? slice_of(distance_of(z[i])) : -1;
     for (int k = max(max(slice.x, slice.y), max(slice.z, slice.w)); k >= 0;) {
@@ -49,22 +50,25 @@ void enter_opaque(ivec2 square) {
             if (slice[i] < k) next = max(next, slice[i]);
         }
         atomicOr(slice_pixels[k], pixels);
-        atomicOr(occupied, 1u << k);
+        entered |= 1u << k;
         k = next;
     }
+    return entered;
 }
 
-// All slices from the transparent surface to the opaque one, or to the last.
-void enter_translucent(ivec2 square) {
+// All slices from the transparent surface to the opaque one, or to the last; as bits, too.
+uint enter_translucent(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square), glass = gather_depth(glassDepth, tile_origin() + square);
+    uint entered = 0u;
     for (int i = 0; i < 4; ++i) {
         if (glass[i] <= 0.0) continue;
         const int last = z[i] > 0.0 ? slice_of(distance_of(min(z[i], glass[i]))) : kSlices - 1;
         for (int k = slice_of(distance_of(glass[i])); k <= last; ++k) {
             atomicOr(slice_pixels[k], pixel_bits(square + kGathered[i]));
-            atomicOr(occupied, 1u << k);
+            entered |= 1u << k;
         }
     }
+    return entered;
 }
 
 // From the nearest transparent surface to what is farthest, without the sky.
@@ -96,10 +100,10 @@ bool find_slices() {
     // No slice is thinner than what single precision tells apart.
     slice_m = max((distance_of(range.y) - first_m) / float(kSlices), kPlaceError * distance_of(range.y));
     last_m = TRANSLUCENT ? kEndless : first_m + slice_m * float(kSlices);
-    for (int s = 0; s < 2; ++s) {
-        if (TRANSLUCENT) enter_translucent(square_in_tile(s));
-        else enter_opaque(square_in_tile(s));
-    }
+    uint entered = 0u;
+    for (int s = 0; s < 2; ++s)
+        entered |= TRANSLUCENT ? enter_translucent(square_in_tile(s)) : enter_opaque(square_in_tile(s));
+    atomicOr(occupied, entered);
     barrier();
     return range.x > 0.0;
 }
@@ -129,11 +133,18 @@ Box slice_box(int k) {
     return box_of(slopes, near_m, k == kSlices - 1 ? last_m : near_m + slice_m);
 }
 
+// Slices are tried with the light's sphere first: many devices take as long for a test that few threads need.
 bool reaches_slice(vec4 sphere, Reach r) {
     const bool ball = r.cos_spread <= -1.0 && r.first == vec3(0.0);
+    uint met = 0u;
     for (uint todo = slices_at(sphere) & occupied; todo != 0u; todo &= todo - 1u) {
-        const Box box = slice_box(findLSB(todo));
-        if (sphere_meets(sphere, box) && (ball || reaches(r, box))) return true;
+        const int k = findLSB(todo);
+        if (!sphere_meets(sphere, slice_box(k))) continue;
+        met |= 1u << k;
+        if (ball) break;
     }
+    if (ball) return met != 0u;
+    for (; met != 0u; met &= met - 1u)
+        if (reaches(r, slice_box(findLSB(met)))) return true;
     return false;
 }

@@ -1,0 +1,32 @@
+// A number for each tile as colour and in digits, with a key to the colours below. Needs debug_colors.glsl and
+// debug_digits.glsl.
+
+const float kMost = 512.0;  // at the upper end of the scale, of which each doubling has the same part
+
+// Over grey where the number is 0, so that the picture stays to be seen; `facing` is what facts.comp makes.
+vec3 number_color(float number, float facing) {
+    const vec3 paper = number > 0.0 ? heat_color(log2(1.0 + number) / log2(1.0 + kMost)) : vec3(0.12);
+    return paper * (facing > 0.0 ? 0.4 + 0.6 * facing : 0.0);
+}
+
+// On a darker patch, because the ground may be of any colour.
+vec3 with_digits(vec3 ground, uint number, ivec2 pixel) {
+    const ivec2 size = ivec2(4 * digits_of(number) - 1, 5), at = (pixel & 15) - (15 - size) / 2;
+    if (number == 0u || any(lessThan(at, ivec2(-1))) || any(greaterThan(at, size))) return ground;
+    return is_number(number, at) ? vec3(1.0) : ground * 0.35;
+}
+
+// A strip of the scale in the lower left corner, with the numbers 1, 4, 16, … above.
+vec3 with_key(vec3 color, ivec2 pixel, ivec2 size) {
+    const ivec2 at = pixel - ivec2(8, size.y - 30);
+    const ivec2 strip = ivec2(180, 22);
+    if (any(lessThan(at, ivec2(-4))) || any(greaterThan(at, strip + 4))) return color;
+    const float scale = log2(1.0 + kMost) / float(strip.x);
+    for (uint number = 1u; number <= uint(kMost); number *= 4u) {
+        const int tick = int(log2(1.0 + float(number)) / scale);
+        if (is_number(number, at - ivec2(tick - 2, 0))) return vec3(1.0);
+        if (at.x == tick && at.y >= 6 && at.y < 9) return vec3(1.0);
+    }
+    const bool bar = at.y >= 9 && at.y < strip.y && at.x >= 0 && at.x < strip.x;
+    return bar ? heat_color(float(at.x) / float(strip.x)) : vec3(0.0);
+}
