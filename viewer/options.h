@@ -111,8 +111,8 @@ struct BenchOptions {
 
 struct FrameBenchOptions {
     std::string scene = "builtin:lights";
-    std::vector<std::string> graphs{"deferred", "tiled_deferred",
-                                    "light_volumes"};  // shipped ones by name, or files
+    std::vector<std::string> graphs{"deferred", "tiled_deferred", "light_volumes",
+                                    "light_indexed"};  // shipped ones by name, or files
     std::vector<uint32_t> lights{1, 10, 50, 100, 256, 1024, 3072};
     Extent3D size{640, 360, 1};
     std::string camera;

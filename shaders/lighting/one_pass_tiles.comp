@@ -5,26 +5,13 @@
 // first: so lights are added up in their order whatever thread tested them, and no list can overflow.
 // Output: hdr, scene-linear Rec.709, cd/m² × preExposure, over the emission; listed: how many lights passed, a texel a tile.
 #version 460
-#include "brdf.glsl"
-#include "frame_set.glsl"
-#include "half_float.glsl"
-#include "lights.glsl"
-#include "octahedral.glsl"
-#include "sky.glsl"
-#include "gbuffer_surface.glsl"
-#include "light_bounds.glsl"
-
 layout(local_size_x = 16, local_size_y = 16) in;
 
-uniform sampler2D depth;
-layout(std430) readonly buffer Lights { Light items[]; } lights;
-layout(rgba16f) uniform image2D hdr;
+#include "gbuffer_light.glsl"
+#include "light_bounds.glsl"
+
 layout(r32f) writeonly uniform image2D listed;
 
-#include "light_reflection.glsl"
-#include "directional_lights.glsl"
-
-const float kMaxStored = 65000.0;
 const uint kThreads = 256u;
 const uint kMaxWords = 2048u;  // 32 lights each: as many as a graph may have
 
@@ -89,7 +76,7 @@ void cull(uint first, uint count, vec2 size_px) {
     barrier();
 }
 
-vec3 lit_surface(ivec2 pixel, vec3 position, uint first, uint count) {
+vec3 lit_by_reaching(ivec2 pixel, vec3 position, uint first, uint count) {
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
     const Surface s = gbuffer_surface(pixel, material);
     const vec3 v = normalize(view.eye - position);
@@ -97,7 +84,7 @@ vec3 lit_surface(ivec2 pixel, vec3 position, uint first, uint count) {
     for (uint word = 0u; first + word * 32u < count; ++word)
         for (uint bits = reaching[word]; bits != 0u; bits &= bits - 1u)
             radiance += light_reflection(s, v, position, lights.items[first + word * 32u + findLSB(bits)]);
-    return radiance + material.r * ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, material.g);
+    return radiance + material.r * sky_reflection(s, v, material.g);
 }
 
 uint passed(uint words) {
@@ -121,10 +108,10 @@ void main() {
     const vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
     vec3 color;
     if (z > 0.0) {
-        const vec3 lit = lit_surface(pixel, world_position(uv, z), first, count);
+        const vec3 lit = lit_by_reaching(pixel, world_position(uv, z), first, count);
         color = imageLoad(hdr, pixel).rgb + lit * frame.pre_exposure;
     } else {
-        color = sky_radiance(ray_direction(uv)) * frame.pre_exposure;
+        color = sky_light(uv);
     }
-    imageStore(hdr, pixel, vec4(nearest_half(min(color, vec3(kMaxStored))), 1.0));
+    store_light(pixel, color);
 }

@@ -1,0 +1,28 @@
+// The light that reaches every pixel: what directional lights and the sky send is added to the emission and to what light
+// volumes have added to it; pixels without a surface show the sky. Output: scene-linear Rec.709, cd/m² × preExposure.
+#version 460
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "gbuffer_light.glsl"
+
+vec3 lit_from_afar(ivec2 pixel, vec3 position) {
+    const vec3 material = texelFetch(orm, pixel, 0).rgb;
+    const Surface s = gbuffer_surface(pixel, material);
+    const vec3 v = normalize(view.eye - position);
+    return directional_reflection(s, v, position) + material.r * sky_reflection(s, v, material.g);
+}
+
+void main() {
+    const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    const ivec2 size = imageSize(hdr);
+    if (any(greaterThanEqual(pixel, size))) return;
+    const vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
+    const float z = texelFetch(depth, pixel, 0).r;
+    vec3 color;
+    if (z > 0.0) {
+        color = imageLoad(hdr, pixel).rgb + lit_from_afar(pixel, world_position(uv, z)) * frame.pre_exposure;
+    } else {
+        color = sky_light(uv);
+    }
+    store_light(pixel, color);
+}
