@@ -1,4 +1,6 @@
 // Draws without a list: how many vertices and instances, and what their shaders can't have.
+#include <algorithm>
+
 #include "graph/plan_facts.h"
 #include "resolve_fixture.h"
 #include "weft/compile.h"
