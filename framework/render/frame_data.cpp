@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/light_check.h"
+
 namespace weft::render {
 namespace {
 
 static_assert(sizeof(shared::FrameConstants) == 224 && sizeof(shared::ViewConstants) == 432);
-static_assert(sizeof(shared::Light) == 80 && sizeof(shared::Material) == 288 &&
-              sizeof(shared::Instance) == 208);
+static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64 &&
+              sizeof(shared::Material) == 288 && sizeof(shared::Instance) == 208);
 
 // What the ground below the horizon sends up: daylight on something of a quarter's albedo.
 constexpr float kGroundAlbedo = 0.25f;
+
+// Doors that are opened further might as well be absent.
+constexpr float kSteepest_rad = 1.5533f;
 
 shared::TextureTransform uv_of(const scene::TextureSlot& slot) {
     const glm::mat3x2& m = slot.transform;
@@ -26,15 +31,17 @@ uint32_t gpu_light_type(scene::LightType type) {
             return shared::kLightPoint;
         case scene::LightType::spot:
             return shared::kLightSpot;
+        case scene::LightType::capsule:
+            return shared::kLightCapsule;
+        case scene::LightType::rectangle:
+            return shared::kLightRectangle;
     }
     return shared::kLightPoint;
 }
 
-// Some unit vector across a unit vector; level where that is possible.
-glm::vec3 across(const glm::vec3& direction) {
-    const glm::vec3 level(-direction.z, 0, direction.x);
-    const float length = glm::length(level);
-    return length > 1e-3f ? level / length : glm::vec3(1, 0, 0);
+// Directional lights first, of each kind the plain ones.
+int rank(const shared::Light& light) {
+    return (light.type == shared::kLightDirectional ? 0 : 2) + (is_plain(light) ? 0 : 1);
 }
 
 }  // namespace
@@ -83,7 +90,9 @@ shared::FrameConstants scene_constants(const scene::Scene& scene) {
     return frame;
 }
 
-shared::Light gpu_light(const scene::Light& light, double time_s) {
+shared::Light gpu_light(const scene::Light& scene_light, double time_s) {
+    scene::Light light = scene_light;
+    (void)scene::mend(light);  // light_warnings() has said what was wrong
     shared::Light gpu{};
     gpu.position = scene::position_at(light, time_s);
     gpu.range_m = light.range_m;
@@ -93,19 +102,48 @@ shared::Light gpu_light(const scene::Light& light, double time_s) {
     const float inner = std::cos(light.inner_cone_rad), outer = std::cos(light.outer_cone_rad);
     gpu.cone_scale = 1.0f / std::max(0.001f, inner - outer);
     gpu.cone_offset = -outer * gpu.cone_scale;
-    gpu.side = across(light.direction);
+    gpu.side = light.side;
+    gpu.half_size_m = light.half_size_m;
+    gpu.function = light.function == scene::kNone ? 0 : light.function + 1;
     return gpu;
 }
 
-std::vector<shared::Light> gpu_lights(std::span<const scene::Light> scene_lights, double time_s) {
+bool is_plain(const shared::Light& light) {
+    return light.type < shared::kLightCapsule && light.function == 0;
+}
+
+std::vector<shared::Light> gpu_lights(std::span<const scene::Light> scene_lights, double time_s,
+                                      size_t functions) {
     std::vector<shared::Light> lights;
     lights.reserve(scene_lights.size());
-    for (const scene::Light& light : scene_lights)
-        if (light.intensity > 0) lights.push_back(gpu_light(light, time_s));
-    std::stable_partition(lights.begin(), lights.end(),
-                          [](const shared::Light& light) { return light.type == shared::kLightDirectional; });
+    for (const scene::Light& light : scene_lights) {
+        const shared::Light gpu = gpu_light(light, time_s);
+        if (std::max({gpu.intensity.r, gpu.intensity.g, gpu.intensity.b}) <= 0) continue;
+        lights.push_back(gpu);
+        if (gpu.function > functions) lights.back().function = 0;
+    }
+    std::ranges::stable_sort(lights, {}, rank);
+    lights.resize(std::min<size_t>(lights.size(), scene::kMaxLights));
     if (!lights.empty() && lights[0].type == shared::kLightDirectional) lights[0].shadow = 1;
     return lights;
+}
+
+shared::LightFunction gpu_light_function(const scene::LightFunction& scene_function) {
+    scene::LightFunction function = scene_function;
+    (void)scene::mend(function);
+    const auto length = [&](float x) {
+        return function.parallel ? x : std::tan(std::clamp(x, -kSteepest_rad, kSteepest_rad));
+    };
+    const float open = function.parallel ? shared::kNoDoor : kSteepest_rad;
+    shared::LightFunction gpu{};
+    gpu.curve = function.curve;
+    for (int i = 0; i < 4; ++i)
+        gpu.doors[i] = function.doors[i] >= open ? shared::kNoDoor : length(function.doors[i]);
+    gpu.picture_scale =
+        1.0f / glm::vec2(length(function.picture_half_size.x), length(function.picture_half_size.y));
+    gpu.reach_m = function.reach_m;
+    gpu.softness = length(function.softness);
+    return gpu;
 }
 
 shared::Material gpu_material(const scene::Material& m) {

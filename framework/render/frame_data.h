@@ -9,6 +9,7 @@
 #include "shared/frame.glsl"
 #include "shared/instance.glsl"
 #include "shared/light.glsl"
+#include "shared/light_function.glsl"
 #include "shared/material.glsl"
 
 namespace weft::render {
@@ -16,7 +17,8 @@ namespace weft::render {
 // Clip space with y down and reversed depth: 1 at near_m, 0 at infinity. `aspect` is width / height.
 [[nodiscard]] glm::mat4 reversed_infinite_projection(float fov_y_rad, float aspect, float near_m);
 
-// `jitter_px` moves the picture by so many pixels, right and down. `prev_view_projection` has no jitter in it.
+// `jitter_px` moves the picture by so many pixels, right and down. `prev_view_projection` has no jitter in
+// it.
 [[nodiscard]] shared::ViewConstants view_constants(const scene::Camera& camera,
                                                    const glm::mat4& prev_view_projection, uint32_t width_px,
                                                    uint32_t height_px, const glm::vec2& jitter_px = {0, 0});
@@ -24,10 +26,17 @@ namespace weft::render {
 // What is the same in every frame: the sky or the environment.
 [[nodiscard]] shared::FrameConstants scene_constants(const scene::Scene& scene);
 
+// Of any numbers: what is out of range is mended, see scene/light_check.h.
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
-// Those that shine, directional ones first, then the others as the scene has them: what a full buffer cannot
-// hold is its tail. The first directional one casts the sun's shadows.
-[[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s);
+// Without area and function.
+[[nodiscard]] bool is_plain(const shared::Light& light);
+// Those that shine, directional ones first, of each kind the plain ones, and apart from that as the scene has
+// them: what a full buffer cannot hold is its tail. At most kMaxLights. A light that names none of the
+// scene's `functions` has none. The first directional one casts the sun's shadows.
+[[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s,
+                                                    size_t functions = 0);
+// Without its picture.
+[[nodiscard]] shared::LightFunction gpu_light_function(const scene::LightFunction& function);
 
 [[nodiscard]] shared::Material gpu_material(const scene::Material& material);
 // Of a mesh without vertex colours and second uvs.

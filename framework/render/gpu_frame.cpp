@@ -25,7 +25,9 @@ constexpr std::array kBindings{
     VkDescriptorSetLayoutBinding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
     VkDescriptorSetLayoutBinding{1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
     VkDescriptorSetLayoutBinding{2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, kStages, nullptr},
-    VkDescriptorSetLayoutBinding{3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr}};
+    VkDescriptorSetLayoutBinding{3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
+    VkDescriptorSetLayoutBinding{4, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, kStages, nullptr},
+    VkDescriptorSetLayoutBinding{5, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, kStages, nullptr}};
 
 uint32_t index_of(std::string_view view) {
     for (uint32_t i = 0; i + 1 < kViews; ++i)
@@ -35,7 +37,7 @@ uint32_t index_of(std::string_view view) {
 
 }  // namespace
 
-Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Environment& environment) {
+Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Scene& scene) {
     GpuFrame frame;
     Result<DescriptorSets> sets =
         DescriptorSets::create(device, kBindings, vk::kFramesInFlight * kViews, "frame constants");
@@ -44,10 +46,15 @@ Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Environment& 
         vk::Buffer::create(device, kSlotBytes * vk::kFramesInFlight, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                            vk::Buffer::Memory::upload, "frame constants");
     if (!constants) return constants.take_errors();
-    Result<GpuEnvironment> surroundings = GpuEnvironment::create(device, environment);
+    Result<GpuEnvironment> surroundings = GpuEnvironment::create(device, scene.environment);
     if (!surroundings) return surroundings.take_errors();
     frame.environment_ = std::move(*surroundings);
-    const VkDescriptorImageInfo image = frame.environment_.descriptor();
+    Result<GpuLightFunctions> functions = GpuLightFunctions::create(device, scene);
+    if (!functions) return functions.take_errors();
+    frame.light_functions_ = std::move(*functions);
+    const VkDescriptorImageInfo image = frame.environment_.descriptor(),
+                                pictures = frame.light_functions_.pictures();
+    const VkDescriptorBufferInfo shapes = frame.light_functions_.functions();
     frame.sets_ = std::move(*sets);
     frame.constants_ = std::move(*constants);
     for (uint32_t set = 0; set < vk::kFramesInFlight * kViews; ++set) {
@@ -60,6 +67,8 @@ Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Environment& 
         write_buffers(device, frame.sets_.sets[set], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, infos);
         write_images(device, frame.sets_.sets[set], 2, {&image, 1});
         write_buffers(device, frame.sets_.sets[set], 3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {&sun, 1});
+        write_buffers(device, frame.sets_.sets[set], 4, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {&shapes, 1});
+        write_images(device, frame.sets_.sets[set], 5, {&pictures, 1});
     }
     return frame;
 }

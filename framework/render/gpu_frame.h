@@ -1,11 +1,12 @@
 // Purpose: set 0 of every frame in flight, one for each view that a pass may look through: frame constants,
-// the sun's cascades and the view, in host-written memory, one copy a slot, and the environment that all
-// frames share.
+// the sun's cascades and the view, in host-written memory, one copy a slot, and what all frames share: the
+// environment and what shapes the lights.
 #pragma once
 
 #include "render/descriptor_sets.h"
 #include "render/frame_data.h"
 #include "render/gpu_environment.h"
+#include "render/gpu_light_functions.h"
 #include "render/sun_cascades.h"
 #include "vulkan/executor.h"
 
@@ -13,7 +14,7 @@ namespace weft::render {
 
 class GpuFrame {
  public:
-    [[nodiscard]] static Result<GpuFrame> create(vk::Device& device, const scene::Environment& environment);
+    [[nodiscard]] static Result<GpuFrame> create(vk::Device& device, const scene::Scene& scene);
 
     // The slot must not be in flight: Executor::begin_frame() says which one is free.
     void write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
@@ -26,6 +27,7 @@ class GpuFrame {
     DescriptorSets sets_;  // by slot and view
     vk::Buffer constants_;
     GpuEnvironment environment_;
+    GpuLightFunctions light_functions_;
 };
 
 }  // namespace weft::render

@@ -31,7 +31,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     if (!geometry) return geometry.take_errors();
     Result<GpuMaterials> materials = GpuMaterials::create(device, scene);
     if (!materials) return materials.take_errors();
-    Result<GpuFrame> frame = GpuFrame::create(device, scene.environment);
+    Result<GpuFrame> frame = GpuFrame::create(device, scene);
     if (!frame) return frame.take_errors();
     Result<DescriptorSets> instances = DescriptorSets::create(device, kDrawBindings, 1, "instances");
     if (!instances) return instances.take_errors();

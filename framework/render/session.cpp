@@ -8,6 +8,7 @@
 #include "render/import_catalog.h"
 #include "render/jitter.h"
 #include "render/left_out.h"
+#include "scene/light_check.h"
 #include "shader/shader_memory.h"
 #include "weft/light_list.h"
 
@@ -57,7 +58,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     session->scene_lights_ = scene.lights;
     session->lights_move_ = std::ranges::any_of(
         scene.lights, [](const scene::Light& light) { return light.path.turns_per_s != 0; });
-    session->lights_ = gpu_lights(scene.lights, 0);
+    session->lights_ = gpu_lights(scene.lights, 0, scene.light_functions.size());
+    session->light_functions_ = scene.light_functions.size();
     session->scene_constants_ = scene_constants(scene);
     session->scene_bounds_ = scene::world_bounds(scene);
     Result<Prepared> first = session->follow_with(session->selection_, loaded->shaders, loaded->graph);
@@ -67,6 +69,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     session->adopt(*first);
     session->first_files_ = session->memory_->files();
     session->pipelines_made_between_frames_ = 0;
+    for (Diagnostic& warning : scene::light_warnings(scene)) warnings.push_back(std::move(warning));
     for (Diagnostic& warning : left_out_by(session->plan(), scene)) warnings.push_back(std::move(warning));
     return session;
 }
@@ -78,6 +81,8 @@ shared::FrameConstants Session::frame_constants(double time_s, double delta_time
         return light.type == shared::kLightDirectional;
     };
     frame.directional_count = static_cast<uint32_t>(std::ranges::count_if(lights_, directional));
+    const auto first_other = std::ranges::find_if_not(lights_, is_plain);
+    frame.plain_count = static_cast<uint32_t>(first_other - lights_.begin());
     frame.frame_index = static_cast<uint32_t>(frame_index_);
     frame.time_s = static_cast<float>(time_s);
     frame.delta_time_s = static_cast<float>(delta_time_s);
@@ -96,7 +101,7 @@ SunCascades Session::find_sun() const {
 Status Session::render_frame(double time_s, double delta_time_s) {
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
-    if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s);
+    if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s, light_functions_);
     view_ = view_constants(input_.camera, view_.prev_view_projection, selection_.size.width,
                            selection_.size.height, jitter_px(frame_index_, loaded_.desc.jitter));
     sun_ = find_sun();

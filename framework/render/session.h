@@ -39,8 +39,8 @@ struct SessionInput {
     std::string tier;  // of the graph; empty: the graph as it is
     std::map<std::string, double> params;
     std::vector<std::string> observed;  // references that are read back every frame
-    std::string debug;  // a debug view, or any resource, drawn as "debugView"; observe that to see it
-    uint32_t queues = 1;                // logical queues; the device shall have been made for as many
+    std::string debug;    // a debug view, or any resource, drawn as "debugView"; observe that to see it
+    uint32_t queues = 1;  // logical queues; the device shall have been made for as many
     scene::Camera camera;
     float exposure_ev = 0;
     // An embedder's image, made as output_create_info() says, that frames are drawn into; null: one of the
@@ -125,6 +125,7 @@ class Session {
     Selection selection_;
     LoadedGraph loaded_;
     std::vector<scene::Light> scene_lights_;
+    size_t light_functions_ = 0;
     bool lights_move_ = false;
     std::vector<shared::Light> lights_;  // of this frame
     shared::ViewConstants view_{};

@@ -4,6 +4,7 @@
 #include "scene/builtin_brushed.h"
 #include "scene/builtin_cornell.h"
 #include "scene/builtin_spheres.h"
+#include "scene/builtin_stage.h"
 #include "scene/daylight.h"
 #include "scene/seeded_lights.h"
 
@@ -22,7 +23,7 @@ Scene make_lights(const BuiltinOptions& options) {
 }  // namespace
 
 std::vector<std::string> builtin_scene_names() {
-    return {"atrium", "brushed", "cornell", "lights", "mirror", "spheres"};
+    return {"atrium", "brushed", "cornell", "lights", "mirror", "spheres", "stage"};
 }
 
 bool has_hours(std::string_view name) {
@@ -36,6 +37,7 @@ Result<Scene> make_builtin(std::string_view name, const BuiltinOptions& options)
     if (name == "cornell") return make_cornell();
     if (name == "mirror") return make_mirror();
     if (name == "spheres") return make_spheres();
+    if (name == "stage") return make_stage();
     Diagnostic error;
     error.code = "S120";
     error.message = "no built-in scene is called \"" + std::string(name) + "\"";

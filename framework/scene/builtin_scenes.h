@@ -1,7 +1,7 @@
 // Purpose: the scenes that come with Weft, made in code so that a first picture needs no download.
 //   "atrium": a colonnade around a court, for pictures. "spheres": roughness × metalness under one light, for
 //   numbers. "cornell" and "mirror": light between surfaces. "brushed": metal with a grain. "lights": the
-//   atrium at night under many lights that move.
+//   atrium at night under many lights that move. "stage": what lamps can be.
 // Guarantees: the same bytes on every run; lights in photometric units; textures with full mip chains.
 // Errors: S120, a name that is not a built-in scene.
 #pragma once

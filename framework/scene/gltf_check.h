@@ -25,10 +25,18 @@ struct ImageSource {
     uint32_t view = kNone;  // used when `uri` is empty
 };
 
+// What `extras.weft` says of a light, within the ranges of light_check.h.
+struct LightSource {
+    std::optional<LightType> shape;         // capsule or rectangle, in place of the light's own type
+    glm::vec2 half_size_m{0};               // as Light's
+    std::optional<LightFunction> function;  // its picture is the index of a glTF texture
+};
+
 struct CheckedJson {
     std::string text;  // without images, animations, skins and extras; buffer i has the URI "i"
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
+    std::vector<LightSource> lights;  // by light; empty: none says anything
 };
 
 // nullopt after errors were reported.

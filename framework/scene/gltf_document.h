@@ -103,6 +103,7 @@ struct Document {
     std::vector<uint32_t> texture_images;  // the image of each glTF texture, or kNone
     std::vector<Material> materials;
     std::vector<Light> lights;                   // in the space of their node
+    std::vector<LightFunction> light_functions;  // `picture` is a glTF texture
     std::vector<std::optional<Camera>> cameras;  // none: of a kind that is not drawn
     std::vector<Node> nodes;
     std::vector<uint32_t> roots;

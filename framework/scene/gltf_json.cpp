@@ -35,6 +35,19 @@ void normalise(json& value, bool in_extension) {
     }
 }
 
+// `extras.weft` of each light, which is read although extras are not; null where there is none.
+json light_extras(const json& root) {
+    json extras = json::array();
+    const json* lights = nullptr;
+    const json::json_pointer place("/extensions/KHR_lights_punctual/lights");
+    if (root.contains(place)) lights = &root[place];
+    if (lights == nullptr || !lights->is_array()) return extras;
+    const json::json_pointer ours("/extras/weft");
+    for (const json& light : *lights)
+        extras.push_back(light.is_object() && light.contains(ours) ? light[ours] : json());
+    return extras;
+}
+
 std::optional<json> parse_json(std::string_view text, Report& report) {
     try {
         json root = json::parse(text.begin(), text.end());
@@ -60,6 +73,7 @@ std::optional<json> parse_json(std::string_view text, Report& report) {
 std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& limits, Report& report) {
     std::optional<json> root = parse_json(text, report);
     if (!root) return std::nullopt;
+    const json lights = light_extras(*root);
     normalise(*root, false);
     Checker c{Fields(*root, "", report), limits, report};
     check_header(c);
@@ -68,6 +82,7 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     check_geometry(c);
     check_materials(c);
     check_nodes(c);
+    check_light_extras(c, lights);
     check_motion(c);
     if (report.failed()) return std::nullopt;
     for (const char* key : {"images", "animations", "skins"}) root->erase(key);

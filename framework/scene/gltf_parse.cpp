@@ -263,6 +263,24 @@ Light convert(const tinygltf::Light& source) {
     return out;
 }
 
+// In the direction in which a shape is largest it has as many candela as the light says.
+float seen_area_m2(const LightSource& shape) {
+    const float a = shape.half_size_m.x, b = shape.half_size_m.y;
+    return *shape.shape == LightType::rectangle ? 4 * a * b : b * (4 * a + 3.14159265f * b);
+}
+
+void apply(const LightSource& source, Light& light, std::vector<LightFunction>& functions) {
+    if (source.shape) {
+        light.type = *source.shape;
+        light.half_size_m = source.half_size_m;
+        light.intensity /= seen_area_m2(source);
+    }
+    if (!source.function) return;
+    light.function = static_cast<uint32_t>(functions.size());
+    functions.push_back(*source.function);
+    functions.back().name = light.name;
+}
+
 std::optional<Camera> convert(const tinygltf::Camera& source) {
     if (source.type != "perspective") return std::nullopt;
     Camera out;
@@ -317,7 +335,8 @@ std::vector<uint32_t> root_nodes(const tinygltf::Model& model) {
     return roots;
 }
 
-Document convert(tinygltf::Model& model, std::vector<EncodedImage> images) {
+Document convert(tinygltf::Model& model, std::vector<EncodedImage> images,
+                 std::span<const LightSource> light_sources) {
     Document out;
     out.images = std::move(images);
     out.roots = root_nodes(model);
@@ -335,6 +354,8 @@ Document convert(tinygltf::Model& model, std::vector<EncodedImage> images) {
     for (const tinygltf::Material& material : model.materials)
         out.materials.push_back(convert(material, model));
     for (const tinygltf::Light& light : model.lights) out.lights.push_back(convert(light));
+    for (size_t i = 0; i < std::min(light_sources.size(), out.lights.size()); ++i)
+        apply(light_sources[i], out.lights[i], out.light_functions);
     for (const tinygltf::Camera& camera : model.cameras) out.cameras.push_back(convert(camera));
     for (const tinygltf::Node& node : model.nodes) out.nodes.push_back(convert(node));
     return out;
@@ -350,7 +371,7 @@ std::optional<Document> parse_document(const CheckedJson& checked, Resources res
         report.error("S108", {}, "the file is not valid glTF: " + error, "export the scene again");
         return std::nullopt;
     }
-    return convert(model, std::move(resources.images));
+    return convert(model, std::move(resources.images), checked.lights);
 }
 
 }  // namespace weft::scene::gltf

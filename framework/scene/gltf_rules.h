@@ -36,6 +36,8 @@ void check_header(Checker& c);     // asset, extensions, array sizes
 void check_geometry(Checker& c);   // buffers, views, accessors, meshes
 void check_materials(Checker& c);  // images, textures, samplers, materials
 void check_nodes(Checker& c);      // lights, cameras, nodes, scenes
-void check_motion(Checker& c);     // skins, morph targets, animations: what is shown at rest
+// `extras` holds `extras.weft` of each light, or null.
+void check_light_extras(Checker& c, const nlohmann::json& extras);
+void check_motion(Checker& c);  // skins, morph targets, animations: what is shown at rest
 
 }  // namespace weft::scene::gltf

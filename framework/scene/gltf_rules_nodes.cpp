@@ -9,18 +9,32 @@ constexpr double kUnbounded = 1e18;
 constexpr double kHalfPi = 1.5707963267948966;
 constexpr double kMaxFovRad = 3.1;
 
-void check_light(const Fields& light) {
+void warn_of_cones(const Fields& cone, Report& report) {
+    const double inner = cone.number("innerConeAngle", Need::optional).value_or(0);
+    const double outer = cone.number("outerConeAngle", Need::optional).value_or(kHalfPi / 2);
+    if (inner < outer) return;
+    report.warn("S154", cone.pointer(),
+                "the inner cone, " + describe(inner) + ", is not inside the outer one, " + describe(outer) +
+                    "; the edge is made hard",
+                "make innerConeAngle the smaller one");
+}
+
+void check_light(const Fields& light, Report& report) {
     light.text("name", Need::optional);
     const std::string type = light.text("type", Need::required).value_or("point");
     if (type != "point" && type != "spot" && type != "directional")
         light.wrong("type", "directional, point or spot");
     light.numbers("color", 3);
     light.number_in("intensity", 0, kUnbounded);
-    light.number_in("range", 0, kUnbounded);
+    if (const std::optional<double> range = light.number("range", Need::optional); range && *range <= 0)
+        report.warn("S154", light.pointer_to("range"),
+                    "\"range\" is " + describe(*range) + " and is taken as unlimited",
+                    "give it a range above 0, or none");
     const std::optional<Fields> cone = light.object("spot", type == "spot" ? Need::required : Need::optional);
     if (!cone) return;
     cone->number_in("innerConeAngle", 0, kHalfPi);
     cone->number_in("outerConeAngle", 0, kHalfPi);
+    if (!report.failed()) warn_of_cones(*cone, report);
 }
 
 void check_camera(Checker& c, const Fields& camera, size_t self) {
@@ -135,7 +149,8 @@ void warn_of_other_scenes(Checker& c, uint32_t chosen) {
 void check_nodes(Checker& c) {
     if (const std::optional<Fields> punctual = c.root.extension("KHR_lights_punctual")) {
         c.sizes["lights"] = punctual->array_size("lights", c.limits.array_items);
-        punctual->each("lights", c.limits.array_items, check_light);
+        punctual->each("lights", c.limits.array_items,
+                       [&](const Fields& light) { check_light(light, c.report); });
     }
     size_t cameras = 0;
     c.root.each("cameras", c.limits.array_items,

@@ -77,7 +77,9 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     scene.name = document.name.empty() ? file.stem().string() : document.name;
     gltf::BuiltMeshes built = gltf::build_meshes(document, limits, options, report);
     scene.materials = std::move(document.materials);
-    scene.textures = gltf::build_textures(document, limits, options, report, scene.materials);
+    scene.light_functions = std::move(document.light_functions);
+    scene.textures =
+        gltf::build_textures(document, limits, options, report, scene.materials, scene.light_functions);
     if (!report.failed()) gltf::settle_alpha(built, scene.textures, scene.materials);
     const uint32_t fallback = default_material(built, scene);
     gltf::place_nodes(document, built, fallback, limits, report, scene);

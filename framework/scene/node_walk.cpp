@@ -21,6 +21,15 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
     return std::isfinite(length) && length > 1e-20f ? v / length : fallback;
 }
 
+// The part of `v` that is at right angles to a unit vector, or any such vector.
+glm::vec3 across_or(const glm::vec3& v, const glm::vec3& direction) {
+    const glm::vec3 unit = unit_or(v, {1, 0, 0});
+    const glm::vec3 steep = std::abs(direction.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 across = unit - direction * glm::dot(unit, direction);
+    return glm::length(across) > 1e-3f ? glm::normalize(across)
+                                       : glm::normalize(glm::cross(direction, steep));
+}
+
 // The same view without scale or shear: cameras look along -z whatever their parents do.
 glm::mat4 rigid(const glm::mat4& world) {
     const glm::vec3 back = unit_or(glm::vec3(world[2]), {0, 0, 1});
@@ -47,7 +56,11 @@ class Walk {
         if (node.light != kNone) {
             Light light = document_.lights[node.light];
             light.position = glm::vec3(world[3]);
-            light.direction = unit_or(-glm::vec3(world[2]), {0, 0, -1});
+            // Shapes lie along the node's x and face its −z.
+            const glm::vec3 forward = unit_or(-glm::vec3(world[2]), {0, 0, -1});
+            const glm::vec3 width = across_or(glm::vec3(world[0]), forward);
+            light.direction = light.type == LightType::capsule ? width : forward;
+            light.side = light.type == LightType::capsule ? forward : width;
             if (!node.name.empty() && light.name.empty()) light.name = node.name;
             scene_.lights.push_back(std::move(light));
         }

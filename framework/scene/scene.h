@@ -1,6 +1,7 @@
 // Purpose: a scene as plain data, whether it came from glTF or from code. No Vulkan, no file handles.
-// Units: metres, radians, photometric units (candela for point and spot lights, lux for directional ones).
-// Axes: glTF's, y up, right-handed, front faces counter-clockwise. Colours: scene-linear Rec.709.
+// Units: metres, radians, photometric units (candela for point and spot lights, lux for directional ones,
+// cd/m² for capsules and rectangles). Axes: glTF's, y up, right-handed, front faces counter-clockwise.
+// Colours: scene-linear Rec.709.
 #pragma once
 
 #include <array>
@@ -91,7 +92,7 @@ struct Instance {
     glm::mat4 transform{1};  // object to world; a negative determinant flips the winding
 };
 
-enum class LightType : uint8_t { directional, point, spot };
+enum class LightType : uint8_t { directional, point, spot, capsule, rectangle };
 
 // A closed path around a light's position: position + across · cos(2π t) + along · sin(2π t), where t is
 // phase + turns_per_s · seconds.
@@ -102,17 +103,38 @@ struct LightPath {
     float phase = 0;
 };
 
+// What shapes the light of a lamp: doors, a picture (gobo), a falloff of its own. Doors, softness and picture
+// are measured in radians from the way the lamp faces, or in metres for parallel light.
+struct LightFunction {
+    static constexpr float kNoDoor = 1e9f;
+
+    std::string name;
+    bool parallel = false;     // for directional lights
+    glm::vec4 doors{kNoDoor};  // where the light ends towards −width, +width, −up and +up
+    float softness = 0.01f;    // over which a door's edge fades; the picture is blurred by as much
+    uint32_t picture = kNone;  // of Scene::textures; of a point light it goes all around
+    glm::vec2 picture_half_size{0.7853981634f};
+    glm::vec4 curve{1};  // Bézier ordinates of a factor, from the light to `reach_m` away; then constant
+    float reach_m = 1;
+};
+
 struct Light {
     std::string name;
     LightType type = LightType::point;
     glm::vec3 color{1};
-    float intensity = 1;  // cd for point and spot, lx for directional
+    float intensity = 1;  // cd for point and spot, lx for directional, cd/m² for capsule and rectangle
     glm::vec3 position{0};
-    glm::vec3 direction{0, 0, -1};  // in which the light travels; unit length
+    glm::vec3 direction{0, 0, -1};  // in which the light travels; of a capsule the axis. Unit length
     float range_m = 0;              // 0: unlimited
     float inner_cone_rad = 0;       // half angles, spot only
     float outer_cone_rad = 0.7853981634f;
     LightPath path;
+    // The width of a rectangle, of doors and pictures; of a capsule where those face. 0: any across
+    // `direction`.
+    glm::vec3 side{0};
+    // Of a rectangle: half width, half height; of a capsule: half length without the caps, radius.
+    glm::vec2 half_size_m{0};
+    uint32_t function = kNone;  // of Scene::light_functions
 };
 
 // Perspective only. Looks along -z of `transform`, y up.
@@ -130,6 +152,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Instance> instances;
     std::vector<Light> lights;
+    std::vector<LightFunction> light_functions;
     std::vector<Camera> cameras;
     glm::vec3 bounds_min{0};  // of all instances, in the world
     glm::vec3 bounds_max{0};

@@ -24,17 +24,21 @@ struct Use {
 };
 
 struct SlotUse {
-    TextureSlot* slot = nullptr;
+    uint32_t* texture = nullptr;
     Use use;
 };
 
-std::vector<SlotUse> slot_uses(const Document& document, std::vector<Material>& materials) {
+std::vector<SlotUse> slot_uses(const Document& document, std::vector<Material>& materials,
+                               std::vector<LightFunction>& functions) {
     std::vector<SlotUse> uses;
+    const auto add_texture = [&](uint32_t& texture, TexelMeaning meaning, float alpha_cutoff = -1) {
+        if (texture == kNone) return;
+        const uint32_t image = document.texture_images[texture];
+        texture = kNone;
+        if (image != kNone) uses.push_back({&texture, {image, meaning, alpha_cutoff}});
+    };
     const auto add = [&](TextureSlot& slot, TexelMeaning meaning, float alpha_cutoff = -1) {
-        if (slot.texture == kNone) return;
-        const uint32_t image = document.texture_images[slot.texture];
-        slot.texture = kNone;
-        if (image != kNone) uses.push_back({&slot, {image, meaning, alpha_cutoff}});
+        add_texture(slot.texture, meaning, alpha_cutoff);
     };
     for (Material& material : materials) {
         // The cutoff applies to the product of texture and factor.
@@ -47,6 +51,7 @@ std::vector<SlotUse> slot_uses(const Document& document, std::vector<Material>& 
         add(material.emissive_texture, TexelMeaning::srgb_color);
         add(material.anisotropy_texture, TexelMeaning::linear_data);
     }
+    for (LightFunction& function : functions) add_texture(function.picture, TexelMeaning::srgb_color);
     return uses;
 }
 
@@ -163,8 +168,8 @@ void decode(const Document& document, ByteBudget& in_hand, ImageJob& job, std::v
 
 std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
                                     const LoadOptions& options, Report& report,
-                                    std::vector<Material>& materials) {
-    const std::vector<SlotUse> slots = slot_uses(document, materials);
+                                    std::vector<Material>& materials, std::vector<LightFunction>& functions) {
+    const std::vector<SlotUse> slots = slot_uses(document, materials, functions);
     std::map<Use, uint32_t> texture_of;
     for (const SlotUse& slot : slots) texture_of.emplace(slot.use, kNone);
     if (!sizes_within_limits(document, texture_of, limits, report)) return {};
@@ -180,7 +185,7 @@ std::vector<Texture> build_textures(const Document& document, const SceneLimits&
         if (!job.error.empty())
             report_undecodable(report, job.image, document.images[job.image].name, job.error);
     }
-    for (const SlotUse& slot : slots) slot.slot->texture = texture_of.at(slot.use);
+    for (const SlotUse& slot : slots) *slot.texture = texture_of.at(slot.use);
     return textures;
 }
 

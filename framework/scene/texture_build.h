@@ -1,6 +1,6 @@
-// Purpose: decodes the images that materials use, once each, and makes one texture for every meaning they are
-// used with: an image that is both colour and data becomes an sRGB and a linear texture. Errors: S106 an
-// image over the limits, S112 an image that cannot be decoded.
+// Purpose: decodes the images that materials and lights use, once each, and makes one texture for every
+// meaning they are used with: an image that is both colour and data becomes an sRGB and a linear texture.
+// Errors: S106 an image over the limits, S112 an image that cannot be decoded.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,11 @@
 namespace weft::scene::gltf {
 
 // The images are decoded side by side; the result does not depend on how many threads there are. Returns the
-// textures and points the slots of `materials` from glTF textures to them. A slot whose texture has no image
-// becomes empty.
+// textures and points the slots of `materials`, and the pictures of `functions`, from glTF textures to them.
+// A slot whose texture has no image becomes empty.
 [[nodiscard]] std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
                                                   const LoadOptions& options, Report& report,
-                                                  std::vector<Material>& materials);
+                                                  std::vector<Material>& materials,
+                                                  std::vector<LightFunction>& functions);
 
 }  // namespace weft::scene::gltf

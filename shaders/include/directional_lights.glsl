@@ -9,7 +9,10 @@ vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
     vec3 radiance = vec3(0.0);
     for (uint i = 0u; i < count; ++i) {
         const float visible = lights.items[i].shadow == 0u ? 1.0 : sunshine;
-        if (visible > 0.0) radiance += light_reflection(s, v, position, lights.items[i]) * visible;
+        if (visible <= 0.0) continue;
+        vec3 reflected = plain_reflection(s, v, position, lights.items[i]) * visible;
+        if (LIGHT_FUNCTIONS && lights.items[i].function != 0u) reflected *= light_function(lights.items[i], position);
+        radiance += reflected;
     }
     return radiance;
 }

@@ -1,11 +1,14 @@
 // Set 0: the frame and the view. Included by every shader that needs either.
 #include "shared/frame.glsl"
+#include "shared/light_function.glsl"
 #include "shared/sun.glsl"
 
 layout(set = 0, binding = 0, std140) uniform FrameBlock { FrameConstants frame; };
 layout(set = 0, binding = 1, std140) uniform ViewBlock { ViewConstants view; };
-layout(set = 0, binding = 3, std140) uniform SunBlock { SunConstants sun; };
 layout(set = 0, binding = 2) uniform sampler2D environment;  // equirectangular; see sky.glsl
+layout(set = 0, binding = 3, std140) uniform SunBlock { SunConstants sun; };
+layout(set = 0, binding = 4, std430) readonly buffer LightFunctions { LightFunction items[]; } light_functions;
+layout(set = 0, binding = 5) uniform sampler2DArray light_pictures;  // see light_function.glsl
 
 // World position of the point at `uv` (0,0 top left) and reversed-Z `depth` > 0.
 vec3 world_position(vec2 uv, float depth) {

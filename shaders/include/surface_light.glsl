@@ -18,8 +18,14 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint list = HAS_tileLights ? tile_list(pixel) : 0u;
     const uint listed = HAS_tileLights ? tileLights.items[list] : all - directional;
     vec3 radiance = directional_reflection(s, v, position);
-    for (uint i = 0u; i < listed; ++i) {
-        const uint index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
+    uint i = 0u, index = 0u;
+    for (; i < listed; ++i) {  // the plain ones come first
+        index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
+        if (index >= frame.plain_count) break;
+        radiance += plain_reflection(s, v, position, lights.items[index]);
+    }
+    for (; i < listed; ++i) {
+        index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
         radiance += light_reflection(s, v, position, lights.items[index]);
     }
     return radiance;

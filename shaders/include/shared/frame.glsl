@@ -16,9 +16,9 @@ struct FrameConstants {
     float delta_time_s;
     float environment_scale;  // of the environment's texels; 0: the gradient sky is what surrounds the scene
     uint directional_count;   // of light_count, the first ones
+    uint plain_count;         // likewise, the first ones that have neither an area nor a function
     uint reserved0;
     uint reserved1;
-    uint reserved2;
     vec4 environment_irradiance_over_pi[9];  // rgb; times 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z²
 };
 

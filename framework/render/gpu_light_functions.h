@@ -1,0 +1,25 @@
+// Purpose: what shapes the scene's lights, as set 0 holds it: a buffer of functions and an array of pictures;
+// one of each, unused, where there are none.
+#pragma once
+
+#include "scene/scene.h"
+#include "vulkan/handle.h"
+#include "vulkan/memory.h"
+
+namespace weft::render {
+
+class GpuLightFunctions {
+ public:
+    [[nodiscard]] static Result<GpuLightFunctions> create(vk::Device& device, const scene::Scene& scene);
+
+    [[nodiscard]] VkDescriptorBufferInfo functions() const { return {functions_.handle(), 0, VK_WHOLE_SIZE}; }
+    // Repeats on all sides.
+    [[nodiscard]] VkDescriptorImageInfo pictures() const;
+
+ private:
+    vk::Buffer functions_;
+    vk::Image pictures_;
+    vk::SamplerHandle sampler_;
+};
+
+}  // namespace weft::render

@@ -1,0 +1,266 @@
+// Light of capsules and rectangles that shine alike all over. Units: vector irradiance of unit radiance (sr), ∫ ω dω over
+// what the light covers; its dot product with a normal is the irradiance on it over the radiance.
+// Rectangle: Lambert's formula (Lambert 1760; Baum, Rushmeier and Winget 1989), cut at the horizon. The fit of an arc over
+// its sine: Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines".
+// Capsule: the same contour integral, ½ ∮ r × dr, over its silhouette, which is two arcs of great circles and, at the
+// ends, two of small ones. Highlights: representative points, Karis 2013, "Real Shading in Unreal Engine 4".
+// Needs brdf.glsl and lights.glsl.
+
+struct AreaIncident {
+    float irradiance;   // on the surface, of unit radiance
+    vec3 whole;         // vector irradiance, toward the light
+    float window;       // of the range
+    vec3 center;        // direction to the middle of what is seen
+    vec3 mirrored;      // direction to the point that the highlight shows
+    float aspect;       // how much longer than wide it is, as seen from here
+};
+
+// ∫ r × dr along the great circle from a to b, which need not have unit length.
+vec3 edge_integral(vec3 a, vec3 b) {
+    const float scale = inversesqrt(max(dot(a, a) * dot(b, b), 1e-30));
+    const float x = dot(a, b) * scale, y = abs(x);
+    const float fit = 6.28318530718 * (0.8543985 + (0.4965155 + 0.0145206 * y) * y) / (3.4175940 + (4.1616724 + y) * y);
+    const float arc_over_sine = x > 0.0 ? fit : kPi * inversesqrt(max(1.0 - x * x, 1e-7)) - fit;
+    // Of a and b − a: where the two are nearly the same direction, a × b would have no digits left.
+    return cross(a, b - a) * (scale * arc_over_sine);
+}
+
+// What of the edge from a to b is above the horizon; where it crosses it the point is kept.
+vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
+    const float height_a = dot(n, a), height_b = dot(n, b);
+    if (height_a <= 0.0 && height_b <= 0.0) return vec3(0.0);
+    if (height_a > 0.0 && height_b > 0.0) return edge_integral(a, b);
+    const vec3 crossing = a + (b - a) * (height_a / (height_a - height_b));
+    if (height_a > 0.0) {
+        down = crossing;
+        return edge_integral(a, crossing);
+    }
+    up = crossing;
+    return edge_integral(crossing, b);
+}
+
+// Corners counter-clockwise, seen from here.
+vec3 rectangle_above(vec3 n, vec3 a, vec3 b, vec3 c, vec3 d) {
+    vec3 down = vec3(0.0), up = vec3(0.0);
+    vec3 sum = edge_above(n, a, b, down, up) + edge_above(n, b, c, down, up);
+    sum += edge_above(n, c, d, down, up) + edge_above(n, d, a, down, up);
+    return 0.5 * (sum + edge_integral(down, up));
+}
+
+// Where the mirrored ray meets the plane of the rectangle, moved into it. All in the frame of the light.
+vec2 rectangle_target(vec3 at, vec3 ray, vec2 half_size) {
+    const float steps = ray.z < -1e-4 * at.z ? -at.z / ray.z : 1e4;
+    return clamp(at.xy + ray.xy * steps, -half_size, half_size);
+}
+
+AreaIncident rectangle_at(vec3 n, vec3 v, vec3 position, Light light) {
+    AreaIncident incident = AreaIncident(0.0, vec3(0.0), 0.0, n, n, 1.0);
+    const vec3 up = cross(light.side, light.direction), way = position - light.position;
+    const vec3 at = vec3(dot(way, light.side), dot(way, up), dot(way, light.direction));
+    if (at.z <= 0.0) return incident;
+    const vec3 outside = vec3(max(abs(at.xy) - light.half_size_m, 0.0), at.z);
+    incident.window = distance_window(dot(outside, outside), light.range_m);
+    if (incident.window <= 0.0) return incident;
+    const vec3 x = light.side * light.half_size_m.x, y = up * light.half_size_m.y;
+    incident.whole = rectangle_above(n, -way - x - y, -way + x - y, -way + x + y, -way - x + y);
+    incident.irradiance = max(dot(n, incident.whole), 0.0);
+    const vec3 ray = reflect(-v, n);
+    const vec2 target =
+        rectangle_target(at, vec3(dot(ray, light.side), dot(ray, up), dot(ray, light.direction)), light.half_size_m);
+    incident.mirrored = normalize(light.side * target.x + up * target.y - way);
+    incident.center = incident.irradiance > 0.0 ? normalize(incident.whole) : n;
+    // A side that is seen at a slant is foreshortened.
+    const vec2 slant = sqrt(max(vec2(1.0) - at.xy * at.xy / dot(at, at), vec2(1e-4)));
+    incident.aspect = (light.half_size_m.x * slant.x) / (light.half_size_m.y * slant.y);
+    return incident;
+}
+
+// The silhouette of a capsule, seen from the origin. `axis` and `away` span the plane through origin and segment.
+struct Silhouette {
+    vec3 axis;
+    vec3 away;          // across it, from the origin
+    float distance;     // of the axis
+    float tangent;      // of where the two long sides touch, across the axis
+    vec2 ends;          // where along the axis the segment begins and ends
+    float radius;
+};
+
+Silhouette silhouette_of(vec3 middle, vec3 axis, vec2 half_size) {
+    Silhouette s;
+    s.axis = axis;
+    const float along = dot(middle, axis);
+    vec3 across = middle - axis * along;
+    const vec3 steep = abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+    if (dot(across, across) < 1e-12) across = cross(axis, steep) * 1e-6;
+    s.distance = length(across);
+    s.away = across / s.distance;
+    s.ends = along + vec2(-half_size.x, half_size.x);
+    // From within it is all around: as if on its skin.
+    const float nearest = length(vec2(max(abs(along) - half_size.x, 0.0), s.distance));
+    s.radius = min(half_size.y, 0.999 * nearest);
+    s.tangent = sqrt(max(s.distance * s.distance - s.radius * s.radius, 0.0));
+    return s;
+}
+
+// The end at z along the axis: half the angle that its arc goes round the end's middle. `outward` is +1 or −1.
+float end_arc(Silhouette s, float z, float outward) {
+    const float length2 = z * z + s.distance * s.distance;
+    const float grazing = sqrt(max(length2 - s.radius * s.radius, 1e-20));
+    return atan(sqrt(length2) * s.tangent / (s.distance * grazing), outward * z * s.radius / (s.distance * grazing));
+}
+
+// As (along the axis, away) : the end's share of ∮ r × dr.
+vec2 end_integral(Silhouette s, float z, float outward) {
+    const float length2 = z * z + s.distance * s.distance, r2 = s.radius * s.radius;
+    const vec2 to_middle = vec2(z, s.distance), across = vec2(s.distance, -z) * outward;
+    return 2.0 * end_arc(s, z, outward) * r2 / (length2 * sqrt(length2)) * to_middle -
+           2.0 * s.radius * s.tangent / (s.distance * length2) * across;
+}
+
+// The angle between where the long sides begin and end.
+float side_angle(Silhouette s) {
+    return atan(s.tangent * (s.ends.y - s.ends.x), s.tangent * s.tangent + s.ends.x * s.ends.y);
+}
+
+vec3 capsule_whole(Silhouette s) {
+    const vec2 plane = end_integral(s, s.ends.x, -1.0) + end_integral(s, s.ends.y, 1.0) +
+                       vec2(0.0, 2.0 * side_angle(s) * s.radius / s.distance);
+    return 0.5 * (s.axis * plane.x + s.away * plane.y);
+}
+
+// The part of a contour along a circle around `c` that is above the horizon: r(φ) = c + u cos φ + w sin φ, φ within
+// ±half_arc, u and w of the same length. The integral of n · (r × dr).
+float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
+    const float cos2 = dot(c, c), sin2 = dot(u, u);
+    const float height = dot(n, c), x = dot(n, u), y = dot(n, w), swing = max(length(vec2(x, y)), 1e-20);
+    const float top = atan(y, x), reach = acos(clamp(-height / swing, -1.0, 1.0));
+    const float turn = sin2 * height * inversesqrt(max(cos2, 1e-20)), sway = sqrt(cos2);
+    float sum = 0.0;
+    for (int k = -1; k <= 1; ++k) {
+        const float middle = top + 6.28318530718 * float(k);
+        const float from = clamp(middle - reach, -half_arc, half_arc), to = clamp(middle + reach, -half_arc, half_arc);
+        sum += turn * (to - from) - sway * (x * (sin(to) - sin(from)) - y * (cos(to) - cos(from)));
+    }
+    return sum;
+}
+
+// The stretch of the horizon that is covered: from the least to the greatest azimuth of what crosses it.
+struct Horizon {
+    vec3 first;
+    vec2 azimuths;
+    bool crossed;
+};
+
+void note_crossing(inout Horizon horizon, vec3 n, vec3 at) {
+    if (!horizon.crossed) {
+        horizon.first = at;
+        horizon.crossed = true;
+        return;
+    }
+    const float azimuth = atan(dot(n, cross(horizon.first, at)), dot(horizon.first, at));
+    horizon.azimuths = vec2(min(horizon.azimuths.x, azimuth), max(horizon.azimuths.y, azimuth));
+}
+
+void note_circle(inout Horizon horizon, vec3 n, vec3 c, vec3 u, vec3 w) {
+    const float height = dot(n, c), x = dot(n, u), y = dot(n, w), swing = length(vec2(x, y));
+    if (abs(height) >= swing) return;
+    const vec3 top = (u * x + w * y) / swing, level = (u * y - w * x) / swing;
+    const float cosine = -height / swing, sine = sqrt(1.0 - cosine * cosine);
+    note_crossing(horizon, n, c + top * cosine + level * sine);
+    note_crossing(horizon, n, c + top * cosine - level * sine);
+}
+
+float end_above(Silhouette s, vec3 n, float z, float outward, inout Horizon horizon) {
+    const vec3 to_middle = s.axis * z + s.away * s.distance;
+    const float inverse_length = inversesqrt(dot(to_middle, to_middle));
+    const float sine = min(s.radius * inverse_length, 1.0), cosine = sqrt(1.0 - sine * sine);
+    const vec3 a = to_middle * inverse_length;
+    const vec3 u = (s.axis * s.distance - s.away * z) * (outward * inverse_length * sine), w = cross(a, u);
+    note_circle(horizon, n, a * cosine, u, w);
+    return arc_above(n, a * cosine, u, w, end_arc(s, z, outward));
+}
+
+float side_above(Silhouette s, vec3 n, float side, inout Horizon horizon) {
+    const vec3 across = cross(s.axis, s.away);
+    const float sine = s.radius / s.distance, cosine = s.tangent / s.distance;
+    const vec3 touch = (s.away * cosine + across * (sine * side)) * s.tangent;
+    vec3 a = touch + s.axis * s.ends.x, b = touch + s.axis * s.ends.y;
+    if (side < 0.0) {
+        const vec3 swapped = a;
+        a = b;
+        b = swapped;
+    }
+    vec3 down = vec3(0.0), up = vec3(0.0);
+    const vec3 sum = edge_above(n, a, b, down, up);
+    if (down != vec3(0.0)) note_crossing(horizon, n, down);
+    if (up != vec3(0.0)) note_crossing(horizon, n, up);
+    return dot(n, sum);
+}
+
+// The irradiance of a capsule that the horizon cuts.
+float capsule_above(Silhouette s, vec3 n) {
+    Horizon horizon = Horizon(vec3(0.0), vec2(0.0), false);
+    float sum = 0.0;
+    if (s.tangent > 0.0) {
+        sum += side_above(s, n, 1.0, horizon) + side_above(s, n, -1.0, horizon);
+        sum += end_above(s, n, s.ends.x, -1.0, horizon) + end_above(s, n, s.ends.y, 1.0, horizon);
+    } else {
+        // Seen end on it is the nearer end alone.
+        const bool first = abs(s.ends.x) < abs(s.ends.y);
+        sum += end_above(s, n, first ? s.ends.x : s.ends.y, first ? -1.0 : 1.0, horizon);
+    }
+    return max(0.5 * (sum + horizon.azimuths.y - horizon.azimuths.x), 0.0);
+}
+
+// The point of the capsule next to the mirrored ray.
+vec3 capsule_target(vec3 middle, vec3 axis, vec2 half_size, vec3 ray) {
+    const float along = dot(ray, axis);
+    const float shift = (dot(ray, middle) * along - dot(middle, axis)) / max(1.0 - along * along, 1e-4);
+    const vec3 next = middle + axis * clamp(shift, -half_size.x, half_size.x);
+    const vec3 to_ray = ray * dot(ray, next) - next;
+    return next + to_ray * min(1.0, half_size.y * inversesqrt(max(dot(to_ray, to_ray), 1e-20)));
+}
+
+AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
+    AreaIncident incident = AreaIncident(0.0, vec3(0.0), 0.0, n, n, 1.0);
+    const vec3 middle = light.position - position, axis = light.direction;
+    const vec3 nearest = middle - axis * clamp(dot(middle, axis), -light.half_size_m.x, light.half_size_m.x);
+    incident.window = distance_window(dot(nearest, nearest), light.range_m);
+    const float lift = dot(n, middle), tilt = abs(dot(n, axis)) * light.half_size_m.x;
+    if (incident.window <= 0.0 || lift + tilt <= -light.half_size_m.y) return incident;
+    const Silhouette s = silhouette_of(middle, axis, light.half_size_m);
+    incident.whole = capsule_whole(s);
+    const bool all_above = lift - tilt >= light.half_size_m.y;
+    incident.irradiance = all_above ? max(dot(n, incident.whole), 0.0) : capsule_above(s, n);
+    incident.center = normalize(incident.whole);
+    incident.mirrored = normalize(capsule_target(middle, axis, light.half_size_m, reflect(-v, n)));
+    const vec3 sight = normalize(middle);
+    const float foreshortened = light.half_size_m.x * length(cross(axis, sight));
+    incident.aspect = (foreshortened + light.half_size_m.y) / light.half_size_m.y;
+    return incident;
+}
+
+// The lobe of the whole light as that of its representative point, as much weaker as the light makes it wider: by two
+// angles, along its sides, whose product times π is what the light covers. So a mirror shows the light's own radiance.
+vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
+    const float covered = length(incident.whole), root = sqrt(incident.aspect);
+    const float extent = sqrt(covered / kPi);
+    const vec2 wider = vec2(s.alpha) / (vec2(s.alpha) + 0.5 * extent * vec2(root, 1.0 / root));
+    Surface coat = s;
+    coat.diffuse = vec3(0.0);
+    return reflect_light(coat, v, incident.mirrored) * (covered * wider.x * wider.y);
+}
+
+// Reflected radiance, of a light of unit radiance.
+vec3 reflect_area(Surface s, vec3 v, vec3 position, Light light) {
+    AreaIncident incident;
+    if (light.type == kLightRectangle) {
+        incident = rectangle_at(s.normal, v, position, light);
+    } else {
+        incident = capsule_at(s.normal, v, position, light);
+    }
+    if (incident.irradiance <= 0.0 || incident.window <= 0.0) return vec3(0.0);
+    const vec3 f = schlick(s.f0, s.f90, dot(v, normalize(v + incident.center)));
+    const vec3 matt = s.diffuse * ((1.0 - max(f.r, max(f.g, f.b))) * incident.irradiance / kPi);
+    return (matt + area_highlight(s, v, incident)) * incident.window;
+}

@@ -1,0 +1,79 @@
+// What a light's function lets through towards a point: a factor for each colour, 1 where the light has none.
+// Needs frame_set.glsl and shared/light.glsl.
+
+// Where a light faces, with the width and height of its doors and pictures. A capsule faces across its axis.
+struct LightFrame {
+    vec3 width;
+    vec3 up;
+    vec3 forward;
+};
+
+LightFrame light_frame(Light light) {
+    if (light.type == kLightCapsule)
+        return LightFrame(light.direction, cross(light.direction, light.side), light.side);
+    return LightFrame(light.side, cross(light.side, light.direction), light.direction);
+}
+
+float falloff_curve(LightFunction f, float distance_m) {
+    const float t = clamp(distance_m / f.reach_m, 0.0, 1.0), s = 1.0 - t;
+    return dot(f.curve, vec4(s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t));
+}
+
+// 1 between the doors, 0 behind them; `at` is where on the plane one step before the light.
+float between_doors(LightFunction f, vec2 at) {
+    const vec4 within = f.doors + vec4(at.x, -at.x, at.y, -at.y);
+    const vec4 open = smoothstep(vec4(-0.5 * f.softness), vec4(0.5 * f.softness), within);
+    return open.x * open.y * open.z * open.w;
+}
+
+// `footprint` is as wide as a pixel, in the picture's own measure of [0, 1].
+vec3 light_picture(LightFunction f, vec2 uv, float footprint) {
+    const float size_px = float(textureSize(light_pictures, 0).x);
+    const float lod = log2(max(footprint * size_px, 1.0));
+    return textureLod(light_pictures, vec3(uv, float(f.picture - 1u)), lod).rgb;
+}
+
+// All around a point light: the middle lies where it faces, +up on top.
+vec3 picture_around(LightFunction f, vec3 local, float distance_m, float pixel_m) {
+    const vec2 uv = vec2(0.5 + atan(local.x, local.z) / 6.28318530718, acos(clamp(local.y, -1.0, 1.0)) / 3.14159265359);
+    return light_picture(f, uv, (pixel_m / distance_m + f.softness) / 3.14159265359);
+}
+
+// As a projector throws it: dark outside, and soft towards the edge as doors are.
+vec3 picture_ahead(LightFunction f, vec2 at, float depth_m, float pixel_m) {
+    const vec2 place = at * f.picture_scale;
+    const vec2 inside = (1.0 - abs(place)) / (f.picture_scale * f.softness);
+    const float frame_edge = clamp(inside.x, 0.0, 1.0) * clamp(inside.y, 0.0, 1.0);
+    if (frame_edge == 0.0) return vec3(0.0);
+    const float scale = max(f.picture_scale.x, f.picture_scale.y);
+    const float footprint = 0.5 * scale * (pixel_m / depth_m + f.softness);
+    return frame_edge * light_picture(f, 0.5 + 0.5 * vec2(place.x, -place.y), footprint);
+}
+
+// Of parallel light: the picture goes on in all directions.
+vec3 picture_over(LightFunction f, vec2 at_m, float pixel_m) {
+    const vec2 place = at_m * f.picture_scale;
+    const float scale = max(f.picture_scale.x, f.picture_scale.y);
+    return light_picture(f, 0.5 + 0.5 * vec2(place.x, -place.y), 0.5 * scale * (pixel_m + f.softness));
+}
+
+vec3 light_function(Light light, vec3 position) {
+    if (light.function == 0u) return vec3(1.0);
+    const LightFunction f = light_functions.items[light.function - 1u];
+    const LightFrame frame_of_light = light_frame(light);
+    const vec3 way = position - light.position;
+    const vec3 at = vec3(dot(way, frame_of_light.width), dot(way, frame_of_light.up), dot(way, frame_of_light.forward));
+    const float pixel_m = distance(position, view.eye) * 2.0 * view.inverse_viewport.y / abs(view.projection[1][1]);
+    if (light.type == kLightDirectional) {
+        const float open = between_doors(f, at.xy);
+        return f.picture == 0u ? vec3(open) : open * picture_over(f, at.xy, pixel_m);
+    }
+    const float distance_m = max(length(way), 1e-4);
+    const float curve = falloff_curve(f, distance_m);
+    if (light.type == kLightPoint && f.picture != 0u)
+        return curve * picture_around(f, at / distance_m, distance_m, pixel_m);
+    if (at.z <= 1e-4 * distance_m) return any(lessThan(f.doors, vec4(kNoDoor))) ? vec3(0.0) : vec3(curve);
+    const vec2 ahead = at.xy / at.z;
+    const float open = between_doors(f, ahead) * curve;
+    return f.picture == 0u ? vec3(open) : open * picture_ahead(f, ahead, at.z, pixel_m);
+}

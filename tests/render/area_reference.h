@@ -1,0 +1,91 @@
+// What shapes that shine alike all over send to a point, by sampling their surfaces in double precision: no
+// closed form.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "shared/light.glsl"
+
+namespace weft::test {
+
+inline double window_of(double distance_m, double range_m) {
+    return range_m > 0 ? std::clamp(1 - std::pow(distance_m / range_m, 4), 0.0, 1.0) : 1;
+}
+
+// Calls visit(direction, solid angle) for each patch that faces `at`.
+template <class Visit>
+void visit_patch(const glm::dvec3& from, const glm::dvec3& facing, double area, const glm::dvec3& at,
+                 const Visit& visit) {
+    const glm::dvec3 way = from - at;
+    const double distance2 = glm::dot(way, way), sent = -glm::dot(facing, way);
+    if (sent > 0) visit(way / std::sqrt(distance2), area * sent / (distance2 * std::sqrt(distance2)));
+}
+
+template <class Visit>
+void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Visit& visit) {
+    constexpr int kSteps = 500;
+    const glm::dvec3 middle(light.position), side(light.side), facing(light.direction);
+    const glm::dvec3 up = glm::cross(side, facing);
+    const double a = light.half_size_m.x, b = light.half_size_m.y;
+    for (int i = 0; i < kSteps; ++i) {
+        const glm::dvec3 column = middle + side * (a * ((2 * i + 1.0) / kSteps - 1));
+        for (int j = 0; j < kSteps; ++j)
+            visit_patch(column + up * (b * ((2 * j + 1.0) / kSteps - 1)), facing, 4 * a * b / kSteps / kSteps,
+                        at, visit);
+    }
+}
+
+// Around the axis and along it; the ends by their height, over which a sphere's area is even.
+template <class Visit>
+void visit_capsule(const shared::Light& light, const glm::dvec3& at, const Visit& visit) {
+    constexpr int kTurns = 720, kSteps = 300;
+    constexpr double kTurn = 6.283185307179586;
+    const glm::dvec3 middle(light.position), axis = glm::normalize(glm::dvec3(light.direction));
+    const glm::dvec3 steep = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 x = glm::normalize(glm::cross(axis, steep)), y = glm::cross(axis, x);
+    const double half = light.half_size_m.x, radius = light.half_size_m.y;
+    const double strip = radius * kTurn / kTurns / kSteps;
+    for (int i = 0; i < kTurns; ++i) {
+        const double turn = kTurn * (i + 0.5) / kTurns;
+        const glm::dvec3 out = x * std::cos(turn) + y * std::sin(turn);
+        for (int j = 0; j < kSteps; ++j) {
+            const double share = (j + 0.5) / kSteps, across = std::sqrt(1 - share * share);
+            visit_patch(middle + axis * (half * (2 * share - 1)) + out * radius, out, strip * 2 * half, at,
+                        visit);
+            for (const double end : {-1.0, 1.0}) {
+                const glm::dvec3 facing = out * across + axis * (end * share);
+                visit_patch(middle + axis * (end * half) + facing * radius, facing, strip * radius, at,
+                            visit);
+            }
+        }
+    }
+}
+
+template <class Visit>
+void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& visit) {
+    if (light.type == shared::kLightRectangle) return visit_rectangle(light, at, visit);
+    visit_capsule(light, at, visit);
+}
+
+// Of the nearest point of a rectangle, or of a capsule's axis.
+inline double distance_to_light(const shared::Light& light, const glm::dvec3& at) {
+    const glm::dvec3 way = at - glm::dvec3(light.position), direction(light.direction), side(light.side);
+    const double a = light.half_size_m.x, b = light.half_size_m.y;
+    if (light.type == shared::kLightCapsule)
+        return glm::length(way - direction * std::clamp(glm::dot(way, direction), -a, a));
+    const glm::dvec3 up = glm::cross(side, direction);
+    return glm::length(glm::dvec3(std::max(std::abs(glm::dot(way, side)) - a, 0.0),
+                                  std::max(std::abs(glm::dot(way, up)) - b, 0.0), glm::dot(way, direction)));
+}
+
+inline double area_irradiance(const shared::Light& light, const glm::dvec3& at, const glm::dvec3& normal) {
+    double sum = 0;
+    visit_light(light, at, [&](const glm::dvec3& direction, double solid_angle) {
+        sum += std::max(0.0, glm::dot(direction, normal)) * solid_angle;
+    });
+    return sum * window_of(distance_to_light(light, at), light.range_m);
+}
+
+}  // namespace weft::test
