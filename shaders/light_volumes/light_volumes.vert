@@ -10,7 +10,7 @@
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"
-#include "light_bounds.glsl"
+#include "light_sphere.glsl"
 
 layout(std430) readonly buffer Lights { Light items[]; } lights;
 

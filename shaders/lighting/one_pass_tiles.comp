@@ -8,7 +8,7 @@
 layout(local_size_x = 16, local_size_y = 16) in;
 
 #include "gbuffer_light.glsl"
-#include "light_bounds.glsl"
+#include "light_sphere.glsl"
 
 layout(r32f) writeonly uniform image2D listed;
 

@@ -141,7 +141,9 @@ TEST_F(DebugViews, EveryOneOfTheShippedGraphsShowsSomething) {
         {"deferred.json", "Depth"},    {"deferred.json", "velocity"},
         {"deferred.json", "lights"},   {"bloom.json", "bloom.mip(2)"},
         {"dof.json", "soft.layer(1)"}, {"edges.json", "Ends"},
-        {"taa.json", "Last frame"},    {"reaction_diffusion.json", "Second chemical"}};
+        {"taa.json", "Last frame"},    {"reaction_diffusion.json", "Second chemical"},
+        {"tiled_deferred.json", "Lights per tile"},
+        {"light_volumes.json", "Light of the volumes"}};
     for (const auto& [graph, view] : views) {
         const RunResult run = show(graph, view, "view.png");
         EXPECT_EQ(run.exit_code, 0) << graph << " " << view << "\n" << run.text();
