@@ -12,7 +12,8 @@ constexpr float kSunrise = 6, kSunset = 19;
 // The moon takes over where neither gives light.
 constexpr float kDawn = 6.2f, kDusk = 19.3f;
 constexpr float kHighestSine = 0.785f;      // of the sun's elevation
-constexpr float kDefaultAzimuth = -0.770f;  // at kDefaultHour, from +z towards +x
+constexpr float kEvening = 17;
+constexpr float kEveningAzimuth = -0.770f;  // from +z towards +x
 
 struct Key {
     float hour;
@@ -31,7 +32,7 @@ constexpr std::array kKeys{
     Key{kDawn, {1, 0.6f, 0.35f}, 0, {60, 90, 190}, {700, 420, 320}, -9.6f, 0.6f},
     Key{7.5f, {1, 0.72f, 0.45f}, 5000, {260, 520, 1300}, {1900, 1700, 1500}, -11.4f, 0},
     Key{12, {1, 0.95f, 0.88f}, 24000, {380, 950, 2700}, {2100, 2600, 3100}, -12.6f, 0},
-    Key{kDefaultHour, {1, 0.80f, 0.54f}, 11000, {330, 800, 2200}, {1900, 2250, 2600}, -12, 0},
+    Key{kEvening, {1, 0.80f, 0.54f}, 11000, {330, 800, 2200}, {1900, 2250, 2600}, -12, 0},
     Key{18.6f, {1, 0.55f, 0.28f}, 3500, {170, 300, 800}, {1700, 1000, 600}, -10.9f, 0.3f},
     Key{kDusk, {1, 0.5f, 0.3f}, 0, {50, 80, 210}, {620, 360, 330}, -9.4f, 0.8f},
     Key{20.5f, kMoonlight, 40, {4, 8, 22}, {20, 24, 40}, -8.4f, 1},
@@ -47,7 +48,7 @@ glm::vec3 to_source_at(float hour) {
     if (hour < kDawn || hour > kDusk) return towards(0.8f, 0.9f);
     const float share = (hour - kSunrise) / (kSunset - kSunrise);
     const float sine = kHighestSine * std::sin(kPi * share);
-    return towards(std::max(sine, 0.02f), kDefaultAzimuth + (kDefaultHour - hour) * kPi / 12);
+    return towards(std::max(sine, 0.02f), kEveningAzimuth + (kEvening - hour) * kPi / 12);
 }
 
 }  // namespace

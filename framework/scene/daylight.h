@@ -7,7 +7,7 @@
 
 namespace weft::scene {
 
-inline constexpr float kDefaultHour = 17;
+inline constexpr float kDefaultHour = 15;  // the sun reaches into the atrium's court
 
 struct Daylight {
     glm::vec3 to_source{0, 1, 0};  // towards the sun, or at night the moon; unit length

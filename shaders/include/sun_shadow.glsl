@@ -12,7 +12,7 @@ const float kSunMostSlope = 2.0;
 // How far the filter looks, and the corners of the four texels that share one depth, in texels.
 const float kSunReach = 2.8284, kSunQuadReach = 0.7071;
 // What rounding, and normals that are not quite the surface's, may add, in texels along the light.
-const float kSunBiasTexels = 0.5;
+const float kSunBiasTexels = 1.0;
 
 struct SunPlace {
     uint cascade;

@@ -54,7 +54,7 @@ Shot random_shot(Random& random) {
 // Where the map has a point, in texels. The matrix is what shaders get.
 glm::dvec2 texels_of(const render::SunCascades& sun, uint32_t i, const glm::vec3& point) {
     const glm::dvec4 place = glm::dmat4(sun.constants.cascades[i].world_to_map) * glm::dvec4(point, 1);
-    return glm::dvec2(place) * double{kMaps.size_px[i]};
+    return glm::dvec2(place) * static_cast<double>(kMaps.size_px[i]);
 }
 
 double off_whole(double x) {

@@ -28,8 +28,12 @@ TEST(BenchFrame, MeasuresEveryGraphOverEveryNumberOfLights) {
             sum += pass["gpu_ms"]["min"].get<double>();
             has_costs |= pass["flops"].is_number();
             EXPECT_GE(pass["limit_ms"].get<double>(), 0.003) << pass;
-            if (pass["name"] == "gbuffer" || pass["name"] == "tonemap") EXPECT_TRUE(pass["common"]) << pass;
-            if (pass["name"] == "lighting") EXPECT_FALSE(pass["common"]) << pass;
+            if (pass["name"] == "gbuffer" || pass["name"] == "tonemap") {
+                EXPECT_TRUE(pass["common"]) << pass;
+            }
+            if (pass["name"] == "lighting") {
+                EXPECT_FALSE(pass["common"]) << pass;
+            }
         }
         EXPECT_TRUE(has_costs) << result["graph"];
         EXPECT_LE(sum, result["frame"]["gpu_ms"]["median"].get<double>() + 1e-9) << result["graph"];
