@@ -231,7 +231,8 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
 void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     constexpr std::string_view kWhat = "draws without a list";
     if (!read_object(context, node, kWhat, kVerticesKeys, pass)) return;
-    if (node.find("vertices") == nullptr && node.members.size() < 2)  // else it is misspelt
+    const auto is_known = [](const JsonMember& member) { return member.key == "instances"; };
+    if (std::ranges::all_of(node.members, is_known))  // else it is misspelt, or there
         missing_key(context, node.loc, kWhat, "vertices", "say how many: { \"vertices\": 3 }");
 }
 

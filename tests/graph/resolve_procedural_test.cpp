@@ -61,7 +61,7 @@ TEST_F(ResolveProcedural, KeysThatAreNot) {
     const Diagnostic slip = bad(graph(R"j({"vertexes": 3})j"));
     EXPECT_EQ(slip.code, "W101");
     expect_help(slip, "did you mean \"vertices\"");
-    EXPECT_EQ(bad(graph(R"j({"instances": 3})j")).code, "W103");
+    EXPECT_EQ(bad(graph(R"j({"instances": 3})j")).code, "W108");
     EXPECT_EQ(bad(graph(R"j({"list": "opaque", "vertices": 3})j")).code, "W101");
     EXPECT_EQ(bad(graph(R"j({"vertices": 3})j", R"j(, "state": {"cull": "material"})j")).code, "W109");
 }

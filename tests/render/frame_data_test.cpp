@@ -110,7 +110,7 @@ TEST(ImportCatalog, OffersWhatTheShippedGraphsUse) {
     const ImportCatalog catalog = scene_imports({640, 360, 1});
     EXPECT_EQ(catalog.imports.at("opaque").kind, ImportKind::draw_list);
     EXPECT_EQ(catalog.imports.at("backbuffer").resource.extent, (Extent3D{640, 360, 1}));
-    EXPECT_EQ(catalog.strides.at("Light"), 64u);
+    EXPECT_EQ(catalog.strides.at("Light"), 80u);
 }
 
 TEST(ImportCatalog, ListsAndTheirCommandsAreAsLongAsTheSceneMakesThem) {
