@@ -22,7 +22,6 @@ const glm::dvec3 kUp(0, 1, 0);
 struct Measured {
     std::vector<shared::Light> lights;
     std::vector<glm::vec4> irradiance;  // kPoints for each light
-    std::vector<glm::vec4> highlight;
     [[nodiscard]] glm::dvec3 at(size_t light, size_t point) const {
         return glm::dvec3(irradiance[light * kPoints + point]);
     }
@@ -40,10 +39,10 @@ class Irradiance : public SessionTest {
         scene.bounds_min = glm::vec3(-4);
         scene.bounds_max = glm::vec3(4);
         const Rendered r =
-            render(scene, scene::framing_camera(scene, 1), {16, 16, 1}, 0, {"irradiance", "highlight"},
+            render(scene, scene::framing_camera(scene, 1), {16, 16, 1}, 0, {"irradiance"},
                    WEFT_SOURCE_DIR "/tests/render/irradiance/irradiance.json");
-        if (r.images.size() != 2) return {};
-        return {r.lights, r.images.at("irradiance"), r.images.at("highlight")};
+        if (r.images.size() != 1) return {};
+        return {r.lights, r.images.at("irradiance")};
     }
 };
 
@@ -104,18 +103,19 @@ std::vector<scene::Light> placed(scene::LightType type, std::span<const Placemen
     return lights;
 }
 
-// Relative to what is expected, but for what is less than a 10⁵th of the light of a whole sky.
+// Relative to what is expected, but for what is less than 5e-5 of the light of a whole sky. There may be more lights than
+// placements.
 template <class Reference>
 void expect_close(const Measured& m, std::span<const Placement> placements, double tolerance,
                   const Reference& reference) {
-    ASSERT_EQ(m.lights.size(), placements.size());
-    for (size_t light = 0; light < m.lights.size(); ++light) {
+    ASSERT_GE(m.lights.size(), placements.size());
+    for (size_t light = 0; light < placements.size(); ++light) {
         double worst = 0, brightest = 0;
         for (size_t i = 0; i < kPoints; ++i) {
             const double expected = reference(m.lights[light], point_of(i));
             if (expected < 0) continue;
             const double found = m.at(light, i).x;
-            const double error = std::abs(found - expected) / std::max(expected, 3e-5);
+            const double error = std::abs(found - expected) / std::max(expected, 1.5e-4);
             EXPECT_LE(error, tolerance) << placements[light].name << ", point " << i << ": " << found
                                         << " when it should be " << expected;
             worst = std::max(worst, error);
@@ -148,6 +148,7 @@ TEST_F(Irradiance, OfRectanglesIsThatOfTheirPatches) {
     expect_close(
         m, std::span(placements).first(placements.size() - 1), 0.02,
         [](const shared::Light& light, const glm::dvec3& at) { return area_irradiance(light, at, kUp); });
+    for (size_t i = 0; i < kPoints; ++i) EXPECT_EQ(m.at(placements.size() - 1, i).x, 0) << "shines upwards";
 }
 
 TEST_F(Irradiance, OfCapsulesIsThatOfTheirPatches) {
@@ -175,47 +176,6 @@ TEST_F(Irradiance, OfCapsulesIsThatOfTheirPatches) {
     });
 }
 
-// Highlights come from one point of a light: their sum is near that of all of them, and a mirror shows the
-// light itself.
-TEST_F(Irradiance, HighlightsOfShapesAreNearThoseOfTheirPatches) {
-    std::vector<scene::Light> lights;
-    lights.push_back(light_of(scene::LightType::rectangle, {0, 1.5f, -2}, {0, -0.6f, 1}));
-    lights.back().half_size_m = {0.8f, 0.5f};
-    lights.push_back(light_of(scene::LightType::capsule, {0, 1.2f, -1}, {1, 0.1f, 0}));
-    lights.back().half_size_m = {0.8f, 0.12f};
-    const Measured m = measure(lights);
-    ASSERT_EQ(m.lights.size(), lights.size());
-    constexpr std::array kRoughness{0.1, 0.3, 0.6, 1.0};
-    const glm::dvec3 eye(0.5, 2.5, 6);
-    for (size_t light = 0; light < lights.size(); ++light) {
-        glm::dvec4 found_sum(0), expected_sum(0), difference_sum(0), brightest(0), shown(0);
-        for (size_t i = 0; i < kPoints; ++i) {
-            const glm::dvec3 v = glm::normalize(eye - point_of(i));
-            glm::dvec4 expected(0);
-            visit_light(m.lights[light], point_of(i), [&](const glm::dvec3& l, double solid_angle) {
-                for (int r = 0; r < 4; ++r) {
-                    ReferenceSurface metal;
-                    metal.metallic = 1;
-                    metal.roughness = kRoughness[r];
-                    expected[r] += reflected(metal, v, l).x * solid_angle;
-                }
-            });
-            const glm::dvec4 found(m.highlight[light * kPoints + i]);
-            found_sum += found;
-            expected_sum += expected;
-            difference_sum += glm::abs(found - expected);
-            brightest = glm::max(brightest, expected);
-            shown = glm::max(shown, found);
-        }
-        for (int r = 0; r < 4; ++r)
-            std::printf(
-                "light %zu, roughness %.1f: sum %.3f of %.3f, mean difference %.0f %%, brightest %.3f of "
-                "%.3f\n",
-                light, kRoughness[r], found_sum[r], expected_sum[r],
-                100 * difference_sum[r] / expected_sum[r], shown[r], brightest[r]);
-    }
-}
-
 scene::Light shaped(scene::LightType type, glm::vec3 position, glm::vec3 direction, glm::vec3 side) {
     scene::Light light = light_of(type, position, direction, 10);
     light.side = side;
@@ -239,8 +199,10 @@ class Functions : public Irradiance {
         const Measured m = measure(std::move(scene));
         std::vector<double> shares;
         if (m.irradiance.empty()) return shares;
+        // Plain lights come first.
+        const size_t shaped = m.lights[0].function != 0 ? 0 : 1, plain = 1 - shaped;
         for (size_t i = 0; i < kPoints; ++i)
-            shares.push_back(m.at(1, i).x > 1e-6 ? m.at(0, i).x / m.at(1, i).x : -1);
+            shares.push_back(m.at(plain, i).x > 1e-6 ? m.at(shaped, i).x / m.at(plain, i).x : -1);
         return shares;
     }
 };

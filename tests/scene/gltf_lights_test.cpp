@@ -13,7 +13,7 @@ class GltfLights : public GltfTest {
         GltfText text;
         text.members["extensionsUsed"] = R"(["KHR_lights_punctual"])";
         text.members["extensions"] = R"({"KHR_lights_punctual":{"lights":[)" + light + "]}}";
-        text.members["nodes"] = "[{" + node + R"("extensions":{"KHR_lights_punctual":{"light":0}}}])";
+        text.members["nodes"] = R"([{"mesh":0,)" + node + R"("extensions":{"KHR_lights_punctual":{"light":0}}}])";
         return text;
     }
     Light only_light(const std::string& light, const std::string& node = "") {

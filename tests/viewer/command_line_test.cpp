@@ -126,7 +126,7 @@ TEST(Plan, SpeaksTextJsonAndDot) {
     EXPECT_EQ(json.exit_code, 0) << json.text();
     const Json plan = Json::parse(json.out);
     EXPECT_EQ(plan.at("hash").get<std::string>().size(), 32u);
-    EXPECT_EQ(plan.at("schedule").at("order").size(), 5u);
+    EXPECT_EQ(plan.at("schedule").at("order").size(), 8u);
 
     const RunResult dot = run_weft({"plan", kDeferred, "--format", "dot"});
     EXPECT_EQ(dot.exit_code, 0) << dot.text();
@@ -154,7 +154,7 @@ TEST(Plan, DependsOnTheSize) {
 
 TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
     const RunResult run = run_weft({"plan", kDeferred});
-    EXPECT_NE(run.out.find(" at 0 gbuffer: hdr (7200.0 KiB) albedo"), std::string::npos) << run.text();
+    EXPECT_NE(run.out.find(" at 2 sunShadows#0: sunShadow (12.0 MiB) hdr (7200.0 KiB) albedo"), std::string::npos) << run.text();
     for (const char* part : {"sum ", "peak live ", "heaps ", "gap "})
         EXPECT_NE(run.out.find(part), std::string::npos) << part;
 }
