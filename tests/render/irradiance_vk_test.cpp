@@ -146,9 +146,8 @@ TEST_F(Irradiance, OfRectanglesIsThatOfTheirPatches) {
     };
     const Measured m = measure(placed(scene::LightType::rectangle, placements));
     expect_close(
-        m, std::span(placements).first(placements.size() - 1), 0.02,
+        m, placements, 0.02,
         [](const shared::Light& light, const glm::dvec3& at) { return area_irradiance(light, at, kUp); });
-    for (size_t i = 0; i < kPoints; ++i) EXPECT_EQ(m.at(placements.size() - 1, i).x, 0) << "shines upwards";
 }
 
 TEST_F(Irradiance, OfCapsulesIsThatOfTheirPatches) {
