@@ -2,9 +2,9 @@
 // is a sphere in view space around what the light reaches (centre, radius, in metres); the others are a Reach. An image,
 // because some devices gather from images faster than from buffers.
 
-const int kLightsPerRow = 256;
-const int kTexelsPerLight = 5;
+const uint kLightsPerRow = 256;
+const uint kTexelsPerLight = 5;
 
 ivec2 bounds_texel(uint light) {
-    return ivec2(int(light) % kLightsPerRow, int(light) / kLightsPerRow * kTexelsPerLight);
+    return ivec2(light % kLightsPerRow, light / kLightsPerRow * kTexelsPerLight);
 }

@@ -37,13 +37,10 @@ vec3 nearest_on_core(Reach r, vec3 place) {
 
 // Whether the box begins beyond the light's end, seen from the core towards the box.
 bool beyond_range(Reach r, Box box) {
-    vec3 core = r.center, place = clamp(core, box.low, box.high);
     // Each step brings the two closer together; where they end is of no matter for what is proved with them.
-    const int steps = r.first == vec3(0.0) && r.second == vec3(0.0) ? 0 : 3;
-    for (int i = 0; i < steps; ++i) {
-        core = nearest_on_core(r, place);
-        place = clamp(core, box.low, box.high);
-    }
+    vec3 core = nearest_on_core(r, clamp(r.center, box.low, box.high));
+    core = nearest_on_core(r, clamp(core, box.low, box.high));
+    const vec3 place = clamp(core, box.low, box.high);
     const vec3 gap = place - core;
     const float gap_m = length(gap);
     if (gap_m <= r.slack_m) return false;

@@ -23,17 +23,19 @@ uint close_round() {
     return slot;
 }
 
-// Entry i of a round is for thread i % 32. The places of this thread's entries, and how many entered.
-uvec4 enter_four(bvec4 enters, out uint count) {
-    const uint own = 1u << gl_LocalInvocationIndex;
-    for (uint i = 0u; i < 4u; ++i)
-        if (enters[i]) atomicOr(entering[round_ % 3u][i], own);
+uint bits_of(bvec4 b) { return uint(b.x) | uint(b.y) << 1 | uint(b.z) << 2 | uint(b.w) << 3; }
+
+// Entries 4 t to 4 t + 3 of a round are for thread t. The place of the first one that enters, the others follow; and how
+// many entered.
+uint enter_four(bvec4 enters, out uint count) {
+    const uint word = gl_LocalInvocationIndex / 8u, shift = gl_LocalInvocationIndex % 8u * 4u;
+    if (any(enters)) atomicOr(entering[round_ % 3u][word], bits_of(enters) << shift);
     const uint slot = close_round();
     const uvec4 bits = uvec4(entering[slot][0], entering[slot][1], entering[slot][2], entering[slot][3]);
     const uvec4 counts = uvec4(bitCount(bits));
     count = counts.x + counts.y + counts.z + counts.w;
-    return uvec4(bitCount(bits & (own - 1u))) +
-           uvec4(0u, counts.x, counts.x + counts.y, counts.x + counts.y + counts.z);
+    const uint before = (word > 0u ? counts.x : 0u) + (word > 1u ? counts.y : 0u) + (word > 2u ? counts.z : 0u);
+    return before + uint(bitCount(bits[word] & ((1u << shift) - 1u)));
 }
 
 uint enter_one(bool enters, out uint count) {

@@ -46,16 +46,17 @@ uint fill_list(uint list, float near_m, float far_m) {
     begin_rounds();
     barrier();
     for (uint first = frame.directional_count; first < end; first += kRound) {
+        const uint own = first + 4u * gl_LocalInvocationIndex;
         bvec4 kept;
         for (uint i = 0u; i < 4u; ++i) {
-            const uint light = first + i * kThreads + gl_LocalInvocationIndex;
+            const uint light = own + i;
             const vec4 sphere = texelFetch(lightBounds, bounds_texel(min(light, end - 1u)), 0);
             kept[i] = light < end && sphere_inside(sphere, sides) && sphere_meets(sphere, box);
         }
         uint count;
-        const uvec4 place = enter_four(kept, count);
+        uint place = list + 1u + listed + enter_four(kept, count);
         for (uint i = 0u; i < 4u; ++i)
-            if (kept[i]) superLights.items[list + 1u + listed + place[i]] = first + i * kThreads + gl_LocalInvocationIndex;
+            if (kept[i]) superLights.items[place++] = own + i;
         listed += count;
     }
     return listed;

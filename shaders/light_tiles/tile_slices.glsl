@@ -103,7 +103,7 @@ bool find_slices() {
     uint entered = 0u;
     for (int s = 0; s < 2; ++s)
         entered |= TRANSLUCENT ? enter_translucent(square_in_tile(s)) : enter_opaque(square_in_tile(s));
-    atomicOr(occupied, entered);
+    if (entered != 0u) atomicOr(occupied, entered);
     barrier();
     return range.x > 0.0;
 }

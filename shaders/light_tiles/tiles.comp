@@ -33,9 +33,10 @@ coherent buffer TileMask { uint items[]; } tileMask;
 
 shared uint candidates[kRound];
 
+uint list, room;  // where the tile's list begins, and for how many lights it has room
+
 uint tile_index() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 uint tile_total() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }
-uint list_stride() { return uint(tileLights.items.length()) / tile_total(); }
 uint mask_words() { return uint(tileMask.items.length()) / tile_total(); }
 
 uint super_list() {
@@ -57,29 +58,28 @@ uint find_candidates(uint first, uint end, TileBounds bounds) {
     bvec4 kept;
     uvec4 light;
     for (uint i = 0u; i < 4u; ++i) {
-        const uint at = first + i * kThreads + gl_LocalInvocationIndex;
+        const uint at = first + 4u * gl_LocalInvocationIndex + i;
         light[i] = superLights.items[min(at, end - 1u)];
         kept[i] = at < end && may_reach(sphere_of(light[i]), bounds);
     }
     uint count;
-    const uvec4 place = enter_four(kept, count);
+    uint place = enter_four(kept, count);
     for (uint i = 0u; i < 4u; ++i)
-        if (kept[i]) candidates[place[i]] = light[i];
+        if (kept[i]) candidates[place++] = light[i];
     barrier();
     return count;
 }
 
 void put(uint light, uint place) {
-    const uint stride = list_stride();
-    if (place + 1u < stride) tileLights.items[tile_index() * stride + 1u + place] = light;
+    if (place < room) tileLights.items[list + 1u + place] = light;
     if (HAS_tileMask) atomicOr(tileMask.items[tile_index() * mask_words() + light / 32u], 1u << (light % 32u));
 }
 
 uint fill_list() {
     const TileBounds bounds = tile_bounds();
-    const uint list = super_list(), end = list + 1u + superLights.items[list];
+    const uint super = super_list(), end = super + 1u + superLights.items[super];
     uint listed = 0u;
-    for (uint first = list + 1u; first < end; first += kRound) {
+    for (uint first = super + 1u; first < end; first += kRound) {
         const uint count = find_candidates(first, end, bounds);
         for (uint i = 0u; i < count; i += kThreads) {
             const uint at = i + gl_LocalInvocationIndex;
@@ -102,9 +102,11 @@ void clear_mask() {
 
 void main() {
     clear_mask();
-    const uint listed = find_slices() ? fill_list() : 0u, room = list_stride() - 1u;
+    room = uint(tileLights.items.length()) / tile_total() - 1u;
+    list = tile_index() * (room + 1u);
+    const uint listed = find_slices() ? fill_list() : 0u;
     if (gl_LocalInvocationIndex != 0u) return;
-    tileLights.items[tile_index() * list_stride()] = min(listed, room);
+    tileLights.items[list] = min(listed, room);
     if (listed <= room) return;
     atomicAdd(tileOverflow.left_out, listed - room);
     atomicAdd(tileOverflow.lists, 1u);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
+#include <random>
 
 #include "light_tiles/tile_fixture.h"
 #include "scene/seeded_lights.h"
@@ -83,6 +84,39 @@ TEST_F(LightTiles, MissNoLightFarFromTheOrigin) {
     scene::Scene scene = scene_with("spheres", 300);
     move_away(scene, {5000, 200, -3000});
     expect_nothing_missed(frame_of(scene, scene.cameras.at(0)), "far away");
+}
+
+// Each light is straight before a pixel and ends a hair behind it: on a wall that faces the camera a rounding
+// decides, so that what the shaders allow for it is needed.
+scene::Scene lights_that_just_reach(const scene::Scene& scene, const scene::Camera& camera,
+                                    const TileFrame& frame) {
+    std::mt19937 engine(3);
+    const auto unit = [&] { return static_cast<double>(engine()) / 4294967296.0; };
+    std::vector<glm::dvec3> places;
+    for (const std::vector<glm::dvec3>& tile : tile_places(frame.depth, frame.size, frame.view))
+        places.insert(places.end(), tile.begin(), tile.end());
+    const glm::dvec3 to_camera(camera.transform[2]);
+    scene::Scene with = scene;
+    with.lights.clear();
+    for (int i = 0; i < 1024; ++i) {
+        const glm::dvec3& place = places.at(static_cast<size_t>(unit() * static_cast<double>(places.size())));
+        scene::Light light;
+        light.position = glm::vec3(place + to_camera * (0.1 + unit()));
+        light.range_m = static_cast<float>(glm::length(place - glm::dvec3(light.position)) * (1 + 1e-7));
+        with.lights.push_back(light);
+    }
+    return with;
+}
+
+TEST_F(LightTiles, MissNoLightThatJustReachesAPixel) {
+    for (const glm::vec3& away : {glm::vec3(0), glm::vec3(500, 20, -300)}) {
+        scene::Scene scene = scene_with("cornell", 2);
+        move_away(scene, away);
+        const scene::Camera& camera = scene.cameras.at(0);
+        const TileFrame first = frame_of(scene, camera);
+        ASSERT_FALSE(first.depth.empty());
+        expect_nothing_missed(frame_of(lights_that_just_reach(scene, camera, first), camera), "just reached");
+    }
 }
 
 TEST_F(LightTiles, AreSortedAndTheSameInEveryRun) {
