@@ -15,7 +15,12 @@ namespace weft::test {
 struct RayHit {
     double distance_m = 0;
     glm::dvec3 normal{0};  // of the triangle, unit length, towards where the ray came from
+    uint32_t material = 0;
 };
+
+// What masked surfaces are to a ray: as they look, or as if they had no picture, or as if they were not
+// there.
+enum class Masks : uint8_t { as_drawn, solid, absent };
 
 class RayScene {
  public:
@@ -30,13 +35,12 @@ class RayScene {
     // The nearest beyond `from_m`. `direction` is of unit length.
     [[nodiscard]] std::optional<RayHit> first(const glm::dvec3& origin, const glm::dvec3& direction,
                                               double from_m) const {
-        return cast(origin, direction, from_m, false);
+        return cast(origin, direction, from_m, Masks::as_drawn, false);
     }
-    [[nodiscard]] bool is_blocked(const glm::dvec3& origin, const glm::dvec3& direction,
-                                  double from_m) const {
-        return cast(origin, direction, from_m, true).has_value();
+    [[nodiscard]] bool is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double from_m,
+                                  Masks masks) const {
+        return cast(origin, direction, from_m, masks, true).has_value();
     }
-    [[nodiscard]] size_t triangles() const { return triangles_.size(); }
 
  private:
     struct Triangle {
@@ -114,7 +118,7 @@ class RayScene {
     }
 
     [[nodiscard]] std::optional<RayHit> cast(const glm::dvec3& origin, const glm::dvec3& direction,
-                                             double from_m, bool any) const {
+                                             double from_m, Masks masks, bool any) const {
         std::optional<RayHit> best;
         const glm::dvec3 inverse = 1.0 / direction;
         double to_m = std::numeric_limits<double>::infinity();
@@ -130,10 +134,10 @@ class RayScene {
             }
             for (uint32_t i = node.first; i < node.first + node.count; ++i) {
                 const Triangle& t = triangles_[order_[i]];
-                const std::optional<double> distance_m = hit(t, origin, direction, from_m, to_m);
+                const std::optional<double> distance_m = hit(t, origin, direction, from_m, to_m, masks);
                 if (!distance_m) continue;
                 const glm::dvec3 normal = glm::normalize(glm::cross(t.ab, t.ac));
-                best = RayHit{*distance_m, glm::dot(normal, direction) < 0 ? normal : -normal};
+                best = RayHit{*distance_m, glm::dot(normal, direction) < 0 ? normal : -normal, t.material};
                 to_m = *distance_m;
                 if (any) return best;
             }
@@ -143,7 +147,8 @@ class RayScene {
 
     // Möller and Trumbore 1997, "Fast, Minimum Storage Ray-Triangle Intersection".
     [[nodiscard]] std::optional<double> hit(const Triangle& t, const glm::dvec3& origin,
-                                            const glm::dvec3& direction, double from_m, double to_m) const {
+                                            const glm::dvec3& direction, double from_m, double to_m,
+                                            Masks masks) const {
         const glm::dvec3 p = glm::cross(direction, t.ac);
         const double determinant = glm::dot(t.ab, p);
         if (determinant == 0) return std::nullopt;
@@ -151,13 +156,14 @@ class RayScene {
         const double u = glm::dot(from_a, p) / determinant, v = glm::dot(direction, q) / determinant;
         const double distance_m = glm::dot(t.ac, q) / determinant;
         if (u < 0 || v < 0 || u + v > 1 || distance_m <= from_m || distance_m >= to_m) return std::nullopt;
-        if (is_hole(t, static_cast<float>(u), static_cast<float>(v))) return std::nullopt;
+        if (is_hole(t, static_cast<float>(u), static_cast<float>(v), masks)) return std::nullopt;
         return distance_m;
     }
 
-    [[nodiscard]] bool is_hole(const Triangle& t, float u, float v) const {
+    [[nodiscard]] bool is_hole(const Triangle& t, float u, float v, Masks masks) const {
         const scene::Material& material = scene_.materials[t.material];
-        if (material.alpha_mode != scene::AlphaMode::mask) return false;
+        if (material.alpha_mode != scene::AlphaMode::mask || masks == Masks::solid) return false;
+        if (masks == Masks::absent) return true;
         float alpha = material.base_color.a;
         if (const scene::TextureSlot& slot = material.base_color_texture; slot.texture != scene::kNone) {
             const scene::Texture& texture = scene_.textures[slot.texture];
