@@ -41,9 +41,10 @@ class Anisotropy : public SessionTest, public ::testing::WithParamInterface<cons
         }
         return scene;
     }
-    // `slack` is what the expectation is uncertain by.
+    // `slack` is what the expectation is uncertain by: of strips beside the middle it takes the eye for
+    // straight ahead.
     static void expect_metal(const glm::vec3& found, const Stretched& s, double turn_rad, const glm::dvec3& l,
-                             const std::string& what, double slack = 2e-3) {
+                             const std::string& what, double slack = 5e-3) {
         const glm::dvec3 turned(std::cos(turn_rad) * l.x + std::sin(turn_rad) * l.y,
                                 -std::sin(turn_rad) * l.x + std::cos(turn_rad) * l.y, l.z);
         const glm::dvec3 wanted = reflected_by_metal(s, kColor, {0, 0, 1}, turned) * 10.0;

@@ -1,5 +1,6 @@
 // Shadows of the sun: where their edges lie, that they stand still, and that no light leaks.
 #include <algorithm>
+#include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "quad_scene.h"
@@ -296,6 +297,7 @@ class Atrium : public SunShadows, public ::testing::WithParamInterface<std::tupl
 // Every fourth pixel both ways. Where rays find the sun, or do not find it, all around, the map must say the
 // same.
 TEST_P(Atrium, LeaksNoLightAndShadowsNothingThatIsLit) {
+    if (std::getenv("WEFT_EXTENDED") == nullptr) GTEST_SKIP() << "only with WEFT_EXTENDED";
     constexpr Extent3D kSize{480, 270, 1};
     constexpr float kTolerated = 0.1f;  // of the sun
     const auto [camera_index, hour] = GetParam();
