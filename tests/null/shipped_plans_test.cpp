@@ -46,9 +46,16 @@ Result<LoadedGraph> load(const std::string& file) {
     const PassCatalog passes = registered_passes();
     const ImportCatalog imports = render::scene_imports({1280, 720, 1});
     Diagnostics warnings;
-    return load_graph(
-        {file, read_text, WEFT_SOURCE_DIR "/shaders", {}, passes, imports, *profile, {1280, 720, 1}, {}, {}},
-        warnings);
+    return load_graph({.path = file,
+                       .reader = read_text,
+                       .shader_root = WEFT_SOURCE_DIR "/shaders",
+                       .shader_cache = {},
+                       .passes = passes,
+                       .imports = imports,
+                       .profile = *profile,
+                       .output_extent = {1280, 720, 1},
+                       .graph_root = WEFT_SOURCE_DIR "/graphs"},
+                      warnings);
 }
 
 CompileOptions on_queues(uint32_t count) {

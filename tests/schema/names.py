@@ -15,7 +15,9 @@ SLIP = "Slip"
 
 
 def reference(text):
-    """hdr@glass → hdrSlip@glass"""
+    """hdr@glass → hdrSlip@glass; of a port that is an object, what its "ref" says."""
+    if isinstance(text, dict):
+        return {**text, "ref": reference(text["ref"])}
     end = next((i for i, c in enumerate(text) if c in "@[."), len(text))
     return text[:end] + SLIP + text[end:]
 
