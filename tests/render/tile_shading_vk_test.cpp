@@ -1,6 +1,7 @@
 // Shading by tile lists: the same picture as without culling, in deferred and in forward shading, and each
 // tile in the one list of its class.
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <set>
 
@@ -80,6 +81,7 @@ TEST_F(TileShading, DeferredPicturesAreThoseOfAllLights) {
 }
 
 TEST_F(TileShading, ForwardPicturesAreThoseOfAllLights) {
+    if (std::getenv("WEFT_EXTENDED") == nullptr) GTEST_SKIP() << "only with WEFT_EXTENDED";
     for (const scene::Scene& scene : crowded_scenes()) expect_same(scene, "forward_plus", "forward");
 }
 
