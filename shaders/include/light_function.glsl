@@ -33,28 +33,27 @@ vec3 light_picture(LightFunction f, vec2 uv, float footprint) {
     return textureLod(light_pictures, vec3(uv, float(f.picture - 1u)), lod).rgb;
 }
 
+// Where a picture is looked up, and how much of it lights the point: nothing outside of what a projector throws.
+struct PictureSpot {
+    vec2 uv;
+    float footprint;
+    float weight;
+};
+
 // All around a point light: the middle lies where it faces, +up on top.
-vec3 picture_around(LightFunction f, vec3 local, float distance_m, float pixel_m) {
+PictureSpot picture_around(LightFunction f, vec3 local, float distance_m, float pixel_m) {
     const vec2 uv = vec2(0.5 + atan(local.x, local.z) / 6.28318530718, acos(clamp(local.y, -1.0, 1.0)) / 3.14159265359);
-    return light_picture(f, uv, (pixel_m / distance_m + f.softness) / 3.14159265359);
+    return PictureSpot(uv, (pixel_m / distance_m + f.softness) / 3.14159265359, 1.0);
 }
 
-// As a projector throws it: dark outside, and soft towards the edge as doors are.
-vec3 picture_ahead(LightFunction f, vec2 at, float depth_m, float pixel_m) {
+// Of a projector, one step before it, and soft towards the edge as doors are; or of parallel light, in metres, where the
+// picture goes on in all directions. `pixel` is as wide as a pixel there.
+PictureSpot picture_ahead(LightFunction f, vec2 at, float pixel, bool endless) {
     const vec2 place = at * f.picture_scale;
     const vec2 inside = (1.0 - abs(place)) / (f.picture_scale * f.softness);
-    const float frame_edge = clamp(inside.x, 0.0, 1.0) * clamp(inside.y, 0.0, 1.0);
-    if (frame_edge == 0.0) return vec3(0.0);
-    const float scale = max(f.picture_scale.x, f.picture_scale.y);
-    const float footprint = 0.5 * scale * (pixel_m / depth_m + f.softness);
-    return frame_edge * light_picture(f, 0.5 + 0.5 * vec2(place.x, -place.y), footprint);
-}
-
-// Of parallel light: the picture goes on in all directions.
-vec3 picture_over(LightFunction f, vec2 at_m, float pixel_m) {
-    const vec2 place = at_m * f.picture_scale;
-    const float scale = max(f.picture_scale.x, f.picture_scale.y);
-    return light_picture(f, 0.5 + 0.5 * vec2(place.x, -place.y), 0.5 * scale * (pixel_m + f.softness));
+    const float weight = endless ? 1.0 : clamp(inside.x, 0.0, 1.0) * clamp(inside.y, 0.0, 1.0);
+    const float footprint = 0.5 * max(f.picture_scale.x, f.picture_scale.y) * (pixel + f.softness);
+    return PictureSpot(0.5 + 0.5 * vec2(place.x, -place.y), footprint, weight);
 }
 
 vec3 light_function(Light light, vec3 position) {
@@ -64,16 +63,19 @@ vec3 light_function(Light light, vec3 position) {
     const vec3 way = position - light.position;
     const vec3 at = vec3(dot(way, frame_of_light.width), dot(way, frame_of_light.up), dot(way, frame_of_light.forward));
     const float pixel_m = distance(position, view.eye) * 2.0 * view.inverse_viewport.y / abs(view.projection[1][1]);
-    if (light.type == kLightDirectional) {
-        const float open = between_doors(f, at.xy);
-        return f.picture == 0u ? vec3(open) : open * picture_over(f, at.xy, pixel_m);
-    }
     const float distance_m = max(length(way), 1e-4);
-    const float curve = falloff_curve(f, distance_m);
-    if (light.type == kLightPoint && f.picture != 0u)
-        return curve * picture_around(f, at / distance_m, distance_m, pixel_m);
-    if (at.z <= 1e-4 * distance_m) return any(lessThan(f.doors, vec4(kNoDoor))) ? vec3(0.0) : vec3(curve);
-    const vec2 ahead = at.xy / at.z;
-    const float open = between_doors(f, ahead) * curve;
-    return f.picture == 0u ? vec3(open) : open * picture_ahead(f, ahead, at.z, pixel_m);
+    const bool parallel = light.type == kLightDirectional, around = light.type == kLightPoint && f.picture != 0u;
+    float open = parallel ? 1.0 : falloff_curve(f, distance_m);
+    PictureSpot spot;
+    if (around) {
+        spot = picture_around(f, at / distance_m, distance_m, pixel_m);
+    } else if (!parallel && at.z <= 1e-4 * distance_m) {
+        return any(lessThan(f.doors, vec4(kNoDoor))) ? vec3(0.0) : vec3(open);
+    } else {
+        const float depth_m = parallel ? 1.0 : at.z;
+        open *= between_doors(f, at.xy / depth_m);
+        spot = picture_ahead(f, at.xy / depth_m, pixel_m / depth_m, parallel);
+    }
+    if (f.picture == 0u) return vec3(open);
+    return open * spot.weight == 0.0 ? vec3(0.0) : open * spot.weight * light_picture(f, spot.uv, spot.footprint);
 }
