@@ -72,7 +72,9 @@ EShLanguage to_glslang(ShaderStage stage) {
 }
 
 void set_up(glslang::TShader& shader, EShLanguage language) {
-    shader.setPreamble("#extension GL_GOOGLE_include_directive : require\n");
+    shader.setPreamble(
+        "#extension GL_GOOGLE_include_directive : require\n"
+        "#extension GL_EXT_control_flow_attributes : require\n");
     shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);

@@ -29,21 +29,22 @@ vec3 edge_integral(vec3 a, vec3 b) {
 vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
     const float height_a = dot(n, a), height_b = dot(n, b);
     if (height_a <= 0.0 && height_b <= 0.0) return vec3(0.0);
-    if (height_a > 0.0 && height_b > 0.0) return edge_integral(a, b);
-    const vec3 crossing = a + (b - a) * (height_a / (height_a - height_b));
-    if (height_a > 0.0) {
-        down = crossing;
-        return edge_integral(a, crossing);
-    }
-    up = crossing;
-    return edge_integral(crossing, b);
+    vec3 from = a, to = b;
+    if (height_a <= 0.0) from = up = a + (b - a) * (height_a / (height_a - height_b));
+    if (height_b <= 0.0) to = down = a + (b - a) * (height_a / (height_a - height_b));
+    return edge_integral(from, to);
 }
 
-// Corners counter-clockwise, seen from here.
-vec3 rectangle_above(vec3 n, vec3 a, vec3 b, vec3 c, vec3 d) {
-    vec3 down = vec3(0.0), up = vec3(0.0);
-    vec3 sum = edge_above(n, a, b, down, up) + edge_above(n, b, c, down, up);
-    sum += edge_above(n, c, d, down, up) + edge_above(n, d, a, down, up);
+// From the middle, with half its width and height. Corners counter-clockwise, seen from here. The loops of this file are
+// there because compilers copy a function to every place that calls it: of shaders with area lights these were two thirds.
+vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
+    vec3 down = vec3(0.0), up = vec3(0.0), sum = vec3(0.0), to_side = -x, to_next = -y;
+    [[dont_unroll]] for (int i = 0; i < 4; ++i) {
+        const vec3 turned = -to_side;
+        sum += edge_above(n, middle + to_side + to_next, middle - to_side + to_next, down, up);
+        to_side = to_next;
+        to_next = turned;
+    }
     return 0.5 * (sum + edge_integral(down, up));
 }
 
@@ -62,7 +63,7 @@ AreaIncident rectangle_at(vec3 n, vec3 v, vec3 position, Light light) {
     incident.window = distance_window(dot(outside, outside), light.range_m);
     if (incident.window <= 0.0) return incident;
     const vec3 x = light.side * light.half_size_m.x, y = up * light.half_size_m.y;
-    incident.whole = rectangle_above(n, -way - x - y, -way + x - y, -way + x + y, -way - x + y);
+    incident.whole = rectangle_above(n, -way, x, y);
     incident.irradiance = max(dot(n, incident.whole), 0.0);
     const vec3 ray = reflect(-v, n);
     const vec2 target =
@@ -123,8 +124,9 @@ float side_angle(Silhouette s) {
 }
 
 vec3 capsule_whole(Silhouette s) {
-    const vec2 plane = end_integral(s, s.ends.x, -1.0) + end_integral(s, s.ends.y, 1.0) +
-                       vec2(0.0, 2.0 * side_angle(s) * s.radius / s.distance);
+    vec2 plane = vec2(0.0, 2.0 * side_angle(s) * s.radius / s.distance);
+    [[dont_unroll]] for (float outward = -1.0; outward < 2.0; outward += 2.0)
+        plane += end_integral(s, outward < 0.0 ? s.ends.x : s.ends.y, outward);
     return 0.5 * (s.axis * plane.x + s.away * plane.y);
 }
 
@@ -133,10 +135,11 @@ vec3 capsule_whole(Silhouette s) {
 float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     const float cos2 = dot(c, c), sin2 = dot(u, u);
     const float height = dot(n, c), x = dot(n, u), y = dot(n, w), swing = max(length(vec2(x, y)), 1e-20);
-    const float top = atan(y, x), reach = acos(clamp(-height / swing, -1.0, 1.0));
+    // Not by acos, which devices may round to 1e-4.
+    const float top = atan(y, x), reach = atan(sqrt(max(swing * swing - height * height, 0.0)), -height);
     const float turn = sin2 * height * inversesqrt(max(cos2, 1e-20)), sway = sqrt(cos2);
     float sum = 0.0;
-    for (int k = -1; k <= 1; ++k) {
+    [[dont_unroll]] for (int k = -1; k <= 1; ++k) {
         const float middle = top + 6.28318530718 * float(k);
         const float from = clamp(middle - reach, -half_arc, half_arc), to = clamp(middle + reach, -half_arc, half_arc);
         sum += turn * (to - from) - sway * (x * (sin(to) - sin(from)) - y * (cos(to) - cos(from)));
@@ -166,8 +169,8 @@ void note_circle(inout Horizon horizon, vec3 n, vec3 c, vec3 u, vec3 w) {
     if (abs(height) >= swing) return;
     const vec3 top = (u * x + w * y) / swing, level = (u * y - w * x) / swing;
     const float cosine = -height / swing, sine = sqrt(1.0 - cosine * cosine);
-    note_crossing(horizon, n, c + top * cosine + level * sine);
-    note_crossing(horizon, n, c + top * cosine - level * sine);
+    [[dont_unroll]] for (float side = 1.0; side > -2.0; side -= 2.0)
+        note_crossing(horizon, n, c + top * cosine + level * (sine * side));
 }
 
 float end_above(Silhouette s, vec3 n, float z, float outward, inout Horizon horizon) {
@@ -192,8 +195,8 @@ float side_above(Silhouette s, vec3 n, float side, inout Horizon horizon) {
     }
     vec3 down = vec3(0.0), up = vec3(0.0);
     const vec3 sum = edge_above(n, a, b, down, up);
-    if (down != vec3(0.0)) note_crossing(horizon, n, down);
-    if (up != vec3(0.0)) note_crossing(horizon, n, up);
+    const vec3 crossing = down != vec3(0.0) ? down : up;  // of a great circle's arc there is one at most
+    if (crossing != vec3(0.0)) note_crossing(horizon, n, crossing);
     return dot(n, sum);
 }
 
@@ -201,13 +204,12 @@ float side_above(Silhouette s, vec3 n, float side, inout Horizon horizon) {
 float capsule_above(Silhouette s, vec3 n) {
     Horizon horizon = Horizon(vec3(0.0), vec2(0.0), false);
     float sum = 0.0;
-    if (s.tangent > 0.0) {
-        sum += side_above(s, n, 1.0, horizon) + side_above(s, n, -1.0, horizon);
-        sum += end_above(s, n, s.ends.x, -1.0, horizon) + end_above(s, n, s.ends.y, 1.0, horizon);
-    } else {
-        // Seen end on it is the nearer end alone.
-        const bool first = abs(s.ends.x) < abs(s.ends.y);
-        sum += end_above(s, n, first ? s.ends.x : s.ends.y, first ? -1.0 : 1.0, horizon);
+    // Seen end on it is the nearer end alone.
+    const bool whole = s.tangent > 0.0, first = abs(s.ends.x) < abs(s.ends.y);
+    [[dont_unroll]] for (float outward = -1.0; outward < 2.0; outward += 2.0) {
+        if (whole) sum += side_above(s, n, -outward, horizon);
+        if (whole || first == (outward < 0.0))
+            sum += end_above(s, n, outward < 0.0 ? s.ends.x : s.ends.y, outward, horizon);
     }
     return max(0.5 * (sum + horizon.azimuths.y - horizon.azimuths.x), 0.0);
 }
@@ -241,11 +243,13 @@ AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
 }
 
 // The lobe of the whole light as that of its representative point, as much weaker as the light makes it wider: by two
-// angles, along its sides, whose product times π is what the light covers. So a mirror shows the light's own radiance.
+// angles, along its sides, whose product times π is what the light covers. They are those of the half vector, which turns
+// half as far as the light, and across the plane of incidence by 1 / v·h more. So a mirror shows the light's own radiance.
 vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
     const float covered = length(incident.whole), root = sqrt(incident.aspect);
-    const float extent = sqrt(covered / kPi);
-    const vec2 wider = vec2(s.alpha) / (vec2(s.alpha) + 0.5 * extent * vec2(root, 1.0 / root));
+    const float v_h = max(dot(v, normalize(v + incident.mirrored)), 0.05);
+    const float extent = sqrt(covered / (kPi * v_h));
+    const vec2 wider = vec2(s.alpha) / min(vec2(s.alpha) + 0.5 * extent * vec2(root, 1.0 / root), vec2(1.0));
     Surface coat = s;
     coat.diffuse = vec3(0.0);
     return reflect_light(coat, v, incident.mirrored) * (covered * wider.x * wider.y);
