@@ -47,14 +47,14 @@ show() {
 }
 
 show light_indexed light_indexed "A thousand lights" "The court at night in the light of 1,024 coloured lamps" \
-  --lights 1024 --time 22 <<'END'
+  builtin:lights --lights 1024 --time 22 <<'END'
 Points, spots, tubes and panes, each with a range. Light culling lists for each tile of 16 × 16 pixels the lamps that reach
 a surface in it, and the light of each pixel is the sum over its tile's list: the same to the last bit as if all had been
 asked. [Thousands of lights](lights.md) says how.
 END
 
 show lights_per_tile light_indexed "Lights per tile" "A heat map of the same view: how many lamps each tile lists" \
-  --lights 1024 --time 22 --debug "Lights per tile" <<'END'
+  builtin:lights --lights 1024 --time 22 --debug "Lights per tile" <<'END'
 A debug view of the same frame. Among 1,024 lamps a tile asks about 20; sky asks none.
 END
 

@@ -1,17 +1,18 @@
-// Shows how many lights each tile lists, over the picture's depth. Of tileFacts, see facts.comp.
+// Shows how many lights each tile lists, over the picture's edges. Of tileFacts, see facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
-#include "tile_view.glsl"
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform sampler2D shown;
 
+#include "tile_view.glsl"
+
 void main() {
     const ivec2 pixel = ivec2(gl_FragCoord.xy);
-    const vec4 facts = texelFetch(shown, pixel, 0);
-    const vec3 heat = number_color(facts.r, facts.a);
-    color = vec4(with_key(with_digits(heat, uint(facts.r), pixel), pixel, textureSize(shown, 0)), 1.0);
+    const float number = texelFetch(shown, pixel, 0).r;
+    const vec3 heat = number_color(number, pixel);
+    color = vec4(with_key(with_digits(heat, uint(number), pixel), pixel, textureSize(shown, 0)), 1.0);
 }

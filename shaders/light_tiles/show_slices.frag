@@ -3,12 +3,13 @@
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
-#include "tile_view.glsl"
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform sampler2D shown;
+
+#include "tile_view.glsl"
 
 void main() {
     const ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -1,12 +1,19 @@
 // A number for each tile as colour and in digits, with a key to the colours below. Needs debug_colors.glsl and
-// debug_digits.glsl.
+// debug_digits.glsl and the image `shown` of facts.comp.
 
-const float kMost = 512.0;  // at the upper end of the scale, of which each doubling has the same part
+const float kMost = 128.0;  // at the upper end of the scale, of which each doubling has the same part
 
-// Over grey where the number is 0, so that the picture stays to be seen; `facing` is what facts.comp makes.
-vec3 number_color(float number, float facing) {
-    const vec3 paper = number > 0.0 ? heat_color(log2(1.0 + number) / log2(1.0 + kMost)) : vec3(0.12);
-    return paper * (facing > 0.0 ? 0.4 + 0.6 * facing : 0.0);
+// Grey where the number is 0. Over the colours, which stay to be compared, lie faint lines where the surface bends:
+// `facts.a` is how much it faces the eye.
+vec3 number_color(float number, ivec2 pixel) {
+    const ivec2 last = textureSize(shown, 0) - 1;
+    const float facing = texelFetch(shown, pixel, 0).a;
+    if (facing <= 0.0) return vec3(0.0);
+    const float right = texelFetch(shown, min(pixel + ivec2(1, 0), last), 0).a;
+    const float below = texelFetch(shown, min(pixel + ivec2(0, 1), last), 0).a;
+    const float line = smoothstep(0.02, 0.2, max(abs(right - facing), abs(below - facing)));
+    const float scaled = log2(1.0 + min(number, kMost)) / log2(1.0 + kMost);
+    return (number > 0.0 ? heat_color(scaled) : vec3(0.12)) * (1.0 - 0.5 * line);
 }
 
 // On a darker patch, because the ground may be of any colour.
