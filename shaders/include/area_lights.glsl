@@ -13,7 +13,21 @@ struct AreaIncident {
     vec3 center;        // direction to the middle of what is seen
     vec3 mirrored;      // direction to the point that the highlight shows
     float aspect;       // how much longer than wide it is, as seen from here
+    vec3 along;         // its length
 };
+
+// As atan(y, x), to 2e-7. What is left above the horizon is a small difference of angles, and devices may round their own
+// by 2e-4. The polynomial is atanf() of Moshier's Cephes library, 1992.
+float angle_of(float y, float x) {
+    const float longer = max(max(abs(x), abs(y)), 1e-30), shorter = min(abs(x), abs(y));
+    const bool steep = shorter > 0.41421356 * longer;
+    const float t = steep ? (shorter - longer) / (shorter + longer) : shorter / longer, t2 = t * t;
+    const float fit = ((0.0805374450 * t2 - 0.138776856) * t2 + 0.199777106) * t2 - 0.333329492;
+    float angle = fit * t2 * t + t + (steep ? 0.25 * kPi : 0.0);
+    if (abs(y) > abs(x)) angle = 0.5 * kPi - angle;
+    if (x < 0.0) angle = kPi - angle;
+    return y < 0.0 ? -angle : angle;
+}
 
 // ∫ r × dr along the great circle from a to b, which need not have unit length.
 vec3 edge_integral(vec3 a, vec3 b) {
@@ -55,7 +69,7 @@ vec2 rectangle_target(vec3 at, vec3 ray, vec2 half_size) {
 }
 
 AreaIncident rectangle_at(vec3 n, vec3 v, vec3 position, Light light) {
-    AreaIncident incident = AreaIncident(0.0, vec3(0.0), 0.0, n, n, 1.0);
+    AreaIncident incident = AreaIncident(0.0, vec3(0.0), 0.0, n, n, 1.0, vec3(0.0));
     const vec3 up = cross(light.side, light.direction), way = position - light.position;
     const vec3 at = vec3(dot(way, light.side), dot(way, up), dot(way, light.direction));
     if (at.z <= 0.0) return incident;
@@ -70,8 +84,10 @@ AreaIncident rectangle_at(vec3 n, vec3 v, vec3 position, Light light) {
         rectangle_target(at, vec3(dot(ray, light.side), dot(ray, up), dot(ray, light.direction)), light.half_size_m);
     incident.mirrored = normalize(light.side * target.x + up * target.y - way);
     incident.center = incident.irradiance > 0.0 ? normalize(incident.whole) : n;
+    const vec3 sight = normalize(way);
     // A side that is seen at a slant is foreshortened.
     const vec2 slant = sqrt(max(vec2(1.0) - at.xy * at.xy / dot(at, at), vec2(1e-4)));
+    incident.along = light.side - sight * dot(light.side, sight);
     incident.aspect = (light.half_size_m.x * slant.x) / (light.half_size_m.y * slant.y);
     return incident;
 }
@@ -107,7 +123,7 @@ Silhouette silhouette_of(vec3 middle, vec3 axis, vec2 half_size) {
 float end_arc(Silhouette s, float z, float outward) {
     const float length2 = z * z + s.distance * s.distance;
     const float grazing = sqrt(max(length2 - s.radius * s.radius, 1e-20));
-    return atan(sqrt(length2) * s.tangent / (s.distance * grazing), outward * z * s.radius / (s.distance * grazing));
+    return angle_of(sqrt(length2) * s.tangent / (s.distance * grazing), outward * z * s.radius / (s.distance * grazing));
 }
 
 // As (along the axis, away) : the end's share of ∮ r × dr.
@@ -120,7 +136,7 @@ vec2 end_integral(Silhouette s, float z, float outward) {
 
 // The angle between where the long sides begin and end.
 float side_angle(Silhouette s) {
-    return atan(s.tangent * (s.ends.y - s.ends.x), s.tangent * s.tangent + s.ends.x * s.ends.y);
+    return angle_of(s.tangent * (s.ends.y - s.ends.x), s.tangent * s.tangent + s.ends.x * s.ends.y);
 }
 
 vec3 capsule_whole(Silhouette s) {
@@ -135,8 +151,7 @@ vec3 capsule_whole(Silhouette s) {
 float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     const float cos2 = dot(c, c), sin2 = dot(u, u);
     const float height = dot(n, c), x = dot(n, u), y = dot(n, w), swing = max(length(vec2(x, y)), 1e-20);
-    // Not by acos, which devices may round to 1e-4.
-    const float top = atan(y, x), reach = atan(sqrt(max(swing * swing - height * height, 0.0)), -height);
+    const float top = angle_of(y, x), reach = angle_of(sqrt(max(swing * swing - height * height, 0.0)), -height);
     const float turn = sin2 * height * inversesqrt(max(cos2, 1e-20)), sway = sqrt(cos2);
     float sum = 0.0;
     [[dont_unroll]] for (int k = -1; k <= 1; ++k) {
@@ -160,7 +175,7 @@ void note_crossing(inout Horizon horizon, vec3 n, vec3 at) {
         horizon.crossed = true;
         return;
     }
-    const float azimuth = atan(dot(n, cross(horizon.first, at)), dot(horizon.first, at));
+    const float azimuth = angle_of(dot(n, cross(horizon.first, at)), dot(horizon.first, at));
     horizon.azimuths = vec2(min(horizon.azimuths.x, azimuth), max(horizon.azimuths.y, azimuth));
 }
 
@@ -224,7 +239,7 @@ vec3 capsule_target(vec3 middle, vec3 axis, vec2 half_size, vec3 ray) {
 }
 
 AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
-    AreaIncident incident = AreaIncident(0.0, vec3(0.0), 0.0, n, n, 1.0);
+    AreaIncident incident = AreaIncident(0.0, vec3(0.0), 0.0, n, n, 1.0, vec3(0.0));
     const vec3 middle = light.position - position, axis = light.direction;
     const vec3 nearest = middle - axis * clamp(dot(middle, axis), -light.half_size_m.x, light.half_size_m.x);
     incident.window = distance_window(dot(nearest, nearest), light.range_m);
@@ -237,22 +252,28 @@ AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
     incident.center = normalize(incident.whole);
     incident.mirrored = normalize(capsule_target(middle, axis, light.half_size_m, reflect(-v, n)));
     const vec3 sight = normalize(middle);
-    const float foreshortened = light.half_size_m.x * length(cross(axis, sight));
+    incident.along = axis - sight * dot(axis, sight);
+    const float foreshortened = light.half_size_m.x * length(incident.along);
     incident.aspect = (foreshortened + light.half_size_m.y) / light.half_size_m.y;
     return incident;
 }
 
-// The lobe of the whole light as that of its representative point, as much weaker as the light makes it wider: by two
-// angles, along its sides, whose product times π is what the light covers. They are those of the half vector, which turns
-// half as far as the light, and across the plane of incidence by 1 / v·h more. So a mirror shows the light's own radiance.
+// The lobe of the whole light as that of its representative point, divided by what moving the lobe over the light adds to
+// it. On the sphere of half vectors a light of the sides 2a and 2b adds to GGX, which is 1 / (π α²) in its middle and
+// whose integral along a line from there is 1 / (4 α), by its area 4ab / (π α²) and by its outline (a + b) / α (Steiner's
+// formula). Half vectors turn half as far as the light, and across the plane of incidence by 1 / v·h more. So a mirror
+// shows the light's own radiance.
 vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
-    const float covered = length(incident.whole), root = sqrt(incident.aspect);
+    const float covered = max(length(incident.whole), 1e-20);
     const float v_h = max(dot(v, normalize(v + incident.mirrored)), 0.05);
-    const float extent = sqrt(covered / (kPi * v_h));
-    const vec2 wider = vec2(s.alpha) / min(vec2(s.alpha) + 0.5 * extent * vec2(root, 1.0 / root), vec2(1.0));
+    const vec3 normal = cross(v, incident.mirrored), along = incident.along;
+    const float upright = dot(normal, along) * dot(normal, along) / max(dot(normal, normal) * dot(along, along), 1e-12);
+    const float a = 0.25 * sqrt(covered * incident.aspect * (1.0 + upright * (1.0 / (v_h * v_h) - 1.0)));
+    const float b = covered / (16.0 * v_h * a);
+    const float added = (a + b) / s.alpha + 4.0 * a * b / (kPi * s.alpha * s.alpha);
     Surface coat = s;
     coat.diffuse = vec3(0.0);
-    return reflect_light(coat, v, incident.mirrored) * (covered * wider.x * wider.y);
+    return reflect_light(coat, v, incident.mirrored) * (covered / (1.0 + added));
 }
 
 // Reflected radiance, of a light of unit radiance.

@@ -24,34 +24,34 @@ void visit_patch(const glm::dvec3& from, const glm::dvec3& facing, double area, 
 }
 
 template <class Visit>
-void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Visit& visit) {
-    constexpr int kSteps = 500;
+void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int columns = 500,
+                     int rows = 500) {
     const glm::dvec3 middle(light.position), side(light.side), facing(light.direction);
     const glm::dvec3 up = glm::cross(side, facing);
     const double a = light.half_size_m.x, b = light.half_size_m.y;
-    for (int i = 0; i < kSteps; ++i) {
-        const glm::dvec3 column = middle + side * (a * ((2 * i + 1.0) / kSteps - 1));
-        for (int j = 0; j < kSteps; ++j)
-            visit_patch(column + up * (b * ((2 * j + 1.0) / kSteps - 1)), facing, 4 * a * b / kSteps / kSteps,
+    for (int i = 0; i < columns; ++i) {
+        const glm::dvec3 column = middle + side * (a * ((2 * i + 1.0) / columns - 1));
+        for (int j = 0; j < rows; ++j)
+            visit_patch(column + up * (b * ((2 * j + 1.0) / rows - 1)), facing, 4 * a * b / columns / rows,
                         at, visit);
     }
 }
 
 // Around the axis and along it; the ends by their height, over which a sphere's area is even.
 template <class Visit>
-void visit_capsule(const shared::Light& light, const glm::dvec3& at, const Visit& visit) {
-    constexpr int kTurns = 720, kSteps = 300;
+void visit_capsule(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int turns = 720,
+                   int steps = 300) {
     constexpr double kTurn = 6.283185307179586;
     const glm::dvec3 middle(light.position), axis = glm::normalize(glm::dvec3(light.direction));
     const glm::dvec3 steep = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 x = glm::normalize(glm::cross(axis, steep)), y = glm::cross(axis, x);
     const double half = light.half_size_m.x, radius = light.half_size_m.y;
-    const double strip = radius * kTurn / kTurns / kSteps;
-    for (int i = 0; i < kTurns; ++i) {
-        const double turn = kTurn * (i + 0.5) / kTurns;
+    const double strip = radius * kTurn / turns / steps;
+    for (int i = 0; i < turns; ++i) {
+        const double turn = kTurn * (i + 0.5) / turns;
         const glm::dvec3 out = x * std::cos(turn) + y * std::sin(turn);
-        for (int j = 0; j < kSteps; ++j) {
-            const double share = (j + 0.5) / kSteps, across = std::sqrt(1 - share * share);
+        for (int j = 0; j < steps; ++j) {
+            const double share = (j + 0.5) / steps, across = std::sqrt(1 - share * share);
             visit_patch(middle + axis * (half * (2 * share - 1)) + out * radius, out, strip * 2 * half, at,
                         visit);
             for (const double end : {-1.0, 1.0}) {
@@ -67,6 +67,18 @@ template <class Visit>
 void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& visit) {
     if (light.type == shared::kLightRectangle) return visit_rectangle(light, at, visit);
     visit_capsule(light, at, visit);
+}
+
+// The same in fewer patches, of about this length.
+template <class Visit>
+void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& visit, double patch_m) {
+    const auto patches = [&](double length_m) {
+        return static_cast<int>(std::ceil(std::max(length_m / patch_m, 16.0)));
+    };
+    const double a = 2.0 * light.half_size_m.x, b = 2.0 * light.half_size_m.y;
+    if (light.type == shared::kLightRectangle)
+        return visit_rectangle(light, at, visit, patches(a), patches(b));
+    visit_capsule(light, at, visit, 2 * patches(1.6 * b), patches(a));
 }
 
 // Of the nearest point of a rectangle, or of a capsule's axis.

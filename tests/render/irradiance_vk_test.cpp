@@ -4,56 +4,11 @@
 #include <array>
 
 #include "area_reference.h"
-#include "reference_brdf.h"
+#include "irradiance_fixture.h"
 #include "reference_light.h"
-#include "session_fixture.h"
 
 namespace weft::test {
 namespace {
-
-constexpr size_t kPoints = 64;
-
-glm::dvec3 point_of(size_t i) {
-    return {static_cast<double>(i % 8) - 3.5, 0, static_cast<double>(i / 8) - 3.5};
-}
-
-const glm::dvec3 kUp(0, 1, 0);
-
-struct Measured {
-    std::vector<shared::Light> lights;
-    std::vector<glm::vec4> irradiance;  // kPoints for each light
-    [[nodiscard]] glm::dvec3 at(size_t light, size_t point) const {
-        return glm::dvec3(irradiance[light * kPoints + point]);
-    }
-};
-
-class Irradiance : public SessionTest {
- protected:
-    Measured measure(std::vector<scene::Light> lights, std::vector<scene::LightFunction> functions = {}) {
-        scene::Scene scene;
-        scene.lights = std::move(lights);
-        scene.light_functions = std::move(functions);
-        return measure(std::move(scene));
-    }
-    Measured measure(scene::Scene scene) {
-        scene.bounds_min = glm::vec3(-4);
-        scene.bounds_max = glm::vec3(4);
-        const Rendered r =
-            render(scene, scene::framing_camera(scene, 1), {16, 16, 1}, 0, {"irradiance"},
-                   WEFT_SOURCE_DIR "/tests/render/irradiance/irradiance.json");
-        if (r.images.size() != 1) return {};
-        return {r.lights, r.images.at("irradiance")};
-    }
-};
-
-scene::Light light_of(scene::LightType type, glm::vec3 position, glm::vec3 direction, float intensity = 1) {
-    scene::Light light;
-    light.type = type;
-    light.position = position;
-    light.direction = glm::normalize(direction);
-    light.intensity = intensity;
-    return light;
-}
 
 TEST_F(Irradiance, OfLightsWithoutExtentIsTheirClosedForm) {
     std::vector<scene::Light> lights;
@@ -82,29 +37,8 @@ TEST_F(Irradiance, OfLightsWithoutExtentIsTheirClosedForm) {
     std::printf("worst relative error %.1e\n", worst);
 }
 
-struct Placement {
-    const char* name;
-    glm::vec3 position;
-    glm::vec3 direction;
-    glm::vec3 side;
-    glm::vec2 half_size_m;
-    float range_m = 0;
-};
-
-std::vector<scene::Light> placed(scene::LightType type, std::span<const Placement> placements) {
-    std::vector<scene::Light> lights;
-    for (const Placement& p : placements) {
-        lights.push_back(light_of(type, p.position, p.direction));
-        lights.back().name = p.name;
-        lights.back().side = p.side;
-        lights.back().half_size_m = p.half_size_m;
-        lights.back().range_m = p.range_m;
-    }
-    return lights;
-}
-
-// Relative to what is expected, but for what is less than 5e-5 of the light of a whole sky. There may be more lights than
-// placements.
+// Relative to what is expected, but for what is less than 1e-5 of the light of a whole sky. There may be more
+// lights than placements.
 template <class Reference>
 void expect_close(const Measured& m, std::span<const Placement> placements, double tolerance,
                   const Reference& reference) {
@@ -115,7 +49,7 @@ void expect_close(const Measured& m, std::span<const Placement> placements, doub
             const double expected = reference(m.lights[light], point_of(i));
             if (expected < 0) continue;
             const double found = m.at(light, i).x;
-            const double error = std::abs(found - expected) / std::max(expected, 1.5e-4);
+            const double error = std::abs(found - expected) / std::max(expected, 3e-5);
             EXPECT_LE(error, tolerance) << placements[light].name << ", point " << i << ": " << found
                                         << " when it should be " << expected;
             worst = std::max(worst, error);
@@ -145,9 +79,9 @@ TEST_F(Irradiance, OfRectanglesIsThatOfTheirPatches) {
         Placement{"shines upwards", {0, 0.5f, 0}, {0.5f, 1, 0}, {0, 0, 1}, {1, 1}},
     };
     const Measured m = measure(placed(scene::LightType::rectangle, placements));
-    expect_close(
-        m, placements, 0.02,
-        [](const shared::Light& light, const glm::dvec3& at) { return area_irradiance(light, at, kUp); });
+    expect_close(m, placements, 0.02, [](const shared::Light& light, const glm::dvec3& at) {
+        return area_irradiance(light, at, kUp);
+    });
 }
 
 TEST_F(Irradiance, OfCapsulesIsThatOfTheirPatches) {
