@@ -3,10 +3,13 @@
 // nearest texel of mip 0.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <vector>
 
 #include "scene/scene.h"
 
