@@ -6,13 +6,19 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
 weft=${1:-$root/weft}
+if ! command -v "$weft" >/dev/null; then
+  echo "bless.sh: WEFT_PROGRAM '$weft' is no program; build the viewer and name it: bless.sh build/viewer/weft" >&2
+  exit 1
+fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-rm -f "$here"/*.png
 while read -r graph scene camera options; do
   [ -n "$graph" ] && [ "${graph:0:1}" != "#" ] || continue
   # shellcheck disable=SC2086  # options are words
   "$weft" render "builtin:$scene" --graph "$root/graphs/$graph.json" --camera "$camera" --size 320x180 \
-    -o "$here/$graph-$scene-$camera.png" --stats "$scratch/stats.json" $options </dev/null
+    -o "$scratch/$graph-$scene-$camera.png" --stats "$scratch/stats.json" $options </dev/null
 done <"$here/views.txt"
-sed -n 's/^ *"\(device\|driver\)": "\(.*\)",$/\2/p' "$scratch/stats.json" >"$here/driver.txt"
+# Only when all are there, so that what fails leaves the old ones.
+sed -n 's/^ *"\(device\|driver\)": "\(.*\)",$/\2/p' "$scratch/stats.json" >"$scratch/driver.txt"
+rm -f "$here"/*.png
+mv "$scratch"/*.png "$scratch/driver.txt" "$here"
