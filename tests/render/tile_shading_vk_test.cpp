@@ -13,6 +13,8 @@ namespace {
 
 constexpr Extent3D kSize{320, 180, 1};
 constexpr uint32_t kLights = 1024, kTilePx = 16, kListBegin = 3;
+constexpr size_t kTiles =
+    size_t{(kSize.width + kTilePx - 1) / kTilePx} * ((kSize.height + kTilePx - 1) / kTilePx);
 
 std::string graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
@@ -23,9 +25,11 @@ class TileShading : public SessionTest {
     // What is observed, as bytes, after one frame.
     std::map<std::string, std::vector<std::byte>> bytes_of(const scene::Scene& scene,
                                                            const std::string& graph,
-                                                           std::vector<std::string> observed) {
-        const std::unique_ptr<render::Session> session = start(scene, scene.cameras.at(0), graph_path(graph),
-                                                               kSize, std::move(observed), scene.exposure_ev);
+                                                           std::vector<std::string> observed,
+                                                           size_t camera = 0) {
+        const std::unique_ptr<render::Session> session =
+            start(scene, scene.cameras.at(camera), graph_path(graph), kSize, std::move(observed),
+                  scene.exposure_ev);
         if (!session || !session->render_frame(0, 0) || !session->finish()) {
             ADD_FAILURE() << "no picture of " << graph;
             return {};
@@ -43,6 +47,18 @@ class TileShading : public SessionTest {
     }
     std::vector<uint16_t> hdr_of(const scene::Scene& scene, const std::string& graph) {
         return words<uint16_t>(bytes_of(scene, graph, {"hdr"})["hdr"]);
+    }
+    // Of each tile its lights, in the list's order: what lies behind a list's end belongs to nobody.
+    static std::vector<std::vector<uint32_t>> lists_in(const std::vector<std::byte>& bytes) {
+        const std::vector<uint32_t> all = words<uint32_t>(bytes);
+        const size_t stride = all.size() / kTiles;
+        std::vector<std::vector<uint32_t>> lists;
+        for (size_t tile = 0; tile < kTiles && stride > 0; ++tile) {
+            const auto length = all.begin() + static_cast<std::ptrdiff_t>(tile * stride);
+            EXPECT_LT(*length, stride) << "tile " << tile;
+            if (*length < stride) lists.emplace_back(length + 1, length + 1 + *length);
+        }
+        return lists;
     }
     void expect_same(const scene::Scene& scene, const std::string& culled, const std::string& all) {
         const std::vector<uint16_t> found = hdr_of(scene, culled), wanted = hdr_of(scene, all);
@@ -83,6 +99,27 @@ TEST_F(TileShading, DeferredPicturesAreThoseOfAllLights) {
 TEST_F(TileShading, ForwardPicturesAreThoseOfAllLights) {
     if (std::getenv("WEFT_EXTENDED") == nullptr) GTEST_SKIP() << "only with WEFT_EXTENDED";
     for (const scene::Scene& scene : crowded_scenes()) expect_same(scene, "forward_plus", "forward");
+}
+
+// Though one has its depth from the G-buffer and the other from a pass of its own. Extended: all cameras.
+TEST_F(TileShading, DeferredAndForwardHaveTheSameLists) {
+    const scene::Scene scene = crowded_scenes()[0];
+    const std::vector<std::string> names{"tileLights", "glassTileLights"};
+    const size_t cameras = std::getenv("WEFT_EXTENDED") != nullptr ? scene.cameras.size() : 1;
+    for (size_t camera = 0; camera < cameras; ++camera) {
+        auto deferred = bytes_of(scene, "light_indexed", names, camera);
+        auto forward = bytes_of(scene, "forward_plus", names, camera);
+        for (const std::string& name : names) {
+            const std::vector<std::vector<uint32_t>> lists = lists_in(deferred[name]);
+            EXPECT_EQ(lists, lists_in(forward[name])) << name << ", camera " << camera;
+            size_t listed = 0;
+            for (const std::vector<uint32_t>& list : lists) listed += list.size();
+            std::printf("camera %zu, %s: %zu lights in %zu lists\n", camera, name.c_str(), listed,
+                        lists.size());
+            EXPECT_EQ(lists.size(), kTiles);
+            EXPECT_GT(listed, 100u);
+        }
+    }
 }
 
 TEST_F(TileShading, EachTileIsInTheListOfItsClass) {
