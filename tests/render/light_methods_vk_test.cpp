@@ -21,9 +21,23 @@ std::string graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
 }
 
+// The last light of all is one that the first two cameras see, so that nobody may forget it: areas are last.
 scene::Scene lights_scene(uint32_t lights) {
     Result<scene::Scene> scene = scene::make_builtin("lights", {.lights = lights});
     EXPECT_TRUE(scene);
+    for (const size_t camera : {1u, 0u}) {
+        const glm::mat4& at = scene->cameras.at(camera).transform;
+        scene::Light light;
+        light.name = "last";
+        light.type = scene::LightType::rectangle;
+        light.position = glm::vec3(at[3]);
+        light.direction = -glm::vec3(at[2]);
+        light.side = glm::vec3(at[0]);
+        light.half_size_m = {0.2f, 0.2f};
+        light.range_m = 12;
+        light.intensity = 100;
+        scene->lights.push_back(light);
+    }
     return std::move(*scene);
 }
 
