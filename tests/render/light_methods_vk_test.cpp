@@ -5,7 +5,6 @@
 //   |blended − looped| ≤ (lights + 2) · 2⁻¹⁰ · looped + (lights + 2) · 2⁻²⁴
 // where the two are the base's and the loop's own rounding, and the last term is half a step of the smallest
 // half floats.
-#include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "reference_light.h"
@@ -129,7 +128,6 @@ TEST_F(LightMethods, TiledShadingIsTheLoopOverAllLights) {
 }
 
 TEST_F(LightMethods, TiledShadingTakesLightsOfEveryShape) {
-    if (std::getenv("WEFT_EXTENDED") == nullptr) GTEST_SKIP() << "only with WEFT_EXTENDED";
     scene::Scene scene = lights_scene(8);
     add_awkward_lights(scene, scene.cameras.at(0));
     expect_the_same(scene, scene.cameras[0]);
@@ -144,7 +142,6 @@ TEST_F(LightMethods, VolumesBlendWhatTheLoopAddsUp) {
 }
 
 TEST_F(LightMethods, VolumesTakeLightsOfEveryShape) {
-    if (std::getenv("WEFT_EXTENDED") == nullptr) GTEST_SKIP() << "only with WEFT_EXTENDED";
     scene::Scene scene = lights_scene(8);
     add_awkward_lights(scene, scene.cameras.at(0));
     const Rendered looped = drawn(scene, "deferred", scene.cameras[0]);
@@ -152,7 +149,6 @@ TEST_F(LightMethods, VolumesTakeLightsOfEveryShape) {
 }
 
 TEST_F(LightMethods, NeitherMindsHavingNoneToFind) {
-    if (std::getenv("WEFT_EXTENDED") == nullptr) GTEST_SKIP() << "only with WEFT_EXTENDED";
     Result<scene::Scene> scene = scene::make_builtin("spheres");
     ASSERT_TRUE(scene);
     std::erase_if(scene->lights,

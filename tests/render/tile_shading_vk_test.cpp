@@ -97,7 +97,6 @@ TEST_F(TileShading, DeferredPicturesAreThoseOfAllLights) {
 }
 
 TEST_F(TileShading, ForwardPicturesAreThoseOfAllLights) {
-    if (std::getenv("WEFT_EXTENDED") == nullptr) GTEST_SKIP() << "only with WEFT_EXTENDED";
     for (const scene::Scene& scene : crowded_scenes()) expect_same(scene, "forward_plus", "forward");
 }
 
