@@ -20,12 +20,12 @@ struct Reach {
 
 float core_extent(Reach r, vec3 n) { return abs(dot(n, r.first)) + abs(dot(n, r.second)); }
 
-// How far the body goes from its centre in a direction of unit length.
-float extent(Reach r, vec3 n) {
+// How far the body goes from its centre in the direction of n, times the length of n.
+float extent(Reach r, vec3 n, float length_n) {
     const float along = dot(n, r.direction);
-    const float across = sqrt(max(1.0 - along * along, 0.0));
-    const float share = along >= r.cos_spread ? 1.0 : max(along * r.cos_spread + across * r.sin_spread, 0.0);
-    return core_extent(r, n) + r.range_m * share + r.slack_m;
+    const float across = sqrt(max(length_n * length_n - along * along, 0.0));
+    const float share = along >= r.cos_spread * length_n ? length_n : max(along * r.cos_spread + across * r.sin_spread, 0.0);
+    return core_extent(r, n) + r.range_m * share + r.slack_m * length_n;
 }
 
 vec3 nearest_on_core(Reach r, vec3 place) {
@@ -37,27 +37,20 @@ vec3 nearest_on_core(Reach r, vec3 place) {
 
 // Whether the box begins beyond the light's end, seen from the core towards the box.
 bool beyond_range(Reach r, Box box) {
-    // Each step brings the two closer together; where they end is of no matter for what is proved with them.
-    vec3 core = nearest_on_core(r, clamp(r.center, box.low, box.high));
-    core = nearest_on_core(r, clamp(core, box.low, box.high));
+    // Close to each other; that others may be closer is of no matter for what is proved with them.
+    const vec3 core = nearest_on_core(r, clamp(r.center, box.low, box.high));
     const vec3 place = clamp(core, box.low, box.high);
     const vec3 gap = place - core;
     const float gap_m = length(gap);
-    if (gap_m <= r.slack_m) return false;
-    const vec3 n = gap / gap_m;
-    return dot(n, place - r.center) > extent(r, n);
+    return gap_m > r.slack_m && dot(gap, place - r.center) > extent(r, gap, gap_m);
 }
 
 // Whether the box lies beside the cone, whose surface ends in every direction that is square to it at the core.
 bool beside_cone(Reach r, Box box) {
     if (r.cos_spread < 0.0) return false;  // not convex then
     const vec3 low = box.low - r.center, high = box.high - r.center;
-    vec3 across = (low + high) * 0.5;
-    // Twice: what the first step leaves of the axis may be large beside what is across it.
-    for (int i = 0; i < 2; ++i) {
-        across -= r.direction * dot(across, r.direction);
-        across *= inversesqrt(max(dot(across, across), 1e-30));
-    }
+    const vec3 aside = cross(cross(r.direction, low + high), r.direction);
+    const vec3 across = aside * inversesqrt(max(dot(aside, aside), 1e-30));
     const vec3 n = r.cos_spread * across - r.sin_spread * r.direction;
     const vec3 nearest = min(n * low, n * high);
     return nearest.x + nearest.y + nearest.z > core_extent(r, n) + r.slack_m;

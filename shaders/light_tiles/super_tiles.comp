@@ -1,23 +1,31 @@
 // The lights that may reach a super-tile, a square of 128 × 128 pixels: a workgroup each looks at all lights, so that tiles
-// need to look at few.
+// need to look at few. What passes by its sphere is tried once more, against the sides of all columns and rows of tiles and
+// with all that is known of its shape.
 // in   hiz          near and far of each super-tile, see hiz/hiz.comp
 //      glassHiz     optional: the same of transparent surfaces, behind which anything may be
 //      lightBounds  see light_bounds.comp
-// out  superLights  for each super-tile, in rows, a length and the lights' indices, ascending. Has room for all lights.
+// out  superLights  for each super-tile, in rows, a length and an entry for each light, ascending: see super_list.glsl. Has
+//                   room for all lights
 #version 460
 #include "frame_set.glsl"
 #include "light_bounds.glsl"
 #include "pixel_box.glsl"
+#include "reach.glsl"
 #include "sorted_list.glsl"
+#include "super_list.glsl"
 
 layout(constant_id = 0) const bool HAS_glassHiz = false;
 
 layout(local_size_x = 32) in;
 
 uniform sampler2D hiz, glassHiz, lightBounds;
-writeonly buffer SuperLights { uint items[]; } superLights;
+writeonly buffer SuperLights { uvec2 items[]; } superLights;
 
-const int kSuperTilePx = 128;
+#include "bounds_of_light.glsl"
+
+// Through the eye, inwards: of the columns x and z of the left plane, then of the right one; of the rows y and z of the lower
+// and the upper one.
+shared vec4 column_sides[kTilesPerSide], row_sides[kTilesPerSide];
 
 uint list_stride() { return uint(superLights.items.length()) / (gl_NumWorkGroups.x * gl_NumWorkGroups.y); }
 
@@ -36,28 +44,73 @@ bool find_range(out float near_m, out float far_m) {
     return true;
 }
 
+ivec2 last_before(ivec2 end) { return min(end, ivec2(view.viewport_px)) - 1; }
+
+void find_sides(ivec2 origin) {
+    const int i = int(gl_LocalInvocationIndex);
+    if (i >= kTilesPerSide) return;
+    const ivec2 end = origin + (i + 1) * kTilePx;
+    const ivec2 last = last_before(end);
+    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));  // the last one again outside the picture
+    column_sides[i] = vec4(sides.left, sides.right);
+    row_sides[i] = vec4(sides.lower, sides.upper);
+}
+
+// Whether any of the light is on the inner side of both planes, which leave out the axis that they contain.
+bool between(Reach r, vec3 first, vec3 second) {
+    return dot(first, r.center) >= -extent(r, first, 1.0) && dot(second, r.center) >= -extent(r, second, 1.0);
+}
+
+// x is 0 where the light is in no tile.
+uvec2 entry_of(uint light, Reach r) {
+    uint columns = 0u, rows = 0u;
+    for (int i = 0; i < kTilesPerSide; ++i) {
+        const vec4 c = column_sides[i], l = row_sides[i];
+        if (between(r, vec3(c.x, 0.0, c.y), vec3(c.z, 0.0, c.w))) columns |= 1u << i;
+        if (between(r, vec3(0.0, l.xy), vec3(0.0, l.zw))) rows |= 1u << i;
+    }
+    const float near_m = -r.center.z - extent(r, vec3(0.0, 0.0, 1.0), 1.0);
+    const float far_m = -r.center.z + extent(r, vec3(0.0, 0.0, -1.0), 1.0);
+    return columns == 0u || rows == 0u ? uvec2(0u) : uvec2(super_index(light, columns, rows), super_range(near_m, far_m));
+}
+
+// Of the lights from `first` on, as bits: whose spheres meet the super-tile.
+uint find_candidates(uint first, uint end, SidePlanes sides, Box box) {
+    const uint own = first + kPerThread * gl_LocalInvocationIndex;
+    uint found = 0u;
+    for (uint i = 0u; i < kPerThread; ++i) {
+        const vec4 sphere = sphere_of(min(own + i, max(end, 1u) - 1u));
+        if (own + i < end && sphere_inside(sphere, sides) && sphere_meets(sphere, box)) found |= 1u << i;
+    }
+    return found;
+}
+
 uint fill_list(uint list, float near_m, float far_m) {
-    const ivec2 first = ivec2(gl_WorkGroupID.xy) * kSuperTilePx;
-    const Slopes slopes = slopes_of(first, min(first + kSuperTilePx, ivec2(view.viewport_px)) - 1);
+    const ivec2 origin = ivec2(gl_WorkGroupID.xy) * kTilesPerSide * kTilePx;
+    const Slopes slopes = slopes_of(origin, last_before(origin + kTilesPerSide * kTilePx));
     const Box box = box_of(slopes, near_m, far_m);
     const SidePlanes sides = planes_of(slopes);
+    find_sides(origin);
     const uint room = list_stride() - 1u, end = min(frame.light_count, frame.directional_count + room);
     uint listed = 0u;
     begin_rounds();
     barrier();
-    for (uint first = frame.directional_count; first < end; first += kRound) {
-        const uint own = first + 4u * gl_LocalInvocationIndex;
-        bvec4 kept;
-        for (uint i = 0u; i < 4u; ++i) {
-            const uint light = own + i;
-            const vec4 sphere = texelFetch(lightBounds, bounds_texel(min(light, end - 1u)), 0);
-            kept[i] = light < end && sphere_inside(sphere, sides) && sphere_meets(sphere, box);
+    for (uint first = frame.directional_count;;) {
+        const uint slot = enter_some(find_candidates(first, end, sides, box)), count = entered_count(slot);
+        for (uint i = 0u;;) {
+            const uint at = i + gl_LocalInvocationIndex;
+            const uint light = min(first + entered_after(slot, min(at, max(count, 1u) - 1u)), max(end, 1u) - 1u);
+            const uvec2 entry = entry_of(light, reach_of(light));
+            uint entered;
+            const bool kept = at < count && entry.x != 0u;
+            const uint place = enter_one(kept, entered);
+            if (kept) superLights.items[list + 1u + listed + place] = entry;
+            listed += entered;
+            i += kThreads;
+            if (i >= count) break;
         }
-        uint count;
-        uint place = list + 1u + listed + enter_four(kept, count);
-        for (uint i = 0u; i < 4u; ++i)
-            if (kept[i]) superLights.items[place++] = own + i;
-        listed += count;
+        first += kRound;
+        if (first >= end) break;
     }
     return listed;
 }
@@ -66,5 +119,5 @@ void main() {
     const uint list = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * list_stride();
     float near_m, far_m;
     const uint listed = find_range(near_m, far_m) ? fill_list(list, near_m, far_m) : 0u;
-    if (gl_LocalInvocationIndex == 0u) superLights.items[list] = listed;
+    if (gl_LocalInvocationIndex == 0u) superLights.items[list] = uvec2(listed, 0u);
 }

@@ -1,19 +1,19 @@
 // The depth slices of a tile that have a pixel, with the pixels' rows and columns. Needs pixel_box.glsl, reach.glsl,
-// sorted_list.glsl and the images `depth`, `hiz` and `glassDepth`; for workgroups of 8 × 4 threads, one a tile, which have
-// two squares of 2 × 2 pixels each.
+// sorted_list.glsl, super_list.glsl and the images `depth`, `hiz` and `glassDepth`; for workgroups of 32 threads, one a tile,
+// which have 4 × 2 pixels each.
 
 const int kSlices = 32;
-const int kTilePx = 16;
 
 shared uint slice_pixels[kSlices];  // columns in the lower half, rows in the upper; 0: no pixel
+shared uint slice_edges[kSlices];   // of these pixels the first column, the first row, the last ones; a byte each
 shared uint occupied;               // a bit for each slice that has a pixel
 shared uint nearest_z, farthest_z;  // bits of floats, which sort as the floats do
 
 float first_m, slice_m, last_m;     // where the first slice begins, how thick each is, where the last one ends
 
 struct TileBounds {
-    SidePlanes sides;
-    Box box;
+    vec3 axis;     // one metre along the view, in the middle of the tile
+    float spread;  // how far the tile's pixels are from there
     uint occupied;
 };
 
@@ -22,7 +22,8 @@ const ivec2 kGathered[4] = ivec2[](ivec2(0, 1), ivec2(1, 1), ivec2(1, 0), ivec2(
 
 ivec2 tile_origin() { return ivec2(gl_WorkGroupID.xy) * kTilePx; }
 
-ivec2 square_in_tile(int i) { return (ivec2(gl_LocalInvocationID.xy) + ivec2(0, 4 * i)) * 2; }
+// Two squares of 2 × 2 pixels, side by side.
+ivec2 squares_in_tile() { return ivec2(gl_LocalInvocationIndex & 3u, gl_LocalInvocationIndex >> 2) * ivec2(4, 2); }
 
 // 0 outside the picture.
 vec4 gather_depth(sampler2D image, ivec2 square) {
@@ -36,28 +37,42 @@ int slice_of(float distance_m) { return int(clamp((distance_m - first_m) / slice
 
 uint pixel_bits(ivec2 in_tile) { return (1u << in_tile.x) | (1u << (16 + in_tile.y)); }
 
+// For each square, of pixels without a surface -1.
+ivec4 slices_of(ivec2 square) {
+    const vec4 z = gather_depth(depth, tile_origin() + square);
+    return ivec4(z.x > 0.0 ? slice_of(distance_of(z.x)) : -1, z.y > 0.0 ? slice_of(distance_of(z.y)) : -1,
+                 z.z > 0.0 ? slice_of(distance_of(z.z)) : -1, z.w > 0.0 ? slice_of(distance_of(z.w)) : -1);
+}
+
+int most(ivec4 v) { return max(max(v.x, v.y), max(v.z, v.w)); }
+
+uint pixels_in(ivec4 slices, int k, ivec2 square) {
+    uint pixels = 0u;
+    for (int i = 0; i < 4; ++i)
+        if (slices[i] == k) pixels |= pixel_bits(square + kGathered[i]);
+    return pixels;
+}
+
+ivec4 below(ivec4 slices, int k) { return mix(ivec4(-1), slices, lessThan(slices, ivec4(k))); }
+
 // Pixels in one slice are entered together. The slices, as bits.
 uint enter_opaque(ivec2 square) {
-    const vec4 z = gather_depth(depth, tile_origin() + square);
+    const ivec2 beside = square + ivec2(2, 0);
+    const ivec4 a = slices_of(square), b = slices_of(beside);
     uint entered = 0u;
-    ivec4 slice;
-    for (int i = 0; i < 4; ++i) slice[i] = z[i] > 0.0 ? slice_of(distance_of(z[i])) : -1;
-    for (int k = max(max(slice.x, slice.y), max(slice.z, slice.w)); k >= 0;) {
-        uint pixels = 0u;
-        int next = -1;
-        for (int i = 0; i < 4; ++i) {
-            if (slice[i] == k) pixels |= pixel_bits(square + kGathered[i]);
-            if (slice[i] < k) next = max(next, slice[i]);
+    int k = max(most(a), most(b));
+    for (;;) {
+        if (k >= 0) {
+            atomicOr(slice_pixels[k], pixels_in(a, k, square) | pixels_in(b, k, beside));
+            entered |= 1u << k;
         }
-        atomicOr(slice_pixels[k], pixels);
-        entered |= 1u << k;
-        k = next;
+        k = max(most(below(a, k)), most(below(b, k)));
+        if (k < 0) return entered;
     }
-    return entered;
 }
 
 // All slices from the transparent surface to the opaque one, or to the last; as bits, too.
-uint enter_translucent(ivec2 square) {
+uint enter_translucent_square(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square), glass = gather_depth(glassDepth, tile_origin() + square);
     uint entered = 0u;
     for (int i = 0; i < 4; ++i) {
@@ -71,10 +86,14 @@ uint enter_translucent(ivec2 square) {
     return entered;
 }
 
+uint enter_translucent(ivec2 square) {
+    return enter_translucent_square(square) | enter_translucent_square(square + ivec2(2, 0));
+}
+
 // From the nearest transparent surface to what is farthest, without the sky.
 vec2 translucent_range() {
     for (int s = 0; s < 2; ++s) {
-        const ivec2 square = tile_origin() + square_in_tile(s);
+        const ivec2 square = tile_origin() + squares_in_tile() + ivec2(2 * s, 0);
         const vec4 z = gather_depth(depth, square), glass = gather_depth(glassDepth, square);
         for (int i = 0; i < 4; ++i) {
             if (glass[i] <= 0.0) continue;
@@ -100,53 +119,62 @@ bool find_slices() {
     // No slice is thinner than what single precision tells apart.
     slice_m = max((distance_of(range.y) - first_m) / float(kSlices), kPlaceError * distance_of(range.y));
     last_m = TRANSLUCENT ? kEndless : first_m + slice_m * float(kSlices);
-    uint entered = 0u;
-    for (int s = 0; s < 2; ++s)
-        entered |= TRANSLUCENT ? enter_translucent(square_in_tile(s)) : enter_opaque(square_in_tile(s));
+    const uint entered = TRANSLUCENT ? enter_translucent(squares_in_tile()) : enter_opaque(squares_in_tile());
     if (entered != 0u) atomicOr(occupied, entered);
     barrier();
     return range.x > 0.0;
 }
 
+// After find_slices().
 TileBounds tile_bounds() {
     const ivec2 last = min(tile_origin() + kTilePx, ivec2(view.viewport_px)) - 1;
     const Slopes slopes = slopes_of(tile_origin(), last);
-    return TileBounds(planes_of(slopes), box_of(slopes, first_m, last_m), occupied);
+    const vec2 half_size = (slopes.high - slopes.low) * 0.5;
+    return TileBounds(vec3(slopes.low + half_size, -1.0), length(half_size), occupied);
 }
 
-// The slices that a sphere may reach into, as bits. What is beyond an edge by little is still at it: places are rounded.
-uint slices_at(vec4 sphere) {
-    const float a = clamp((-sphere.z - sphere.w - first_m) / slice_m - 0.01, 0.0, float(kSlices - 1));
-    const float b = clamp((-sphere.z + sphere.w - first_m) / slice_m + 0.01, 0.0, float(kSlices - 1));
-    return (~0u << int(a)) & (~0u >> (kSlices - 1 - int(b)));
+// The slices between two distances, as bits. What is beyond an edge by little is still at it: places are rounded.
+uint slices_between(float near_m, float far_m) {
+    const float a = (near_m - first_m) / slice_m - 0.01, b = (far_m - first_m) / slice_m + 0.01;
+    if (b < max(a, 0.0) || (!TRANSLUCENT && a > float(kSlices))) return 0u;
+    return (~0u << int(clamp(a, 0.0, kSlices - 1.0))) & (~0u >> (kSlices - 1 - int(clamp(b, 0.0, kSlices - 1.0))));
 }
 
-bool may_reach(vec4 sphere, TileBounds b) {
-    return sphere_inside(sphere, b.sides) && sphere_meets(sphere, b.box) && (slices_at(sphere) & b.occupied) != 0u;
+// The occupied slices that a light may reach which is within this sphere and between two distances: where the tile's axis is
+// within the sphere, grown by what the tile spreads at most. Tighter than from where to where the sphere goes, because a
+// tile that it meets at its rim has a short chord of it.
+uint slices_at(vec4 sphere, float near_m, float far_m, TileBounds b) {
+    const float at_m = dot(b.axis, sphere.xyz) / dot(b.axis, b.axis);
+    const vec3 aside = sphere.xyz - at_m * b.axis, sizes = abs(sphere.xyz);
+    const float error_m = kPlaceError * (2.0 * (sizes.x + sizes.y + sizes.z) + sphere.w);
+    const float radius_m = sphere.w + b.spread * clamp(sphere.w - sphere.z, 0.0, last_m) + error_m;
+    const float rest = radius_m * radius_m - dot(aside, aside);
+    const float half_m = sqrt(max(rest, 0.0) / dot(b.axis, b.axis));
+    return rest < 0.0 ? 0u : slices_between(max(near_m, at_m - half_m), min(far_m, at_m + half_m)) & b.occupied;
+}
+
+// After find_slices(); a barrier must follow.
+void find_edges() {
+    const uint pixels = slice_pixels[gl_LocalInvocationIndex], columns = pixels & 0xFFFFu, rows = pixels >> 16;
+    slice_edges[gl_LocalInvocationIndex] =
+        uint(findLSB(columns)) | uint(findLSB(rows)) << 8 | uint(findMSB(columns)) << 16 | uint(findMSB(rows)) << 24;
 }
 
 Box slice_box(int k) {
-    const uint pixels = slice_pixels[k], columns = pixels & 0xFFFFu, rows = pixels >> 16;
-    const Slopes slopes = slopes_of(tile_origin() + ivec2(findLSB(columns), findLSB(rows)),
-                                    tile_origin() + ivec2(findMSB(columns), findMSB(rows)));
+    const uint edges = slice_edges[k];
+    const Slopes slopes = slopes_of(tile_origin() + ivec2(edges & 0xFFu, edges >> 8 & 0xFFu),
+                                    tile_origin() + ivec2(edges >> 16 & 0xFFu, edges >> 24));
     const float near_m = first_m + slice_m * float(k);
     return box_of(slopes, near_m, k == kSlices - 1 ? last_m : near_m + slice_m);
 }
 
-// Slices are tried with the light's sphere first, and only where that meets one with the light itself.
-bool reaches_slice(vec4 sphere, Reach r, TileBounds b) {
-    const bool ball = r.cos_spread <= -1.0 && r.first == vec3(0.0);
-    uint todo = slices_at(sphere) & b.occupied;
-    if (!ball && !reaches(r, b.box)) todo = 0u;
-    while (todo != 0u) {
-        Box box;
-        bool met = false;
-        while (todo != 0u && !met) {
-            box = slice_box(findLSB(todo));
-            met = sphere_meets(sphere, box);
-            todo &= todo - 1u;
-        }
-        if (met && (ball || reaches(r, box))) return true;
+// Whether a light, which is within this sphere, reaches one of these slices.
+bool reaches_slice(vec4 sphere, Reach r, uint slices) {
+    for (;;) {
+        const int k = max(findLSB(slices), 0);
+        const Box box = slice_box(k);
+        if (slices != 0u && sphere_meets(sphere, box) && reaches(r, box)) return true;
+        slices &= slices - 1u;
+        if (slices == 0u) return false;
     }
-    return false;
 }

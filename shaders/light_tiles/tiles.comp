@@ -1,7 +1,8 @@
 // The lights that may reach a tile of 16 × 16 pixels, a workgroup each: those of its super-tile that reach a box around one
 // of the tile's slices. The span from its nearest to its farthest pixel is cut into 32 slices of equal depth; a slice's box
 // is as wide as the pixels in it. After Harada's 2.5D culling (SIGGRAPH Asia 2012), which has one bit where there is a box
-// here. A sphere around each light is tried first; what is left is tried again, by as few threads as it takes.
+// here. Columns, rows and a sphere around each light are tried first (super_list.glsl); what is left is tried again, by as
+// few threads as it takes.
 // in   depth         reversed; the sky is 0 and reached by nothing
 //      hiz           near and far of each tile, see hiz/hiz.comp
 //      lightBounds, superLights  see light_bounds.comp, super_tiles.comp
@@ -16,22 +17,22 @@
 #include "pixel_box.glsl"
 #include "reach.glsl"
 #include "sorted_list.glsl"
+#include "super_list.glsl"
 
 layout(constant_id = 0) const bool HAS_glassDepth = false;
 layout(constant_id = 1) const bool HAS_tileMask = false;
 layout(constant_id = 2) const bool TRANSLUCENT = false;
 
-layout(local_size_x = 8, local_size_y = 4) in;
+layout(local_size_x = 32) in;
 
 uniform sampler2D depth, hiz, glassDepth, lightBounds;
-readonly buffer SuperLights { uint items[]; } superLights;
+readonly buffer SuperLights { uvec2 items[]; } superLights;
 writeonly buffer TileLights { uint items[]; } tileLights;
 buffer TileOverflow { uint left_out, lists, longest; } tileOverflow;
 coherent buffer TileMask { uint items[]; } tileMask;
 
+#include "bounds_of_light.glsl"
 #include "tile_slices.glsl"
-
-shared uint candidates[kRound];
 
 uint list, room;  // where the tile's list begins, and for how many lights it has room
 
@@ -44,30 +45,20 @@ uint super_list() {
     return (super.y * supers.x + super.x) * (uint(superLights.items.length()) / (supers.x * supers.y));
 }
 
-vec4 sphere_of(uint light) { return texelFetch(lightBounds, bounds_texel(light), 0); }
-
-Reach reach_of(uint light) {
-    const ivec2 at = bounds_texel(light);
-    const vec4 a = texelFetch(lightBounds, at + ivec2(0, 1), 0), b = texelFetch(lightBounds, at + ivec2(0, 2), 0);
-    const vec4 c = texelFetch(lightBounds, at + ivec2(0, 3), 0), d = texelFetch(lightBounds, at + ivec2(0, 4), 0);
-    return Reach(a.xyz, a.w, b.xyz, b.w, c.xyz, d.w, d.xyz, c.w);
+uint slices_of_entry(uvec2 entry, TileBounds bounds) {
+    return slices_at(sphere_of(light_of(entry)), near_of(entry), far_of(entry), bounds);
 }
 
-// Of the super-tile's lights from `first` on, kRound at most: those whose spheres meet the tile go to `candidates`.
+// Of the super-tile's list from `first` on, kRound at most: as bits, which of this thread's may reach the tile.
 uint find_candidates(uint first, uint end, TileBounds bounds) {
-    bvec4 kept;
-    uvec4 light;
-    for (uint i = 0u; i < 4u; ++i) {
-        const uint at = first + 4u * gl_LocalInvocationIndex + i;
-        light[i] = superLights.items[min(at, end - 1u)];
-        kept[i] = at < end && may_reach(sphere_of(light[i]), bounds);
+    const uvec2 tile = gl_WorkGroupID.xy % uint(kTilesPerSide);
+    const uint own = first + kPerThread * gl_LocalInvocationIndex;
+    uint found = 0u;
+    for (uint i = 0u; i < kPerThread; ++i) {
+        const uvec2 entry = superLights.items[min(own + i, end - 1u)];
+        if (own + i < end && holds_tile(entry, tile) && slices_of_entry(entry, bounds) != 0u) found |= 1u << i;
     }
-    uint count;
-    uint place = enter_four(kept, count);
-    for (uint i = 0u; i < 4u; ++i)
-        if (kept[i]) candidates[place++] = light[i];
-    barrier();
-    return count;
+    return found;
 }
 
 void put(uint light, uint place) {
@@ -76,20 +67,27 @@ void put(uint light, uint place) {
 }
 
 uint fill_list() {
+    find_edges();  // the first round has the barrier
     const TileBounds bounds = tile_bounds();
-    const uint super = super_list(), end = super + 1u + superLights.items[super];
+    const uint super = super_list(), end = super + 1u + superLights.items[super].x;  // never 0
     uint listed = 0u;
-    for (uint first = super + 1u; first < end; first += kRound) {
-        const uint count = find_candidates(first, end, bounds);
-        for (uint i = 0u; i < count; i += kThreads) {
+    for (uint first = super + 1u;;) {
+        const uint slot = enter_some(find_candidates(first, end, bounds)), count = entered_count(slot);
+        for (uint i = 0u;;) {
             const uint at = i + gl_LocalInvocationIndex;
-            const uint light = candidates[min(at, count - 1u)];
-            const bool kept = at < count && reaches_slice(sphere_of(light), reach_of(light), bounds);
+            const uvec2 entry = superLights.items[min(first + entered_after(slot, min(at, max(count, 1u) - 1u)), end - 1u)];
+            const uint light = light_of(entry);
+            const uint slices = at < count ? slices_of_entry(entry, bounds) : 0u;
+            const bool kept = reaches_slice(sphere_of(light), reach_of(light), slices);
             uint entered;
             const uint place = enter_one(kept, entered);
             if (kept) put(light, listed + place);
             listed += entered;
+            i += kThreads;
+            if (i >= count) break;
         }
+        first += kRound;
+        if (first >= end) break;
     }
     return listed;
 }
