@@ -1,5 +1,6 @@
 // The tables of `weft bench frame`.
 #include <array>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -30,8 +31,9 @@ std::string table(const FrameBench& bench, bool with_common) {
         text += formatted("%6u", bench.lights[light]);
         for (size_t graph = 0; graph < bench.graphs.size(); ++graph) {
             const Spread ms = spread_of(bench.at(light, graph).frame_ms(with_common));
-            text += formatted("  %8.2f ±%-7.2f%6.3fx %7.1ft", ms.median, half_width(ms),
-                              bench.ratio_to_first(light, graph, with_common),
+            const double ratio = bench.ratio_to_first(light, graph, with_common);
+            text += formatted("  %8.2f ±%-7.2f%7s %7.1ft", ms.median, half_width(ms),
+                              std::isfinite(ratio) ? formatted("%.3fx", ratio).c_str() : "-",
                               bench.ratio_to_trivial(light, graph, with_common));
         }
         text += '\n';

@@ -76,6 +76,17 @@ TEST(FrameBench, RatiosAreOfTheSameRound) {
     EXPECT_EQ(bench.ratio_to_trivial(0, 0, false), 2) << "of 2, 8 and 1";
 }
 
+TEST(FrameBench, NothingAgainstNothingIsNoRatio) {
+    FrameBench bench = sample();
+    for (GraphResult& result : bench.results) result.passes.resize(1);
+    find_common(bench);
+    EXPECT_TRUE(std::isnan(bench.ratio_to_first(0, 1, false)));
+    EXPECT_EQ(bench_text(bench).find("nan"), std::string::npos);
+    EXPECT_NE(bench_text(bench).find("      - "), std::string::npos);
+    const Json own = Json::parse(bench_json(bench)).at("results").at(1).at("not_common");
+    EXPECT_TRUE(own.at("over_first").is_null());
+}
+
 TEST(FrameBench, CurvesCrossOnLogarithmicScales) {
     const std::vector<Crossing> crossings = sample().crossings();
     ASSERT_EQ(crossings.size(), 1u);
