@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -18,6 +19,7 @@
 #include "session_setup.h"
 #include "shader/load_graph.h"
 #include "stats.h"
+#include "vulkan/executor.h"
 #include "weft/registry.h"
 
 namespace weft::viewer {
@@ -56,9 +58,11 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
     for (uint32_t i = 0; i < frames; ++i) {
         if (Status s = session.render_frame(i * options.fixed_dt_s, options.fixed_dt_s); !s)
             return s.take_errors();
-        progress.tell(i + 1);
+        // Of those that are begun the last ones may still be drawn.
+        progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
     }
     if (Status s = session.finish(); !s) return s.take_errors();
+    progress.tell(frames);
     Result<vk::ReadbackData> output = session.read_output();
     if (!output) return output.take_errors();
     return RunOutcome{std::move(*output), session.take_timings(), session.take_readbacks()};

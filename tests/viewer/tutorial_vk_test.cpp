@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <sstream>
 
 #include "viewer/gltf_file.h"
 #include "viewer/page_walk.h"
@@ -95,6 +97,23 @@ class Tutorial : public testing::Test {
     size_t pictures_ = 0;
     size_t printed_ = 0;
 };
+
+// The marks are comments, which no reader sees.
+TEST(TutorialPage, NamesEachFileAboveIt) {
+    std::istringstream page(read_text(WEFT_SOURCE_DIR "/docs/tutorial.md"));
+    size_t files = 0;
+    std::array<std::string, 3> last;
+    while (std::getline(page, last[2])) {
+        if (last[2].starts_with("<!-- file: ")) {
+            const std::string name = last[2].substr(11, last[2].find(" -->") - 11);
+            EXPECT_EQ(last[0], "**`" + name + "`**");
+            EXPECT_EQ(last[1], "");
+            ++files;
+        }
+        std::rotate(last.begin(), last.begin() + 1, last.end());
+    }
+    EXPECT_GE(files, 20u);
+}
 
 TEST_F(Tutorial, FollowedLiterallyDrawsAndPrintsWhatThePageSays) {
     size_t steps = 0;
