@@ -15,30 +15,36 @@ uniform sampler2D circles;
 uniform sampler2D reach;
 layout(rgba16f) writeonly uniform image2DArray soft;
 
-const int kTaps = 96;
-const float kGoldenAngle = 2.39996323;
+const float kPi = 3.14159265358979;
 
-// Tap i of a disc of radius 1, all of which stand for equal areas.
-vec2 disc(int i) {
-    const float angle = float(i) * kGoldenAngle;
-    return sqrt((float(i) + 0.5) / float(kTaps)) * vec2(cos(angle), sin(angle));
-}
+// The gather reads every texel in reach, unfiltered. A lamp is a few texels wide and a thousand times as bright as the sky:
+// taps that skip texels hit it at one pixel and miss it at the next, and a filter would mix its light with the radius of the
+// sky's circles. Both show as sparks around lamps.
+ivec2 inside(ivec2 at) { return clamp(at, ivec2(0), textureSize(circles, 0) - 1); }
 
-// Light that spreads over a circle is the thinner the larger it is; circles end softly, over a pixel.
+// Light that spreads over a circle is the thinner the larger it is; circles end softly, over a pixel. The sum over all
+// pixels is 1.
 float share(float radius, float distance_px) {
     const float wide = max(radius, 0.5);
-    return clamp(wide - distance_px + 0.5, 0.0, 1.0) / (wide * wide);
+    return clamp(wide - distance_px + 0.5, 0.0, 1.0) / (kPi * (wide * wide + 1.0 / 12.0));
 }
 
-vec4 far_light(vec2 uv, vec2 texel) {
+// Half the width of the row `y` of a disc.
+int row_reach(float radius, int y) { return int(sqrt(max(radius * radius - float(y * y), 0.0))); }
+
+vec4 far_light(ivec2 pixel) {
     float radius = 0.5;
     for (int i = 0; i < 9; ++i)
-        radius = max(radius, textureLod(circles, uv + texel * (vec2(i % 3, i / 3) - 1.0), 0.0).r);
-    vec4 sum = textureLod(behind, uv, 0.0) * 1e-3;
-    for (int i = 0; i < kTaps; ++i) {
-        const vec2 offset = disc(i) * radius;
-        const vec2 at = uv + offset * texel;
-        sum += textureLod(behind, at, 0.0) * share(textureLod(circles, at, 0.0).r, length(offset));
+        radius = max(radius, texelFetch(circles, inside(pixel + ivec2(i % 3, i / 3) - 1), 0).r);
+    radius += 0.5;
+    const int rows = int(radius);
+    vec4 sum = texelFetch(behind, pixel, 0) * 1e-5;
+    for (int y = -rows; y <= rows; ++y) {
+        const int columns = row_reach(radius, y);
+        for (int x = -columns; x <= columns; ++x) {
+            const ivec2 at = inside(pixel + ivec2(x, y));
+            sum += texelFetch(behind, at, 0) * share(texelFetch(circles, at, 0).r, length(vec2(x, y)));
+        }
     }
     return sum.a > 0.0 ? vec4(sum.rgb / sum.a, 1.0) * min(1.0, sum.a * 100.0) : vec4(0.0);
 }
@@ -48,19 +54,20 @@ struct Foreground {
     vec4 below;
 };
 
-Foreground close_light(vec2 uv, vec2 texel) {
-    const float reached = textureLod(reach, uv, 0.0).r, radius = reached + 0.5;
-    const int taps = reached > 0.25 ? kTaps : 0;
+Foreground close_light(ivec2 pixel) {
+    const float reached = texelFetch(reach, pixel / 8, 0).r, radius = reached + 0.5;
+    const int rows = reached > 0.25 ? int(radius) : -1;
     Foreground f = Foreground(vec4(0.0), vec4(0.0));
-    for (int i = 0; i < taps; ++i) {
-        const vec2 offset = disc(i) * radius;
-        const vec2 at = uv + offset * texel;
-        f.light += textureLod(before, at, 0.0) * share(textureLod(circles, at, 0.0).g, length(offset));
-        // Close neighbours know best; the guess joins what is seen without a line.
-        f.below += textureLod(hidden, at, 0.0) / (1.0 + dot(offset, offset) * dot(offset, offset));
+    for (int y = -rows; y <= rows; ++y) {
+        const int columns = row_reach(radius, y);
+        for (int x = -columns; x <= columns; ++x) {
+            const ivec2 at = inside(pixel + ivec2(x, y));
+            const float distance2 = float(x * x + y * y);
+            f.light += texelFetch(before, at, 0) * share(texelFetch(circles, at, 0).g, sqrt(distance2));
+            // Close neighbours know best; the guess joins what is seen without a line.
+            f.below += texelFetch(hidden, at, 0) / (1.0 + distance2 * distance2);
+        }
     }
-    // A tap stands for its part of the disc.
-    f.light *= radius * radius / float(kTaps);
     f.light /= max(1.0, f.light.a);
     return f;
 }
@@ -69,9 +76,8 @@ void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     const ivec2 size = imageSize(soft).xy;
     if (any(greaterThanEqual(pixel, size))) return;
-    const vec2 texel = 1.0 / vec2(size), uv = (vec2(pixel) + 0.5) * texel;
-    const vec4 far = far_light(uv, texel);
-    const Foreground close = close_light(uv, texel);
+    const vec4 far = far_light(pixel);
+    const Foreground close = close_light(pixel);
     imageStore(soft, ivec3(pixel, 0), vec4(nearest_half(far.rgb), far.a));
     imageStore(soft, ivec3(pixel, 1), vec4(nearest_half(close.light.rgb), close.light.a));
     imageStore(soft, ivec3(pixel, 2), vec4(nearest_half(close.below.rgb), close.below.a));

@@ -1,6 +1,9 @@
 // The picture at half resolution, in what is blurred behind the focus, what is blurred before it, and what that hides,
 // each multiplied by its share before it is averaged: what is sharp weighs nothing in the blurs, so they can't spread it.
 // Liu 2016, "Rendering 'Monster Hunter Online'".
+//
+// Each half keeps one radius a pixel: the mean of four, weighted by their light. Where a lamp and the sky meet in a pixel,
+// nearly all of its light is the lamp's, so it spreads over the lamp's circle and not over the sky's, which is larger.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -17,23 +20,28 @@ layout(rg16f) writeonly uniform image2D circles;  // radii behind and before
 
 layout(push_constant) uniform Params { float focus; float aperture; } params;
 
+// The light that a radius stands for. Black pixels have radii, too.
+float weight(vec4 color) { return dot(color.rgb, vec3(0.25, 0.5, 0.25)) + 1e-4 * color.a; }
+
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(behind)))) return;
     const ivec2 last = textureSize(hdr, 0) - 1;
     vec4 far = vec4(0.0), close = vec4(0.0), rest = vec4(0.0);
-    vec2 radii = vec2(0.0);
+    vec2 radii = vec2(0.0), weights = vec2(0.0);
     for (int i = 0; i < 4; ++i) {
         const ivec2 at = min(pixel * 2 + ivec2(i & 1, i >> 1), last);
         const float radius = circle_radius(texelFetch(depth, at, 0).r, params.focus, params.aperture);
         const vec4 color = vec4(texelFetch(hdr, at, 0).rgb, 1.0) * 0.25;
-        far += color * blurred_share(radius);
-        close += color * blurred_share(-radius);
-        rest += color * (1.0 - blurred_share(-radius));
-        radii = max(radii, vec2(radius, -radius));
+        const vec2 blurred = vec2(blurred_share(radius), blurred_share(-radius));
+        far += color * blurred.x;
+        close += color * blurred.y;
+        rest += color * (1.0 - blurred.y);
+        weights += weight(color) * blurred;
+        radii += weight(color) * blurred * abs(radius);
     }
     imageStore(behind, pixel, vec4(nearest_half(far.rgb), far.a));
     imageStore(before, pixel, vec4(nearest_half(close.rgb), close.a));
     imageStore(hidden, pixel, vec4(nearest_half(rest.rgb), rest.a));
-    imageStore(circles, pixel, vec4(radii, 0.0, 0.0));
+    imageStore(circles, pixel, vec4(radii / max(weights, vec2(1e-12)), 0.0, 0.0));
 }

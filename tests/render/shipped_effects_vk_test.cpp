@@ -1,71 +1,15 @@
 // What the shipped effects promise, each by the passes of its own graph: bloom keeps all light, anti-aliasing
-// ends at the mean of its frames, depth of field leaks no colour, and the reaction is Gray and Scott's.
+// ends at the mean of its frames, and the reaction is Gray and Scott's.
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "session_fixture.h"
+#include "effects_fixture.h"
 
 namespace weft::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
-using Image = std::vector<glm::vec4>;
-
-std::string shipped_path(const std::string& name) {
-    return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
-}
-
-Json shipped(const std::string& name) {
-    return Json::parse(read_text(shipped_path(name)).value_or("{}"), nullptr, true, true);
-}
-
-// The named passes of a graph behind a pass of ours that writes its hdr; `glass` is what the graphs call the
-// last pass of the scene.
-Json behind_picture(const std::string& name, const Json& picture, std::initializer_list<const char*> passes,
-                    std::initializer_list<const char*> resources) {
-    const Json whole = shipped(name);
-    Json graph{{"version", 1}, {"name", name}, {"imports", {{"backbuffer", "output"}}}};
-    graph["params"] = whole.at("params");
-    graph["params"]["exposure"] = {{"default", 0}};
-    if (whole.contains("sizes")) graph["sizes"] = whole.at("sizes");
-    graph["resources"] = {{"hdr", {{"format", "rgba16f"}}}, {"depth", "d32f"}};
-    for (const char* resource : resources) graph["resources"][resource] = whole.at("resources").at(resource);
-    graph["passes"]["glass"] = picture;
-    for (const char* pass : passes) graph["passes"][pass] = whole.at("passes").at(pass);
-    graph["passes"]["show"] = {
-        {"type", "fullscreen"}, {"shader", "tonemap/tonemap.frag"}, {"in", {"hdr"}}, {"out", {"backbuffer"}}};
-    return graph;
-}
-
-class ShippedEffects : public SessionTest {
+class Bloom : public ShippedEffects {
  protected:
-    // What each frame left in the observed resources, by name.
-    std::vector<std::map<std::string, Image>> frames(const Json& graph, const std::string& path,
-                                                     Extent3D size, uint32_t count,
-                                                     std::vector<std::string> observed) {
-        const Result<scene::Scene> scene = scene::make_builtin("spheres");
-        const FileReader reader = [&](const std::string& file) {
-            return file == path ? std::optional(graph.dump(2)) : read_text(file);
-        };
-        const std::unique_ptr<render::Session> session =
-            start(*scene, scene->cameras.at(0), path, size, std::move(observed), scene->exposure_ev, reader);
-        if (!session) return {};
-        for (uint32_t i = 0; i < count; ++i) EXPECT_TRUE(session->render_frame(0, 0));
-        EXPECT_TRUE(session->finish());
-        std::vector<std::map<std::string, Image>> seen(count);
-        for (const vk::ReadbackData& data : session->take_readbacks())
-            seen.at(data.frame_index)[data.pass.substr(std::string("observe:").size())] =
-                render::decode_texels(data.format, data.bytes);
-        return seen;
-    }
-    std::map<std::string, Image> picture(const Json& graph, Extent3D size,
-                                         std::vector<std::string> observed) {
-        auto seen =
-            frames(graph, WEFT_SOURCE_DIR "/tests/render/pictures/graph.json", size, 1, std::move(observed));
-        return seen.empty() ? std::map<std::string, Image>{} : std::move(seen[0]);
-    }
-
     static Json bloom(float speck, float everywhere, float calm) {
         const Json picture{{"type", "compute"},
                            {"shader", "speck.comp"},
@@ -83,14 +27,14 @@ glm::dvec3 sum_of(const Image& image) {
     return sum;
 }
 
-TEST_F(ShippedEffects, BloomLeavesAnEvenPictureAsItIs) {
+TEST_F(Bloom, LeavesAnEvenPictureAsItIs) {
     const auto seen = picture(bloom(0, 1.5f, 0.5f), {96, 54, 1}, {"bloom", "hdr"});
     ASSERT_EQ(seen.size(), 2u);
     for (const glm::vec4& texel : seen.at("bloom")) EXPECT_EQ(glm::vec3(texel), glm::vec3(1.5f, 0.75f, 3));
     for (const glm::vec4& texel : seen.at("hdr")) EXPECT_EQ(glm::vec3(texel), glm::vec3(1.5f, 0.75f, 3));
 }
 
-TEST_F(ShippedEffects, BloomSpreadsASpeckAndLosesNoneOfIt) {
+TEST_F(Bloom, SpreadsASpeckAndLosesNoneOfIt) {
     constexpr Extent3D kSize{256, 256, 1};
     constexpr float kSpeck = 4096;
     const auto kept = picture(bloom(kSpeck, 0, 0), kSize, {"hdr"}),
@@ -178,66 +122,6 @@ TEST_F(AntiAliasing, StaysCloseToTheMeanAsItIsShipped) {
                  single = rms_between(seen_[0].at("hdr"), mean_);
     std::printf("off the mean by %.5f rms, a single frame by %.5f\n", smooth, single);
     EXPECT_LT(smooth, single / 5);
-}
-
-class DepthOfField : public ShippedEffects {
- protected:
-    static constexpr Extent3D kSize{128, 64, 1};
-
-    // hdr behind the lens, with the right half so far away.
-    Image through_lens(double right_m) {
-        const Json picture{{"type", "fullscreen"},
-                           {"shader", "halves.frag"},
-                           {"out", {"hdr"}},
-                           {"depth", "depth"},
-                           {"params", {{"right_m", right_m}}},
-                           {"state", {{"depth", "always_write"}}}};
-        Json graph = behind_picture("dof", picture, {"part", "reach", "blur", "lens"},
-                                    {"behind", "before", "hidden", "soft", "circles", "reach"});
-        graph["params"]["aperture"]["default"] = 2;
-        return this->picture(graph, kSize, {"hdr"})["hdr"];
-    }
-    static const glm::vec4& at(const Image& image, uint32_t x, uint32_t y) {
-        return image[size_t{y} * kSize.width + x];
-    }
-    // The stripes' contrast, 0 where they have become one colour.
-    static float contrast(const Image& image, uint32_t x) {
-        float low = 100, high = 0;
-        for (uint32_t y = 24; y < 40; ++y) {
-            low = std::min(low, at(image, x, y).b);
-            high = std::max(high, at(image, x, y).b);
-        }
-        return high - low;
-    }
-};
-
-TEST_F(DepthOfField, WhatIsSharpLeaksIntoNothingBehindIt) {
-    const Image image = through_lens(1000);
-    ASSERT_EQ(image.size(), size_t{kSize.width} * kSize.height);
-    for (uint32_t y = 0; y < kSize.height; ++y) {
-        for (uint32_t x = 0; x < kSize.width / 2; ++x)
-            ASSERT_EQ(glm::vec3(at(image, x, y)), glm::vec3(100, 0, 0))
-                << x << ", " << y << ": what is sharp stays";
-        for (uint32_t x = kSize.width / 2; x < kSize.width; ++x) {
-            ASSERT_EQ(at(image, x, y).r, 0) << x << ", " << y << ": red leaks";
-            ASSERT_GT(at(image, x, y).g + at(image, x, y).b, 0.9f) << x << ", " << y << ": a dark fringe";
-        }
-    }
-    EXPECT_LT(contrast(image, 100), 0.3f) << "blurred";
-}
-
-TEST_F(DepthOfField, WhatIsBlurredBeforeTheFocusSpreadsAndLetsThroughAtItsBorderOnly) {
-    const Image image = through_lens(3);
-    ASSERT_EQ(image.size(), size_t{kSize.width} * kSize.height);
-    constexpr uint32_t kWidestCircle = 24 + 4;  // and what half resolution adds
-    for (uint32_t y = 0; y < kSize.height; ++y)
-        for (uint32_t x = kSize.width / 2 + kWidestCircle; x < kSize.width; ++x)
-            ASSERT_EQ(at(image, x, y).r, 0) << x << ", " << y;
-    EXPECT_EQ(glm::vec3(at(image, 8, 32)), glm::vec3(100, 0, 0)) << "out of its reach";
-    const glm::vec4& beside = at(image, kSize.width / 2 - 2, 32);
-    EXPECT_LT(beside.r, 90);
-    EXPECT_GT(beside.g + beside.b, 0.05f) << "it covers a part of what is sharp";
-    EXPECT_LT(contrast(image, 100), 0.3f) << "blurred";
 }
 
 // One step by Pearson's equations and Sims's Laplacian on a grid without borders.

@@ -1,0 +1,72 @@
+// The passes of a shipped effect on their own, behind a picture that a test draws.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "session_fixture.h"
+
+namespace weft::test {
+
+using Json = nlohmann::ordered_json;
+using Image = std::vector<glm::vec4>;
+
+inline std::string shipped_path(const std::string& name) {
+    return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
+}
+
+inline Json shipped(const std::string& name) {
+    return Json::parse(read_text(shipped_path(name)).value_or("{}"), nullptr, true, true);
+}
+
+// The named passes of a graph behind a pass of ours that writes its hdr; `glass` is what the graphs call the
+// last pass of the scene.
+inline Json behind_picture(const std::string& name, const Json& picture,
+                           std::initializer_list<const char*> passes,
+                           std::initializer_list<const char*> resources) {
+    const Json whole = shipped(name);
+    Json graph{{"version", 1}, {"name", name}, {"imports", {{"backbuffer", "output"}}}};
+    graph["params"] = whole.at("params");
+    graph["params"]["exposure"] = {{"default", 0}};
+    if (whole.contains("sizes")) graph["sizes"] = whole.at("sizes");
+    graph["resources"] = {{"hdr", {{"format", "rgba16f"}}}, {"depth", "d32f"}};
+    for (const char* resource : resources) graph["resources"][resource] = whole.at("resources").at(resource);
+    graph["passes"]["glass"] = picture;
+    for (const char* pass : passes) graph["passes"][pass] = whole.at("passes").at(pass);
+    graph["passes"]["show"] = {
+        {"type", "fullscreen"}, {"shader", "tonemap/tonemap.frag"}, {"in", {"hdr"}}, {"out", {"backbuffer"}}};
+    return graph;
+}
+
+class ShippedEffects : public SessionTest {
+ protected:
+    // What each frame left in the observed resources, by name.
+    std::vector<std::map<std::string, Image>> frames(const Json& graph, const std::string& path,
+                                                     Extent3D size, uint32_t count,
+                                                     std::vector<std::string> observed) {
+        const Result<scene::Scene> scene = scene::make_builtin("spheres");
+        const FileReader reader = [&](const std::string& file) {
+            return file == path ? std::optional(graph.dump(2)) : read_text(file);
+        };
+        const std::unique_ptr<render::Session> session =
+            start(*scene, scene->cameras.at(0), path, size, std::move(observed), scene->exposure_ev, reader);
+        if (!session) return {};
+        for (uint32_t i = 0; i < count; ++i) EXPECT_TRUE(session->render_frame(0, 0));
+        EXPECT_TRUE(session->finish());
+        view_ = session->view();
+        std::vector<std::map<std::string, Image>> seen(count);
+        for (const vk::ReadbackData& data : session->take_readbacks())
+            seen.at(data.frame_index)[data.pass.substr(std::string("observe:").size())] =
+                render::decode_texels(data.format, data.bytes);
+        return seen;
+    }
+    std::map<std::string, Image> picture(const Json& graph, Extent3D size,
+                                         std::vector<std::string> observed) {
+        auto seen =
+            frames(graph, WEFT_SOURCE_DIR "/tests/render/pictures/graph.json", size, 1, std::move(observed));
+        return seen.empty() ? std::map<std::string, Image>{} : std::move(seen[0]);
+    }
+
+    shared::ViewConstants view_{};  // of the last frame
+};
+
+}  // namespace weft::test
