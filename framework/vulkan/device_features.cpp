@@ -24,7 +24,6 @@ using F13 = VkPhysicalDeviceVulkan13Features;
 constexpr std::array kRequired10{
     Feature<F10>{"independentBlend", &F10::independentBlend},
     Feature<F10>{"fragmentStoresAndAtomics", &F10::fragmentStoresAndAtomics},
-    Feature<F10>{"shaderImageGatherExtended", &F10::shaderImageGatherExtended},
     Feature<F10>{"shaderStorageImageExtendedFormats", &F10::shaderStorageImageExtendedFormats},
     Feature<F10>{"shaderStorageImageWriteWithoutFormat", &F10::shaderStorageImageWriteWithoutFormat},
 };
@@ -50,6 +49,7 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::samplerAnisotropy, &OptionalFeatures::anisotropy},
     OptionalFeature<F10>{&F10::imageCubeArray, &OptionalFeatures::cube_arrays},
     OptionalFeature<F10>{&F10::drawIndirectFirstInstance, &OptionalFeatures::draw_indirect_first_instance},
+    OptionalFeature<F10>{&F10::shaderImageGatherExtended, &OptionalFeatures::image_gather_extended},
     OptionalFeature<F10>{&F10::shaderStorageImageReadWithoutFormat,
                          &OptionalFeatures::storage_read_without_format},
 };

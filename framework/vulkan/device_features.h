@@ -17,6 +17,7 @@ struct OptionalFeatures {
     bool depth_bias_clamp = false;
     bool anisotropy = false;
     bool cube_arrays = false;
+    bool image_gather_extended = false;  // textureGather with several offsets, or with one that varies
     bool storage_read_without_format = false;
     bool filter_minmax = false;
     bool draw_indirect_count = false;
