@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 # Installed, and looked through for shared libraries to carry.
 set(WEFT_PROGRAMS weft weft-shader-worker)
 # All of the framework that embedders link to, as one archive.
-set(WEFT_EMBEDDED_LIBRARIES weft_graph weft_check weft_glsl weft_shader weft_scene weft_image weft_vulkan weft_render weft_passes)
+set(WEFT_EMBEDDED_LIBRARIES weft_graph weft_check weft_file weft_glsl weft_shader weft_scene weft_image weft_vulkan weft_render weft_passes)
 # Public headers; what they include comes along.
 set(WEFT_PUBLIC_HEADERS
   check/check_plan.h check/check_transition.h

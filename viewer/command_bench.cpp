@@ -1,12 +1,13 @@
 // `weft bench compile`: how long the compiler takes, where the time goes, and what its plan costs.
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "formatted.h"
 #include "graph/bench_graph.h"
 #include "graph/plan_cache.h"
+#include "output.h"
 #include "weft/compile.h"
 
 namespace weft::viewer {
@@ -96,26 +97,27 @@ Json to_json(const BenchOptions& options, const BenchResult& result) {
             {"barriers", plan.barriers.emitted}};
 }
 
-void print(const BenchOptions& options, const BenchResult& result) {
+std::string to_text(const BenchOptions& options, const BenchResult& result) {
     const MemoryPlan& memory = result.plan.memory;
-    std::printf("%u passes, %s, seed %u, %u queue%s\n", options.passes, options.shape.c_str(), options.seed,
-                options.queues, options.queues == 1 ? "" : "s");
-    std::printf(
+    std::string text =
+        formatted("%u passes, %s, seed %u, %u queue%s\n", options.passes, options.shape.c_str(), options.seed,
+                  options.queues, options.queues == 1 ? "" : "s");
+    text += formatted(
         "compile    cold %.0f us, warm %.0f us (median %.0f), unchanged %.1f us (%.1f with the hash kept)\n",
         result.cold_us, result.warm_min_us, result.warm_median_us, result.unchanged_us, result.lookup_us);
     for (const StageTime& time : result.stages)
-        std::printf("  %-16s %9.1f us  %5.1f %%\n", time.stage.c_str(), time.us,
-                    100 * time.us / result.warm_min_us);
+        text += formatted("  %-16s %9.1f us  %5.1f %%\n", time.stage.c_str(), time.us,
+                          100 * time.us / result.warm_min_us);
     for (const ScheduleCandidate& c : result.plan.schedule.candidates)
-        std::printf("order      %-9s peak-live %.1f MiB, %u barrier batches%s\n", c.name.c_str(),
-                    static_cast<double>(c.peak_live_bytes) / kMib, c.barrier_batches,
-                    c.name == result.plan.schedule.chosen ? "  <- chosen" : "");
-    std::printf("memory     sum %.1f MiB, peak-live %.1f MiB, heap %.1f MiB, heap / peak-live %.4f\n",
-                static_cast<double>(memory.sum_bytes) / kMib,
-                static_cast<double>(memory.peak_live_bytes) / kMib,
-                static_cast<double>(memory.heap_bytes) / kMib,
-                static_cast<double>(memory.heap_bytes) / static_cast<double>(memory.peak_live_bytes));
-    std::printf("barriers   %u\n", result.plan.barriers.emitted);
+        text += formatted("order      %-9s peak-live %.1f MiB, %u barrier batches%s\n", c.name.c_str(),
+                          static_cast<double>(c.peak_live_bytes) / kMib, c.barrier_batches,
+                          c.name == result.plan.schedule.chosen ? "  <- chosen" : "");
+    text += formatted("memory     sum %.1f MiB, peak-live %.1f MiB, heap %.1f MiB, heap / peak-live %.4f\n",
+                      static_cast<double>(memory.sum_bytes) / kMib,
+                      static_cast<double>(memory.peak_live_bytes) / kMib,
+                      static_cast<double>(memory.heap_bytes) / kMib,
+                      static_cast<double>(memory.heap_bytes) / static_cast<double>(memory.peak_live_bytes));
+    return text + formatted("barriers   %u\n", result.plan.barriers.emitted);
 }
 
 }  // namespace
@@ -132,11 +134,7 @@ ExitCode run_bench_compile(const BenchOptions& options) {
     profile.queue_families = {{QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
     compile_options.queues = logical_queues(profile, options.queues);
     const BenchResult result = measure(graph, compile_options);
-    if (options.json)
-        std::printf("%s\n", to_json(options, result).dump(2).c_str());
-    else
-        print(options, result);
-    return ExitCode::ok;
+    return print_data(options.json ? to_json(options, result).dump(2) + "\n" : to_text(options, result));
 }
 
 }  // namespace weft::viewer

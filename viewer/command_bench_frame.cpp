@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "files.h"
 #include "frame_bench.h"
+#include "output.h"
 #include "progress_text.h"
 #include "scene_source.h"
 #include "session_setup.h"
@@ -185,13 +186,15 @@ class Run {
 }  // namespace
 
 ExitCode run_bench_frame(const FrameBenchOptions& options) {
+    if (const ExitCode code = check_outputs({options.plot}); code != ExitCode::ok) return code;
     Run run(options);
     const Result<FrameBench> bench = run.measure();
     if (!bench) return fail_on_device(bench.errors());
-    std::fputs((options.json ? bench_json(*bench) : bench_text(*bench)).c_str(), stdout);
-    if (options.plot.empty()) return ExitCode::ok;
-    if (const Status s = write_file(options.plot, bench_svg(*bench)); !s) return fail_on_device(s.errors());
-    return ExitCode::ok;
+    // Neither is lost because the other cannot be written.
+    const ExitCode printed = print_data(options.json ? bench_json(*bench) : bench_text(*bench));
+    const ExitCode plotted =
+        options.plot.empty() ? ExitCode::ok : output_data(options.plot, bench_svg(*bench));
+    return printed == ExitCode::ok ? plotted : printed;
 }
 
 }  // namespace weft::viewer

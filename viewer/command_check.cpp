@@ -5,6 +5,7 @@
 #include "files.h"
 #include "graph/quantity_text.h"
 #include "graph_test_run.h"
+#include "output.h"
 #include "sarif.h"
 #include "tier_check.h"
 
@@ -23,6 +24,12 @@ Json to_json(const Diagnostic& d) {
             {"column", d.column},   {"pointer", d.pointer},
             {"message", d.message}, {"help", d.help},
             {"notes", notes},       {"tier", d.tier.empty() ? Json(nullptr) : Json(d.tier)}};
+}
+
+std::string json_list(const Diagnostics& diagnostics) {
+    Json list = Json::array();
+    for (const Diagnostic& d : diagnostics) list.push_back(to_json(d));
+    return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void say_ok(const std::string& file, const CheckedGraph& checked) {
@@ -56,13 +63,9 @@ ExitCode run_check(const CheckOptions& options) {
         if (!prints_data) report(checked.found);
         all.insert(all.end(), checked.found.begin(), checked.found.end());
     }
-    if (options.json) {
-        Json list = Json::array();
-        for (const Diagnostic& d : all) list.push_back(to_json(d));
-        std::printf("%s\n", list.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
-    }
-    if (options.sarif) std::fputs(sarif_log(all).c_str(), stdout);
-    return has_errors(all) ? exit_code_for(all) : ExitCode::ok;
+    const ExitCode code = has_errors(all) ? exit_code_for(all) : ExitCode::ok;
+    if (options.json) return print_data(json_list(all), code);
+    return options.sarif ? print_data(sarif_log(all), code) : code;
 }
 
 }  // namespace weft::viewer

@@ -5,12 +5,14 @@
 #include <string>
 
 #include "commands.h"
+#include "formatted.h"
 #include "image/channel_difference.h"
 #include "image/error_summary.h"
 #include "image/flip.h"
 #include "image/heat_map.h"
 #include "image_file.h"
 #include "image_reader.h"
+#include "output.h"
 
 namespace weft::viewer {
 namespace {
@@ -102,12 +104,10 @@ Comparison compare(const CompareOptions& options, const Image& a, const Image& b
 
 // JSON has no infinity.
 std::string json_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return std::isfinite(value) ? text : "null";
+    return std::isfinite(value) ? formatted("%.9g", value) : "null";
 }
 
-void print_json(const CompareOptions& options, const Comparison& comparison, bool good) {
+std::string to_json(const CompareOptions& options, const Comparison& comparison, bool good) {
     std::string text = "{\"metric\": \"" + options.metric +
                        "\", \"value\": " + json_number(comparison.value) + ", \"unit\": \"" +
                        comparison.unit + "\"";
@@ -124,7 +124,7 @@ void print_json(const CompareOptions& options, const Comparison& comparison, boo
             ", \"height\": " + std::to_string(comparison.map.height_px) +
             ", \"limit\": " + (limited ? json_number(options.max ? *options.max : *options.min) : "null") +
             ", \"passed\": " + (limited ? (good ? "true" : "false") : "null") + "}\n";
-    std::fputs(text.c_str(), stdout);
+    return text;
 }
 
 Status write_heat_map(const std::string& path, const image::Plane& map) {
@@ -138,6 +138,7 @@ ExitCode run_compare(const CompareOptions& options) {
         std::fprintf(stderr, "weft: %s\n", fault.c_str());
         return ExitCode::usage;
     }
+    if (const ExitCode code = check_outputs({options.output}); code != ExitCode::ok) return code;
     const Result<Image> a = read_image(options.reference, options.limits.picture),
                         b = read_image(options.test, options.limits.picture);
     Diagnostics errors;
@@ -156,11 +157,9 @@ ExitCode run_compare(const CompareOptions& options) {
         }
     const bool good = (!options.max || comparison.value <= *options.max) &&
                       (!options.min || comparison.value >= *options.min);
-    if (options.json)
-        print_json(options, comparison, good);
-    else
-        std::printf("%.6g\n", comparison.value);
-    if (good) return ExitCode::ok;
+    const ExitCode printed =
+        print_data(options.json ? to_json(options, comparison, good) : formatted("%.6g\n", comparison.value));
+    if (good || printed != ExitCode::ok) return printed;
     std::fprintf(stderr, "weft: %s is too far from %s: %.6g %s, where --%s is %g\n", options.test.c_str(),
                  options.reference.c_str(), comparison.value, comparison.unit, options.max ? "max" : "min",
                  options.max ? *options.max : *options.min);

@@ -1,10 +1,10 @@
 // `weft diff`: what two graph files' plans have not in common.
-#include <cstdio>
 #include <filesystem>
 
 #include "commands.h"
 #include "graph/plan_diff.h"
 #include "offline_graph.h"
+#include "output.h"
 
 namespace weft::viewer {
 namespace {
@@ -34,8 +34,7 @@ ExitCode run_diff(const DiffOptions& options) {
         return exit_code_for(errors);
     }
     const PlanDiff diff = diff_plans(from->plan, to->plan);
-    std::fputs((options.json ? plan_diff_to_json(diff) : plan_diff_to_text(diff)).c_str(), stdout);
-    return ExitCode::ok;
+    return print_data(options.json ? plan_diff_to_json(diff) : plan_diff_to_text(diff));
 }
 
 }  // namespace weft::viewer

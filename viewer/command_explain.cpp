@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "graph/plan_explain.h"
 #include "offline_graph.h"
+#include "output.h"
 
 namespace weft::viewer {
 namespace {
@@ -52,8 +53,7 @@ ExitCode run_explain(const ExplainOptions& options) {
         report(answer.errors());
         return exit_code_for(answer.errors());
     }
-    std::fputs(answer->c_str(), stdout);
-    return ExitCode::ok;
+    return print_data(*answer);
 }
 
 }  // namespace weft::viewer

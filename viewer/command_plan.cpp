@@ -1,9 +1,7 @@
-#include <cstdio>
-
 #include "commands.h"
-#include "files.h"
 #include "graph/plan_dump.h"
 #include "offline_graph.h"
+#include "output.h"
 
 namespace weft::viewer {
 namespace {
@@ -18,6 +16,7 @@ std::string in_format(const PlanOptions& options, const OfflinePlan& made) {
 }  // namespace
 
 ExitCode run_plan(const PlanOptions& options) {
+    if (const ExitCode code = check_outputs({options.output}); code != ExitCode::ok) return code;
     Diagnostics warnings;
     const Result<OfflinePlan> made = compile_offline(options.file, options.offline, warnings);
     report(warnings);
@@ -25,16 +24,7 @@ ExitCode run_plan(const PlanOptions& options) {
         report(made.errors());
         return exit_code_for(made.errors());
     }
-    const std::string text = in_format(options, *made);
-    if (options.output.empty()) {
-        std::fputs(text.c_str(), stdout);
-        return ExitCode::ok;
-    }
-    if (Status s = write_file(options.output, text); !s) {
-        report(s.errors());
-        return ExitCode::failed;
-    }
-    return ExitCode::ok;
+    return output_data(options.output, in_format(options, *made));
 }
 
 }  // namespace weft::viewer

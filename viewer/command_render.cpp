@@ -8,9 +8,11 @@
 #include <cstdlib>
 
 #include "commands.h"
+#include "file/write_file.h"
 #include "files.h"
 #include "graph/debug_view.h"
 #include "image_file.h"
+#include "output.h"
 #include "progress_text.h"
 #include "render/import_catalog.h"
 #include "render/session.h"
@@ -83,15 +85,13 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     if (data.format == Format::undefined)
         return write_file(options.output,
                           {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
+    // Both are ready for a display.
+    if (is_output || !options.debug.empty()) return write_output_picture(options.output, data);
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind) return kind.errors();
-    // Both are ready for a display.
-    const bool is_encoded = is_output || !options.debug.empty();
-    if (is_encoded && *kind == ImageFileKind::png)
-        return write_png(options.output, data.extent.width, data.extent.height, data.bytes);
     std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
     // Raw values are in the resource's own units; a PNG is for looking at, so it keeps the exposure.
-    if (!is_output && *kind != ImageFileKind::png && is_pre_exposed(session.plan(), options.resource)) {
+    if (*kind != ImageFileKind::png && is_pre_exposed(session.plan(), options.resource)) {
         for (glm::vec4& texel : texels) texel = glm::vec4(glm::vec3(texel) / session.pre_exposure(), texel.a);
     }
     return write_image(options.output, data.extent.width, data.extent.height, texels);
@@ -179,6 +179,15 @@ Status check_graph(const RenderOptions& options, const PassCatalog& passes) {
 
 }  // namespace
 
+Status write_output_picture(const std::string& path, const vk::ReadbackData& data) {
+    const Result<ImageFileKind> kind = image_file_kind(path);
+    if (!kind) return kind.errors();
+    if (*kind == ImageFileKind::png)
+        return write_png(path, data.extent.width, data.extent.height, data.bytes);
+    return write_image(path, data.extent.width, data.extent.height,
+                       render::decode_texels(data.format, data.bytes));
+}
+
 bool report_messages(const std::vector<vk::Message>& messages) {
     for (const vk::Message& message : messages)
         std::fprintf(stderr, "validation: %s%s%s: %s\n", message.id.c_str(),
@@ -226,6 +235,8 @@ ExitCode run_render(const RenderOptions& options) {
         report(kind.errors());
         return ExitCode::usage;
     }
+    if (const ExitCode code = check_outputs({options.output, options.stats}); code != ExitCode::ok)
+        return code;
     Result<OpenSession> open = open_session(options);
     if (!open) return fail_on_device(open.errors());
     render::Session& session = *open->session;

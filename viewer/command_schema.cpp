@@ -1,13 +1,12 @@
-#include <cstdio>
-
 #include "commands.h"
-#include "files.h"
 #include "format_schema.h"
 #include "graph_schema.h"
+#include "output.h"
 
 namespace weft::viewer {
 
 ExitCode run_schema(const SchemaOptions& options) {
+    if (const ExitCode code = check_outputs({options.output}); code != ExitCode::ok) return code;
     std::string text;
     if (options.file.empty()) {
         text = format_schema();
@@ -19,14 +18,7 @@ ExitCode run_schema(const SchemaOptions& options) {
         }
         text = graph_schema(*names);
     }
-    if (options.output.empty()) {
-        std::fputs(text.c_str(), stdout);
-        return ExitCode::ok;
-    }
-    const Status written = write_file(options.output, text);
-    if (written) return ExitCode::ok;
-    report(written.errors());
-    return ExitCode::failed;
+    return output_data(options.output, text);
 }
 
 }  // namespace weft::viewer

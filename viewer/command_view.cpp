@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
 #include "end_signals.h"
-#include "files.h"
+#include "file/write_file.h"
 #include "image_file.h"
+#include "output.h"
 #include "render/reloader.h"
-#include "render/texels.h"
 #include "session_setup.h"
 
 namespace weft::viewer {
@@ -66,30 +65,10 @@ Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session,
     return counts;
 }
 
-// Whoever looks at the file sees a whole picture, the old one or this.
 Status write_last_frame(const std::string& path, render::Session& session) {
     const Result<vk::ReadbackData> data = session.read_output();
     if (!data) return data.errors();
-    const std::filesystem::path file(path);
-    const std::string beside =
-        (file.parent_path() / ("." + file.stem().string() + ".part" + file.extension().string())).string();
-    const Result<ImageFileKind> kind = image_file_kind(path);
-    if (!kind) return kind.errors();
-    const auto write = [&]() -> Status {
-        if (*kind == ImageFileKind::png)
-            return write_png(beside, data->extent.width, data->extent.height, data->bytes);
-        return write_image(beside, data->extent.width, data->extent.height,
-                           render::decode_texels(data->format, data->bytes));
-    };
-    if (Status s = write(); !s) return s;
-    std::error_code error;
-    std::filesystem::rename(beside, file, error);
-    if (error) {
-        Diagnostic d;
-        d.code = "X512";
-        d.message = "cannot write \"" + path + "\": " + error.message();
-        return d;
-    }
+    if (Status s = write_output_picture(path, *data); !s) return s;
     std::fprintf(stderr, "weft: wrote %s\n", path.c_str());
     return Unit{};
 }
@@ -116,6 +95,9 @@ ExitCode run_view(const ViewOptions& options) {
             return ExitCode::usage;
         }
     }
+    if (const ExitCode code = check_outputs({options.render.output, options.render.stats});
+        code != ExitCode::ok)
+        return code;
     // Before there are threads that a signal could end the program through.
     EndSignals end(options.render.frames == 0);
     RenderOptions untimed = options.render;

@@ -63,15 +63,6 @@ Result<Limits> load_limits(const std::string& file) {
     return read_limits(file, reader_up_to(GraphLimits{}.json_bytes));
 }
 
-Status write_file(const std::string& path, const std::string& content) {
-    std::ofstream out(path, std::ios::binary);
-    out << content;
-    out.close();
-    if (out) return Unit{};
-    return file_error("X510", path, "the file cannot be written",
-                      "check that its folder exists and has room");
-}
-
 namespace {
 
 constexpr uint64_t kMostProfileBytes = 1 << 20;

@@ -1,5 +1,5 @@
-// Purpose: the files that Weft ships (graphs, shaders, profiles), wherever the program was put, and plain
-// file access.
+// Purpose: the files that Weft ships (graphs, shaders, profiles), wherever the program was put, and reading
+// plain files.
 #pragma once
 
 #include <filesystem>
@@ -23,8 +23,6 @@ namespace weft::viewer {
 // Reads one byte more than `most_bytes` at most, so that whoever limits a file sees when it is too large.
 [[nodiscard]] std::optional<std::string> read_file(const std::string& path, uint64_t most_bytes);
 [[nodiscard]] FileReader reader_up_to(uint64_t most_bytes);
-// Errors: X510, the file cannot be written.
-[[nodiscard]] Status write_file(const std::string& path, const std::string& content);
 
 // What a --limits file says; the defaults when `file` is empty. Errors: X560, W001 to W005.
 [[nodiscard]] Result<Limits> load_limits(const std::string& file);

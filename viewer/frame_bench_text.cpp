@@ -1,22 +1,12 @@
 // The tables of `weft bench frame`.
-#include <array>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
+#include "formatted.h"
 #include "frame_bench.h"
 
 namespace weft::viewer {
 namespace {
-
-[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...) {
-    std::array<char, 256> text{};
-    va_list values;
-    va_start(values, format);
-    std::vsnprintf(text.data(), text.size(), format, values);
-    va_end(values);
-    return text.data();
-}
 
 double half_width(const Spread& spread) {
     return (spread.three_quarters - spread.quarter) / 2;

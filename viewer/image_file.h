@@ -1,6 +1,6 @@
-// Purpose: pictures as files. PNG is display-encoded (sRGB, 8 bits); EXR (32-bit float) and PFM hold raw
-// values. Shapes: width × height RGBA texels, row 0 on top; a PFM's rows run bottom to top, as its format
-// says. Errors: X511 unknown extension, X512 cannot be written.
+// Purpose: pictures as files; the extension says which kind. PNG is display-encoded (sRGB, 8 bits); EXR
+// (32-bit float) and PFM hold raw values. Shapes: width × height RGBA texels, row 0 on top. Errors: X510
+// cannot be written, X511 unknown extension.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,6 +13,7 @@ namespace weft::viewer {
 
 enum class ImageFileKind : uint8_t { png, exr, pfm };
 
+// A pipe or a device without an extension (/dev/stdout) gets a PNG.
 [[nodiscard]] Result<ImageFileKind> image_file_kind(const std::string& path);
 
 // Bytes that are display-encoded already.

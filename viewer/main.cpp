@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "arguments.h"
 #include "commands.h"
+#include "driver_cache.h"
 #include "files.h"
+#include "output.h"
 
 namespace weft::viewer {
 namespace {
@@ -259,7 +262,11 @@ ExitCode run_bench(BenchCommands& bench, const RawTexts& raw, const Limits& limi
 
 // CLI11's own exit codes become usage errors.
 int usage_exit(const CLI::App& app, const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) {  // --help, --version
+        std::ostringstream text;
+        app.exit(error, text, text);
+        return exit_with(print_data(text.str()));
+    }
     std::fprintf(stderr, "weft: %s\nRun `weft --help`, or `weft COMMAND --help`.\n", error.what());
     return exit_with(ExitCode::usage);
 }
@@ -329,6 +336,10 @@ int run(int argc, char** argv) {
         offline->limits = *limits;
     }
     if (render->count("--exposure") > 0) render_options.exposure_ev = static_cast<float>(raw.exposure);
+    const bool needs_device = render->parsed() || view->parsed() || doctor->parsed() ||
+                              (check->parsed() && check_options.run) ||
+                              (bench.app->parsed() && !bench.compile->parsed());
+    if (needs_device) prepare_driver_cache();
     if (render->parsed()) return exit_with(run_render(render_options));
     if (view->parsed()) return exit_with(run_view(view_options));
     if (check->parsed()) return exit_with(run_check(check_options));
@@ -350,6 +361,7 @@ int run(int argc, char** argv) {
 }  // namespace weft::viewer
 
 int main(int argc, char** argv) {
+    weft::viewer::prepare_output();
     try {
         return weft::viewer::run(argc, argv);
     } catch (const std::exception& error) {

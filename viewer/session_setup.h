@@ -21,6 +21,8 @@ struct OpenSession {
 [[nodiscard]] Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options);
 // Warnings go to stderr.
 [[nodiscard]] Result<OpenSession> open_session(const RenderOptions& options);
+// The graph's output or a debug view, which are display-encoded already: a PNG takes their bytes as they are.
+[[nodiscard]] Status write_output_picture(const std::string& path, const vk::ReadbackData& data);
 // Prints what the layers said, pass by pass. True: they said something.
 bool report_messages(const std::vector<vk::Message>& messages);
 // Prints the errors and returns their exit code; after a time-out it leaves at once, without tearing down

@@ -1,12 +1,9 @@
 #include "shader/sealed_file.h"
 
-#include <unistd.h>
-
 #include <fstream>
-#include <functional>
 #include <system_error>
-#include <thread>
 
+#include "file/write_file.h"
 #include "shader/content_hash.h"
 #include "shader/payload.h"
 
@@ -42,16 +39,10 @@ void write_sealed(const fs::path& file, std::string_view payload) {
     PayloadWriter header;
     header.number(payload.size());
     header.number(hash_of(payload));
-
-    const size_t thread = std::hash<std::thread::id>{}(std::this_thread::get_id());
-    fs::path draft = file;
-    draft.concat(".").concat(std::to_string(::getpid()));
-    draft.concat("-").concat(std::to_string(thread)).concat(".draft");
-    std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
-    stream << kMagic << header.payload() << payload;
-    stream.close();
-    if (stream) fs::rename(draft, file, error);
-    if (!stream || error) fs::remove(draft, error);
+    std::string whole(kMagic);
+    whole += header.payload();
+    whole += payload;
+    static_cast<void>(write_file(file.string(), whole, Durability::cached));
 }
 
 }  // namespace weft::shader

@@ -18,7 +18,13 @@ while read -r graph scene camera options; do
   "$weft" render "builtin:$scene" --graph "$root/graphs/$graph.json" --camera "$camera" --size 320x180 \
     -o "$scratch/$graph-$scene-$camera.png" --stats "$scratch/stats.json" $options </dev/null
 done <"$here/views.txt"
-# Only when all are there, so that what fails leaves the old ones.
+# Only when all are there, so that a failure leaves the old ones. Each is copied beside its place and renamed, so that a
+# full disk leaves no half of one.
 sed -n 's/^ *"\(device\|driver\)": "\(.*\)",$/\2/p' "$scratch/stats.json" >"$scratch/driver.txt"
-rm -f "$here"/*.png
-mv "$scratch"/*.png "$scratch/driver.txt" "$here"
+next=$(mktemp -d "$here/.next-XXXXXX")
+trap 'rm -rf "$scratch" "$next"' EXIT
+cp "$scratch"/*.png "$scratch/driver.txt" "$next"
+for old in "$here"/*.png; do
+  [ -e "$next/${old##*/}" ] || rm -f "$old"
+done
+mv "$next"/* "$here"

@@ -35,6 +35,12 @@ report "unfinished" < <(
 report "shared ownership, or a singleton" < <(
   sources framework passes viewer | code | grep -E '\b(std::)?(shared_ptr|weak_ptr|make_shared)\b|[gG]et_?[iI]nstance\(' || true)
 
+# Files and stdout are written by framework/file alone, which checks every write. stderr is free.
+report "written without framework/file" < <(
+  sources framework viewer | grep -v '^framework/file/' | code |
+    grep -E '\b(ofstream|fstream|fwrite|fputc|putchar|puts|printf|fopen) *\(|\bofstream\b|\bstdout\)|std::cout|stbi_write_[a-z]+\(|SaveEXR\(' |
+    grep -vE 'fopen\([^;]*"re?"' || true)
+
 report "slow third-party header in a header" < <(
   files framework passes viewer | grep -E '\.h$' |
     xargs grep -nIE '#include [<"](nlohmann/json\.hpp|CLI/|tiny_gltf|stb_|tinyexr|fmt/|glslang/)' || true)

@@ -141,7 +141,7 @@ TEST_F(Compare, TheHeatMapHasThePicturesSize) {
     EXPECT_EQ(compare("none.png", "dark.png", {"--metric", "max"}).out, "0\n");
     const RunResult nowhere = compare("a.png", "b.png", {"-o", "no/folder/heat.png"});
     EXPECT_EQ(nowhere.exit_code, 1) << nowhere.text();
-    EXPECT_NE(nowhere.err.find("error[X512]"), std::string::npos) << nowhere.text();
+    EXPECT_NE(nowhere.err.find("error[X510]"), std::string::npos) << nowhere.text();
 }
 
 TEST_F(Compare, ReadsRawPicturesOfAllKinds) {

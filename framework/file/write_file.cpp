@@ -1,0 +1,156 @@
+#include "file/write_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "file/file_draft.h"
+#include "file/file_target.h"
+
+namespace weft {
+namespace {
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+Diagnostic cannot_write(const std::string& path, const std::string& why, std::string help) {
+    Diagnostic d;
+    d.code = "X510";
+    d.file = path;
+    d.message = "the file cannot be written: " + why;
+    d.help = {std::move(help)};
+    return d;
+}
+
+std::string remedy(int error, const FileTarget& target) {
+    switch (error) {
+        case ENOENT:
+            return "make its folder first: mkdir -p '" + target.folder() + "'";
+        case ENOSPC:
+        case EDQUOT:
+            return "make room on its disk; nothing was changed";
+        case EFBIG:
+            return "the limit on the size of files is too low: see `ulimit -f`";
+        case EPIPE:
+            return "the program that reads the pipe has ended";
+        case EACCES:
+        case EPERM:
+            return "give the right to write it, or choose another place";
+        case EROFS:
+            return "its disk is mounted read-only: choose another place";
+        case EBUSY:
+            return "a file that is a mount point cannot be replaced: choose another place";
+        default:
+            return "check the path and its disk";
+    }
+}
+
+Diagnostic cannot_write(const std::string& path, int error, const FileTarget& target) {
+    return cannot_write(path, reason(error), remedy(error, target));
+}
+
+Diagnostic is_folder(const std::string& path) {
+    const std::string slash = path.ends_with('/') ? "" : "/";
+    return cannot_write(path, reason(EISDIR), "name a file in it: " + path + slash + "NAME");
+}
+
+Status check_file(const std::string& path, const FileTarget& target) {
+    const std::string folder = target.folder();
+    struct stat status {};
+    if (stat(folder.c_str(), &status) != 0) return cannot_write(path, errno, target);
+    if (!S_ISDIR(status.st_mode)) return cannot_write(path, ENOTDIR, target);
+    // A read-only file can be replaced by who may write in its folder, but read-only is meant to protect it.
+    if (target.old && faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
+        return cannot_write(path, errno, target);
+    if (faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return Unit{};
+    const int error = errno;
+    return cannot_write(path, "no file can be made in its folder: " + reason(error), remedy(error, target));
+}
+
+// The result of closing counts, too.
+int write_and_close(int descriptor, std::string_view data) {
+    const int error = write_all(descriptor, data);
+    const bool closed = close(descriptor) == 0;
+    return error != 0 || closed ? error : errno;
+}
+
+int write_descriptor(int descriptor, std::string_view data) {
+    const int copy = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+    return copy < 0 ? errno : write_and_close(copy, data);
+}
+
+int write_stream(const FileTarget& target, std::string_view data) {
+    if (target.kind == TargetKind::descriptor) return write_descriptor(target.descriptor, data);
+    const int descriptor = open(target.path.c_str(), O_WRONLY | O_TRUNC | O_NOCTTY | O_CLOEXEC);
+    return descriptor < 0 ? errno : write_and_close(descriptor, data);
+}
+
+int write_draft(const FileTarget& target, std::string_view data, bool sync, FileDraft::Name name) {
+    FileDraft draft;
+    int error = draft.open(target.folder(), name);
+    if (error == 0) error = draft.fill(data, target.old, sync);
+    if (error == 0) error = draft.place(target.path.filename().string(), sync);
+    return error;
+}
+
+// Errors that a draft without a name may meet where one with a name succeeds: the file system makes no such
+// files, or /proc is not there to name it by.
+bool is_worth_a_name(int error) {
+    return error == EOPNOTSUPP || error == EISDIR || error == EINVAL || error == ENOENT || error == EPERM;
+}
+
+}  // namespace
+
+Status check_writable(const std::string& path) {
+    const FileTarget target = find_target(path);
+    if (target.error != 0) return cannot_write(path, target.error, target);
+    if (target.kind == TargetKind::folder) return is_folder(path);
+    if (target.kind == TargetKind::file) return check_file(path, target);
+    if (target.kind == TargetKind::descriptor) {
+        const int flags = fcntl(target.descriptor, F_GETFL);
+        if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) return cannot_write(path, EBADF, target);
+        return Unit{};
+    }
+    if (faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
+        return cannot_write(path, errno, target);
+    return Unit{};
+}
+
+Status write_file(const std::string& path, std::string_view data, Durability durability) {
+    // What was found before may have changed by now.
+    if (Status writable = check_writable(path); !writable) return writable;
+    const FileTarget target = find_target(path);
+    const bool sync = durability == Durability::on_disk;
+    int error = 0;
+    if (target.kind == TargetKind::file) {
+        const EndSignalsBlocked blocked;
+        error = write_draft(target, data, sync, FileDraft::Name::none);
+        if (is_worth_a_name(error)) error = write_draft(target, data, sync, FileDraft::Name::random);
+    } else {
+        error = write_stream(target, data);
+    }
+    if (error != 0) return cannot_write(path, error, target);
+    return Unit{};
+}
+
+Status write_stdout(std::string_view data) {
+    if (data.empty()) return Unit{};
+    const int error = write_descriptor(STDOUT_FILENO, data);
+    if (error == 0) return Unit{};
+    Diagnostic d;
+    d.code = "X512";
+    d.message = "standard output cannot be written: " + reason(error);
+    d.help = {error == EPIPE ? "the program that reads it has ended"
+                             : "make room where it goes, or send it elsewhere"};
+    return d;
+}
+
+bool is_stream(const std::string& path) {
+    const FileTarget target = find_target(path);
+    return target.kind == TargetKind::stream || target.kind == TargetKind::descriptor;
+}
+
+}  // namespace weft
