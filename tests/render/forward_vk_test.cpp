@@ -39,7 +39,7 @@ class Forward : public SessionTest {
 };
 
 TEST_F(Forward, SeesWhatDeferredSees) {
-    for (const char* name : {"spheres", "atrium"}) {
+    for (const char* name : {"spheres", "atrium", "brushed"}) {
         SCOPED_TRACE(name);
         Result<scene::Scene> scene = scene::make_builtin(name);
         ASSERT_TRUE(scene);

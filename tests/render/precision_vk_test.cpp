@@ -136,7 +136,7 @@ Stored stored_at(const Rendered& r, size_t i, const glm::dmat4& to_world) {
 class Precision : public SessionTest {};
 
 TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
-    for (const char* name : {"spheres", "cornell", "atrium"}) {
+    for (const char* name : {"spheres", "cornell", "atrium", "brushed"}) {
         SCOPED_TRACE(name);
         Result<scene::Scene> scene = scene::make_builtin(name);
         ASSERT_TRUE(scene);

@@ -126,7 +126,7 @@ TEST(Plan, SpeaksTextJsonAndDot) {
     EXPECT_EQ(json.exit_code, 0) << json.text();
     const Json plan = Json::parse(json.out);
     EXPECT_EQ(plan.at("hash").get<std::string>().size(), 32u);
-    EXPECT_EQ(plan.at("schedule").at("order").size(), 8u);
+    EXPECT_EQ(plan.at("schedule").at("order").size(), 9u);
 
     const RunResult dot = run_weft({"plan", kDeferred, "--format", "dot"});
     EXPECT_EQ(dot.exit_code, 0) << dot.text();

@@ -153,7 +153,7 @@ TEST(Explain, AResourceIsDescribedWithItsUsers) {
     expect_parts(
         ask({"resource", "hdr"}),
         {"\"hdr\" (" + place_of(kDeferred, "\"hdr\":") + ") is an image, rgba16f, 1280x720 (d2), transient",
-         "It takes 7200.0 KiB: bytes 0 to 7372799 of heap 0", "from 0 \"gbuffer\" to 7 \"tonemap\"",
+         "It takes 7200.0 KiB: bytes 0 to 7372799 of heap 0", "from 0 \"gbuffer\" to 8 \"tonemap\"",
          "5 \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
          "Nobody shares that memory"});
     expect_parts(ask({"resource", "hdr", "--size", "64x32"}), {"64x32", "It takes 16.0 KiB"});
