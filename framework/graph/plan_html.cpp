@@ -153,8 +153,9 @@ std::string plan_to_html(const FramePlan& plan, const PlanPageInfo& info) {
     out.open("html", {{"lang", "en"}});
     write_head(page, out);
     out.open("body");
-    write_header(page, out);
     out.open("div", {{"id", "page"}});
+    out.open("div", {{"id", "content"}});
+    write_header(page, out);
     out.open("main");
     write_graph(page, out);
     write_timeline(page, out);
@@ -163,6 +164,7 @@ std::string plan_to_html(const FramePlan& plan, const PlanPageInfo& info) {
     write_kept(page, out);
     write_culled(page, out);
     write_words(page, out);
+    out.close();
     out.close();
     write_inspector(out);
     out.close();

@@ -131,6 +131,19 @@ void write_pass_article(const PlanPage& page, PassId pass, Markup& out) {
     out.line();
 }
 
+void write_repeat_article(const PlanPage& page, size_t repeat, Markup& out) {
+    const RepeatItem& item = page.repeats[repeat];
+    open_article(out, repeat_key(repeat), item.name,
+                 "a repeat of " + std::to_string(item.passes.size()) + " rounds");
+    std::vector<ArticleLink> links;
+    for (const PassId pass : item.passes)
+        links.push_back({pass_key(pass), page.plan->graph.passes[pass].name,
+                         "runs as " + std::to_string(page.plan->schedule.position[pass])});
+    write_links(out, "Rounds", links);
+    out.close();
+    out.line();
+}
+
 void write_resource_article(const PlanPage& page, ResourceId resource, Markup& out) {
     const FramePlan& plan = *page.plan;
     const ResourceDecl& decl = plan.graph.resources[resource];
@@ -148,6 +161,7 @@ void write_words(const PlanPage& page, Markup& out) {
     out.open("details");
     out.leaf("summary", {}, "In words: everything that this page explains");
     for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) write_pass_article(page, pass, out);
+    for (size_t r = 0; r < page.repeats.size(); ++r) write_repeat_article(page, r, out);
     for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) write_resource_article(page, id, out);
     for (size_t b = 0; b < page.barriers.size(); ++b) write_barrier_article(page, b, out);
     for (size_t w = 0; w < page.waits.size(); ++w) write_wait_article(page, w, out);

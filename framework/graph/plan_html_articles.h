@@ -9,6 +9,7 @@
 
 namespace weft {
 
+void write_repeat_article(const PlanPage& page, size_t repeat, Markup& out);
 void write_pass_article(const PlanPage& page, PassId pass, Markup& out);
 void write_resource_article(const PlanPage& page, ResourceId resource, Markup& out);
 void write_barrier_article(const PlanPage& page, size_t barrier, Markup& out);

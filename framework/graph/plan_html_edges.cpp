@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 namespace weft {
 namespace {
@@ -10,36 +11,41 @@ namespace {
 constexpr int32_t kWayStep_px = 2;
 constexpr int32_t kCharacter_px = 7;  // in the style "edgename"
 constexpr int32_t kAscent_px = 10, kDescent_px = 3;
-constexpr int32_t kClear_px = 3;  // between a name and its way
 constexpr int32_t kTryEvery_px = 6;
 
 std::string point(PointPx p) {
     return std::to_string(p.x) + " " + std::to_string(p.y);
 }
 
-// What is drawn on, in squares of kSquare_px.
+// Who is drawn where, in squares of kSquare_px.
 class Occupied {
  public:
     explicit Occupied(PointPx drawing)
         : columns_(drawing.x / kSquare_px + 1),
           rows_(drawing.y / kSquare_px + 1),
-          used_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), false) {}
+          owners_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), kFree) {}
 
-    void take(const AreaPx& area) {
-        for_squares(area, [this](size_t square) {
-            used_[square] = true;
+    // `way`: stands for all ways of one name; kNoId for what nothing may cover. A square of two names belongs
+    // to neither.
+    void take(const AreaPx& area, uint32_t way) {
+        for_squares(area, [&](size_t square) {
+            const uint32_t owner = owners_[square];
+            owners_[square] = owner == kFree || owner == way ? way : kNoId;
             return true;
         });
     }
-    [[nodiscard]] bool is_free(const AreaPx& area) const {
+    // Whether no way of another name runs through it.
+    [[nodiscard]] bool is_free(const AreaPx& area, uint32_t way) const {
         if (area.x < 0 || area.y < 0 || area.x + area.width > columns_ * kSquare_px ||
             area.y + area.height > rows_ * kSquare_px)
             return false;
-        return for_squares(area, [this](size_t square) { return !used_[square]; });
+        return for_squares(area,
+                           [&](size_t square) { return owners_[square] == kFree || owners_[square] == way; });
     }
 
  private:
     static constexpr int32_t kSquare_px = 2;
+    static constexpr uint32_t kFree = kNoId - 1;
 
     // Until `visit` returns false; then it does so too.
     template <class Visit>
@@ -56,7 +62,7 @@ class Occupied {
     }
 
     int32_t columns_, rows_;
-    std::vector<bool> used_;
+    std::vector<uint32_t> owners_;
 };
 
 AreaPx area_of(const std::string& text, PointPx at) {
@@ -64,31 +70,26 @@ AreaPx area_of(const std::string& text, PointPx at) {
     return {at.x - width_px / 2, at.y - kAscent_px, width_px, kAscent_px + kDescent_px};
 }
 
-// Above a point of a way, below it, or at a side of it.
-std::vector<PointPx> places_at(PointPx p, const std::string& text) {
-    const int32_t aside_px = static_cast<int32_t>(text.size()) * kCharacter_px / 2 + 2 * kClear_px;
-    const int32_t above_px = p.y - kDescent_px - kClear_px, below_px = p.y + kAscent_px + kClear_px,
-                  level_px = p.y + (kAscent_px - kDescent_px) / 2;
-    return {{p.x, above_px},
-            {p.x, below_px},
-            {p.x + aside_px, level_px},
-            {p.x - aside_px, level_px},
-            {p.x + aside_px, below_px},
-            {p.x - aside_px, above_px},
-            {p.x + aside_px, above_px},
-            {p.x - aside_px, below_px}};
-}
-
-// As near as can be to the middle of the way.
-EdgeName place(const std::string& text, const EdgeWay& way, const Occupied& occupied) {
+// On the way itself, which ends at one side of the name and goes on at the other: as near as can be to the
+// middle.
+EdgeName place(const std::string& text, const EdgeWay& way, uint32_t owner, const Occupied& occupied) {
     const auto count = static_cast<int32_t>(way.points().size()), middle = count / 2;
     for (int32_t away = 0; away <= middle; away += kTryEvery_px / kWayStep_px)
-        for (const int32_t index : {middle - away, middle + away}) {
-            if (index < 0 || index >= count) continue;
-            for (const PointPx& at : places_at(way.points()[static_cast<size_t>(index)], text))
-                if (occupied.is_free(area_of(text, at))) return {text, at};
+        for (const int32_t step : {middle - away, middle + away}) {
+            if (step < 0 || step >= count) continue;
+            const PointPx on = way.points()[static_cast<size_t>(step)];
+            const PointPx at{on.x, on.y + (kAscent_px - kDescent_px) / 2 + 1};
+            if (occupied.is_free(area_of(text, at), owner)) return {text, at};
         }
     return {};
+}
+
+bool passes_through(const EdgeWay& way, const std::vector<AreaPx>& areas) {
+    return std::any_of(areas.begin(), areas.end(), [&](const AreaPx& area) {
+        return std::any_of(way.points().begin(), way.points().end(), [&](PointPx p) {
+            return p.x >= area.x && p.x < area.x + area.width && p.y >= area.y && p.y < area.y + area.height;
+        });
+    });
 }
 
 }  // namespace
@@ -131,19 +132,27 @@ std::vector<EdgeName> place_edge_names(const std::vector<EdgeWay>& ways,
                                        const std::vector<NameChoices>& names,
                                        const std::vector<AreaPx>& boxes, PointPx drawing) {
     Occupied occupied(drawing);
-    for (const AreaPx& box : boxes) occupied.take(box);
-    for (const EdgeWay& way : ways)
-        for (const PointPx& p : way.points()) occupied.take({p.x - 1, p.y - 1, 2, 2});
+    for (const AreaPx& box : boxes) occupied.take(box, kNoId);
+    std::map<NameChoices, uint32_t> by_name;  // ways of one name may share its place
+    std::vector<uint32_t> owner;
+    for (uint32_t i = 0; i < ways.size(); ++i) {
+        owner.push_back(by_name.try_emplace(names[i], i).first->second);
+        for (const PointPx& p : ways[i].points()) occupied.take({p.x - 1, p.y - 1, 2, 2}, owner[i]);
+    }
     std::vector<EdgeName> placed(ways.size());
-    for (size_t i = 0; i < ways.size(); ++i)
+    std::vector<std::vector<AreaPx>> areas(ways.size());  // of placed names, by owner
+    for (uint32_t i = 0; i < ways.size(); ++i) {
+        if (passes_through(ways[i], areas[owner[i]])) continue;
         for (const std::string& text : names[i]) {
-            placed[i] = place(text, ways[i], occupied);
+            placed[i] = place(text, ways[i], owner[i], occupied);
             if (placed[i].text.empty()) continue;
             const AreaPx area = area_of(text, placed[i].at);
             occupied.take(
-                {area.x - kCharacter_px, area.y - 1, area.width + 2 * kCharacter_px, area.height + 2});
+                {area.x - kCharacter_px, area.y - 1, area.width + 2 * kCharacter_px, area.height + 2}, kNoId);
+            areas[owner[i]].push_back(area);
             break;
         }
+    }
     return placed;
 }
 

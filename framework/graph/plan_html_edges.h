@@ -1,4 +1,4 @@
-// Purpose: the ways of the edges in the page's graph, and where beside them there is room for the names of
+// Purpose: the ways of the edges in the page's graph, and where on them there is room for the names of
 // their resources. Units: pixels of the drawing.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graph/layered_layout.h"
+#include "weft/declaration.h"
 
 namespace weft {
 
@@ -39,7 +40,9 @@ struct EdgeName {
 // What an edge would be called, the longest first.
 using NameChoices = std::vector<std::string>;
 
-// By edge. Those that come first have the choice of place; no name touches a box, a way or another name.
+// By edge. Those that come first have the choice of place; a name lies on its own way, and touches no box, no
+// way of another name and no other name. Ways that share a name and the place where it lies share the name:
+// only the first has it.
 [[nodiscard]] std::vector<EdgeName> place_edge_names(const std::vector<EdgeWay>& ways,
                                                      const std::vector<NameChoices>& names,
                                                      const std::vector<AreaPx>& boxes, PointPx drawing);

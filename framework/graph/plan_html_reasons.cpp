@@ -111,7 +111,7 @@ void write_states(const FramePlan& plan, const BarrierDecl& b, Markup& out) {
 std::string edge_words(const PlanPage& page, const EdgeItem& edge, ResourceId resource) {
     const std::string from = pass_words(*page.plan, edge.from), to = pass_words(*page.plan, edge.to);
     const std::string what = resource == kNoId ? "" : resource_words(*page.plan, resource);
-    if (edge.history) return to + " reads " + what + ": what " + from + " left in an earlier frame.";
+    if (edge.history) return to + " reads " + what + " as " + from + " left it in an earlier frame.";
     switch (edge.kind) {
         case EdgeKind::raw:
             return to + " reads what " + from + " wrote to " + what + ".";

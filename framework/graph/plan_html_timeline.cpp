@@ -15,28 +15,40 @@ constexpr int32_t kLaneHeight_px = kLaneTop_px + kBoxHeight_px + 10;
 constexpr int32_t kLaneGap_px = 26;  // waits bend in it
 constexpr int32_t kStub_px = 26;
 
-int32_t lane_top_px(uint32_t queue) {
-    return static_cast<int32_t>(queue) * (kLaneHeight_px + kLaneGap_px);
+int32_t lane_top_px(size_t row) {
+    return static_cast<int32_t>(row) * (kLaneHeight_px + kLaneGap_px);
+}
+
+// Queues with something to do, ascending: the others have no row.
+std::vector<uint32_t> used_queues(const FramePlan& plan) {
+    std::vector<uint32_t> used;
+    for (uint32_t q = 0; q < plan.schedule.queues.size(); ++q)
+        if (std::any_of(plan.submissions.batches.begin(), plan.submissions.batches.end(),
+                        [&](const Batch& batch) { return batch.queue == q; }))
+            used.push_back(q);
+    return used;
 }
 
 class TimelineDrawing {
  public:
     TimelineDrawing(const PlanPage& page, Markup& out)
-        : page_(page), plan_(*page.plan), out_(out), top_px_(heading_height_px(page)) {}
+        : page_(page),
+          plan_(*page.plan),
+          out_(out),
+          queues_(used_queues(*page.plan)),
+          top_px_(heading_height_px(page)) {}
 
     void draw() {
-        const auto queues = static_cast<uint32_t>(plan_.schedule.queues.size());
-        const int32_t height_px = top_px_ + lane_top_px(queues) - kLaneGap_px + 4;
+        const int32_t height_px = top_px_ + lane_top_px(queues_.size()) - kLaneGap_px + 4;
         out_.open("div", {{"class", "chart"}});
         write_labels();
         open_drawing(out_, "Timeline of the queues", page_.columns.width_px, height_px);
         write_heading(page_, out_);
         write_guides(page_, top_px_, height_px, out_);
-        for (uint32_t q = 0; q < queues; ++q) draw_idle(q);
         for (size_t batch = 0; batch < plan_.submissions.batches.size(); ++batch) draw_batch(batch);
         for (uint32_t p = 0; p < plan_.schedule.order.size(); ++p) draw_scope(p);
         for (uint32_t p = 0; p < plan_.schedule.order.size(); ++p) draw_pass(p);
-        draw_end(BarrierPlace::prologue, page_.columns.prologue, 0);
+        draw_end(BarrierPlace::prologue, page_.columns.prologue, queues_[0]);
         draw_end(BarrierPlace::epilogue, page_.columns.epilogue, epilogue_queue());
         draw_waits();
         close_drawing(out_);
@@ -47,8 +59,8 @@ class TimelineDrawing {
     void write_labels() {
         out_.open("ol",
                   {{"class", "labels lanes"}, {"style", "padding-top:" + std::to_string(top_px_) + "px"}});
-        for (uint32_t q = 0; q < plan_.schedule.queues.size(); ++q) {
-            const int32_t height_px = q == 0 ? kLaneHeight_px : kLaneHeight_px + kLaneGap_px;
+        for (const uint32_t q : queues_) {
+            const int32_t height_px = q == queues_[0] ? kLaneHeight_px : kLaneHeight_px + kLaneGap_px;
             out_.open("li", {{"style", "height:" + std::to_string(height_px) + "px;padding-top:" +
                                            std::to_string(height_px - kLaneHeight_px) + "px"}});
             out_.leaf("b", {{"class", "q" + std::to_string(q)}}, "queue " + std::to_string(q));
@@ -62,7 +74,7 @@ class TimelineDrawing {
     uint32_t epilogue_queue() const {
         for (const Batch& batch : plan_.submissions.batches)
             if (batch.epilogue) return batch.queue;
-        return 0;
+        return queues_[0];
     }
 
     int32_t batch_left_px(const Batch& batch) const {
@@ -76,7 +88,10 @@ class TimelineDrawing {
         const PageColumn& last = page_.columns.passes[batch.positions.back()];
         return last.left_px + last.width_px + 5;
     }
-    int32_t lane_px(uint32_t queue) const { return top_px_ + lane_top_px(queue); }
+    int32_t lane_px(uint32_t queue) const {
+        const auto row = std::find(queues_.begin(), queues_.end(), queue) - queues_.begin();
+        return top_px_ + lane_top_px(static_cast<size_t>(row));
+    }
     int32_t middle_px(const Batch& batch) const {
         return lane_px(batch.queue) + kLaneTop_px + kBoxHeight_px / 2;
     }
@@ -99,13 +114,6 @@ class TimelineDrawing {
                   fits ? name : small_text_in("sub " + number, room_px));
         out_.close();
         out_.line();
-    }
-
-    void draw_idle(uint32_t queue) {
-        const std::vector<QueueIndex>& used = plan_.schedule.queue;
-        if (queue == epilogue_queue() || std::find(used.begin(), used.end(), queue) != used.end()) return;
-        out_.leaf("text", {{"class", "kind"}, {"x", 12}, {"y", lane_px(queue) + kLaneHeight_px / 2 + 4}},
-                  "No pass asks for this queue.");
     }
 
     void draw_pass(uint32_t position) {
@@ -217,8 +225,23 @@ class TimelineDrawing {
     const PlanPage& page_;
     const FramePlan& plan_;
     Markup& out_;
+    std::vector<uint32_t> queues_;  // with a row, at least one
     int32_t top_px_;
 };
+
+void write_idle_queues(const FramePlan& plan, Markup& out) {
+    const std::vector<uint32_t> used = used_queues(plan);
+    std::string names;
+    size_t idle = 0;
+    for (uint32_t q = 0; q < plan.schedule.queues.size(); ++q) {
+        if (std::find(used.begin(), used.end(), q) != used.end()) continue;
+        names += (idle++ > 0 ? ", " : "") + std::to_string(q) + " (" +
+                 enum_name(plan.schedule.queues[q].kind) + ")";
+    }
+    if (idle > 0)
+        out.leaf("p", {{"class", "none"}},
+                 std::string("No pass runs on ") + (idle == 1 ? "queue " : "queues ") + names + ".");
+}
 
 void write_timeline_legend(const PlanPage& page, Markup& out) {
     std::vector<std::pair<const char*, const char*>> used;
@@ -252,6 +275,7 @@ void write_timeline(const PlanPage& page, Markup& out) {
             "What each queue runs, in the order of submission. The marks in front of a pass are "
             "the barriers that it waits for, those behind it what it leaves for others."))
         TimelineDrawing(page, out).draw();
+    write_idle_queues(*page.plan, out);
     write_timeline_legend(page, out);
     out.close();
 }

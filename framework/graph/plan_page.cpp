@@ -1,7 +1,12 @@
 #include "graph/plan_page.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
+
+#include "graph/plan_page_repeats.h"
+#include "graph/subresource_grid.h"
 
 namespace weft {
 namespace {
@@ -26,21 +31,72 @@ auto edge_order(const EdgeItem& e) {
     return std::make_tuple(e.history, e.from, e.to, e.kind);
 }
 
-// Who reads a role of a ring that nobody wrote in this frame sees what the writers of its newest role left.
+// The passes whose writes are still there when a frame ends, by cell of the resource. Later writers replace
+// earlier ones, but for turns of a repeat that is spread over frames: each of them may have been the last one
+// to run.
+class LastWriters {
+ public:
+    LastWriters(const FramePlan& plan, ResourceId resource, const std::vector<SubresourceRange>& read)
+        : grid_(plan.graph.resources[resource], ranges_of(plan, resource, read)),
+          writers_(grid_.cell_count()) {
+        for (const PassId pass : plan.schedule.order) {
+            const PassDecl& decl = plan.graph.passes[pass];
+            for (const UseDecl& use : decl.uses) {
+                if (use.resource != resource || !writes(use.access)) continue;
+                for (const uint32_t cell : grid_.cells_of(use.range)) {
+                    if (decl.turns == 0) writers_[cell].clear();
+                    writers_[cell].push_back(pass);
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] std::set<PassId> of(const SubresourceRange& range) const {
+        std::set<PassId> found;
+        for (const uint32_t cell : grid_.cells_of(range))
+            found.insert(writers_[cell].begin(), writers_[cell].end());
+        return found;
+    }
+
+ private:
+    static std::vector<SubresourceRange> ranges_of(const FramePlan& plan, ResourceId resource,
+                                                   std::vector<SubresourceRange> ranges) {
+        for (const PassDecl& pass : plan.graph.passes)
+            for (const UseDecl& use : pass.uses)
+                if (use.resource == resource) ranges.push_back(use.range);
+        return ranges;
+    }
+
+    SubresourceGrid grid_;
+    std::vector<std::vector<PassId>> writers_;  // by cell
+};
+
+// A read of what no pass of this frame wrote.
+struct PastRead {
+    PassId pass = kNoId;
+    ResourceId resource = kNoId;
+    SubresourceRange range;
+};
+
+// A pass that reads a role of a ring that nobody wrote in this frame sees the last version of an earlier
+// frame.
 void add_history(const FramePlan& plan, std::vector<EdgeItem>& edges) {
-    std::vector<std::vector<PassId>> writers(plan.graph.resources.size());
-    for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass)
-        for (const UseDecl& use : plan.graph.passes[pass].uses)
-            if (writes(use.access)) writers[use.resource].push_back(pass);
+    std::map<ResourceId, std::vector<PastRead>> reads;  // by the newest role of the ring
     for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass)
         for (const UseDecl& use : plan.graph.passes[pass].uses) {
             const ResourceId ring = plan.graph.resources[use.resource].ring;
-            const bool past = std::any_of(use.sources.begin(), use.sources.end(),
-                                          [](const VersionSource& s) { return s.producer == kNoId; });
-            if (ring == kNoId || !past) continue;
-            for (const PassId writer : writers[ring])
-                edges.push_back({writer, pass, EdgeKind::raw, true, {use.resource}});
+            if (ring == kNoId) continue;
+            for (const VersionSource& source : use.sources)
+                if (source.producer == kNoId) reads[ring].push_back({pass, use.resource, source.range});
         }
+    for (const auto& [ring, pasts] : reads) {
+        std::vector<SubresourceRange> ranges;
+        for (const PastRead& past : pasts) ranges.push_back(past.range);
+        const LastWriters writers(plan, ring, ranges);
+        for (const PastRead& past : pasts)
+            for (const PassId writer : writers.of(past.range))
+                edges.push_back({writer, past.pass, EdgeKind::raw, true, {past.resource}});
+    }
 }
 
 // Those between the same two passes, for the same kind of reason, become one.
@@ -83,6 +139,7 @@ PlanPage make_page(const FramePlan& plan, const PlanPageInfo& info) {
     page.info = info;
     number_barriers(page);
     number_edges(page);
+    page.repeats = find_long_repeats(page);
     for (uint32_t b = 0; b < plan.submissions.batches.size(); ++b)
         for (const QueueWait& wait : plan.submissions.batches[b].waits) page.waits.push_back({b, &wait});
     page.users.resize(plan.graph.resources.size());
@@ -111,6 +168,10 @@ std::string batch_key(size_t batch) {
 }
 std::string edge_key(size_t edge) {
     return key('e', edge);
+}
+
+std::string repeat_key(size_t repeat) {
+    return key('g', repeat);
 }
 
 std::string pass_keys(const PlanPage& page, PassId pass) {
@@ -164,6 +225,12 @@ std::string edge_keys(const PlanPage& page, size_t edge) {
     std::string keys = edge_key(edge) + " " + pass_key(item.from);
     if (item.to != item.from) keys += " " + pass_key(item.to);
     for (const ResourceId id : item.resources) keys += " " + resource_key(id);
+    return keys;
+}
+
+std::string repeat_keys(const PlanPage& page, size_t repeat) {
+    std::string keys = repeat_key(repeat);
+    for (const PassId pass : page.repeats[repeat].passes) keys += " " + pass_key(pass);
     return keys;
 }
 

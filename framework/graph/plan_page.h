@@ -1,6 +1,7 @@
 // Purpose: a plan as the HTML page shows it: every barrier, wait and edge numbered, so that all panels and
 // explanations name the same thing in the same way, and the columns that the panels share.
-// Keys: p3 is pass 3 of the plan, r4 a resource, b12 a barrier, w0 a wait, s1 a submission, e7 an edge.
+// Keys: p3 is pass 3 of the plan, r4 a resource, b12 a barrier, w0 a wait, s1 a submission, e7 an edge,
+// g0 a repeat.
 // Units: pixels of the page.
 #pragma once
 
@@ -27,6 +28,12 @@ struct EdgeItem {
     EdgeKind kind = EdgeKind::raw;
     bool history = false;  // `to` reads what `from` wrote in an earlier frame
     std::vector<ResourceId> resources;
+};
+
+// The rounds of a repeat that the graph may draw as one box.
+struct RepeatItem {
+    std::string name;            // without the round's number
+    std::vector<PassId> passes;  // as they run
 };
 
 struct WaitItem {
@@ -59,6 +66,7 @@ struct PlanPage {
     PlanPageInfo info;
     std::vector<BarrierItem> barriers;  // prologue, position by position, epilogue
     std::vector<EdgeItem> edges;        // sorted
+    std::vector<RepeatItem> repeats;    // of many rounds
     std::vector<WaitItem> waits;
     std::vector<std::vector<PassId>> users;  // by resource, ascending
     PageColumns columns;
@@ -73,6 +81,7 @@ struct PlanPage {
 [[nodiscard]] std::string wait_key(size_t wait);
 [[nodiscard]] std::string batch_key(size_t batch);
 [[nodiscard]] std::string edge_key(size_t edge);
+[[nodiscard]] std::string repeat_key(size_t repeat);
 
 // The things an element of the page stands for and belongs to, itself first: "b12 p3 r4".
 [[nodiscard]] std::string pass_keys(const PlanPage& page, PassId pass);
@@ -81,6 +90,7 @@ struct PlanPage {
 [[nodiscard]] std::string wait_keys(const PlanPage& page, size_t wait);
 [[nodiscard]] std::string batch_keys(const PlanPage& page, size_t batch);
 [[nodiscard]] std::string edge_keys(const PlanPage& page, size_t edge);
+[[nodiscard]] std::string repeat_keys(const PlanPage& page, size_t repeat);
 
 // Written by passes that run and read by none, in this frame or a later one. Who takes an import is not
 // known.

@@ -1,4 +1,4 @@
-// What the page's drawings promise: bytes to scale, words inside their boxes, names beside edges.
+// What the page's drawings promise: bytes to scale, words inside their boxes, names on their edges.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -139,7 +139,7 @@ int32_t number(const ReadElement& e, const char* attribute) {
     return std::stoi(e.attributes.at(attribute));
 }
 
-TEST(PlanPageDrawing, NamesBesideEdgesTouchNoBoxAndNoOtherName) {
+TEST(PlanPageDrawing, NamesOnEdgesTouchNoBoxAndNoOtherName) {
     size_t named = 0;
     for (uint32_t seed = 1; seed <= 24; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -166,19 +166,87 @@ TEST(PlanPageDrawing, NamesBesideEdgesTouchNoBoxAndNoOtherName) {
     EXPECT_GT(named, 24u * 5);
 }
 
-TEST(PlanPageDrawing, ANameFindsRoomAboveALevelWayAndNoneBetweenBoxes) {
-    EdgeWay way;
+TEST(PlanPageDrawing, ANameLiesOnItsWayAndOnNoOther) {
+    EdgeWay way, near, across, shared;
     way.move({50, 50});
     way.line({250, 50});
     const std::vector<EdgeName> free = place_edge_names({way}, {{"hdr"}}, {}, {300, 100});
     EXPECT_EQ(free[0].text, "hdr");
-    EXPECT_LT(free[0].at.y, 50);
+    EXPECT_NEAR(free[0].at.y - 4, 50, 2) << "the middle of its letters is on the line";
     EXPECT_NEAR(free[0].at.x, 150, 4);
     const std::vector<AreaPx> boxes{{0, 0, 300, 46}, {0, 54, 300, 46}};
     EXPECT_EQ(place_edge_names({way}, {{"hdr"}}, boxes, {300, 100})[0].text, "");
     const std::vector<EdgeName> shorter =
         place_edge_names({way}, {{std::string(60, 'x'), "hdr +7"}}, {}, {300, 100});
     EXPECT_EQ(shorter[0].text, "hdr +7");
+    near.move({50, 54});
+    near.line({250, 54});
+    EXPECT_EQ(place_edge_names({way, near}, {{"hdr"}, {"depth"}}, {}, {300, 100})[0].text, "")
+        << "one could take it for the other's";
+    across.move({150, 0});
+    across.line({150, 100});
+    EXPECT_GT(std::abs(place_edge_names({way, across}, {{"hdr"}, {"x"}}, {}, {300, 100})[0].at.x - 150), 10);
+    shared.move({50, 50});
+    shared.line({150, 50});
+    shared.line({250, 90});
+    EXPECT_EQ(place_edge_names({way, shared}, {{"hdr"}, {"hdr"}}, {}, {300, 100})[0].text, "hdr");
+}
+
+// Rounds hand an image of two layers to and fro; the frame begins with what the last one left.
+FramePlan rounds_plan(int rounds, bool other_between = false) {
+    GraphBuilder b;
+    const ResourceId cells = b.image("cells", Format::r32u, 16, 1, 2), side = b.image("side");
+    (void)b.ring(cells, 0);
+    for (int i = 1; i <= rounds; ++i) {
+        const uint32_t from = static_cast<uint32_t>(i - 1) % 2, to = static_cast<uint32_t>(i) % 2;
+        b.compute("step#" + std::to_string(i),
+                  {{"before", cells, Access::sampled_read, one_cell(0, from), kNoId},
+                   {"after", cells, Access::storage_write, one_cell(0, to), kNoId}});
+        if (other_between && i == 1)
+            b.compute("other", {{"src", cells, Access::sampled_read, one_cell(0, to), kNoId},
+                                {"dst", side, Access::storage_write, {}, kNoId}});
+    }
+    if (other_between) b.after("other", "step#2");
+    read_back(b, "out", cells);
+    if (other_between) read_back(b, "outSide", side);
+    return compiled(b);
+}
+
+TEST(PlanPageDrawing, APastIsReadFromTheLastWriterOnly) {
+    const FramePlan plan = rounds_plan(10);
+    const PlanPage page = make_page(plan, {});
+    std::vector<std::string> history;
+    for (const EdgeItem& edge : page.edges)
+        if (edge.history)
+            history.push_back(plan.graph.passes[edge.from].name + " to " + plan.graph.passes[edge.to].name);
+    EXPECT_EQ(history, std::vector<std::string>{"step#10 to step#1"}) << "each earlier round was overwritten";
+    EXPECT_NE(plan_to_html(plan, {}).find("left it in an earlier frame"), std::string::npos);
+}
+
+TEST(PlanPageDrawing, RepeatsOfManyRoundsAreOneBoxThatOpens) {
+    const std::string many = plan_to_html(rounds_plan(12), {}), few = plan_to_html(rounds_plan(4), {});
+    EXPECT_EQ(read_markup(many).fault, "");
+    EXPECT_NE(many.find("12 \xC3\x97 compute</text>"), std::string::npos);
+    EXPECT_NE(many.find("aria-label=\"Draw every round of step\""), std::string::npos);
+    EXPECT_NE(many.find("<summary>Every round: 13 passes</summary>"), std::string::npos);
+    EXPECT_NE(many.find("step#12: 11  compute"), std::string::npos) << "the open drawing has them all";
+    EXPECT_EQ(few.find("<summary>Every round"), std::string::npos) << "few are legible";
+    // One box would come before and after `other`.
+    EXPECT_EQ(plan_to_html(rounds_plan(12, true), {}).find("<summary>Every round"), std::string::npos);
+}
+
+TEST(PlanPageDrawing, QueuesWithoutWorkHaveNoRow) {
+    GraphBuilder b;
+    const ResourceId image = b.image("image");
+    b.compute("make", {{"dst", image, Access::storage_write, {}, kNoId}});
+    read_back(b, "out", image);
+    const ResolvedGraph graph = b.build();
+    CompileOptions options;
+    options.queues.resize(3);
+    const std::string text = plan_to_html(compile(graph, content_needs(graph, 1), options), {});
+    EXPECT_NE(text.find("<b class=\"q0\">"), std::string::npos);
+    EXPECT_EQ(text.find("<b class=\"q1\">"), std::string::npos);
+    EXPECT_NE(text.find("No pass runs on queues 1 (graphics), 2 (graphics)."), std::string::npos);
 }
 
 TEST(PlanPageDrawing, SmallTextIsCutToItsRoomOrLeftOut) {

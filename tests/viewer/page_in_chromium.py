@@ -84,7 +84,7 @@ class Browser:
         return result["result"].get("value")
 
     def key(self, name):
-        code = {"Tab": 9, "Enter": 13, "Escape": 27, "End": 35, "ArrowRight": 39}[name]
+        code = {"Tab": 9, "Enter": 13, "Escape": 27, "End": 35, "ArrowRight": 39, "f": 70, "0": 48, "+": 187, "-": 189}[name]
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name, windowsVirtualKeyCode=code,
                       **({"text": "\r"} if name == "Enter" and kind == "keyDown" else {}))
@@ -93,6 +93,14 @@ class Browser:
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
         for kind in ("mousePressed", "mouseReleased") if click else ():
             self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+
+    def wheel(self, x, y, up):
+        self.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=-100 if up else 100, modifiers=2)
+
+    def drag(self, x, y, by_x, by_y):
+        self.call("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, button="left", clickCount=1)
+        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x + by_x, y=y + by_y, button="left", buttons=1)
+        self.call("Input.dispatchMouseEvent", type="mouseReleased", x=x + by_x, y=y + by_y, button="left", clickCount=1)
 
     def look(self, scheme, width_px, height_px):
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
@@ -119,6 +127,8 @@ SPOT = """(() => { const item = document.querySelector(%s); if (!item) return nu
     spots.push([at.x, at.y]); }
   for (let i = 1; i < 20; ++i) for (let k = 1; k < 20; ++k) spots.push([box.x + box.width * k / 20, box.y + box.height * i / 20]);
   return spots.find(([x, y]) => document.elementFromPoint(x, y)?.closest(".i") === item) ?? "covered"; })()"""
+SPOT_OF_OPENER = """(() => { const opener = document.querySelector("#graph .open"); if (!opener) return null;
+  opener.scrollIntoView({ block: "center" }); const at = opener.getBoundingClientRect(); return [at.x + at.width / 2, at.y + at.height / 2]; })()"""
 # The text of an article and of what is explained, without blanks.
 ARTICLE = '(document.getElementById(%s)?.textContent ?? "none").replace(/\\s+/g, "")'
 EXPLAINED = 'document.getElementById("explained").textContent.replace(/\\s+/g, "")'
@@ -129,15 +139,45 @@ STICKS_OUT = """(() => { const out = [];
     for (const text of item.querySelectorAll("text")) { const t = text.getBBox();
       if (t.x < box.x || t.x + t.width > box.x + box.width || t.y < box.y - 1 || t.y + t.height > box.y + box.height + 2)
         out.push(text.textContent + " of " + item.getAttribute("aria-label")); } }
-  const boxes = [...document.querySelectorAll("#graph .pass .box")].map((box) => box.getBBox());
-  for (const name of document.querySelectorAll("#graph .edgename")) { const t = name.getBBox();
-    if (boxes.some((b) => t.x < b.x + b.width && b.x < t.x + t.width && t.y < b.y + b.height && b.y < t.y + t.height))
-      out.push(name.textContent + " beside an edge covers a box"); }
+  for (const svg of document.querySelectorAll("#graph svg")) {
+    const boxes = [...svg.querySelectorAll(".pass .box")].map((box) => box.getBBox());
+    for (const name of svg.querySelectorAll(".edgename")) { const t = name.getBBox();
+      if (boxes.some((b) => t.x < b.x + b.width && b.x < t.x + t.width && t.y < b.y + b.height && b.y < t.y + t.height))
+        out.push(name.textContent + " on an edge covers a box"); } }
   for (const svg of document.querySelectorAll("svg")) { const whole = svg.getBoundingClientRect();
     for (const text of svg.querySelectorAll("text")) { const t = text.getBoundingClientRect();
       if (t.left < whole.left - 1 || t.right > whole.right + 1 || t.top < whole.top - 1 || t.bottom > whole.bottom + 1)
         out.push(text.textContent + " leaves its drawing"); } }
   return out; })()"""
+# Names in the graph that do not lie on their own edge, or through which an edge of another name runs.
+STRAY_NAMES = """(() => { const out = [];
+  const text = (edge) => edge.querySelector(".edgename")?.textContent ?? edge.getAttribute("aria-label").split(": ").pop();
+  for (const svg of document.querySelectorAll("#graph svg")) {
+    const edges = [...svg.querySelectorAll(".edge")].map((edge) => { const way = edge.querySelector(".line"), spots = [];
+      for (let at = 0; at <= way.getTotalLength(); at += 2) spots.push(way.getPointAtLength(at));
+      return { edge, spots, resources: text(edge).split(",")[0].split(" ")[0] }; });
+    for (const { edge, spots, resources } of edges) { const name = edge.querySelector(".edgename"); if (!name) continue;
+      const box = name.getBBox(), inside = (p) => p.x > box.x && p.x < box.x + box.width && p.y > box.y && p.y < box.y + box.height;
+      if (!spots.some(inside)) out.push("the name " + name.textContent + " of " + edge.getAttribute("aria-label") + " lies off its edge");
+      for (const other of edges) if (other.resources !== resources && other.spots.some(inside))
+        out.push(other.edge.getAttribute("aria-label") + " runs through the name " + name.textContent); } }
+  return out; })()"""
+# Queues with a row of the timeline and no submission in it.
+EMPTY_ROWS = """(() => { const rows = [...document.querySelectorAll("#timeline .lanes li")];
+  const batches = [...document.querySelectorAll("#timeline .batch .box")].map((box) => box.getBoundingClientRect());
+  return rows.filter((row) => { const at = row.getBoundingClientRect();
+    return !batches.some((b) => b.top < at.bottom && at.top < b.bottom); }).map((row) => row.textContent); })()"""
+# What lies below the explanation, where nobody can see it.
+COVERED = """(() => { const bar = document.getElementById("inspector"), at = bar.getBoundingClientRect(), found = new Set();
+  bar.style.visibility = "hidden";
+  for (let x = at.left + 5; x < Math.min(at.right, innerWidth); x += 20)
+    for (let y = at.top + 5; y < Math.min(at.bottom, innerHeight); y += 10)
+      for (const part of document.elementsFromPoint(x, y)) { const of = part.closest("section, header"); if (of) found.add(of.id || "the header"); }
+  bar.style.visibility = "";
+  return [...found]; })()"""
+# Boxes of passes that can be seen in the graph.
+BOXES = """[...document.querySelectorAll("#graph .pass .box")].filter((box) => box.checkVisibility({ visibilityProperty: true })).length"""
+SCALE = """(() => { const svg = document.querySelector("#graph svg"); return svg.getBoundingClientRect().width / svg.viewBox.baseVal.width; })()"""
 SMALLEST = """Math.min(...[...document.querySelectorAll("body *")].filter((e) => e.childNodes.length && e.innerText !== "")
   .map((e) => parseFloat(getComputedStyle(e).fontSize)))"""
 
@@ -207,6 +247,65 @@ def check_selection(browser, faults, folder, name):
     browser.key("Escape")
 
 
+def check_zoom(browser, faults):
+    """Buttons, keys and the wheel change the size of the graph; the mouse moves it."""
+    def expect(what, good):
+        if not good:
+            faults.append(f"{what}: the graph is drawn at {browser.value(SCALE):.2f}")
+
+    button = 'document.querySelector("#graph [data-zoom=%s]")'
+    if not browser.value(f'!!{button % "fit"} && document.querySelector("#graph .zoom").checkVisibility()'):
+        faults.append("nothing changes the size of the graph")
+        return
+    browser.value('document.getElementById("graph").scrollIntoView()')
+    browser.value(f'{button % "full"}.click()')
+    expect("100 %", abs(browser.value(SCALE) - 1) < 0.01)
+    browser.value(f'{button % "fit"}.click()')
+    fit = browser.value(SCALE)
+    expect("fit", browser.value('(() => { const f = document.querySelector("#graph .scroll"); return f.scrollWidth <= f.clientWidth + 1; })()'))
+    browser.value('document.querySelector("#graph svg .i").focus()')
+    for key, good in (("0", lambda now: abs(now - 1) < 0.01), ("+", lambda now: now > 1.1), ("-", lambda now: abs(now - 1) < 0.01),
+                      ("f", lambda now: abs(now - fit) < 0.01)):
+        browser.key(key)
+        expect("key " + key, good(browser.value(SCALE)))
+    x, y = browser.value('(() => { const at = document.querySelector("#graph .scroll").getBoundingClientRect();'
+                         ' return [at.left + at.width / 2, at.top + 10]; })()')
+    browser.wheel(x, y, up=True)
+    browser.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    expect("Ctrl and the wheel", abs(browser.value(SCALE) / fit - 1.25) < 0.02)
+    browser.value("scrollTo(0, 0)")
+    browser.value(f'for (let i = 0; i < 6; ++i) {button % "in"}.click(); document.querySelector("#graph .scroll").scrollTo(0, 0);'
+                  'document.getElementById("graph").scrollIntoView()')
+    x, y = browser.value('(() => { const at = document.querySelector("#graph .scroll").getBoundingClientRect(); return [at.left + 200, at.top + 4]; })()')
+    browser.drag(x, y, -50, 0)
+    if browser.value('document.querySelector("#graph .scroll").scrollLeft') < 40:
+        faults.append("the mouse does not drag the graph")
+
+
+def check_repeats(browser, faults):
+    """A repeat of many rounds is one box; its square opens it."""
+    rounds = browser.value('new Set([...document.querySelectorAll("#timeline .pass")].map((e) => e.dataset.k.split(" ")[0])).size')
+    folded = browser.value(BOXES)
+    if folded > 40 and browser.value('[...document.querySelectorAll("#timeline .title")].filter((e) => e.ariaLabel.includes("#")).length') > 40:
+        faults.append(f"the rounds of repeats fill the graph: {folded} boxes")
+    spot = browser.value(SPOT_OF_OPENER)
+    if spot:
+        browser.point_at(*spot, click=True)
+        if browser.value(BOXES) < rounds:
+            faults.append(f"an open repeat shows {browser.value(BOXES)} boxes of {rounds} passes")
+
+
+def check_without_script(browser, path, faults):
+    """The drawings are complete, and nothing is offered that needs the script."""
+    browser.call("Emulation.setScriptExecutionDisabled", value=True)
+    browser.open(path)
+    if browser.value('document.querySelector("#graph .zoom")?.checkVisibility() ?? false'):
+        faults.append("without a script there are buttons that do nothing")
+    if abs(browser.value(SCALE) - 1) > 0.01:
+        faults.append("without a script the graph has another size")
+    browser.call("Emulation.setScriptExecutionDisabled", value=False)
+
+
 def check_page(browser, path, folder):
     faults = []
     name = pathlib.Path(path).stem
@@ -217,6 +316,10 @@ def check_page(browser, path, folder):
         if browser.value("document.documentElement.scrollWidth > innerWidth"):
             faults.append(f"the page is wider than {width_px} px")
         faults += [f"at {width_px} px: {text}" for text in browser.value(STICKS_OUT)[:5]]
+        for end in ("0", "1e6"):
+            browser.value(f"for (const e of [document.scrollingElement, document.getElementById('content')]) e?.scrollTo(0, {end})")
+            faults += [f"at {width_px} px the explanation covers {part}" for part in browser.value(COVERED)]
+        browser.value("for (const e of [document.scrollingElement, document.getElementById('content')]) e?.scrollTo(0, 0)")
         picture = browser.screenshot(f"{folder}/{name}-{scheme}-{width_px}.png")
         if len(picture) < 20000:
             faults.append(f"the picture in {scheme} of {width_px} px is empty")
@@ -225,7 +328,14 @@ def check_page(browser, path, folder):
         faults.append("light and dark look the same")
     if browser.value(SMALLEST) < 11:
         faults.append("text is smaller than 11 px")
+    faults += browser.value(STRAY_NAMES)[:5]
+    faults += [f"a row for a queue without work: {row}" for row in browser.value(EMPTY_ROWS)]
     browser.look("light", 1440, 1000)
+    check_without_script(browser, path, faults)
+    browser.open(path)
+    check_zoom(browser, faults)
+    browser.open(path)
+    check_repeats(browser, faults)
     browser.open(path)
     seen = [style for style in ("pass", "edge", "barrier", "wait", "batch", "cell", "life", "block", "alive")
             if check_hover(browser, faults, style)]

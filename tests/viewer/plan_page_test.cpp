@@ -59,6 +59,8 @@ TEST(PlanPage, WorksInABrowser) {
                              Page{"bloom", WEFT_SOURCE_DIR "/graphs/bloom.json", "1"},
                              Page{"dof", WEFT_SOURCE_DIR "/graphs/dof.json", "1"},
                              Page{"forward", WEFT_SOURCE_DIR "/graphs/forward.json", "2"},
+                             Page{"rounds", WEFT_SOURCE_DIR "/graphs/reaction_diffusion.json", "3"},
+                             Page{"light_indexed", WEFT_SOURCE_DIR "/graphs/light_indexed.json", "1"},
                              Page{"things", WEFT_SOURCE_DIR "/tests/viewer/pages/things.json", "3"},
                              Page{"long", folder / "long.json", "1"}}) {
         const std::string file = folder / (page.name + ".html");

@@ -128,6 +128,77 @@
       for (const other of charts) if (other.scrollLeft !== chart.scrollLeft) other.scrollLeft = chart.scrollLeft;
     });
 
+  // The graph's drawings: smaller and larger about a point, as wide as the panel, or as they were drawn.
+  const graph = document.getElementById("graph");
+  const drawings = [...graph.querySelectorAll("svg")].map((svg) =>
+    ({ svg, frame: svg.parentElement, width: svg.viewBox.baseVal.width, height: svg.viewBox.baseVal.height }));
+  const controls = graph.querySelector(".zoom");
+  const leastScale = 0.01, mostScale = 4, zoomStep = 1.25;
+  const leastLegible = 0.7;  // a drawing begins as wide as the panel, unless its letters would be too small
+  let scale = 1;
+
+  function zoom(wanted, x, y) {
+    const before = scale;
+    scale = Math.min(mostScale, Math.max(leastScale, wanted));
+    for (const { svg, frame, width, height } of drawings) {
+      const left = x === undefined ? frame.clientWidth / 2 : x - frame.getBoundingClientRect().left;
+      const top = y === undefined ? frame.clientHeight / 2 : y - frame.getBoundingClientRect().top;
+      const atX = (frame.scrollLeft + left) / before, atY = (frame.scrollTop + top) / before;
+      svg.setAttribute("width", width * scale);
+      svg.setAttribute("height", height * scale);
+      frame.scrollLeft = atX * scale - left;
+      frame.scrollTop = atY * scale - top;
+    }
+    controls.querySelector("output").textContent = `${Math.round(scale * 100)} %`;
+  }
+  const shown = () => drawings.find(({ frame }) => frame.checkVisibility?.({ visibilityProperty: true }) ?? frame.clientHeight > 0);
+  const fitting = () => {
+    const drawing = shown();
+    return drawing && drawing.frame.clientWidth > 0 ? drawing.frame.clientWidth / drawing.width : 1;
+  };
+  const zooms = { in: () => zoom(scale * zoomStep), out: () => zoom(scale / zoomStep), fit: () => zoom(fitting()), full: () => zoom(1) };
+  const zoomKeys = { "+": "in", "=": "in", "-": "out", f: "fit", 0: "full" };
+  if (drawings.length > 0) {
+    controls.hidden = false;
+    controls.addEventListener("click", (event) => zooms[event.target.closest("button")?.dataset.zoom]?.());
+    graph.addEventListener("keydown", (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey || !zoomKeys[event.key]) return;
+      event.preventDefault();
+      zooms[zoomKeys[event.key]]();
+    });
+    zoom(Math.min(1, Math.max(leastLegible, fitting())));
+  }
+  for (const { frame } of drawings) {
+    frame.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !event.metaKey) return;
+      event.preventDefault();
+      zoom(scale * zoomStep ** (-Math.sign(event.deltaY)), event.clientX, event.clientY);
+    }, { passive: false });
+    // The mouse drags the drawing where it holds no item.
+    frame.addEventListener("pointerdown", (event) => {
+      if (event.pointerType !== "mouse" || event.button !== 0 || event.target.closest("a")) return;
+      const from = { x: event.clientX + frame.scrollLeft, y: event.clientY + frame.scrollTop };
+      const drag = (moved) => frame.scrollTo(from.x - moved.clientX, from.y - moved.clientY);
+      frame.setPointerCapture(event.pointerId);
+      frame.classList.add("held");
+      frame.addEventListener("pointermove", drag);
+      frame.addEventListener("lostpointercapture", () => {
+        frame.classList.remove("held");
+        frame.removeEventListener("pointermove", drag);
+      }, { once: true });
+    });
+  }
+
+  // A repeat opens: the drawing of all rounds takes the place of the folded one.
+  const rounds = graph.querySelector("details.rounds");
+  for (const opener of graph.querySelectorAll(".open"))
+    opener.addEventListener("click", (event) => {
+      event.preventDefault();
+      rounds.open = true;
+      rounds.querySelector("summary").focus();
+      rounds.scrollIntoView({ block: "nearest" });
+    });
+
   const fromAddress = () => {
     const key = location.hash.slice(1);
     if (bySelf.has(key)) selected = null, select(key);
