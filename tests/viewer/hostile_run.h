@@ -32,7 +32,7 @@ class WatchedFolder {
 // The same run again under strace. Nothing when strace is not there or may not trace.
 struct TracedRun {
     RunResult run;
-    std::vector<std::string> opened;    // absolute and canonical where they exist
+    std::vector<std::string> opened;    // absolute, links resolved
     std::vector<std::string> executed;  // programs that were started, the first one included
     bool used_network = false;
 };
