@@ -1,28 +1,20 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
 #include "commands.h"
 #include "file/write_file.h"
-#include "files.h"
-#include "graph/debug_view.h"
 #include "image_file.h"
 #include "output.h"
 #include "progress_text.h"
-#include "render/import_catalog.h"
 #include "render/session.h"
 #include "render/texels.h"
-#include "scene_source.h"
 #include "session_setup.h"
-#include "shader/load_graph.h"
 #include "stats.h"
 #include "vulkan/executor.h"
-#include "weft/registry.h"
 
 namespace weft::viewer {
 namespace {
@@ -97,86 +89,6 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     return write_image(options.output, data.extent.width, data.extent.height, texels);
 }
 
-// The environment is in cd/m²; how much of that makes a white pixel, the exposure says.
-void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
-    constexpr float kMiddleGrey = 0.18f, kMostStops = 6;
-    const float mean = mean_luminance(scene.environment);
-    if (mean <= 0) return;
-    const float stops = std::log2(mean / kMiddleGrey) + exposure_ev;
-    if (std::abs(stops) <= kMostStops) return;
-    Diagnostic d;
-    d.code = "S182";
-    d.severity = Severity::warning;
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), "%.0f stops too %s for the exposure of %g EV", std::abs(stops),
-                  stops < 0 ? "dark" : "bright", exposure_ev);
-    d.message = "the environment \"" + scene.environment.name + "\" is " + text.data();
-    std::snprintf(text.data(), text.size(), "its values are taken as cd/m²: --exposure %.1f shows it",
-                  exposure_ev - stops);
-    d.help = {text.data()};
-    report({d});
-}
-
-}  // namespace
-
-render::SessionInput session_input(const RenderOptions& options, const scene::Scene& scene,
-                                   const scene::Camera& camera, const PassCatalog& passes) {
-    const std::filesystem::path root = shipped_root();
-    render::SessionInput input;
-    input.graph_path = options.graph.empty() ? (root / "graphs" / "deferred.json").string() : options.graph;
-    input.reader = reader_up_to(options.limits.graph.json_bytes);
-    input.shader_root = root / "shaders";
-    input.shader_cache = shader_cache();
-    input.shader_worker = find_shader_worker();
-    input.limits = options.limits;
-    input.passes = &passes;
-    input.size = options.size;
-    input.graph_root = root / "graphs";
-    input.tier = options.tier;
-    input.params = options.params;
-    input.observed = options.observed;
-    if (!options.resource.empty()) input.observed.push_back(options.resource);
-    input.debug = options.debug;
-    if (!options.debug.empty()) input.observed.emplace_back(kDebugView);
-    input.camera = camera;
-    input.exposure_ev = options.exposure_ev.value_or(scene.exposure_ev);
-    input.queues = options.queues;
-    input.check_plan = options.validate;
-    input.timestamps = !options.stats.empty() && !options.validate;
-    input.drop_barriers_before = options.drop_barriers_before;
-    return input;
-}
-
-Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options) {
-    vk::DeviceOptions device_options;
-    device_options.validate = options.validate;
-    device_options.device = options.device;
-    device_options.queues = options.queues;
-    device_options.timeout_ns = static_cast<uint64_t>(options.timeout_s * 1e9);
-    return vk::Device::create(device_options);
-}
-
-namespace {
-
-// Before a scene is loaded and a device made: both take their time.
-Status check_graph(const RenderOptions& options, const PassCatalog& passes) {
-    const render::SessionInput session = session_input(options, {}, {}, passes);
-    const ImportCatalog imports = render::scene_imports(options.size);
-    const DeviceProfile profile;
-    return check_request({.path = session.graph_path,
-                          .reader = session.reader,
-                          .shader_root = session.shader_root,
-                          .shader_cache = {},
-                          .passes = passes,
-                          .imports = imports,
-                          .profile = profile,
-                          .params = options.params,
-                          .limits = options.limits,
-                          .graph_root = session.graph_root,
-                          .tier = options.tier,
-                          .debug = options.debug});
-}
-
 }  // namespace
 
 Status write_output_picture(const std::string& path, const vk::ReadbackData& data) {
@@ -202,31 +114,6 @@ ExitCode fail_on_device(const Diagnostics& errors) {
     const ExitCode code = exit_code_for(errors);
     if (code == ExitCode::lost) std::_Exit(static_cast<int>(code));
     return code;
-}
-
-Result<OpenSession> open_session(const RenderOptions& options) {
-    const PassCatalog passes = registered_passes();
-    if (Status s = check_graph(options, passes); !s) return s.take_errors();
-    Diagnostics warnings;
-    Result<scene::Scene> scene =
-        open_scene({options.scene, options.env, options.hour, options.lights, options.seed},
-                   options.limits.scene, warnings);
-    if (!options.quiet) report(warnings);
-    if (!scene) return scene.take_errors();
-    warn_of_exposure(*scene, options.exposure_ev.value_or(scene->exposure_ev));
-    const float aspect = static_cast<float>(options.size.width) / static_cast<float>(options.size.height);
-    Result<scene::Camera> camera = choose_camera(*scene, options.camera, aspect);
-    if (!camera) return camera.take_errors();
-
-    Result<std::unique_ptr<vk::Device>> device = open_device(options);
-    if (!device) return device.take_errors();
-
-    warnings.clear();
-    Result<std::unique_ptr<render::Session>> session =
-        render::Session::create(**device, *scene, session_input(options, *scene, *camera, passes), warnings);
-    if (!options.quiet) report(warnings);
-    if (!session) return session.take_errors();
-    return OpenSession{std::move(*device), std::move(*session)};
 }
 
 ExitCode run_render(const RenderOptions& options) {

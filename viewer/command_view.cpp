@@ -10,6 +10,7 @@
 #include "output.h"
 #include "render/reloader.h"
 #include "session_setup.h"
+#include "view_start.h"
 
 namespace weft::viewer {
 namespace {
@@ -22,6 +23,7 @@ struct ViewCounts {
     uint32_t reloads = 0;
     uint32_t failed_reloads = 0;
     double longest_swap_ms = 0;
+    uint64_t pictured = 0;  // frames until the one that was written last; 0: none was
 };
 
 // What a reload has to say. What runs on after an error is the graph from before.
@@ -38,18 +40,31 @@ void tell(const render::Reload& reload, ViewCounts& counts) {
     std::fprintf(stderr, "weft: reloaded in %.0f ms: %s\n", reload.ms, to_text(reload.rebuilt).c_str());
 }
 
+Status write_last_frame(const std::string& path, render::Session& session) {
+    if (Status s = session.finish(); !s) return s;
+    const Result<vk::ReadbackData> data = session.read_output();
+    if (!data) return data.errors();
+    if (Status s = write_output_picture(path, *data); !s) return s;
+    std::fprintf(stderr, "weft: wrote %s\n", path.c_str());
+    return Unit{};
+}
+
 // A window would show each frame, and tell of its events, where this one only waits for the next frame.
 Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session, render::Reloader& reloader,
                            EndSignals& end) {
     ViewCounts counts;
     const Clock::time_point begin = Clock::now();
     double last_s = 0;
+    bool is_picture_due = true;
     while (options.render.frames == 0 || counts.frames < options.render.frames) {
         const Clock::time_point due = begin + counts.frames * kFrameTime;
         const bool over = end.within(options.fixed_dt ? std::chrono::nanoseconds(0) : due - Clock::now());
         // One frame is drawn in any case: whoever asks for a picture gets one that was drawn.
         if (over && counts.frames > 0) break;
-        if (const std::optional<render::Reload> reload = reloader.update()) tell(*reload, counts);
+        if (const std::optional<render::Reload> reload = reloader.update()) {
+            tell(*reload, counts);
+            is_picture_due |= reload->good();
+        }
         const double dt_s = options.render.fixed_dt_s;
         const double now_s = options.fixed_dt ? static_cast<double>(counts.frames) * dt_s
                                               : std::chrono::duration<double>(Clock::now() - begin).count();
@@ -60,17 +75,16 @@ Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session,
         static_cast<void>(session.take_readbacks());
         last_s = now_s;
         ++counts.frames;
+        // Where it cannot be written frames go on: writing the last one counts.
+        if (is_picture_due && !options.render.output.empty()) {
+            const Status written = write_last_frame(options.render.output, session);
+            if (written) counts.pictured = counts.frames;
+            if (!written) report(written.errors());
+        }
+        is_picture_due = false;
     }
     if (Status s = session.finish(); !s) return s.take_errors();
     return counts;
-}
-
-Status write_last_frame(const std::string& path, render::Session& session) {
-    const Result<vk::ReadbackData> data = session.read_output();
-    if (!data) return data.errors();
-    if (Status s = write_output_picture(path, *data); !s) return s;
-    std::fprintf(stderr, "weft: wrote %s\n", path.c_str());
-    return Unit{};
 }
 
 Status write_stats(const std::string& path, const OpenSession& open, const ViewCounts& counts) {
@@ -102,8 +116,11 @@ ExitCode run_view(const ViewOptions& options) {
     EndSignals end(options.render.frames == 0);
     RenderOptions untimed = options.render;
     untimed.stats.clear();  // its times would add barriers
-    Result<OpenSession> open = open_session(untimed);
-    if (!open) return fail_on_device(open.errors());
+    // A run of so many frames belongs to a script, which waits for no edit.
+    Result<std::optional<OpenSession>> opened = open_when_good(untimed, options.render.frames == 0, end);
+    if (!opened) return fail_on_device(opened.errors());
+    if (!*opened) return ExitCode::invalid_input;
+    OpenSession* open = &**opened;
     Result<std::unique_ptr<render::Reloader>> reloader = render::Reloader::start(*open->session);
     if (!reloader) return fail_on_device(reloader.errors());
     std::fprintf(stderr, "weft: watching %s and what it reads\n",
@@ -114,7 +131,7 @@ ExitCode run_view(const ViewOptions& options) {
         report_messages(open->device->messages().messages());
         return fail_on_device(counts.errors());
     }
-    if (!options.render.output.empty())
+    if (!options.render.output.empty() && counts->pictured != counts->frames)
         if (Status s = write_last_frame(options.render.output, *open->session); !s)
             return fail_on_device(s.errors());
     if (!options.render.stats.empty())

@@ -46,11 +46,13 @@ Session::Session(vk::Device& device, const SessionInput& input)
 Session::~Session() = default;
 
 Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene::Scene& scene,
-                                                 const SessionInput& input, Diagnostics& warnings) {
+                                                 const SessionInput& input, Diagnostics& warnings,
+                                                 std::set<std::filesystem::path>* files) {
     std::unique_ptr<Session> session(new Session(device, input));
     session->imports_ = scene_imports(input.size, &scene);
     own_imports(device, session->imports_);
     Result<LoadedGraph> loaded = session->load(session->selection_, session->imports_, warnings);
+    if (files != nullptr) files->merge(std::set<std::filesystem::path>(session->memory_->files()));
     if (!loaded) return loaded.take_errors();
     Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene);
     if (!gpu) return gpu.take_errors();

@@ -54,11 +54,11 @@ struct SessionInput {
 
 class Session {
  public:
-    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…).
-    [[nodiscard]] static Result<std::unique_ptr<Session>> create(vk::Device& device,
-                                                                 const scene::Scene& scene,
-                                                                 const SessionInput& input,
-                                                                 Diagnostics& warnings);
+    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…). What it looked at is added to
+    // `files`, also after an error: as Preparation::files.
+    [[nodiscard]] static Result<std::unique_ptr<Session>> create(
+        vk::Device& device, const scene::Scene& scene, const SessionInput& input, Diagnostics& warnings,
+        std::set<std::filesystem::path>* files = nullptr);
 
     ~Session();
 

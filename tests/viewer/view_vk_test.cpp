@@ -97,10 +97,52 @@ TEST_F(View, EndsWellOnASignal) {
     }
 }
 
-TEST_F(View, AGraphThatIsBrokenFromTheStartIsAnError) {
+TEST_F(View, WaitsForAGraphThatIsBrokenFromTheStart) {
+    const std::string graph = read_text(folder_ / "live.json"), shader = read_text(folder_ / "tint.glsl");
     save("live.json", "{");
-    const RunResult run = run_weft(arguments());
-    EXPECT_EQ(run.exit_code, 3) << run.text();
+    save("tint.glsl", "broken");
+    RunningProgram program(arguments({"--output", folder_ / "last.png"}));
+    ASSERT_TRUE(program.says("weft: waiting for the graph to be mended")) << program.err();
+    EXPECT_TRUE(program.says("live.json:1:")) << program.err();
+    save("live.json", graph);
+    ASSERT_TRUE(program.says("weft: waiting for the graph to be mended", 2)) << program.err();
+    EXPECT_TRUE(program.says("tint.glsl:1:")) << program.err();
+    save("tint.glsl", shader);
+    ASSERT_TRUE(program.says("weft: watching")) << program.err();
+    ASSERT_TRUE(program.says("weft: wrote")) << program.err();
+    program.close_stdin();
+    EXPECT_EQ(program.exit_code(), 0) << program.err();
+}
+
+TEST_F(View, EndsWhileItWaitsForAGraph) {
+    save("live.json", "{");
+    RunningProgram program(arguments());
+    ASSERT_TRUE(program.says("weft: waiting for the graph to be mended")) << program.err();
+    program.send(SIGINT);
+    EXPECT_EQ(program.exit_code(), 3) << program.err();
+    // Where nobody can mend it in time: input has ended, a script asks for so many frames, there is no such
+    // file.
+    EXPECT_EQ(run_weft(arguments()).exit_code, 3);
+    const RunResult script = run_weft(arguments({"--frames", "5"}));
+    EXPECT_EQ(script.exit_code, 3);
+    EXPECT_EQ(script.err.find("waiting"), std::string::npos) << script.text();
+    fs::remove(folder_ / "live.json");
+    RunningProgram misspelt(arguments());
+    EXPECT_EQ(misspelt.exit_code(), 3) << misspelt.err();
+}
+
+TEST_F(View, WritesThePictureAfterEachReload) {
+    const auto picture = [&] { return read_text(folder_ / "last.png"); };
+    RunningProgram program(arguments({"--output", folder_ / "last.png"}));
+    ASSERT_TRUE(program.says("weft: wrote")) << program.err();
+    const std::string first = picture();
+    replace("tint.glsl", "0.75", "0.25");
+    ASSERT_TRUE(program.says("weft: wrote", 2)) << program.err();
+    const std::string second = picture();
+    EXPECT_TRUE(second.starts_with("\x89PNG"));
+    EXPECT_NE(second, first);
+    program.close_stdin();
+    EXPECT_EQ(program.exit_code(), 0) << program.err();
 }
 
 // Nobody holds its input open, as in a script: then it is over at once, but not before there is a picture.

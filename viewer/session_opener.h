@@ -1,0 +1,43 @@
+// Purpose: opens a session step by step: graph, scene, camera, device, session. After a fault in the graph's
+// files the scene and the device are kept, so that trying again is cheap. Errors: as open_session().
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "scene/scene.h"
+#include "session_setup.h"
+
+namespace weft::viewer {
+
+class SessionOpener {
+ public:
+    // `options` outlives it.
+    explicit SessionOpener(const RenderOptions& options);
+
+    // Warnings go to stderr. May be called again after an error, and not after a success.
+    [[nodiscard]] Result<OpenSession> open();
+
+    // After an error: an edit of files() may mend it.
+    [[nodiscard]] bool can_be_mended() const { return can_be_mended_; }
+    // What was looked at of the graph, its includes and its shaders, whether it is there or not. Absolute
+    // paths.
+    [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
+
+ private:
+    [[nodiscard]] Status check_graph();
+    [[nodiscard]] Status load_scene();
+    [[nodiscard]] Result<OpenSession> open_checked();
+
+    const RenderOptions& options_;
+    const PassCatalog passes_;
+    std::optional<scene::Scene> scene_;
+    scene::Camera camera_;
+    std::unique_ptr<vk::Device> device_;
+    std::set<std::filesystem::path> files_;
+    bool can_be_mended_ = false;
+};
+
+}  // namespace weft::viewer
