@@ -135,8 +135,8 @@ ExitCode run_render(const RenderOptions& options) {
     }
     if (Status s = write_picture(options, session, *outcome); !s) return fail_on_device(s.errors());
     if (!options.stats.empty()) {
-        const std::string json =
-            stats_json({*open->device, session.plan(), outcome->output, outcome->timings, frames});
+        const std::string json = stats_json({*open->device, session.plan(), outcome->output, outcome->timings,
+                                             frames, options.tier, session.pipelines_made_between_frames()});
         if (Status s = write_file(options.stats, json); !s) return fail_on_device(s.errors());
     }
     std::fprintf(stderr, "weft: wrote %s\n", options.output.c_str());

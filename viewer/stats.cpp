@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "check/needed_barriers.h"
 #include "port_bytes.h"
 
 namespace weft::viewer {
@@ -65,9 +67,10 @@ Json validation_json(vk::Device& device) {
 
 std::string stats_json(const StatsInput& input) {
     const FramePlan& plan = input.plan;
+    const std::optional<uint32_t> needed = count_needed_barriers(plan);
     const Json stats{
         {"graph", plan.graph.name},
-        {"tier", nullptr},
+        {"tier", input.tier.empty() ? Json(nullptr) : Json(input.tier)},
         {"device", input.device.info().name},
         {"driver", input.device.info().driver},
         {"size", {plan.graph.output_extent.width, plan.graph.output_extent.height}},
@@ -81,9 +84,10 @@ std::string stats_json(const StatsInput& input) {
          {{"sum_bytes", plan.memory.sum_bytes},
           {"peak_live_bytes", plan.memory.peak_live_bytes},
           {"heap_bytes", plan.memory.heap_bytes}}},
-        {"barriers", {{"emitted", plan.barriers.emitted}, {"needed", nullptr}}},
+        {"barriers",
+         {{"emitted", plan.barriers.emitted}, {"needed", needed ? Json(*needed) : Json(nullptr)}}},
         {"submissions", plan.submissions.batches.size()},
-        {"pipelines_built_on_frame_thread", 0},
+        {"pipelines_built_on_frame_thread", input.pipelines_built_on_frame_thread},
     };
     return stats.dump(2) + "\n";
 }

@@ -14,6 +14,8 @@ struct StatsInput {
     const vk::ReadbackData& output;
     const std::vector<vk::FrameTiming>& timings;  // GPU times are null where there are none
     uint32_t frames = 0;
+    std::string tier;                              // empty: the graph as it is
+    uint64_t pipelines_built_on_frame_thread = 0;  // after the first frame could begin
 };
 
 [[nodiscard]] std::string stats_json(const StatsInput& input);

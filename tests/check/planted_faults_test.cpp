@@ -5,6 +5,7 @@
 
 #include "../graph/resolve_fixture.h"
 #include "check/check_plan.h"
+#include "check/needed_barriers.h"
 #include "weft/compile.h"
 
 namespace weft::test {
@@ -86,6 +87,17 @@ TEST_F(PlantedFault, NoneInTheSoundPlan) {
 TEST_F(PlantedFault, BarrierDropped) {
     drop_barriers("blur", "a");
     expect_fault({"blur", "make", "a"});
+}
+
+TEST_F(PlantedFault, NeededBarriersAreThoseWithoutWhichAFaultIsFound) {
+    EXPECT_EQ(count_needed_barriers(plan), plan.barriers.emitted);
+    BarrierDecl again = barrier("blur", "a");
+    again.src = again.dst;
+    step("blur").barriers.push_back(again);
+    const uint32_t needed = plan.barriers.emitted++;
+    ASSERT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
+    EXPECT_EQ(count_needed_barriers(plan), needed);
+    EXPECT_EQ(count_needed_barriers(plan, 10), std::nullopt) << "more work than is allowed";
 }
 
 TEST_F(PlantedFault, StageWeakened) {

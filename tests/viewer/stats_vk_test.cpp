@@ -1,0 +1,42 @@
+// What `weft render --stats` says of the run itself.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+using Json = nlohmann::json;
+
+Json stats_of(const std::vector<std::string>& more) {
+    const ScratchFolder folder;
+    std::vector<std::string> arguments{"render",  "builtin:spheres",
+                                       "--graph", WEFT_SOURCE_DIR "/tests/render/reload/live.json",
+                                       "--size",  "16x16",
+                                       "-o",      folder / "a.png",
+                                       "--stats", folder / "stats.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult run = run_weft(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    return Json::parse(read_text(folder / "stats.json"));
+}
+
+TEST(Stats, NameTheTierThatWasAskedFor) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    EXPECT_EQ(stats_of({"--tier", "low"}).at("tier"), "low");
+    EXPECT_TRUE(stats_of({}).at("tier").is_null());
+}
+
+TEST(Stats, CountBarriersThatAreNeededAndPipelinesThatAreMadeLate) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const Json stats = stats_of({"--frames", "3"});
+    const Json& barriers = stats.at("barriers");
+    EXPECT_GT(barriers.at("needed"), 0);
+    EXPECT_LE(barriers.at("needed"), barriers.at("emitted"));
+    EXPECT_EQ(stats.at("pipelines_built_on_frame_thread"), 0);
+}
+
+}  // namespace
+}  // namespace weft::test
