@@ -24,6 +24,10 @@ std::vector<Message> destroy_device(std::unique_ptr<Device> device) {
     return device->messages().messages();
 }
 
+bool Device::hides_uniforms() const {
+    return info_.driver.starts_with("llvmpipe") && optional_.uniform_array_indexing;
+}
+
 uint32_t Device::memory_type(uint32_t type_bits, VkMemoryPropertyFlags wanted) const {
     for (uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
         if ((type_bits & (1u << i)) == 0) continue;

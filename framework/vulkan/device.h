@@ -103,6 +103,10 @@ class Device {
     [[nodiscard]] bool abandoned() const { return abandoned_; }
     [[nodiscard]] bool validating() const { return messenger_ != VK_NULL_HANDLE; }
 
+    // Shaders hide the values of their uniforms from this driver: see opaque_uniforms.h. Only where the device was
+    // made with shaderUniformBufferArrayDynamicIndexing.
+    [[nodiscard]] bool hides_uniforms() const;
+
     [[nodiscard]] const OptionalFeatures& optional() const { return optional_; }  // the enabled ones
 
     // Index of a memory type that fits `type_bits` and has `wanted`, or UINT32_MAX.

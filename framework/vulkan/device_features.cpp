@@ -50,6 +50,8 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::imageCubeArray, &OptionalFeatures::cube_arrays},
     OptionalFeature<F10>{&F10::drawIndirectFirstInstance, &OptionalFeatures::draw_indirect_first_instance},
     OptionalFeature<F10>{&F10::shaderImageGatherExtended, &OptionalFeatures::image_gather_extended},
+    OptionalFeature<F10>{&F10::shaderUniformBufferArrayDynamicIndexing,
+                         &OptionalFeatures::uniform_array_indexing},
     OptionalFeature<F10>{&F10::shaderStorageImageReadWithoutFormat,
                          &OptionalFeatures::storage_read_without_format},
 };

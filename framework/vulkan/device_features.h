@@ -22,6 +22,7 @@ struct OptionalFeatures {
     bool filter_minmax = false;
     bool draw_indirect_count = false;
     bool draw_indirect_first_instance = false;
+    bool uniform_array_indexing = false;
 };
 
 // The structs of Vulkan 1.0 to 1.3, linked to each other. Not copyable: the links are addresses.

@@ -71,7 +71,8 @@ Result<ParamsMemory> ParamsMemory::create(Device& device, const FramePlan& plan)
     uint64_t size_bytes = 0;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
-        if (pass.params_bytes == 0 || pass.params_push) {
+        const bool pushed = pass.params_push && !device.hides_uniforms();
+        if (pass.params_bytes == 0 || pushed) {
             memory.blocks_.push_back({});
             continue;
         }

@@ -21,7 +21,7 @@ class ParamsMemory {
  public:
     [[nodiscard]] static Result<ParamsMemory> create(Device& device, const FramePlan& plan);
 
-    // By schedule position; only for passes whose Params are a uniform buffer.
+    // By schedule position; only for passes whose Params the device reads from a buffer.
     [[nodiscard]] VkDescriptorBufferInfo descriptor(uint32_t position, uint32_t slot) const;
     // Writes the blocks of all passes into this slot's memory, before the frame is submitted.
     void write(const FramePlan& plan, const FrameInput& frame, const FrameResources& resources,

@@ -75,9 +75,12 @@ Result<PassLayout> make_pass_layout(Device& device, const FramePlan& plan, const
     if (interface.has_params && interface.params.push_constants) {
         layout.push_stages = shader_stages_to_vk(interface.params.stages);
         push = {layout.push_stages, 0, interface.params.size_bytes};
-        info.pushConstantRangeCount = 1;
-        info.pPushConstantRanges = &push;
+    } else if (device.hides_uniforms()) {
+        layout.index_stages = shader_stages_to_vk(interface.stages);
+        push = {layout.index_stages, 0, sizeof(uint32_t)};
     }
+    info.pushConstantRangeCount = push.size > 0 ? 1 : 0;
+    info.pPushConstantRanges = &push;
     VkPipelineLayout object = VK_NULL_HANDLE;
     result = device.fn().vkCreatePipelineLayout(device.handle(), &info, nullptr, &object);
     if (result != VK_SUCCESS)

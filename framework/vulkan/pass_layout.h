@@ -24,6 +24,7 @@ struct PassLayout {
     PipelineLayoutHandle pipeline;
     std::array<bool, kSetCount> declares{};  // by set: the shader uses it
     VkShaderStageFlags push_stages = 0;      // 0: no push constants
+    VkShaderStageFlags index_stages = 0;     // instead of them, a word that is 0: see opaque_uniforms.h
 
     [[nodiscard]] bool has_ports() const { return declares[kPortSet]; }
 };

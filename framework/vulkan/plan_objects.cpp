@@ -5,6 +5,7 @@
 
 #include "vulkan/executor_errors.h"
 #include "vulkan/merged_scopes.h"
+#include "vulkan/opaque_uniforms.h"
 
 namespace weft::vk {
 namespace {
@@ -168,6 +169,8 @@ Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const Execu
 }  // namespace
 
 Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input) {
+    ShaderCatalog changed;
+    input.shaders = shaders_for(device, input, changed);
     Diagnostics errors = check_passes(device, input.plan, input);
     if (!errors.empty()) return errors;
     auto objects = std::make_unique<PlanObjects>(device, std::move(input.plan));
@@ -196,6 +199,8 @@ Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorI
 
 Result<std::unique_ptr<PlanAmendment>> make_plan_amendment(Device& device, ExecutorInput input) {
     assert(input.pipelines != nullptr && "without a store nothing would be left as it is");
+    ShaderCatalog changed;
+    input.shaders = shaders_for(device, input, changed);
     Diagnostics errors = check_passes(device, input.plan, input);
     if (!errors.empty()) return errors;
     Result<PipelineCacheHandle> cache = make_pipeline_cache(device);

@@ -18,6 +18,10 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
     if (prepared.layout.has_ports())
         fn.vkCmdBindDescriptorSets(context.commands, point, layout, kPortSet, 1,
                                    &prepared.port_set(context.resources.frame(), context.slot), 0, nullptr);
+    if (prepared.layout.index_stages != 0) {
+        const uint32_t index = 0;
+        fn.vkCmdPushConstants(context.commands, layout, prepared.layout.index_stages, 0, sizeof index, &index);
+    }
     if (prepared.layout.push_stages == 0 || pass.params_bytes == 0) return;
     std::vector<std::byte> bytes(pass.params_bytes);
     write_params(pass, context.frame, context.resources, bytes);

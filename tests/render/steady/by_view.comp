@@ -1,0 +1,11 @@
+#version 460
+#include "frame_set.glsl"
+#include "two_skies.glsl"
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba16f) writeonly uniform image2D dst;
+
+void main() {
+    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, imageSize(dst)))) return;
+    imageStore(dst, at, two_skies(view.jitter_uv.x < 1.0, at));
+}

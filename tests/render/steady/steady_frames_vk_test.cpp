@@ -1,0 +1,203 @@
+// Frame after frame costs the same: nothing is compiled once a graph draws, no object stays, and memory does not grow.
+// Without validation layers, which grow by themselves.
+#include <nlohmann/json.hpp>
+
+#include "code_counter/code_counter.h"
+#include "object_counter.h"
+#include "session_fixture.h"
+#include "vulkan/scoped_environment.h"
+
+namespace weft::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Extent3D kSize{64, 36, 1};
+constexpr double kStep_s = 1.0 / 60;
+constexpr uint32_t kFirstFrames = 3;   // that may compile
+constexpr uint32_t kSteadyFrames = 9;  // with the first ones longer than every history, and than a round of jitter
+constexpr int64_t kMiB = 1 << 20;
+
+bool extended() {
+    return std::getenv("WEFT_EXTENDED") != nullptr;
+}
+
+std::string shipped(const std::string& name) {
+    return std::string(WEFT_SOURCE_DIR "/graphs/") + name + ".json";
+}
+
+std::vector<std::string> shipped_graphs() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(WEFT_SOURCE_DIR "/graphs")) {
+        const std::string file = entry.path().filename();
+        if (file.ends_with(".json") && file != "weft.schema.json") names.push_back(entry.path().stem());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+std::vector<std::string> tiers_of(const std::string& path) {
+    const auto graph = nlohmann::json::parse(*read_text(path), nullptr, true, true);
+    std::vector<std::string> tiers;
+    const auto written = graph.value("tiers", nlohmann::json::object());
+    for (const auto& [name, tier] : written.items()) tiers.push_back(name);
+    return tiers;
+}
+
+class Steady : public SessionTest {
+ protected:
+    void SetUp() override {
+        make_device(false);
+        if (HasFatalFailure()) return;
+        if (!device_->info().driver.starts_with("llvmpipe"))
+            GTEST_SKIP() << "counts what llvmpipe compiles, and this is " << device_->info().driver;
+    }
+    void begin(const std::string& graph, const std::string& scene_name) {
+        const Result<scene::Scene> scene = scene::make_builtin(scene_name);
+        ASSERT_TRUE(scene) << to_text(scene.errors());
+        session_ = start(*scene, scene::framing_camera(*scene, 64.0f / 36), graph, kSize, {});
+        ASSERT_TRUE(session_);
+    }
+    void draw(uint32_t frames) {
+        for (uint32_t i = 0; i < frames; ++i) {
+            time_s_ += kStep_s;
+            const Status done = session_->render_frame(time_s_, kStep_s);
+            ASSERT_TRUE(done) << to_text(done.errors());
+        }
+        ASSERT_TRUE(session_->finish());
+    }
+    // With another tier or parameters from now on.
+    void select(const render::Selection& selection) {
+        render::Preparation made = session_->prepare(selection);
+        ASSERT_TRUE(made.result) << to_text(made.result.errors());
+        const Result<bool> swapped = session_->swap_in(std::move(*made.result));
+        ASSERT_TRUE(swapped && *swapped);
+    }
+    void expect_steady(const ObjectCounter& objects) {
+        ASSERT_NO_FATAL_FAILURE(draw(kFirstFrames));
+        const int64_t live = objects.live();
+        const uint64_t compiled = compiled_modules();
+        ASSERT_GT(compiled, 0u) << "nothing is counted";
+        ASSERT_NO_FATAL_FAILURE(draw(kSteadyFrames));
+        EXPECT_EQ(compiled_modules() - compiled, 0u) << "pieces of code in " << kSteadyFrames << " frames";
+        EXPECT_EQ(objects.live(), live);
+    }
+
+    std::unique_ptr<render::Session> session_;
+    double time_s_ = 0;
+};
+
+class SteadyGraph : public Steady, public testing::WithParamInterface<std::string> {};
+
+TEST_P(SteadyGraph, CompilesNothingInAnyTier) {
+    const ObjectCounter objects(*device_);
+    ASSERT_NO_FATAL_FAILURE(begin(shipped(GetParam()), "spheres"));
+    ASSERT_NO_FATAL_FAILURE(expect_steady(objects));
+    for (const std::string& tier : tiers_of(shipped(GetParam()))) {
+        SCOPED_TRACE(tier);
+        render::Selection selection = session_->selection();
+        selection.tier = tier;
+        ASSERT_NO_FATAL_FAILURE(select(selection));
+        ASSERT_NO_FATAL_FAILURE(expect_steady(objects));
+    }
+    session_.reset();
+    EXPECT_EQ(objects.live(), 0);
+}
+
+TEST_P(SteadyGraph, KeepsItsMemoryForManyFrames) {
+    if (!extended()) GTEST_SKIP() << "only with WEFT_EXTENDED";
+    const ObjectCounter objects(*device_);
+    ASSERT_NO_FATAL_FAILURE(begin(shipped(GetParam()), "atrium"));
+    ASSERT_NO_FATAL_FAILURE(draw(kFirstFrames));
+    const uint64_t compiled = compiled_modules();
+    ASSERT_NO_FATAL_FAILURE(draw(50 - kFirstFrames));
+    const uint64_t early = resident_bytes();
+    const int64_t live = objects.live();
+    ASSERT_NO_FATAL_FAILURE(draw(450));
+    const uint64_t late = resident_bytes();
+    std::printf("%s: resident KiB %llu after 50 frames and %llu after 500\n", GetParam().c_str(),
+                static_cast<unsigned long long>(early / 1024), static_cast<unsigned long long>(late / 1024));
+    EXPECT_EQ(compiled_modules() - compiled, 0u);
+    EXPECT_EQ(objects.live(), live);
+    EXPECT_LE(static_cast<int64_t>(late - early), kMiB);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, SteadyGraph, testing::ValuesIn(shipped_graphs()),
+                         [](const auto& graph) { return graph.param; });
+
+// What an author may write.
+class SteadyBranches : public Steady {
+ protected:
+    const std::string graph_ = WEFT_SOURCE_DIR "/tests/render/steady/branches.json";
+};
+
+TEST_F(SteadyBranches, CompileNothing) {
+    const ObjectCounter objects(*device_);
+    ASSERT_NO_FATAL_FAILURE(begin(graph_, "spheres"));
+    expect_steady(objects);
+}
+
+TEST_F(SteadyBranches, CompileNothingWhenAParameterChanges) {
+    const ObjectCounter objects(*device_);
+    ASSERT_NO_FATAL_FAILURE(begin(graph_, "spheres"));
+    ASSERT_NO_FATAL_FAILURE(draw(kFirstFrames));
+    const int64_t live = objects.live();
+    const uint64_t compiled = compiled_modules();
+    for (int i = 1; i <= 5; ++i) {
+        render::Selection selection = session_->selection();
+        selection.params["gain"] = 0.5 + 0.1 * i;
+        ASSERT_NO_FATAL_FAILURE(select(selection));
+        ASSERT_NO_FATAL_FAILURE(draw(2));
+    }
+    EXPECT_EQ(compiled_modules() - compiled, 0u) << "pieces of code for 5 values";
+    EXPECT_EQ(objects.live(), live);
+}
+
+// The newer driver that tests/drivers/fetch.sh gets from Debian.
+class SteadyOnMesaOfBackports : public Steady {
+ protected:
+    void SetUp() override {
+        const fs::path driver = WEFT_SOURCE_DIR "/build/drivers/mesa-backports/icd.json";
+        if (!fs::exists(driver)) GTEST_SKIP() << "no " << driver << ": tests/drivers/fetch.sh gets it";
+        chosen_.emplace("VK_DRIVER_FILES", driver.string());
+        Steady::SetUp();
+    }
+
+ private:
+    std::optional<vk::ScopedEnvironment> chosen_;
+};
+
+TEST_F(SteadyOnMesaOfBackports, BranchesCompileNothing) {
+    const ObjectCounter objects(*device_);
+    ASSERT_NO_FATAL_FAILURE(begin(WEFT_SOURCE_DIR "/tests/render/steady/branches.json", "spheres"));
+    expect_steady(objects);
+}
+
+TEST_F(SteadyOnMesaOfBackports, ShippedGraphsCompileNothing) {
+    if (!extended()) GTEST_SKIP() << "only with WEFT_EXTENDED";
+    const ObjectCounter objects(*device_);
+    for (const std::string& name : shipped_graphs()) {
+        SCOPED_TRACE(name);
+        ASSERT_NO_FATAL_FAILURE(begin(shipped(name), "spheres"));
+        expect_steady(objects);
+        session_.reset();
+    }
+}
+
+// Lights that move, which are uploaded in every frame.
+TEST_F(Steady, MovingLightsCompileNothing) {
+    const ObjectCounter objects(*device_);
+    ASSERT_NO_FATAL_FAILURE(begin(shipped("light_indexed"), "lights"));
+    expect_steady(objects);
+}
+
+TEST_F(Steady, ForwardShadingKeepsItsMemory) {
+    ASSERT_NO_FATAL_FAILURE(begin(shipped("forward"), "spheres"));
+    ASSERT_NO_FATAL_FAILURE(draw(20));
+    const uint64_t early = resident_bytes();
+    ASSERT_NO_FATAL_FAILURE(draw(60));
+    EXPECT_LE(static_cast<int64_t>(resident_bytes() - early), kMiB) << "in 60 frames";
+}
+
+}  // namespace
+}  // namespace weft::test

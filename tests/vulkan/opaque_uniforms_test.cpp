@@ -1,0 +1,101 @@
+// Shaders that hide the values of their uniforms are valid, and have the interface that they had.
+#include "vulkan/opaque_uniforms.h"
+
+#include "shader/interface_merge.h"
+#include "shader/shader_folder.h"
+#include "shader/validate_spirv.h"
+
+namespace weft::vk {
+namespace {
+
+void expect_valid(const ShaderProgram& program) {
+    for (const ShaderModule& module : program.modules)
+        EXPECT_EQ(shader::spirv_fault(module.spirv), std::nullopt) << program.reference;
+}
+
+// Of graphs' shaders, push constants shall be named Params. The index of all blocks is not.
+ShaderInterface reflected(const ShaderProgram& program) {
+    shader::InterfaceFaults faults;
+    ShaderInterface interface = shader::reflect_program(program.modules, faults);
+    for (const shader::InterfaceFault& fault : faults)
+        EXPECT_NE(fault.message.find("push constant"), std::string::npos) << fault.message;
+    return interface;
+}
+
+class OpaqueUniforms : public ShaderFolder {};
+
+TEST_F(OpaqueUniforms, LeaveShippedShadersValid) {
+    const std::filesystem::path folder = std::filesystem::path(WEFT_SOURCE_DIR) / "shaders";
+    const ShaderRoots roots{{folder}, folder / "include", {}};
+    const std::pair<const char*, ProgramKind> shaders[]{{"forward", ProgramKind::raster},
+                                                        {"gbuffer", ProgramKind::raster},
+                                                        {"lighting/deferred_light.comp", ProgramKind::compute},
+                                                        {"light_tiles/tiles.comp", ProgramKind::compute},
+                                                        {"taa/resolve.comp", ProgramKind::compute},
+                                                        {"tonemap/tonemap.frag", ProgramKind::fullscreen}};
+    for (const auto& [reference, kind] : shaders) {
+        const Result<ShaderProgram> program = compile_shader(reference, kind, roots);
+        ASSERT_TRUE(program) << to_text(program.errors());
+        const ShaderProgram hidden = with_opaque_uniforms(*program);
+        expect_valid(hidden);
+        const ShaderInterface now = reflected(hidden);
+        EXPECT_EQ(now.bindings, program->interface.bindings) << reference;
+        EXPECT_EQ(now.fragment_outputs.size(), program->interface.fragment_outputs.size()) << reference;
+    }
+}
+
+TEST_F(OpaqueUniforms, MakePushConstantsABlock) {
+    write("graph/a.comp", R"(#version 460
+layout(local_size_x = 1) in;
+layout(push_constant) uniform Params { float gain; uvec2 size; } params;
+uniform Weights { vec4 items[2]; } weights;
+buffer Sums { float items[]; } sums;
+void main() { sums.items[params.size.x] = params.gain * weights.items[params.size.y].x; }
+)");
+    const ShaderProgram program = ShaderFolder::program("a.comp", ProgramKind::compute);
+    const ShaderProgram hidden = with_opaque_uniforms(program);
+    expect_valid(hidden);
+    const ParamsBlock& params = hidden.interface.params;
+    EXPECT_FALSE(params.push_constants);
+    for (const ShaderBinding& binding : hidden.interface.bindings) EXPECT_NE(binding.binding, params.binding);
+    const ShaderInterface now = reflected(hidden);
+    ASSERT_TRUE(now.has_params);
+    EXPECT_EQ(now.params, params);
+    EXPECT_EQ(now.bindings, program.interface.bindings);
+}
+
+TEST_F(OpaqueUniforms, KeepArraysOfBlocks) {
+    write("graph/a.comp", R"(#version 460
+layout(local_size_x = 1) in;
+uniform Choice { uint first; } choices[3];
+buffer Sums { uint items[]; } sums;
+void main() { for (int i = 0; i < 3; ++i) sums.items[i] = choices[i].first + choices[1].first; }
+)");
+    const ShaderProgram program = ShaderFolder::program("a.comp", ProgramKind::compute);
+    const ShaderProgram hidden = with_opaque_uniforms(program);
+    EXPECT_NE(hidden.modules[0].spirv, program.modules[0].spirv);
+    expect_valid(hidden);
+    EXPECT_EQ(reflected(hidden).bindings, program.interface.bindings);
+}
+
+TEST_F(OpaqueUniforms, LeaveShadersWithoutUniformsAsTheyAre) {
+    write("graph/a.comp", R"(#version 460
+layout(local_size_x = 1) in;
+buffer Sums { uint items[]; } sums;
+void main() { sums.items[0] = 1u; }
+)");
+    const ShaderProgram program = ShaderFolder::program("a.comp", ProgramKind::compute);
+    EXPECT_EQ(with_opaque_uniforms(program).modules[0].spirv, program.modules[0].spirv);
+}
+
+// No GLSL becomes this: a variable of class Uniform, 7, that is loaded at once.
+TEST_F(OpaqueUniforms, LeaveProgramsThatTakeABlockAsOneValue) {
+    ShaderProgram program;
+    program.modules.push_back(
+        {ShaderStage::compute, {0x07230203, 0x10600, 0, 9, 0, 4u << 16 | 59, 6, 7, 2, 4u << 16 | 61, 5, 8, 7}});
+    EXPECT_FALSE(can_hide_uniforms(program.modules[0].spirv));
+    EXPECT_EQ(with_opaque_uniforms(program).modules[0].spirv, program.modules[0].spirv);
+}
+
+}  // namespace
+}  // namespace weft::vk
