@@ -95,26 +95,58 @@ const char* shader_for(const Shown& shown) {
     return shown.format->numeric == NumericClass::uint ? "debug/integers.frag" : "debug/signed_integers.frag";
 }
 
+bool is_plain_depth(const GraphDesc& graph, const std::string& name) {
+    const auto found = graph.resources.find(name);
+    if (found == graph.resources.end()) return false;
+    const ResourceDesc& depth = found->second;
+    return depth.image_kind == ImageKind::d2 && depth.samples.empty() && depth.layers.empty() && !depth.clear;
+}
+
+// The depth that is drawn together with an image: it is 0 where nothing was drawn. Only of images that one
+// raster pass draws and nobody else writes.
+std::optional<RefDesc> drawn_depth(const GraphDesc& graph, const RefDesc& shown) {
+    if (shown.history > 0 || shown.mip_first || shown.layer_first) return std::nullopt;
+    std::optional<RefDesc> depth;
+    for (const auto& [name, pass] : graph.passes) {
+        if (std::ranges::none_of(pass.out, [&](const PortDesc& out) { return out.ref.name == shown.name; }))
+            continue;
+        const bool plain = pass.type == "raster" && pass.depth && pass.condition.empty() &&
+                           pass.repeat.empty() && !pass.clear_ports.contains(pass.depth->port);
+        if (depth || !plain || !is_plain_depth(graph, pass.depth->ref.name)) return std::nullopt;
+        depth = pass.depth->ref;
+        depth->pass = name;
+        depth->text = depth->name + "@" + name;
+    }
+    return depth;
+}
+
 ParamValueDesc number_param(const char* name, Expr value, SourceLoc loc) {
     return {name, {std::move(value)}, loc};
 }
 
-PassDesc view_pass(const DebugViewDesc& view, const Shown& shown) {
+PortDesc sampled_port(const char* name, RefDesc ref, SourceLoc loc) {
+    PortDesc port{.port = name, .ref = std::move(ref), .sampler = {}, .loc = loc};
+    port.sampler = SamplerDecl{SamplerFilter::nearest, SamplerFilter::nearest, SamplerWrap::clamp, false};
+    return port;
+}
+
+PassDesc view_pass(const GraphDesc& graph, const DebugViewDesc& view, const Shown& shown) {
     PassDesc pass;
     pass.name = kDebugView;
     pass.type = "fullscreen";
     pass.shader = view.shader.empty() ? shader_for(shown) : view.shader;
     pass.loc = pass.shader_loc = view.loc;
-    PortDesc in{.port = "shown", .ref = view.show, .sampler = {}, .loc = view.loc};
+    PortDesc in = sampled_port("shown", view.show, view.loc);
     if (shown.layered && !in.ref.layer_first) in.ref.layer_first = number_expression(0, view.loc);
-    if (!shown.is_buffer)
-        in.sampler = SamplerDecl{SamplerFilter::nearest, SamplerFilter::nearest, SamplerWrap::clamp, false};
+    if (shown.is_buffer) in.sampler.reset();
     pass.in.push_back(std::move(in));
     PortDesc out{.port = "color", .ref = {}, .sampler = {}, .loc = view.loc};
     out.ref.name = out.ref.text = kDebugView;
     out.ref.loc = view.loc;
     pass.out.push_back(std::move(out));
     if (!view.shader.empty()) return pass;
+    if (const std::optional<RefDesc> depth = drawn_depth(graph, view.show); depth && !shown.is_buffer)
+        pass.in.push_back(sampled_port("surface", *depth, view.loc));
     const auto named = std::ranges::find(kNames, view.decode);
     const Decoder decoder =
         named != kNames.end() ? static_cast<Decoder>(named - kNames.begin()) : usual_decoder(shown);
@@ -187,7 +219,7 @@ Status add_debug_view(GraphDesc& graph, const ImportCatalog& imports, const std:
     image.size.text = "output";
     image.loc = view->loc;
     graph.resources.emplace(kDebugView, std::move(image));
-    graph.passes.emplace(kDebugView, view_pass(*view, shown));
+    graph.passes.emplace(kDebugView, view_pass(graph, *view, shown));
     return Unit{};
 }
 

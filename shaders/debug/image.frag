@@ -2,16 +2,20 @@
 // Output: sRGB-encoded [0, 1]. DECODE is the place of a name in debug_decoders().
 #version 460
 #include "debug_colors.glsl"
+#include "debug_digits.glsl"
 #include "frame_set.glsl"
+#include "debug_legend.glsl"
 #include "octahedral.glsl"
 #include "srgb.glsl"
 
 layout(constant_id = 0) const uint DECODE = 0;
+layout(constant_id = 1) const bool HAS_surface = false;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform sampler2D shown;
+uniform sampler2D surface;  // the depth that was drawn with it: 0 where nothing was
 
 layout(push_constant) uniform Params {
     float black, white;  // what is shown as 0 and as 1
@@ -19,9 +23,9 @@ layout(push_constant) uniform Params {
 
 float ranged(float x) { return (x - params.black) / (params.white - params.black); }
 
-// Reversed depth: near / distance, on a scale of octaves of metres; the sky is blue.
+// Reversed depth: near / distance, on a scale of octaves of metres.
 vec3 depth_color(float z) {
-    if (z <= 0.0) return vec3(0.05, 0.1, 0.25);
+    if (z <= 0.0) return nothing_color(ivec2(gl_FragCoord.xy));
     return vec3(1.0 - ranged(log2(1.0 + view.near_m / z)));
 }
 
@@ -46,6 +50,8 @@ vec3 decoded(vec4 x) {
 void main() {
     const vec4 x = texture(shown, uv);
     const bool odd = any(isnan(x)) || any(isinf(x));
+    const bool nothing = HAS_surface && textureLod(surface, uv, 0.0).r <= 0.0;
     // What is no number is seen.
-    color = odd ? vec4(1.0, 0.0, 1.0, 1.0) : vec4(clamp(decoded(x), 0.0, 1.0), 1.0);
+    const vec3 picked = odd ? vec3(1.0, 0.0, 1.0) : nothing ? nothing_color(ivec2(gl_FragCoord.xy)) : clamp(decoded(x), 0.0, 1.0);
+    color = vec4(with_legend(picked, DECODE, params.black, params.white), 1.0);
 }

@@ -2,13 +2,18 @@
 // Output: sRGB-encoded [0, 1]. DECODE is the place of a name in debug_decoders().
 #version 460
 #include "debug_colors.glsl"
+#include "debug_digits.glsl"
+#include "frame_set.glsl"
+#include "debug_legend.glsl"
 
 layout(constant_id = 0) const uint DECODE = 12;
+layout(constant_id = 1) const bool HAS_surface = false;
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform usampler2D shown;
+uniform sampler2D surface;  // the depth that was drawn with it: 0 where nothing was
 
 layout(push_constant) uniform Params {
     float black, white;  // what is shown as 0 and as 1
@@ -24,5 +29,7 @@ void main() {
                         : DECODE == 9  ? y.bbb
                         : DECODE == 10 ? y.aaa
                                        : y.rgb;
-    color = vec4(clamp(picked, 0.0, 1.0), 1.0);
+    const bool nothing = HAS_surface && textureLod(surface, uv, 0.0).r <= 0.0;
+    const vec3 seen = nothing ? nothing_color(ivec2(gl_FragCoord.xy)) : clamp(picked, 0.0, 1.0);
+    color = vec4(with_legend(seen, DECODE, params.black, params.white), 1.0);
 }

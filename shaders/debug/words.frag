@@ -2,6 +2,9 @@
 // Output: sRGB-encoded [0, 1]. DECODE is the place of a name in debug_decoders().
 #version 460
 #include "debug_colors.glsl"
+#include "debug_digits.glsl"
+#include "frame_set.glsl"
+#include "debug_legend.glsl"
 
 layout(constant_id = 0) const uint DECODE = 11;
 
@@ -25,5 +28,7 @@ void main() {
     }
     const float y = (float(shown.items[i]) - params.black) / (params.white - params.black);
     const vec3 picked = DECODE == 12 ? index_color(uint(shown.items[i])) : DECODE == 11 ? heat_color(y) : vec3(y);
-    color = vec4(clamp(picked, 0.0, 1.0), 1.0);
+    // Every decoder but "index" shows a buffer as heat or as grey.
+    const uint legend = DECODE == 12 || DECODE == 11 ? DECODE : kFirstChannel;
+    color = vec4(with_legend(clamp(picked, 0.0, 1.0), legend, params.black, params.white), 1.0);
 }

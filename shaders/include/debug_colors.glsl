@@ -1,5 +1,8 @@
 // How debug views colour what they show.
 
+// Where nothing was drawn: dark stripes, which no number is shown as.
+vec3 nothing_color(ivec2 pixel) { return ((pixel.x + pixel.y) >> 2 & 1) == 0 ? vec3(0.09, 0.1, 0.13) : vec3(0.17, 0.18, 0.22); }
+
 // 0 to 1 over black, indigo, magenta, orange and pale yellow: brighter is always more.
 vec3 heat_color(float x) {
     const vec3 stops[5] =

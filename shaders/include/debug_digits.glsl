@@ -8,7 +8,11 @@ bool is_digit(uint digit, ivec2 at) {
     return (kDigits[digit] >> (14 - at.y * 3 - at.x) & 1u) == 1u;
 }
 
-int digits_of(uint number) { return number < 10u ? 1 : number < 100u ? 2 : number < 1000u ? 3 : number < 10000u ? 4 : 5; }
+int digits_of(uint number) {
+    int count = 1;
+    for (; number >= 10u; number /= 10u) ++count;
+    return count;
+}
 
 // Whether the pixel, counted from the number's upper left, is a part of it.
 bool is_number(uint number, ivec2 at) {
@@ -16,4 +20,48 @@ bool is_number(uint number, ivec2 at) {
     if (at.x < 0 || place >= count) return false;
     for (int i = count - 1; i > place; --i) number /= 10u;
     return is_digit(number % 10u, ivec2(at.x & 3, at.y));
+}
+
+// A number as it is written: its digits as a whole number, and how many of them lie behind the point.
+struct Decimal {
+    uint digits;
+    int places;
+};
+
+// Three digits, and as few as the number needs.
+Decimal decimal_of(float number) {
+    float scaled = abs(number);
+    int places = 0;
+    for (; places < 6 && scaled < 99.5 && abs(scaled - round(scaled)) > 5e-4 * scaled; ++places) scaled *= 10.0;
+    return Decimal(uint(min(round(scaled), 4e9)), places);
+}
+
+uint power_of_ten(int exponent) {
+    uint power = 1u;
+    for (int i = 0; i < exponent; ++i) power *= 10u;
+    return power;
+}
+
+// Pixels, with the gap behind it.
+int decimal_width(float number) {
+    const Decimal d = decimal_of(number);
+    const int point = d.places > 0 ? 2 + 4 * d.places : 0;
+    return (number < 0.0 ? 4 : 0) + 4 * digits_of(d.digits / power_of_ten(d.places)) + point;
+}
+
+// Whether the pixel, counted from the number's upper left, is a part of it.
+bool is_decimal(float number, ivec2 at) {
+    const Decimal d = decimal_of(number);
+    if (number < 0.0) {
+        if (at.y == 2 && at.x >= 0 && at.x < 3) return true;
+        at.x -= 4;
+    }
+    const uint whole = d.digits / power_of_ten(d.places);
+    if (is_number(whole, at)) return true;
+    at.x -= 4 * digits_of(whole);
+    if (d.places == 0 || at.x < 0) return false;
+    if (at.x < 2) return at == ivec2(0, 4);
+    at.x -= 2;
+    const int place = at.x >> 2;
+    return place < d.places && is_digit(d.digits / power_of_ten(d.places - 1 - place) % 10u, ivec2(at.x & 3, at.y));
 }

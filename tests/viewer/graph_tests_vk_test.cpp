@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "viewer/program.h"
 
@@ -137,11 +140,16 @@ class DebugViews : public GraphTests {
 
 TEST_F(DebugViews, EveryOneOfTheShippedGraphsShowsSomething) {
     const std::vector<std::pair<std::string, std::string>> views{
-        {"deferred.json", "Albedo"},   {"deferred.json", "Normals"},
-        {"deferred.json", "Depth"},    {"deferred.json", "velocity"},
-        {"deferred.json", "lights"},   {"bloom.json", "bloom.mip(2)"},
-        {"dof.json", "soft.layer(1)"}, {"edges.json", "Ends"},
-        {"taa.json", "Last frame"},    {"reaction_diffusion.json", "Second chemical"},
+        {"deferred.json", "Albedo"},
+        {"deferred.json", "Normals"},
+        {"deferred.json", "Depth"},
+        {"deferred.json", "velocity"},
+        {"deferred.json", "lights"},
+        {"bloom.json", "bloom.mip(2)"},
+        {"dof.json", "soft.layer(1)"},
+        {"edges.json", "Ends"},
+        {"taa.json", "Last frame"},
+        {"reaction_diffusion.json", "Second chemical"},
         {"tiled_deferred.json", "Lights per tile"},
         {"light_volumes.json", "Light of the volumes"}};
     for (const auto& [graph, view] : views) {
@@ -165,6 +173,86 @@ TEST_F(DebugViews, ThePictureIsNoneOfTheirBusiness) {
               0);
     EXPECT_EQ(with, hash());
     EXPECT_NE(read_text(folder_ / "view.png"), read_text(folder_ / "plain.png"));
+}
+
+// Rows from the top, three numbers a pixel.
+struct Picture {
+    size_t width = 0, height = 0;
+    std::vector<float> numbers;
+
+    std::array<float, 3> at(size_t x, size_t y) const {
+        const float* pixel = &numbers[(y * width + x) * 3];
+        return {pixel[0], pixel[1], pixel[2]};
+    }
+};
+
+Picture read_pfm(const std::string& text) {
+    std::istringstream in(text);
+    std::string kind;
+    double scale = 0;
+    Picture picture;
+    in >> kind >> picture.width >> picture.height >> scale;
+    in.get();
+    const size_t row = picture.width * 3;
+    if (kind != "PF" || scale >= 0) return {};
+    picture.numbers.resize(row * picture.height);
+    for (size_t y = picture.height; y-- > 0;)  // stored from the bottom
+        in.read(reinterpret_cast<char*>(&picture.numbers[y * row]),
+                static_cast<std::streamsize>(row * sizeof(float)));
+    return picture;
+}
+
+class DebugPictures : public DebugViews {
+ protected:
+    Picture picture(const std::string& graph, const std::string& view) const {
+        const RunResult run =
+            run_weft({"render", "builtin:cornell", "--graph", (kGraphs / graph).string(), "--camera", "front",
+                      "--size", "320x180", "--debug", view, "--output", folder_ / "view.pfm", "--validate"});
+        EXPECT_EQ(run.exit_code, 0) << run.text();
+        return read_pfm(read_text(folder_ / "view.pfm"));
+    }
+};
+
+TEST_F(DebugPictures, WhereNothingWasDrawnTheyAllShowTheSameStripes) {
+    const Picture depth = picture("deferred.json", "Depth");
+    ASSERT_EQ(depth.numbers.size(), 320u * 180 * 3);
+    std::set<std::array<float, 3>> stripes;
+    for (size_t x = 0; x < 16; ++x) stripes.insert(depth.at(x, 0));
+    EXPECT_EQ(stripes.size(), 2u) << "the sky's upper left corner";
+    for (const char* view : {"Normals", "orm", "Velocity", "Albedo"}) {
+        const Picture shown = picture("deferred.json", view);
+        ASSERT_EQ(shown.numbers.size(), depth.numbers.size());
+        for (size_t x = 0; x < 16; ++x) EXPECT_EQ(shown.at(x, 0), depth.at(x, 0)) << view << " at " << x;
+        EXPECT_EQ(stripes.count(shown.at(160, 150)), 0u) << view << " shows the ground";
+    }
+    EXPECT_EQ(stripes.count(picture("deferred.json", "hdr").at(0, 0)), 0u) << "the lighting draws the sky";
+}
+
+TEST_F(DebugPictures, NumbersAsColoursHaveALegend) {
+    // The middle of the bar: 120 pixels from the tenth on, 10 above the bottom.
+    const auto bar = [](const Picture& shown) {
+        std::vector<std::array<float, 3>> colors;
+        for (size_t x = 10; x < 130; ++x) colors.push_back(shown.at(x, 180 - 16));
+        return colors;
+    };
+    const auto greys = bar(picture("deferred.json", "Depth"));
+    for (size_t i = 0; i < greys.size(); ++i)
+        EXPECT_NEAR(greys[i][0], 1 - static_cast<double>(i) / 119, 0.01) << "near to far, light to dark";
+    const auto heats = bar(picture("tiled_deferred.json", "Lights per tile"));
+    EXPECT_EQ(std::set(heats.begin(), heats.end()).size(), heats.size())
+        << "each number has a colour of its own";
+    EXPECT_EQ(heats.front()[0], 0);
+    EXPECT_EQ(heats.back()[0], 1);
+    // Numbers are white on black; colours that are seen as such need none.
+    const auto letters = [](const Picture& shown) {
+        size_t count = 0;
+        for (size_t y = 180 - 25; y < 180 - 20; ++y)
+            for (size_t x = 10; x < 130; ++x)
+                count += shown.at(x, y) == std::array<float, 3>{1, 1, 1} ? 1u : 0u;
+        return count;
+    };
+    EXPECT_GT(letters(picture("deferred.json", "Depth")), 20u);
+    EXPECT_EQ(letters(picture("deferred.json", "Normals")), 0u);
 }
 
 TEST_F(DebugViews, UnknownOnesAreGuessedAt) {
