@@ -56,27 +56,20 @@ std::optional<GlslOutcome> outcome_of(Message answer) {
     return GlslOutcome{true, std::move(*words), {answer.texts.begin() + 1, answer.texts.end()}, {}};
 }
 
-uint64_t ms_since(WorkerClock::time_point begin) {
-    return static_cast<uint64_t>(
-        std::chrono::duration_cast<std::chrono::milliseconds>(WorkerClock::now() - begin).count());
-}
-
 }  // namespace
 
 // What the worker says last; in between it asks for includes.
 std::optional<Message> StageCompiler::converse(ShaderStage stage, const SourceText& source,
-                                               const IncludeReader& includes,
-                                               WorkerClock::time_point deadline) {
+                                               const IncludeReader& includes) {
     const Message request{MessageKind::compile, static_cast<uint64_t>(stage), {source.name, source.text}};
-    if (!worker_->send(request, deadline)) return std::nullopt;
-    std::optional<Message> said = worker_->receive(deadline);
-    for (; said && said->kind == MessageKind::include && said->texts.size() == 2;
-         said = worker_->receive(deadline)) {
+    if (!worker_->send(request)) return std::nullopt;
+    std::optional<Message> said = worker_->receive();
+    for (; said && said->kind == MessageKind::include && said->texts.size() == 2; said = worker_->receive()) {
         IncludeAnswer answer =
             includes({said->texts[0], said->texts[1], said->number / 2, said->number % 2 == 1});
         Message reply{MessageKind::no_source, 0, {answer.text}};
         if (answer.found) reply = {MessageKind::source, 0, {answer.name, std::move(answer.text)}};
-        if (!worker_->send(reply, deadline)) return std::nullopt;
+        if (!worker_->send(reply)) return std::nullopt;
     }
     return said;
 }
@@ -90,10 +83,10 @@ Result<GlslOutcome> StageCompiler::run_worker(ShaderStage stage, const SourceTex
     }
     const uint64_t left_ms = limits_.graph_ms - std::min(limits_.graph_ms, spent_ms_);
     const uint64_t time_ms = std::min(limits_.stage_ms, left_ms);
-    const WorkerClock::time_point begin = WorkerClock::now();
-    std::optional<Message> answer =
-        converse(stage, source, includes, begin + std::chrono::milliseconds(time_ms));
-    spent_ms_ += ms_since(begin);
+    const std::chrono::milliseconds before = worker_->used();
+    worker_->allow(std::chrono::milliseconds(time_ms));
+    std::optional<Message> answer = converse(stage, source, includes);
+    spent_ms_ += static_cast<uint64_t>((worker_->used() - before).count());
     std::optional<GlslOutcome> outcome = answer ? outcome_of(std::move(*answer)) : std::nullopt;
     if (outcome) return std::move(*outcome);
     if (worker_->end() == WorkerEnd::running) worker_->give_up_on();
@@ -116,9 +109,10 @@ Diagnostic StageCompiler::stopped(ShaderStage stage, const SourceText& source, u
         case WorkerEnd::out_of_time:
             if (time_ms < limits_.stage_ms)
                 return fault(
-                    "came too late: all stages together have " + std::to_string(limits_.graph_ms) + " ms",
+                    "came too late: all stages together have " + std::to_string(limits_.graph_ms) +
+                        " ms of processor time",
                     "split the graph, " + raise_limit_text("shader.graphMs"));
-            return fault("takes more than " + std::to_string(limits_.stage_ms) + " ms",
+            return fault("takes more than " + std::to_string(limits_.stage_ms) + " ms of processor time",
                          "look for macros and loops without end, " + raise_limit_text("shader.stageMs"));
         case WorkerEnd::babbled:
             return fault("gives more than " + limit_bytes_text(limits_.spirv_bytes) + " of SPIR-V, or none",

@@ -1,5 +1,5 @@
 // Purpose: stages of GLSL to SPIR-V, with includes read by a SourceReader: in the worker program, which has
-// limits on memory and time, or in this process. The worker is started for the first stage, serves all that
+// limits on memory and processor time, or in this process. The worker is started for the first stage, serves all that
 // follow, and is replaced when it had to be killed. Numbers of bindings and free locations are provisional
 // until link_stages() has dealt them out.
 // Errors: W202 GLSL error, W203 include not found or outside the roots, W207 over the limits, or the worker
@@ -39,8 +39,7 @@ class StageCompiler {
     [[nodiscard]] Result<GlslOutcome> run_worker(ShaderStage stage, const SourceText& source,
                                                  const IncludeReader& includes);
     [[nodiscard]] std::optional<Message> converse(ShaderStage stage, const SourceText& source,
-                                                  const IncludeReader& includes,
-                                                  WorkerClock::time_point deadline);
+                                                  const IncludeReader& includes);
     [[nodiscard]] Diagnostic stopped(ShaderStage stage, const SourceText& source, uint64_t time_ms) const;
 
     std::filesystem::path program_;

@@ -45,12 +45,15 @@ bool set_limit(int resource, uint64_t soft, uint64_t hard) {
     return setrlimit(static_cast<__rlimit_resource_t>(resource), &limit) == 0;
 }
 
-// For the next stage, beyond what earlier ones took. A soft limit: only it can be raised again.
+// For the next stage, beyond what earlier ones took. A soft limit: only it can be raised again, up to the hard limit
+// that the process was started with.
 bool limit_cpu_time(const WorkerLimits& limits) {
     rusage used{};
-    getrusage(RUSAGE_SELF, &used);
+    rlimit limit{};
+    if (getrusage(RUSAGE_SELF, &used) != 0 || getrlimit(RLIMIT_CPU, &limit) != 0) return false;
     const auto used_s = static_cast<uint64_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
-    return set_limit(RLIMIT_CPU, used_s + limits.stage_ms / 1000 + 2, RLIM_INFINITY);
+    const rlim_t soft = used_s + limits.stage_ms / 1000 + 2;
+    return set_limit(RLIMIT_CPU, std::min(soft, limit.rlim_max), limit.rlim_max);
 }
 
 // Nothing that the input makes the compiler do may reach beyond this process.

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,6 +29,10 @@ Diagnostic cannot_start(const std::filesystem::path& program, const std::string&
     d.help = {
         "it is a program of its own, weft-shader-worker, and belongs beside weft: build or install it again"};
     return d;
+}
+
+std::chrono::milliseconds milliseconds_of(const timeval& time) {
+    return std::chrono::milliseconds(time.tv_sec * 1000 + time.tv_usec / 1000);
 }
 
 // 0, or the error. Everything but descriptors 0 to 2 is closed, and of those only 0 leads anywhere.
@@ -76,8 +81,8 @@ Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::filesyste
         return cannot_start(program, std::strerror(error));
     }
     std::unique_ptr<WorkerProcess> worker(new WorkerProcess(pid, sockets[0], limits));
-    const auto deadline = WorkerClock::now() + std::chrono::milliseconds(limits.stage_ms);
-    const std::optional<Message> hello = worker->receive(deadline);
+    worker->allow(std::chrono::milliseconds(limits.stage_ms));
+    const std::optional<Message> hello = worker->receive();
     if (!hello || hello->kind != MessageKind::hello || hello->texts.size() != 1)
         return cannot_start(program, "it says nothing; shader.workerBytes may be too small for it");
     if (hello->texts[0] != version)
@@ -100,8 +105,10 @@ void WorkerProcess::kill_for(WorkerEnd reason) {
     close(socket_);
     kill(pid_, SIGKILL);
     int status = 0;
-    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    rusage usage{};
+    while (wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) {
     }
+    used_ = std::max(used_, milliseconds_of(usage.ru_utime) + milliseconds_of(usage.ru_stime));
     pid_ = -1;
     end_ = reason;
     if (WIFSIGNALED(status)) signal_ = WTERMSIG(status);
@@ -118,8 +125,37 @@ uint64_t WorkerProcess::resident_bytes() const {
     return resident * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-// Waits in short steps, and looks at the worker's memory between them.
-bool WorkerProcess::ready(short events, WorkerClock::time_point deadline) {
+bool WorkerProcess::observe() {
+    std::array<char, 64> path{};
+    std::snprintf(path.data(), path.size(), "/proc/%d/stat", static_cast<int>(pid_));
+    const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.data(), "re"), &std::fclose);
+    std::array<char, 1024> line{};
+    if (!file || std::fgets(line.data(), line.size(), file.get()) == nullptr) return false;
+    // The second field is the program's name in brackets and may hold anything; the third is the state.
+    const char* rest = std::strrchr(line.data(), ')');
+    char state = 0;
+    unsigned long long user = 0, system = 0;
+    if (rest == nullptr || std::sscanf(rest + 1, " %c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %llu %llu",
+                                       &state, &user, &system) != 3)
+        return false;
+    const auto ticks_per_s = static_cast<unsigned long long>(sysconf(_SC_CLK_TCK));
+    used_ = std::chrono::milliseconds((user + system) * 1000 / ticks_per_s);
+    return state == 'S';
+}
+
+void WorkerProcess::allow(std::chrono::milliseconds time) {
+    most_used_ = used() + time;
+    most_asleep_ = time;
+    asleep_ = {};
+}
+
+std::chrono::milliseconds WorkerProcess::used() {
+    if (pid_ >= 0) observe();
+    return used_;
+}
+
+// Waits in short steps, and looks at the worker's memory and time between them.
+bool WorkerProcess::ready(short events) {
     while (pid_ >= 0) {
         pollfd socket{socket_, events, 0};
         const int found = poll(&socket, 1, static_cast<int>(kWatchEvery.count()));
@@ -128,17 +164,18 @@ bool WorkerProcess::ready(short events, WorkerClock::time_point deadline) {
             kill_for(WorkerEnd::crashed);
         } else if (resident_bytes() > limits_.worker_bytes) {
             kill_for(WorkerEnd::out_of_memory);
-        } else if (WorkerClock::now() >= deadline) {
-            kill_for(WorkerEnd::out_of_time);
+        } else {
+            if (observe()) asleep_ += kWatchEvery;
+            if (used_ >= most_used_ || asleep_ >= most_asleep_) kill_for(WorkerEnd::out_of_time);
         }
     }
     return false;
 }
 
-bool WorkerProcess::send(const Message& message, WorkerClock::time_point deadline) {
+bool WorkerProcess::send(const Message& message) {
     const std::string frame = to_frame(message);
     for (size_t at = 0; at < frame.size();) {
-        if (!ready(POLLOUT, deadline)) return false;
+        if (!ready(POLLOUT)) return false;
         const ssize_t sent =
             ::send(socket_, frame.data() + at, frame.size() - at, MSG_NOSIGNAL | MSG_DONTWAIT);
         if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
@@ -151,18 +188,25 @@ bool WorkerProcess::send(const Message& message, WorkerClock::time_point deadlin
     return true;
 }
 
-bool WorkerProcess::read_exactly(char* to, size_t bytes, WorkerClock::time_point deadline) {
+// It has hung up, so it is leaving; how, is worth the wait, unless it sleeps instead.
+void WorkerProcess::wait_for_end() {
+    constexpr std::chrono::milliseconds kStep{1}, kMostSleep{1000};
+    std::chrono::milliseconds slept{0};
+    siginfo_t info{};
+    while (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == 0 && slept < kMostSleep && used_ < most_used_) {
+        usleep(static_cast<useconds_t>(std::chrono::microseconds(kStep).count()));
+        if (observe()) slept += kStep;
+    }
+}
+
+bool WorkerProcess::read_exactly(char* to, size_t bytes) {
     while (bytes > 0) {
-        if (!ready(POLLIN, deadline)) return false;
+        if (!ready(POLLIN)) return false;
         const ssize_t got = recv(socket_, to, bytes, MSG_DONTWAIT);
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (got <= 0) {
-            // It has hung up, so it is leaving; how, is worth the wait, but not for ever.
-            const auto soon = WorkerClock::now() + std::chrono::seconds(1);
-            siginfo_t info{};
-            while (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-                   info.si_pid == 0 && WorkerClock::now() < soon)
-                usleep(1000);
+            wait_for_end();
             kill_for(WorkerEnd::crashed);
             return false;
         }
@@ -172,16 +216,16 @@ bool WorkerProcess::read_exactly(char* to, size_t bytes, WorkerClock::time_point
     return true;
 }
 
-std::optional<Message> WorkerProcess::receive(WorkerClock::time_point deadline) {
+std::optional<Message> WorkerProcess::receive() {
     std::string header(kFrameHeaderBytes, '\0');
-    if (!read_exactly(header.data(), header.size(), deadline)) return std::nullopt;
+    if (!read_exactly(header.data(), header.size())) return std::nullopt;
     const uint64_t bytes = payload_bytes(header);
     if (bytes > limits_.spirv_bytes + kFrameSlackBytes) {
         give_up_on();
         return std::nullopt;
     }
     std::string payload(bytes, '\0');
-    if (!read_exactly(payload.data(), payload.size(), deadline)) return std::nullopt;
+    if (!read_exactly(payload.data(), payload.size())) return std::nullopt;
     std::optional<Message> message = parse_payload(payload);
     if (!message) give_up_on();
     return message;
