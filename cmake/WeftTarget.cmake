@@ -43,6 +43,9 @@ function(weft_library name)
   target_link_libraries(${name} PRIVATE weft_options)
 endfunction()
 
+# Seconds after which a test counts as hanging. Far beyond what any takes on a busy machine: no verdict depends on time.
+set(WEFT_HANG_S 1800)
+
 # weft_test(NAME LIBS lib... [LABELS label...] SOURCES file...): one gtest binary. Its cases are found after
 # the build, so a test that hangs while it is being listed cannot hang the build.
 function(weft_test name)
@@ -52,5 +55,5 @@ function(weft_test name)
   target_compile_definitions(${name} PRIVATE WEFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE weft_test_options ${ARG_LIBS} GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM weft_precompiled_tests)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 LABELS "${ARG_LABELS}")
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${WEFT_HANG_S} LABELS "${ARG_LABELS}")
 endfunction()

@@ -1,4 +1,4 @@
-#include <chrono>
+#include <ctime>
 
 #include "full_graph.h"
 #include "marked_graph.h"
@@ -140,11 +140,11 @@ TEST(Parse, HostileFilesAreAnsweredSoon) {
             text.append("\"k").append(std::to_string(i)).append("\":").append(item).append(",");
         return text + after;
     };
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();  // processor time
     EXPECT_FALSE(parse_text(many("{\"version\":1,\"passes\":{},\"sizes\":{", "\"1+\"", "}}")).ok());
     EXPECT_FALSE(parse_text(many("{\"version\":1,\"passes\":{},", "1", "}")).ok());
     EXPECT_FALSE(parse_text(many("{\"version\":1,\"passes\":{", "{\"in\":[\"x.\"]}", "}}")).ok());
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(4));
+    EXPECT_LT(std::clock() - begin, 4 * CLOCKS_PER_SEC);
 }
 
 }  // namespace

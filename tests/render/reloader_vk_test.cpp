@@ -48,8 +48,8 @@ class Reloads : public SessionTest {
             ++drawn_;
         }
     }
-    // Frames go on until something came of a change, or far too long.
-    std::optional<render::Reload> next(std::chrono::milliseconds most = std::chrono::seconds(20)) {
+    // Frames go on until something came of a change: for as long as it takes, unless `most` says otherwise.
+    std::optional<render::Reload> next(std::chrono::milliseconds most = std::chrono::minutes(10)) {
         const Clock::time_point end = Clock::now() + most;
         while (Clock::now() < end) {
             if (std::optional<render::Reload> reload = reloader_->update()) return reload;

@@ -36,6 +36,7 @@ class SessionTest : public ::testing::Test {
         vk::DeviceOptions options;
         options.validate = validate;
         options.queues = queues_;
+        options.timeout_ns = 1'500'000'000'000;  // a busy machine is no reason to fail
         Result<std::unique_ptr<vk::Device>> made = vk::Device::create(options);
         ASSERT_TRUE(made) << to_text(made.errors());
         device_ = std::move(*made);

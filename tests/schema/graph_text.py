@@ -20,7 +20,7 @@ def parse(text):
 
 
 def run(program, *arguments, folder=None):
-    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=folder, timeout=120)
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=folder, timeout=1500)
 
 
 def shipped(root):

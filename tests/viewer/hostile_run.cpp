@@ -14,7 +14,7 @@ namespace weft::test {
 
 void expect_refused_cheaply(const RunResult& run, const std::vector<std::string>& wanted) {
     EXPECT_EQ(run.exit_code, 3) << run.text();
-    EXPECT_LE(run.wall_s, 5.0) << run.text();
+    EXPECT_LE(run.cpu_s, 5.0) << run.text();
     EXPECT_LE(run.max_rss_bytes, uint64_t{1} << 30) << run.text();
     EXPECT_NE(run.err.find("\n  help: "), std::string::npos) << run.text();
     EXPECT_LE(run.err.size(), 1u << 20) << "a message for each of a million faults helps nobody";

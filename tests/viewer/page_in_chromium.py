@@ -16,8 +16,8 @@ import urllib.request
 
 import websocket
 
-START_S = 30
-ANSWER_S = 30
+START_S = 600
+ANSWER_S = 600
 
 
 class Browser:

@@ -5,8 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -17,8 +17,9 @@
 namespace weft::test {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr unsigned kKillAfter_s = 120;
+double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
 
 // In the child: nothing here may allocate after the descriptors are set up, and nothing does but exec.
 [[noreturn]] void become(std::vector<char*>& arguments, const Environment& environment,
@@ -29,16 +30,26 @@ constexpr unsigned kKillAfter_s = 120;
     const bool ready = dup2(nothing, 0) >= 0 && dup2(out_file, 1) >= 0 && dup2(err_file, 2) >= 0;
     for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
     if (!ready || (!folder.empty() && chdir(folder.c_str()) != 0)) _exit(126);
-    alarm(kKillAfter_s);  // survives exec
+    limit_time();
     execvp(arguments.front(), arguments.data());
     _exit(127);
 }
 
 }  // namespace
 
+void limit_time() {
+    rlimit limit{};
+    // The hard limit stays: the program sets its own, and only root may raise one.
+    if (getrlimit(RLIMIT_CPU, &limit) == 0) {
+        limit.rlim_cur = std::min<rlim_t>(kMostCpu_s, limit.rlim_max);
+        setrlimit(RLIMIT_CPU, &limit);
+    }
+    alarm(kMostWall_s);
+}
+
 std::string RunResult::text() const {
     std::ostringstream text;
-    text << "exit code " << exit_code << " after " << wall_s << " s, " << max_rss_bytes / 1048576
+    text << "exit code " << exit_code << " after " << cpu_s << " s of processor time, " << max_rss_bytes / 1048576
          << " MiB at most\n--- stdout\n"
          << out.substr(0, 4000) << "\n--- stderr\n"
          << err.substr(0, 8000);
@@ -63,7 +74,6 @@ RunResult run_program(const std::vector<std::string>& words, const Environment& 
     Environment all{{"XDG_CACHE_HOME", WEFT_TEST_CACHE}, {"MESA_SHADER_CACHE_DIR", WEFT_TEST_CACHE "/mesa"}};
     all.insert(all.end(), environment.begin(), environment.end());
 
-    const Clock::time_point begin = Clock::now();
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("fork failed");
     if (child == 0) become(pointers, all, folder, out.c_str(), err.c_str());
@@ -72,7 +82,7 @@ RunResult run_program(const std::vector<std::string>& words, const Environment& 
     while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
     }
     RunResult result;
-    result.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+    result.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     result.max_rss_bytes = static_cast<uint64_t>(usage.ru_maxrss) * 1024;
     result.out = read_text(out);

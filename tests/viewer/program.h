@@ -12,16 +12,23 @@ struct RunResult {
     int exit_code = -1;  // 128 + signal when it was killed
     std::string out;
     std::string err;
-    double wall_s = 0;
+    double cpu_s = 0;            // of its own and of all processes that it waited for: the same on a busy machine
     uint64_t max_rss_bytes = 0;  // of the largest process: its own, or one that it waited for
 
     // For failure messages.
     [[nodiscard]] std::string text() const;
 };
 
+// Far beyond what any test needs: only a program that hangs reaches them. A verdict never depends on the wall clock.
+inline constexpr unsigned kMostCpu_s = 1200;
+inline constexpr unsigned kMostWall_s = 1500;
+
+// In a child, before exec: the limits above. They survive exec.
+void limit_time();
+
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-// `environment` adds to that of the test. Killed after two minutes.
+// `environment` adds to that of the test. Killed by kMostCpu_s, and, should it sleep for ever, by kMostWall_s.
 [[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments,
                                  const Environment& environment = {},
                                  const std::filesystem::path& folder = {});

@@ -12,11 +12,6 @@
 #include <thread>
 
 namespace weft::test {
-namespace {
-
-constexpr unsigned kKillAfter_s = 120;
-
-}  // namespace
 
 RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
     std::vector<std::string> words{WEFT_PROGRAM};
@@ -34,7 +29,7 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
         if (dup2(ends[0], 0) < 0 || dup2(file, 1) < 0 || dup2(file, 2) < 0) _exit(126);
         setenv("XDG_CACHE_HOME", WEFT_TEST_CACHE, 1);
         setenv("MESA_SHADER_CACHE_DIR", WEFT_TEST_CACHE "/mesa", 1);
-        alarm(kKillAfter_s);  // survives exec
+        limit_time();
         execv(pointers.front(), pointers.data());
         _exit(127);
     }
@@ -51,15 +46,22 @@ RunningProgram::~RunningProgram() {
 
 bool RunningProgram::says(const std::string& text, int times) const {
     using Clock = std::chrono::steady_clock;
-    const Clock::time_point end = Clock::now() + std::chrono::seconds(30);
+    const Clock::time_point end = Clock::now() + std::chrono::seconds(kMostWall_s);
     while (Clock::now() < end) {
+        const bool over = has_ended();
         const std::string all = err();
         int found = 0;
         for (size_t at = all.find(text); at != std::string::npos; at = all.find(text, at + 1)) ++found;
-        if (found >= times) return true;
+        if (found >= times || over) return found >= times;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return false;
+}
+
+bool RunningProgram::has_ended() const {
+    siginfo_t info{};
+    return child_ < 0 || (waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+                          info.si_pid != 0);
 }
 
 void RunningProgram::close_stdin() {

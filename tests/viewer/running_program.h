@@ -18,7 +18,7 @@ class RunningProgram {
     RunningProgram& operator=(const RunningProgram&) = delete;
 
     [[nodiscard]] std::string err() const { return read_text(scratch_ / "err"); }
-    // Waits until stderr holds `text` so often, or half a minute.
+    // Waits until stderr holds `text` so often, or the program has ended.
     [[nodiscard]] bool says(const std::string& text, int times = 1) const;
     void close_stdin();
     void send(int signal) const;
@@ -26,6 +26,8 @@ class RunningProgram {
     [[nodiscard]] int exit_code();
 
  private:
+    [[nodiscard]] bool has_ended() const;
+
     ScratchFolder scratch_;
     pid_t child_ = -1;
     int stdin_ = -1;
