@@ -1,6 +1,7 @@
 // Purpose: why a plan is as it is, in sentences that name the places in the graph's files. Each answer is a
 // few lines that end in a newline, made from the plan alone. Positions count in the order of execution, from
-// 0. Errors: W104 no such pass, W103 no such resource.
+// 0. The name of a repeat stands for all its
+// rounds where one name is asked for. Errors: W104 no such pass, W103 no such resource.
 #pragma once
 
 #include <string>

@@ -93,9 +93,12 @@ std::string culled_words(const FramePlan& plan, PassId pass) {
 }  // namespace
 
 Result<std::string> explain_culled(const FramePlan& plan, const std::string& name) {
-    Result<PassId> pass = named_pass(plan, name);
-    if (!pass) return pass.take_errors();
-    return plan.live.live_passes[*pass] ? live_words(plan, *pass) : culled_words(plan, *pass);
+    Result<std::vector<PassId>> passes = named_passes(plan, name);
+    if (!passes) return passes.take_errors();
+    std::string text;
+    for (const PassId pass : *passes)
+        text += plan.live.live_passes[pass] ? live_words(plan, pass) : culled_words(plan, pass);
+    return text;
 }
 
 }  // namespace weft

@@ -157,11 +157,15 @@ Result<std::string> explain_alias(const FramePlan& plan, const std::string& firs
 }
 
 Result<std::string> explain_resource(const FramePlan& plan, const std::string& name) {
-    Result<ResourceId> id = named_resource(plan, name);
-    if (!id) return id.take_errors();
-    const ResourceDecl& r = plan.graph.resources[*id];
-    return resource_words(plan, *id) + " is " + shape_words(r) + ", " + enum_name(r.lifetime) + ".\n" +
-           ring_words(plan, r) + memory_words(plan, *id) + users_words(plan, *id);
+    Result<std::vector<ResourceId>> resources = named_resources(plan, name);
+    if (!resources) return resources.take_errors();
+    std::string text;
+    for (const ResourceId id : *resources) {
+        const ResourceDecl& r = plan.graph.resources[id];
+        text += resource_words(plan, id) + " is " + shape_words(r) + ", " + enum_name(r.lifetime) + ".\n" +
+                ring_words(plan, r) + memory_words(plan, id) + users_words(plan, id);
+    }
+    return text;
 }
 
 }  // namespace weft

@@ -49,13 +49,13 @@ std::string cause_words(const FramePlan& plan, uint32_t dependency) {
     return text + uses_at(plan, d.from, d.resource) + uses_at(plan, d.to, d.resource);
 }
 
-Result<std::string> explain_wait(const FramePlan& plan, const std::string& name) {
-    Result<PassId> pass = named_pass(plan, name);
-    if (!pass) return pass.take_errors();
-    const std::string words = pass_words(plan, *pass);
-    if (!plan.live.live_passes[*pass])
-        return words + " waits for nothing: it is culled: " + plan.live.details[*pass] + ".\n";
-    const uint32_t position = plan.schedule.position[*pass], own = batch_of(plan, position);
+namespace {
+
+std::string wait_words(const FramePlan& plan, PassId pass) {
+    const std::string words = pass_words(plan, pass);
+    if (!plan.live.live_passes[pass])
+        return words + " waits for nothing: it is culled: " + plan.live.details[pass] + ".\n";
+    const uint32_t position = plan.schedule.position[pass], own = batch_of(plan, position);
     if (plan.schedule.queues.size() == 1)
         return words +
                " waits for no other queue: the plan has one. Barriers order what runs on it; plan for more "
@@ -73,6 +73,16 @@ Result<std::string> explain_wait(const FramePlan& plan, const std::string& name)
                 text += "  It is waited for by " + batch_words(plan, other) +
                         (wait.previous_frame ? ", of the next frame" : "") + ".\n" +
                         cause_words(plan, wait.dependency);
+    return text;
+}
+
+}  // namespace
+
+Result<std::string> explain_wait(const FramePlan& plan, const std::string& name) {
+    Result<std::vector<PassId>> passes = named_passes(plan, name);
+    if (!passes) return passes.take_errors();
+    std::string text;
+    for (const PassId pass : *passes) text += wait_words(plan, pass);
     return text;
 }
 

@@ -23,8 +23,13 @@ namespace weft {
 // color_output color_write color_attachment
 [[nodiscard]] std::string state_words(const AccessState& state, bool image);
 
-// Errors: W104 and W103, with near names; `file` of the error is the graph's.
+// Errors: W104 and W103, with near names, or the names of all rounds where `name` is that of a repeat; `file`
+// of the error is the graph's.
 [[nodiscard]] Result<PassId> named_pass(const FramePlan& plan, const std::string& name);
 [[nodiscard]] Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name);
+// The one of that name, or all rounds of the repeat of that name: "down" stands for "down#1", "down#2" and
+// so on. Errors: as above.
+[[nodiscard]] Result<std::vector<PassId>> named_passes(const FramePlan& plan, const std::string& name);
+[[nodiscard]] Result<std::vector<ResourceId>> named_resources(const FramePlan& plan, const std::string& name);
 
 }  // namespace weft

@@ -141,7 +141,8 @@ TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
         run_weft({"explain", graph, "wait", "lighting", "--queues", "2", "--profile", "discrete"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     expect_parts(run.out, {"submission of its queue: queue 1, ", "Before it begins it waits for queue 0, ",
-                           "must not start before", "\"sunShadows#2\" (", "): port \"depth\" (", "writes \"sunShadow.mip(0).layer(2)\"",
+                           "must not start before", "\"sunShadows#2\" (", "): port \"depth\" (",
+                           "writes \"sunShadow.mip(0).layer(2)\"",
                            "\"lighting\" (" + graph + ":24:5): port \"", "It is waited for by queue 0, "});
     const RunResult barrier = run_weft(
         {"explain", graph, "barrier", "gbuffer", "lighting", "--queues", "2", "--profile", "discrete"});
@@ -166,6 +167,24 @@ TEST(Explain, AnUnknownNameIsGuessedAt) {
     const RunResult both = run_weft({"explain", kDeferred, "alias", "albdo", "hrd"});
     EXPECT_EQ(both.exit_code, 3) << both.text();
     expect_parts(both.err, {"error[W103]", "did you mean \"albedo\"?", "did you mean \"hdr\"?"});
+}
+
+TEST(Explain, TheNameOfARepeatStandsForAllItsRounds) {
+    const std::string bloom = WEFT_SOURCE_DIR "/graphs/bloom.json";
+    const auto answer = [&](std::vector<std::string> question) {
+        question.insert(question.begin(), {"explain", bloom});
+        return run_weft(question);
+    };
+    for (const char* question : {"culled", "wait"}) {
+        const RunResult all = answer({question, "down"});
+        EXPECT_EQ(all.exit_code, 0) << all.text();
+        for (const char* round : {"down#1", "down#2", "down#3"})
+            EXPECT_NE(all.out.find(answer({question, round}).out), std::string::npos) << round << all.text();
+    }
+    const RunResult pair = answer({"barrier", "down", "down#2"});
+    EXPECT_EQ(pair.exit_code, 3) << pair.text();
+    EXPECT_NE(pair.err.find("it is repeated: name one of \"down#1\", \"down#2\""), std::string::npos)
+        << pair.text();
 }
 
 }  // namespace
