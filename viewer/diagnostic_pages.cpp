@@ -12,17 +12,6 @@ namespace {
 
 constexpr uint64_t kMostPage_bytes = 4u << 20;
 
-// As GitHub and CommonMark renderers make them: lower case, blanks to hyphens, the rest left out.
-std::string anchor_of(const std::string& heading) {
-    std::string anchor;
-    for (const unsigned char c : heading)
-        if (std::isalnum(c) != 0 || c == '-')
-            anchor += static_cast<char>(std::tolower(c));
-        else if (c == ' ')
-            anchor += '-';
-    return anchor;
-}
-
 // Links become their text; marks of code and emphasis go.
 std::string without_markup(const std::string& text) {
     std::string plain;
@@ -66,14 +55,13 @@ std::map<std::string, DiagnosticPage> diagnostic_pages() {
     const std::string file = (shipped_root() / "docs" / "diagnostics.md").string();
     std::map<std::string, DiagnosticPage> pages;
     std::istringstream lines(read_file(file, kMostPage_bytes).value_or(""));
-    std::string anchor;
+    std::string section;
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("#"))
-            anchor = anchor_of(without_markup(line.substr(line.find_first_not_of('#'))));
+        if (line.starts_with("#")) section = without_markup(line.substr(line.find_first_not_of('#')));
         if (!line.starts_with("| ")) continue;
         const std::vector<std::string> cells = cells_of(line);
         if (cells.size() < 2 || !is_code(cells[0])) continue;
-        pages.try_emplace(cells[0], DiagnosticPage{cells[1], cells.size() > 2 ? cells[2] : "", file, anchor});
+        pages.try_emplace(cells[0], DiagnosticPage{cells[1], cells.size() > 2 ? cells[2] : "", section});
     }
     return pages;
 }

@@ -7,10 +7,9 @@
 namespace weft::viewer {
 
 struct DiagnosticPage {
-    std::string what;    // what is wrong, without markup
-    std::string remedy;  // may be empty
-    std::string file;    // the page, an absolute path
-    std::string anchor;  // of the section that it stands in
+    std::string what;     // what is wrong, without markup
+    std::string remedy;   // may be empty
+    std::string section;  // of the page, that it stands in
 };
 
 // By code, from the rows of the shipped docs/diagnostics.md; empty where it isn't shipped.

@@ -129,8 +129,9 @@ Json rules_of(const Diagnostics& diagnostics, std::map<std::string, size_t>& ind
         Json rule = {{"id", code}};
         if (const auto page = pages.find(code); page != pages.end()) {
             rule["shortDescription"] = {{"text", page->second.what}};
-            if (!page->second.remedy.empty()) rule["help"] = {{"text", page->second.remedy}};
-            rule["helpUri"] = uri_of(page->second.file) + "#" + page->second.anchor;
+            // No helpUri: the page lies on this machine, and the log may be read on another.
+            rule["help"] = {{"text", page->second.remedy + (page->second.remedy.empty() ? "" : "\n") +
+                                         "docs/diagnostics.md, section \"" + page->second.section + "\""}};
         }
         rule["defaultConfiguration"] = {{"level", level}};
         rules.push_back(std::move(rule));

@@ -127,9 +127,10 @@ Json expect_log(const std::string& text) {
     for (const Json& rule : driver.at("rules")) {
         ids.push_back(rule.at("id"));
         EXPECT_FALSE(rule.at("shortDescription").at("text").get<std::string>().empty()) << ids.back();
-        const std::string uri = rule.at("helpUri");
-        EXPECT_TRUE(uri.starts_with("file:///") && uri.find("docs/diagnostics.md#") != std::string::npos)
-            << uri;
+        const std::string help = rule.at("help").at("text");
+        EXPECT_NE(help.find("docs/diagnostics.md, section \""), std::string::npos) << help;
+        // An address on this machine would mean nothing on another.
+        EXPECT_FALSE(rule.contains("helpUri"));
     }
     EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
     EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end()) << "a rule twice";
