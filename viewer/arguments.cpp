@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "weft/result.h"
+
 namespace weft::viewer {
 namespace {
 
@@ -34,6 +36,12 @@ std::optional<double> number_of(const std::string& text) {
     return number;
 }
 
+// ": did you mean …?", or empty.
+std::string with_guess(const std::string& text, const std::vector<std::string>& known) {
+    const std::string guess = did_you_mean_text(text, known);
+    return guess.empty() ? "" : ": " + guess;
+}
+
 }  // namespace
 
 std::string size_fault(const std::string& text) {
@@ -57,6 +65,13 @@ std::string param_fault(const std::string& text) {
     return number_of(value) ? "" : "\"" + value + "\" is not a number, true or false";
 }
 
+std::string choice_fault(const std::string& text, const std::vector<std::string>& choices) {
+    if (std::ranges::find(choices, text) != choices.end()) return "";
+    std::string all;
+    for (const std::string& choice : choices) all += (all.empty() ? "" : ", ") + choice;
+    return "\"" + text + "\" is not one of " + all + with_guess(text, choices);
+}
+
 std::string limit_fault(const std::string& text) {
     const std::optional<double> number = text == "true" || text == "false" ? std::nullopt : number_of(text);
     return number ? "" : "\"" + text + "\" is not a finite number";
@@ -70,7 +85,8 @@ std::string env_fault(const std::string& text) {
     const bool is_file = text.find_first_of("./") != std::string::npos;
     return text == "sky" || text == "none" || is_file
                ? ""
-               : "an environment is sky, none or a Radiance picture (FILE.hdr), not \"" + text + "\"";
+               : "an environment is sky, none or a Radiance picture (FILE.hdr), not \"" + text + "\"" +
+                     with_guess(text, {"sky", "none"});
 }
 
 std::map<std::string, double> parse_params(const std::vector<std::string>& texts) {

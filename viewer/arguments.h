@@ -21,6 +21,9 @@ namespace weft::viewer {
 [[nodiscard]] std::string param_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, double> parse_params(const std::vector<std::string>& texts);
 
+// What is wrong with a word that is none of these, or empty.
+[[nodiscard]] std::string choice_fault(const std::string& text, const std::vector<std::string>& choices);
+
 // What is wrong with a limit that a number may not pass, or empty.
 [[nodiscard]] std::string limit_fault(const std::string& text);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -5,6 +6,7 @@
 #include "files.h"
 #include "graph/quantity_text.h"
 #include "graph_test_run.h"
+#include "near_files.h"
 #include "output.h"
 #include "sarif.h"
 #include "tier_check.h"
@@ -63,6 +65,7 @@ ExitCode run_check(const CheckOptions& options) {
         if (!prints_data) report(checked.found);
         all.insert(all.end(), checked.found.begin(), checked.found.end());
     }
+    if (prints_data) std::ranges::for_each(all, add_near_files);
     const ExitCode code = has_errors(all) ? exit_code_for(all) : ExitCode::ok;
     if (options.json) return print_data(json_list(all), code);
     return options.sarif ? print_data(sarif_log(all), code) : code;

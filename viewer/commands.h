@@ -35,7 +35,7 @@ enum class ExitCode : int {
 // Prints to stderr.
 void report(const Diagnostics& diagnostics);
 // The exit code that the first error's code stands for: W, S, X53x, X56x: input; V40x: device; V407, V408:
-// lost; X520: usage.
+// lost; X520 to X522: usage.
 [[nodiscard]] ExitCode exit_code_for(const Diagnostics& errors);
 
 }  // namespace weft::viewer

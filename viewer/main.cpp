@@ -15,6 +15,7 @@
 #include "driver_cache.h"
 #include "files.h"
 #include "output.h"
+#include "usage_hint.h"
 
 namespace weft::viewer {
 namespace {
@@ -37,6 +38,11 @@ CLI::Validator env_validator() {
 
 CLI::Validator limit_validator() {
     return CLI::Validator([](std::string& text) { return limit_fault(text); }, "NUMBER");
+}
+
+CLI::Validator choice_validator(std::vector<std::string> choices) {
+    return CLI::Validator(
+        [choices = std::move(choices)](std::string& text) { return choice_fault(text, choices); }, "");
 }
 
 // Texts that need a second look after parsing.
@@ -145,7 +151,7 @@ void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     add_tier(command, o.offline, "the graph as it is");
     add_offline(command, o.offline, raw);
     command.add_option("--format", o.format, "text, json, dot or html")
-        ->check(CLI::IsMember({"text", "json", "dot", "html"}).description(""))
+        ->check(choice_validator({"text", "json", "dot", "html"}))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "a file in place of stdout");
 }
@@ -159,7 +165,7 @@ void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
 void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     command.add_option("QUESTION", o.question, "culled, barrier, alias, wait or resource")
-        ->check(CLI::IsMember({"culled", "barrier", "alias", "wait", "resource"}).description(""))
+        ->check(choice_validator({"culled", "barrier", "alias", "wait", "resource"}))
         ->required();
     command.add_option("NAME", o.names, "PASS, PASS PASS, RESOURCE RESOURCE, PASS, RESOURCE")
         ->required()
@@ -181,7 +187,7 @@ void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
     command
         .add_option("--metric", o.metric,
                     "flip: what a viewer sees, 0 to 1; psnr: in dB; max: the largest difference of a channel")
-        ->check(CLI::IsMember({"flip", "psnr", "max"}).description(""))
+        ->check(choice_validator({"flip", "psnr", "max"}))
         ->capture_default_str();
     command.add_option("--max", o.max, "exit code 6 when the mean FLIP, or max, is above this")
         ->check(limit_validator());
@@ -205,7 +211,7 @@ CLI::App* add_bench_compile(CLI::App& bench, BenchOptions& o) {
         ->check(CLI::Range(1u, 1000000u))
         ->capture_default_str();
     command->add_option("--shape", o.shape, "which passes one reads: chain, window32 or random")
-        ->check(CLI::IsMember({"chain", "window32", "random"}).description(""))
+        ->check(choice_validator({"chain", "window32", "random"}))
         ->capture_default_str();
     command->add_option("--seed", o.seed, "of std::mt19937")->capture_default_str();
     command->add_option("--queues", o.queues, "how many queues to plan for")
@@ -267,7 +273,8 @@ int usage_exit(const CLI::App& app, const CLI::ParseError& error) {
         app.exit(error, text, text);
         return exit_with(print_data(text.str()));
     }
-    std::fprintf(stderr, "weft: %s\nRun `weft --help`, or `weft COMMAND --help`.\n", error.what());
+    std::fprintf(stderr, "weft: %s\n%sRun `weft --help`, or `weft COMMAND --help`.\n", error.what(),
+                 usage_hint(app).c_str());
     return exit_with(ExitCode::usage);
 }
 
@@ -351,7 +358,8 @@ int run(int argc, char** argv) {
     if (doctor->parsed()) return exit_with(run_doctor(doctor_options));
     if (bench.app->parsed()) return exit_with(run_bench(bench, raw, *limits));
     std::fputs(
-        "weft: say what to do: render, view, check, plan, schema, explain, diff, compare, bench or doctor\nRun "
+        "weft: say what to do: render, view, check, plan, schema, explain, diff, compare, bench or "
+        "doctor\nRun "
         "`weft --help`.\n",
         stderr);
     return exit_with(ExitCode::usage);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "commands.h"
+#include "near_files.h"
 #include "terminal_colors.h"
 
 namespace weft::viewer {
@@ -12,6 +13,11 @@ namespace {
 // Of errors and of warnings: a file can hold one in every line.
 constexpr size_t kMostShown = 200;
 
+void print(Diagnostic d, bool colors) {
+    add_near_files(d);
+    std::fprintf(stderr, "%s\n", (colors ? colored_text(d) : to_text(d)).c_str());
+}
+
 }  // namespace
 
 void report(const Diagnostics& diagnostics) {
@@ -19,7 +25,7 @@ void report(const Diagnostics& diagnostics) {
     size_t errors = 0, warnings = 0, hidden = 0;
     for (const Diagnostic& d : diagnostics) {
         const size_t seen = d.severity == Severity::error ? ++errors : ++warnings;
-        if (seen <= kMostShown) std::fprintf(stderr, "%s\n", (colors ? colored_text(d) : to_text(d)).c_str());
+        if (seen <= kMostShown) print(d, colors);
         if (seen > kMostShown) ++hidden;
     }
     if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
@@ -31,7 +37,7 @@ ExitCode exit_code_for(const Diagnostics& errors) {
     if (it == errors.end() || it->code.empty()) return ExitCode::failed;
     if (it->code == "V407" || it->code == "V408") return ExitCode::lost;
     if (it->code.starts_with("V40")) return ExitCode::no_device;
-    if (it->code == "X520" || it->code == "X521") return ExitCode::usage;
+    if (it->code == "X520" || it->code == "X521" || it->code == "X522") return ExitCode::usage;
     if (it->code.starts_with("X53") || it->code.starts_with("X56")) return ExitCode::invalid_input;
     if (it->code == "W161") return ExitCode::mismatch;
     if (it->code == "W162") return ExitCode::validation;

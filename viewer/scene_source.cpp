@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
 
+#include "files.h"
 #include "progress_text.h"
 #include "scene/builtin_scenes.h"
 #include "scene/load_environment.h"
@@ -115,8 +116,17 @@ Result<scene::Scene> load_file(const std::string& name, const SceneLimits& limit
 
 }  // namespace
 
-Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits,
-                                Diagnostics& warnings) {
+Status expect_scene(const std::string& name) {
+    if (name.starts_with(kBuiltinPrefix) || std::filesystem::path(name).extension() != ".json") return Unit{};
+    const std::optional<std::string> text = read_file(name, GraphLimits{}.json_bytes);
+    if (!text || text->find("\"passes\"") == std::string::npos ||
+        text->find("\"asset\"") != std::string::npos)
+        return Unit{};
+    return choice_error("X522", "\"" + name + "\" is a graph, not a scene",
+                        "to render a scene through it: weft render --graph " + name);
+}
+
+Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits, Diagnostics& warnings) {
     const bool builtin = choice.name.starts_with(kBuiltinPrefix);
     const std::string name = builtin ? choice.name.substr(kBuiltinPrefix.size()) : choice.name;
     if (choice.hour && !(builtin && scene::has_hours(name))) return no_hours(choice.name);
@@ -127,7 +137,8 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& li
     Result<scene::Scene> scene =
         builtin ? scene::make_builtin(name, options) : load_file(name, limits, warnings);
     if (!scene) return scene;
-    if (Status applied = apply_environment(*scene, choice.env, limits); !applied) return applied.take_errors();
+    if (Status applied = apply_environment(*scene, choice.env, limits); !applied)
+        return applied.take_errors();
     const bool has_seeded_lights = builtin && name == "lights";
     if (choice.lights && !has_seeded_lights)
         scene->lights = scene::seeded_lights(*scene, *choice.lights, choice.seed);

@@ -1,5 +1,6 @@
 // Purpose: from the command line's SCENE, --camera, --env, --time and --lights to a scene and a camera.
-// Errors: S… of the loaders; S130 unknown camera, X520 malformed camera, X521 a scene without hours.
+// Errors: S… of the loaders; S130 unknown camera, X520 malformed camera, X521 a scene without hours, X522 a
+// graph in place of a scene.
 #pragma once
 
 #include <optional>
@@ -24,6 +25,9 @@ struct SceneChoice {
 // the place of the scene's own; those of builtin:lights move.
 [[nodiscard]] Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits,
                                               Diagnostics& warnings);
+
+// A graph that was named as the scene, by a slip.
+[[nodiscard]] Status expect_scene(const std::string& name);
 
 // A camera of the scene by name, seven numbers EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, or, when `choice`
 // is empty, the scene's first camera or one that frames its bounds. `aspect` is width / height.

@@ -135,6 +135,7 @@ Result<OpenSession> SessionOpener::open_checked() {
 Result<OpenSession> SessionOpener::open() {
     can_be_mended_ = false;
     files_.clear();
+    if (Status s = expect_scene(options_.scene); !s) return s.take_errors();
     Status good = check_graph();
     if (good) return open_checked();
     can_be_mended_ = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <sstream>
 
 #include "vulkan/device_features.h"
 
@@ -66,6 +67,16 @@ const Candidate* find_wanted(const std::vector<Candidate>& candidates, const std
         return c.info.name.find(wanted) != std::string::npos;
     });
     return it == candidates.end() ? nullptr : &*it;
+}
+
+// A part of a name finds a device: "llvmpipe" of "llvmpipe (LLVM 15.0.6, 256 bits)".
+std::vector<std::string> name_words(const std::vector<Candidate>& candidates) {
+    std::vector<std::string> words;
+    for (const Candidate& candidate : candidates) {
+        std::istringstream name(candidate.info.name);
+        for (std::string word; name >> word;) words.push_back(word);
+    }
+    return words;
 }
 
 }  // namespace
@@ -145,6 +156,8 @@ Result<Candidate> choose_device(const std::vector<Candidate>& candidates, const 
             error.code = "V403";
             error.message = "no device matches \"" + wanted + "\"";
             error.help = {device_list(candidates)};
+            const std::string guess = did_you_mean_text(wanted, name_words(candidates));
+            if (!guess.empty()) error.help.insert(error.help.begin(), guess);
             return error;
         }
         if (!found->info.missing.empty()) return unsuitable_error(*found);
