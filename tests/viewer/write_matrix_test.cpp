@@ -15,7 +15,7 @@ namespace weft::test {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kGraph = WEFT_SOURCE_DIR "/graphs/deferred.json";
+constexpr const char* kGraph = WEFT_SOURCE_DIR "/docs/examples/ink.json";
 constexpr const char* kTinyGraph = WEFT_SOURCE_DIR "/tests/render/reload/live.json";
 constexpr const char* kOld = "the old file";
 
@@ -190,6 +190,20 @@ TEST_P(Written, IntoAPipe) {
     EXPECT_EQ(run.exit_code, 0) << run.text();
     EXPECT_TRUE(fs::is_fifo(out()));
     EXPECT_TRUE(is_whole(got));
+}
+
+// The program ends when it has written the data and asks for it to be put on the disk. write_signals_test.cpp
+// has more.
+TEST_P(Written, KilledWhileItWritesTheOldFileStays) {
+    if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
+    scratch_.write(fs::path(out()).filename(), kOld);
+    const std::string strace =
+        "strace -f -qq -o " + (scratch_ / "trace") + " -e trace=fsync -e inject=fsync:";
+    if (shell(strace + "error=EIO true").exit_code != 0) GTEST_SKIP() << "strace is missing or may not trace";
+    // The shell, which strace ends like, says that it was killed.
+    const RunResult run = shell(strace + "signal=KILL " + command(out()));
+    EXPECT_EQ(run.exit_code, 128 + 9) << run.text();
+    EXPECT_EQ(read_text(out()), kOld);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Written, testing::ValuesIn(writers()),
