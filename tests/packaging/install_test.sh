@@ -66,6 +66,17 @@ build_with_pkg_config() {
     fail "a file doesn't build with what pkg-config says"
 }
 
+# The lines of docs/embedding.md that need no CMake, but for where Weft was installed and what needs a device.
+build_by_the_page() {
+  cp -r "$source/docs/examples/embedding" "$scratch/by_hand"
+  awk '/^<!-- compiled by the tests -->$/ { wanted = 1; next } /^```/ { inside = wanted && !inside; if (!inside) wanted = 0; next }
+       inside' "$source/docs/embedding.md" | grep -v '^\./' | sed "s|~/weft|$installed|; s|^g++|\${CXX:-g++} \${CXXFLAGS:-}|" \
+    >"$scratch/by_hand/build.sh"
+  grep -q -- '-o embedding' "$scratch/by_hand/build.sh" || fail "docs/embedding.md shows no command that compiles"
+  (cd "$scratch/by_hand" && bash -e build.sh) || fail "what docs/embedding.md says doesn't compile its sample"
+  [ -x "$scratch/by_hand/embedding" ] || fail "what docs/embedding.md says makes no program"
+}
+
 # The embedder's own image holds what the program draws.
 compare_sample() {
   "$scratch/embedding/embedding" "$scratch/embedded.ppm" --validate || fail "the embedding sample ended with $?"
@@ -87,6 +98,7 @@ install_and_move
 for installed_program in "$installed"/bin/*; do check_libraries "$installed_program"; done
 build_sample
 build_with_pkg_config
+build_by_the_page
 if ! "$program" doctor >/dev/null 2>&1; then
   say "skipped: no Vulkan device to render on"
   exit 77

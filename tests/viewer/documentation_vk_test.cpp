@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "viewer/gltf_file.h"
@@ -106,6 +107,33 @@ TEST(Documentation, TheGraphPageRuns) {
     EXPECT_GT(nearest, 0.1f);
     EXPECT_GT(farthest, nearest + 0.1f) << "what is farther lies in thicker fog";
     EXPECT_LE(farthest, 1.0f);
+}
+
+// Graphs and shaders in folders of the project's own, and the script that CI runs.
+TEST(Documentation, TheProjectPageRuns) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder folder;
+    write_snippets("projects.md", folder);
+    const Environment path{
+        {"PATH", std::filesystem::path(WEFT_PROGRAM).parent_path().string() + ":/usr/bin:/bin"}};
+    const auto sh = [&](const std::string& command) {
+        return run_program({"sh", "-c", command}, path, folder.path());
+    };
+    const RunResult check = sh("weft check pipelines/*.json");
+    ASSERT_EQ(check.exit_code, 0) << check.text();
+    const RunResult golden =
+        sh("mkdir golden && weft render builtin:spheres --graph pipelines/night.json "
+           "--size 320x180 -o golden/night.png");
+    ASSERT_EQ(golden.exit_code, 0) << golden.text();
+    const RunResult good = sh("sh ci/pipelines.sh");
+    EXPECT_EQ(good.exit_code, 0) << good.text();
+    const std::string graph = read_text(folder / "pipelines/night.json");
+    folder.write("pipelines/night.json", replaced(graph, "\"default\": -2", "\"default\": 0"));
+    EXPECT_EQ(sh("sh ci/pipelines.sh").exit_code, 6) << "another picture";
+    folder.write("pipelines/night.json", replaced(graph, "grade.json", "grede.json"));
+    EXPECT_EQ(sh("sh ci/pipelines.sh").exit_code, 3) << "an include that is not there";
+    const Json log = Json::parse(read_text(folder / "weft.sarif"));
+    EXPECT_FALSE(log.at("runs").at(0).at("results").empty()) << "what CI uploads names it";
 }
 
 TEST(Documentation, TheExampleGraphRunsAndObservingItChangesNothing) {
