@@ -81,7 +81,8 @@ show dof dof "Depth of field" "A fountain in focus before a court at night; lamp
 The picture is parted at half resolution into what is blurred behind the focus and what is blurred before it, each
 multiplied by its share before anything is filtered (Liu 2016, "Rendering 'Monster Hunter Online'"). What is sharp weighs
 nothing, so a bright edge in focus sheds no halo over what lies behind it, and what a blurred leaf hides is guessed from
-beside it. The lens is a premultiplied blend over the picture.
+beside it. The gather reads every pixel in reach, unfiltered: each lamp is an even disc of the size of its own circle. The
+lens is a premultiplied blend over the picture.
 END
 
 show edges edges "Edges" "The court as a pale drawing: outlines in ink, creases in red" <<'END'

@@ -115,6 +115,17 @@ TEST(Documentation, EveryMemberOfTheSetsHasARow) {
     EXPECT_EQ(documented, declared);
 }
 
+TEST(Documentation, TheGalleryCountsTheLinesOfItsGraphs) {
+    const std::string page = read_text(kRoot / "docs/gallery.md");
+    static const std::regex row(R"(\[`(graphs/\w+\.json)`\]\([^)]*\), (\d+) lines)");
+    size_t graphs = 0;
+    for (auto it = std::sregex_iterator(page.begin(), page.end(), row); it != std::sregex_iterator();
+         ++it, ++graphs)
+        EXPECT_EQ(std::stoi((*it)[2]), std::ranges::count(read_text(kRoot / (*it)[1].str()), '\n'))
+            << (*it)[1];
+    EXPECT_GE(graphs, 8u);
+}
+
 TEST(Documentation, TheExampleOfSeveralQueuesUsesThem) {
     const std::string readme = read_text(kRoot / "README.md");
     static const std::regex command(R"(\./weft plan (\S+) --profile (\S+) --queues 3)");
