@@ -274,7 +274,7 @@ def check_zoom(browser, faults):
     browser.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
     expect("Ctrl and the wheel", abs(browser.value(SCALE) / fit - 1.25) < 0.02)
     browser.value("scrollTo(0, 0)")
-    browser.value(f'for (let i = 0; i < 6; ++i) {button % "in"}.click(); document.querySelector("#graph .scroll").scrollTo(0, 0);'
+    browser.value(f'{button % "full"}.click(); for (let i = 0; i < 4; ++i) {button % "in"}.click(); document.querySelector("#graph .scroll").scrollTo(0, 0);'
                   'document.getElementById("graph").scrollIntoView()')
     x, y = browser.value('(() => { const at = document.querySelector("#graph .scroll").getBoundingClientRect(); return [at.left + 200, at.top + 4]; })()')
     browser.drag(x, y, -50, 0)

@@ -133,13 +133,13 @@
   const drawings = [...graph.querySelectorAll("svg")].map((svg) =>
     ({ svg, frame: svg.parentElement, width: svg.viewBox.baseVal.width, height: svg.viewBox.baseVal.height }));
   const controls = graph.querySelector(".zoom");
-  const leastScale = 0.01, mostScale = 4, zoomStep = 1.25;
+  const leastScale = 0.1, mostScale = 4, zoomStep = 1.25;
   const leastLegible = 0.7;  // a drawing begins as wide as the panel, unless its letters would be too small
   let scale = 1;
 
   function zoom(wanted, x, y) {
     const before = scale;
-    scale = Math.min(mostScale, Math.max(leastScale, wanted));
+    scale = Math.min(mostScale, Math.max(Math.min(leastScale, fitting()), wanted));
     for (const { svg, frame, width, height } of drawings) {
       const left = x === undefined ? frame.clientWidth / 2 : x - frame.getBoundingClientRect().left;
       const top = y === undefined ? frame.clientHeight / 2 : y - frame.getBoundingClientRect().top;
@@ -158,8 +158,10 @@
   };
   const zooms = { in: () => zoom(scale * zoomStep), out: () => zoom(scale / zoomStep), fit: () => zoom(fitting()), full: () => zoom(1) };
   const zoomKeys = { "+": "in", "=": "in", "-": "out", f: "fit", 0: "full" };
+  const leastHeight = 120;  // of what is left to hold on to when a drawing is small
   if (drawings.length > 0) {
     controls.hidden = false;
+    for (const { frame, height } of drawings) frame.style.minHeight = `${Math.min(height, leastHeight)}px`;
     controls.addEventListener("click", (event) => zooms[event.target.closest("button")?.dataset.zoom]?.());
     graph.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey || !zoomKeys[event.key]) return;
