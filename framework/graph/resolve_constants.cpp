@@ -1,5 +1,5 @@
 // Specialisation constants by name: HAS_x says whether port x is bound, the rest comes from the pass's
-// "constants" or the graph. Those that a draw list's variants set are left to it.
+// "constants", the graph, or the numbers that the scene offers. Those that a draw list's variants set are left to it.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -86,7 +86,8 @@ class ConstantStep {
 
     std::optional<ExprValue> from_graph(const std::string& name) const {
         const GraphDesc& graph = state_.input.graph;
-        if (!graph.params.contains(name) && !graph.consts.contains(name) && !work_.indices.contains(name))
+        if (!graph.params.contains(name) && !graph.consts.contains(name) && !work_.indices.contains(name) &&
+            !state_.input.imports.numbers.contains(name))
             return std::nullopt;
         return state_.names.value(name);
     }

@@ -70,6 +70,11 @@ uint32_t count_directional_lights(const scene::Scene* scene) {
     }));
 }
 
+// One that shows anything.
+bool has_environment_picture(const scene::Scene* scene) {
+    return scene == nullptr || (!scene->environment.mips.empty() && scene->environment.scale > 0);
+}
+
 ImportDecl output(Extent3D extent) {
     ImportDecl import;
     import.name = "backbuffer";
@@ -123,7 +128,8 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     catalog.imports.emplace("backbuffer", output(output_extent));
     catalog.views = {"camera"};
     for (uint32_t i = 0; i < shared::kMostSunCascades; ++i) catalog.views.push_back(sun_view_name(i));
-    catalog.numbers = {{"directionalLights", count_directional_lights(scene)}};
+    catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
+                       {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)}, {"Light", sizeof(shared::Light)}};
     return catalog;
 }

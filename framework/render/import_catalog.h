@@ -1,7 +1,7 @@
 // Purpose: what a scene offers to graphs, known without a device: the draw lists opaque, masked and
 // transparent, which are all draws, and anisotropic, which are some of the first two once more; their draw
 // commands (opaqueCommands, …), the output image, the element types Light and DrawCommand, the views "camera"
-// and "sun(0)" to "sun(3)", and the number directionalLights.
+// and "sun(0)" to "sun(3)", and the numbers directionalLights and environmentPictures.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline constexpr std::array kDrawLists{"opaque", "masked", "transparent", "aniso
 [[nodiscard]] std::string commands_of(std::string_view list);
 
 // The output is a UNORM image that the last pass encodes; after the frame it is copied, blitted or read back.
-// Without a scene every list has one draw, and there is one directional light.
+// Without a scene every list has one draw, and there is one directional light and one environment picture.
 [[nodiscard]] ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene = nullptr);
 
 }  // namespace weft::render

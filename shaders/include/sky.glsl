@@ -1,7 +1,9 @@
 // What surrounds the scene: background, and the simple ambient light that stands in for image-based light. An
 // environment picture where the scene has one, else a gradient. Units: cd/m². Needs frame_set.glsl.
 
-bool has_environment() { return frame.environment_scale > 0.0; }
+layout(constant_id = 21) const uint environmentPictures = 1u;  // of the scene: 0 or 1
+
+bool has_environment() { return environmentPictures > 0u; }
 
 // Where the environment shows what lies in a direction: -z in the middle, +y at the top.
 vec2 environment_uv(vec3 direction) {

@@ -181,6 +181,15 @@ TEST_F(ResolveConditions, AFaultyConditionIsTheOnlyFault) {
     EXPECT_EQ(d.code, "W107");
 }
 
+TEST_F(ResolveConditions, ASpecialisationConstantIsANumberOfTheScene) {
+    imports.numbers = {{"lamps", 3}};
+    shaders["make.comp"] = with_constants(compute({image_out("dst")}), {{"lamps", ScalarType::u32}});
+    const std::string body = R"j("resources": {"x": "rgba16f"}, "passes": {
+"m": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}}})j";
+    EXPECT_EQ(constant(good(body), "m", 0), 3u);
+    EXPECT_EQ(constant(good(R"j("consts": {"lamps": 5}, )j" + body), "m", 0), 5u) << "the graph's own comes first";
+}
+
 TEST_F(ResolveConditions, SpecialisationConstants) {
     shaders["make.comp"] = with_constants(compute({image_out("dst")}), {{"N", ScalarType::u32},
                                                                         {"K", ScalarType::f32},

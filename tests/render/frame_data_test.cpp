@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "render/import_catalog.h"
 #include "render/texels.h"
+#include "scene/environment.h"
 
 namespace weft::render {
 namespace {
@@ -127,6 +129,15 @@ TEST(ImportCatalog, ListsAndTheirCommandsAreAsLongAsTheSceneMakesThem) {
     EXPECT_EQ(catalog.imports.at("opaqueCommands").kind, ImportKind::buffer);
     EXPECT_EQ(catalog.imports.at("opaqueCommands").resource.size_bytes, 60u);
     EXPECT_EQ(catalog.imports.at("transparentCommands").resource.size_bytes, 20u) << "no buffer is empty";
+}
+
+TEST(ImportCatalog, CountsTheEnvironmentPicturesThatShowAnything) {
+    scene::Scene scene;
+    EXPECT_EQ(scene_imports({64, 36, 1}, &scene).numbers.at("environmentPictures"), 0);
+    scene.environment = scene::build_environment(2, 1, std::array{glm::vec3(1), glm::vec3(2)});
+    EXPECT_EQ(scene_imports({64, 36, 1}, &scene).numbers.at("environmentPictures"), 1);
+    scene.environment.scale = 0;
+    EXPECT_EQ(scene_imports({64, 36, 1}, &scene).numbers.at("environmentPictures"), 0);
 }
 
 }  // namespace
