@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
+#include <optional>
 
 #include "commands.h"
 #include "file/write_file.h"
@@ -23,7 +25,7 @@ namespace {
 struct RunOutcome {
     vk::ReadbackData output;
     std::vector<vk::FrameTiming> timings;
-    std::vector<vk::ReadbackData> readbacks;
+    std::optional<vk::ReadbackData> last_readback;
 };
 
 // On stderr, once it takes longer than a moment. The device is some frames behind what is told.
@@ -47,11 +49,20 @@ class RenderProgress {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+// Takes away what is ready after a frame: for many frames it would pile up. Of what is read back the last one is kept.
+void collect(render::Session& session, RunOutcome& outcome) {
+    std::ranges::move(session.take_timings(), std::back_inserter(outcome.timings));
+    std::vector<vk::ReadbackData> readbacks = session.take_readbacks();
+    if (!readbacks.empty()) outcome.last_readback = std::move(readbacks.back());
+}
+
 Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& options, uint32_t frames) {
     RenderProgress progress(options, frames);
+    RunOutcome outcome;
     for (uint32_t i = 0; i < frames; ++i) {
         if (Status s = session.render_frame(i * options.fixed_dt_s, options.fixed_dt_s); !s)
             return s.take_errors();
+        collect(session, outcome);
         // Of those that are begun the last ones may still be drawn.
         progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
     }
@@ -59,21 +70,23 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
     progress.tell(frames);
     Result<vk::ReadbackData> output = session.read_output();
     if (!output) return output.take_errors();
-    return RunOutcome{std::move(*output), session.take_timings(), session.take_readbacks()};
+    collect(session, outcome);
+    outcome.output = std::move(*output);
+    return outcome;
 }
 
 // The picture that --output asks for: the graph's output, or the resource of --resource.
 Status write_picture(const RenderOptions& options, const render::Session& session,
                      const RunOutcome& outcome) {
     const bool is_output = options.resource.empty() && options.debug.empty();
-    if (!is_output && outcome.readbacks.empty()) {
+    if (!is_output && !outcome.last_readback) {
         Diagnostic d;
         d.code = "W103";
         d.message = "\"" + options.resource + "\" was not read back";
         d.help = {"name a resource that a pass of this graph writes"};
         return d;
     }
-    const vk::ReadbackData& data = is_output ? outcome.output : outcome.readbacks.back();
+    const vk::ReadbackData& data = is_output ? outcome.output : *outcome.last_readback;
     if (data.format == Format::undefined)
         return write_file(options.output,
                           {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});

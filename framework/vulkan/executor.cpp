@@ -10,6 +10,9 @@
 namespace weft::vk {
 namespace {
 
+// That wait to be taken: a program that never asks shall not lose memory.
+constexpr size_t kMostTimings = 256;
+
 class Stopwatch {
  public:
     [[nodiscard]] double ms() const {
@@ -81,6 +84,7 @@ Status ReplayExecutor::complete(uint32_t slot) {
         frame.timing.passes.push_back(
             {objects_->plan.graph.passes[objects_->plan.schedule.order[position]].name, times[position]});
     timings_.push_back(std::move(frame.timing));
+    if (timings_.size() > kMostTimings) timings_.erase(timings_.begin());
     objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, readbacks_);
     return Unit{};
 }

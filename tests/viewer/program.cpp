@@ -37,11 +37,11 @@ double seconds(const timeval& time) {
 
 }  // namespace
 
-void limit_time() {
+void limit_time(unsigned most_cpu_s) {
     rlimit limit{};
     // The hard limit stays: the program sets its own, and only root may raise one.
     if (getrlimit(RLIMIT_CPU, &limit) == 0) {
-        limit.rlim_cur = std::min<rlim_t>(kMostCpu_s, limit.rlim_max);
+        limit.rlim_cur = std::min<rlim_t>(most_cpu_s, limit.rlim_max);
         setrlimit(RLIMIT_CPU, &limit);
     }
     alarm(kMostWall_s);

@@ -24,7 +24,7 @@ inline constexpr unsigned kMostCpu_s = 1200;
 inline constexpr unsigned kMostWall_s = 1500;
 
 // In a child, before exec: the limits above. They survive exec.
-void limit_time();
+void limit_time(unsigned most_cpu_s = kMostCpu_s);
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 

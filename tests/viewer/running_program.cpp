@@ -13,7 +13,8 @@
 
 namespace weft::test {
 
-RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const Environment& environment,
+                               unsigned most_cpu_s) {
     std::vector<std::string> words{WEFT_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
@@ -29,7 +30,8 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
         if (dup2(ends[0], 0) < 0 || dup2(file, 1) < 0 || dup2(file, 2) < 0) _exit(126);
         setenv("XDG_CACHE_HOME", WEFT_TEST_CACHE, 1);
         setenv("MESA_SHADER_CACHE_DIR", WEFT_TEST_CACHE "/mesa", 1);
-        limit_time();
+        for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+        limit_time(most_cpu_s);
         execv(pointers.front(), pointers.data());
         _exit(127);
     }

@@ -12,7 +12,9 @@ namespace weft::test {
 
 class RunningProgram {
  public:
-    explicit RunningProgram(const std::vector<std::string>& arguments);
+    // `environment` adds to that of the test. Killed after so much processor time.
+    explicit RunningProgram(const std::vector<std::string>& arguments, const Environment& environment = {},
+                            unsigned most_cpu_s = kMostCpu_s);
     ~RunningProgram();
     RunningProgram(const RunningProgram&) = delete;
     RunningProgram& operator=(const RunningProgram&) = delete;
@@ -20,6 +22,7 @@ class RunningProgram {
     [[nodiscard]] std::string err() const { return read_text(scratch_ / "err"); }
     // Waits until stderr holds `text` so often, or the program has ended.
     [[nodiscard]] bool says(const std::string& text, int times = 1) const;
+    [[nodiscard]] pid_t id() const { return child_; }
     void close_stdin();
     void send(int signal) const;
     // Waits for its end. 128 + signal when it was killed.
