@@ -273,9 +273,10 @@ void write_timeline(const PlanPage& page, Markup& out) {
     if (open_column_panel(
             page, out, "timeline", "Timeline",
             "What each queue runs, in the order of submission. The marks in front of a pass are "
-            "the barriers that it waits for, those behind it what it leaves for others."))
+            "the barriers that it waits for, those behind it what it leaves for others.")) {
         TimelineDrawing(page, out).draw();
-    write_idle_queues(*page.plan, out);
+        write_idle_queues(*page.plan, out);
+    }
     write_timeline_legend(page, out);
     out.close();
 }

@@ -196,6 +196,7 @@ TEST(PlanHtml, FramesOfNothingHavePagesToo) {
     const std::string text = plan_to_html(plan, {});
     EXPECT_EQ(read_markup(text).fault, "");
     EXPECT_NE(text.find("The frame has no transient resources."), std::string::npos);
+    EXPECT_EQ(text.find("No pass runs on"), std::string::npos) << "the panel says that none runs";
     expect_all_of(plan, read_markup(text));
 }
 
