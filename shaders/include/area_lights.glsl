@@ -4,7 +4,10 @@
 // its sine: Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines".
 // Capsule: the same contour integral, ½ ∮ r × dr, over its silhouette, which is two arcs of great circles and, at the
 // ends, two of small ones. Highlights: representative points, Karis 2013, "Real Shading in Unreal Engine 4".
-// Needs brdf.glsl and lights.glsl.
+#ifndef WEFT_AREA_LIGHTS
+#define WEFT_AREA_LIGHTS
+#include "brdf.glsl"
+#include "lights.glsl"
 
 struct AreaIncident {
     float irradiance;   // on the surface, of unit radiance
@@ -289,3 +292,4 @@ vec3 reflect_area(Surface s, vec3 v, vec3 position, Light light) {
     const vec3 matt = s.diffuse * ((1.0 - max(f.r, max(f.g, f.b))) * incident.irradiance / kPi);
     return (matt + area_highlight(s, v, incident)) * incident.window;
 }
+#endif

@@ -2,6 +2,8 @@
 // Trowbridge–Reitz (GGX) with height-correlated Smith masking-shadowing: Heitz 2014, "Understanding the
 // Masking-Shadowing Function in Microfacet-Based BRDFs". Fresnel: Schlick 1994. Layering of the dielectric coat over
 // its diffuse base: glTF 2.0, Appendix B, and KHR_materials_specular.
+#ifndef WEFT_BRDF
+#define WEFT_BRDF
 
 const float kPi = 3.14159265358979;
 
@@ -109,3 +111,4 @@ vec3 reflect_light(Surface s, vec3 v, vec3 l) {
     const float base = 1.0 - max(f.r, max(f.g, f.b));
     return (s.diffuse * (base / kPi) + f * specular) * nl;
 }
+#endif

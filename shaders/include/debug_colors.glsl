@@ -1,4 +1,6 @@
 // How debug views colour what they show.
+#ifndef WEFT_DEBUG_COLORS
+#define WEFT_DEBUG_COLORS
 
 // Where nothing was drawn: dark stripes, which no number is shown as.
 vec3 nothing_color(ivec2 pixel) { return ((pixel.x + pixel.y) >> 2 & 1) == 0 ? vec3(0.09, 0.1, 0.13) : vec3(0.17, 0.18, 0.22); }
@@ -28,3 +30,4 @@ vec3 vector_color(vec2 v) {
     const vec3 wheel = clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
     return wheel * min(amount, 1.0);
 }
+#endif

@@ -1,4 +1,6 @@
 // Numbers within pictures: digits of 3 × 5 pixels, 4 apart.
+#ifndef WEFT_DEBUG_DIGITS
+#define WEFT_DEBUG_DIGITS
 
 // Fifteen bits from the upper left, the first one the highest.
 const uint kDigits[10] = uint[](0x7B6Fu, 0x2C97u, 0x73E7u, 0x73CFu, 0x5BC9u, 0x79CFu, 0x79EFu, 0x7292u, 0x7BEFu, 0x7BCFu);
@@ -65,3 +67,4 @@ bool is_decimal(float number, ivec2 at) {
     const int place = at.x >> 2;
     return place < d.places && is_digit(d.digits / power_of_ten(d.places - 1 - place) % 10u, ivec2(at.x & 3, at.y));
 }
+#endif

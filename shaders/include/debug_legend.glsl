@@ -1,5 +1,10 @@
 // A legend in the lower left corner of a debug view: which number a colour stands for. Pictures below 160 × 90 have no room
-// for it. Needs debug_colors.glsl, debug_digits.glsl and frame_set.glsl.
+// for it.
+#ifndef WEFT_DEBUG_LEGEND
+#define WEFT_DEBUG_LEGEND
+#include "debug_colors.glsl"
+#include "debug_digits.glsl"
+#include "frame_set.glsl"
 
 // Places in debug_decoders().
 const uint kDepth = 5u, kVector = 6u, kFirstChannel = 7u, kHeat = 11u;
@@ -59,3 +64,4 @@ vec3 with_legend(vec3 color, uint decode, float black, float white) {
     if (any(lessThan(from, ivec2(0))) || any(greaterThanEqual(from, panel * scale))) return color;
     return wheel ? wheel_legend(from / scale, white) : bar_legend(from / scale, decode, black, white);
 }
+#endif

@@ -1,6 +1,11 @@
 // What the directional lights, the first ones of the buffer `lights`, send from a surface to the eye; of the sun only what
-// its shadows leave. Needs light_reflection.glsl.
+// its shadows leave.
+#ifndef WEFT_DIRECTIONAL_LIGHTS
+#define WEFT_DIRECTIONAL_LIGHTS
+#include "light_reflection.glsl"
 #include "sun_shadow.glsl"
+
+layout(std430) readonly buffer Lights { Light items[]; } lights;
 
 vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
     const uint count = min(frame.directional_count, uint(lights.items.length()));
@@ -16,3 +21,4 @@ vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
     }
     return radiance;
 }
+#endif

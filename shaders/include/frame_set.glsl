@@ -1,4 +1,6 @@
 // Set 0: the frame and the view. Included by every shader that needs either.
+#ifndef WEFT_FRAME_SET
+#define WEFT_FRAME_SET
 #include "shared/frame.glsl"
 #include "shared/light_function.glsl"
 #include "shared/sun.glsl"
@@ -18,3 +20,4 @@ vec3 world_position(vec2 uv, float depth) {
 
 // Direction of the camera ray through `uv`: towards the point on the near plane.
 vec3 ray_direction(vec2 uv) { return normalize(world_position(uv, 1.0) - view.eye); }
+#endif

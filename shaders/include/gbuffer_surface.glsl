@@ -1,5 +1,10 @@
 // The surface that the G-buffer keeps at a pixel. Its ports are albedo, normal, orm and specular; gbuffer/gbuffer.frag says
-// what they hold. Needs brdf.glsl and octahedral.glsl.
+// what they hold.
+#ifndef WEFT_GBUFFER_SURFACE
+#define WEFT_GBUFFER_SURFACE
+#include "brdf.glsl"
+#include "octahedral.glsl"
+
 uniform sampler2D albedo;
 uniform sampler2D normal;
 uniform sampler2D orm;
@@ -12,3 +17,4 @@ Surface gbuffer_surface(ivec2 pixel, vec3 material) {
     return make_surface(octahedral_decode(texelFetch(normal, pixel, 0).xy), base_root * base_root, material.b,
                         material.g, coat.rgb * coat.rgb, coat.a);
 }
+#endif

@@ -1,5 +1,8 @@
 // What a light's function lets through towards a point: a factor for each colour, 1 where the light has none.
-// Needs frame_set.glsl and shared/light.glsl.
+#ifndef WEFT_LIGHT_FUNCTION
+#define WEFT_LIGHT_FUNCTION
+#include "frame_set.glsl"
+#include "shared/light.glsl"
 
 // Where a light faces, with the width and height of its doors and pictures. A capsule faces across its axis.
 struct LightFrame {
@@ -79,3 +82,4 @@ vec3 light_function(Light light, vec3 position) {
     if (f.picture == 0u) return vec3(open);
     return open * spot.weight == 0.0 ? vec3(0.0) : open * spot.weight * light_picture(f, spot.uv, spot.footprint);
 }
+#endif

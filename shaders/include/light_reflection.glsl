@@ -1,10 +1,15 @@
-// What a surface sends to the eye of one light, whatever its kind. Units: cd/m². Needs brdf.glsl, frame_set.glsl and
-// lights.glsl.
+// What a surface sends to the eye of one light, whatever its kind. Units: cd/m².
 //
 // A shader that knows its lights leaves out what they don't need: AREA_LIGHTS where none is a capsule or rectangle,
 // LIGHT_FUNCTIONS where none has doors, a picture or a curve. It declares the constant before it includes this file:
 //     layout(constant_id = 3) const bool AREA_LIGHTS = true;
 //     #define AREA_LIGHTS AREA_LIGHTS
+#ifndef WEFT_LIGHT_REFLECTION
+#define WEFT_LIGHT_REFLECTION
+#include "brdf.glsl"
+#include "frame_set.glsl"
+#include "lights.glsl"
+
 #ifndef AREA_LIGHTS
 const bool AREA_LIGHTS = true;
 #endif
@@ -31,3 +36,4 @@ vec3 light_reflection(Surface s, vec3 v, vec3 position, Light light) {
     if (LIGHT_FUNCTIONS && light.function != 0u) reflected *= light_function(light, position);
     return reflected;
 }
+#endif

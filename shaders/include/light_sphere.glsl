@@ -1,4 +1,7 @@
-// A sphere around all that a light reaches. Units: metres, world space. Needs shared/light.glsl.
+// A sphere around all that a light reaches. Units: metres, world space.
+#ifndef WEFT_LIGHT_SPHERE
+#define WEFT_LIGHT_SPHERE
+#include "shared/light.glsl"
 
 // The cosine between a spot's axis and the edge of its cone.
 float cone_edge(Light light) { return -light.cone_offset / light.cone_scale; }
@@ -17,3 +20,4 @@ vec4 light_sphere(Light light) {
     }
     return vec4(light.position + light.direction * (range_m * edge), range_m * sqrt(1.0 - edge * edge));
 }
+#endif

@@ -1,5 +1,7 @@
 // What a light sends to a point. Units: lx on a plane that faces the light.
 // Distance window and cone falloff: KHR_lights_punctual.
+#ifndef WEFT_LIGHTS
+#define WEFT_LIGHTS
 #include "shared/light.glsl"
 
 struct Incident {
@@ -25,3 +27,4 @@ Incident light_at(Light light, vec3 position) {
     }
     return Incident(direction, light.intensity * falloff);
 }
+#endif

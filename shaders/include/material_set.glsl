@@ -1,4 +1,6 @@
 // Set 2: one material and its textures. glTF 2.0, Appendix B, KHR_materials_specular and KHR_materials_anisotropy.
+#ifndef WEFT_MATERIAL_SET
+#define WEFT_MATERIAL_SET
 #include "shared/material.glsl"
 
 layout(set = 2, binding = 0, std140) uniform MaterialBlock { Material material; };
@@ -13,3 +15,4 @@ vec2 transformed(TextureTransform transform, vec2 uv) {
     const vec3 homogeneous = vec3(uv, 1.0);
     return vec2(dot(transform.row0.xyz, homogeneous), dot(transform.row1.xyz, homogeneous));
 }
+#endif

@@ -1,5 +1,7 @@
 // Unit vectors on two components. Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit
 // Vectors". Round trip through snorm16: 0.0037° at most.
+#ifndef WEFT_OCTAHEDRAL
+#define WEFT_OCTAHEDRAL
 
 vec2 sign_not_zero(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
 
@@ -13,3 +15,4 @@ vec3 octahedral_decode(vec2 e) {
     if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * sign_not_zero(n.xy);
     return normalize(n);
 }
+#endif

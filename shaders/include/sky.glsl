@@ -1,5 +1,8 @@
 // What surrounds the scene: background, and the simple ambient light that stands in for image-based light. An
-// environment picture where the scene has one, else a gradient. Units: cd/m². Needs frame_set.glsl.
+// environment picture where the scene has one, else a gradient. Units: cd/m².
+#ifndef WEFT_SKY
+#define WEFT_SKY
+#include "frame_set.glsl"
 
 layout(constant_id = 21) const uint environmentPictures = 1u;  // of the scene: 0 or 1
 
@@ -79,3 +82,4 @@ vec3 ambient_reflection(vec3 n, vec3 v, vec3 mirrored, vec3 diffuse, vec3 f0, fl
 vec3 ambient_reflection(vec3 n, vec3 v, vec3 diffuse, vec3 f0, float f90, float roughness) {
     return ambient_reflection(n, v, reflect(-v, n), diffuse, f0, f90, roughness);
 }
+#endif

@@ -1,8 +1,11 @@
 // How much of the sun reaches a point, of the maps that graphs/modules/sun_shadows.json draws: port `sunShadow`.
-// Without the port, and without a sun, there are no shadows. Needs frame_set.glsl.
+// Without the port, and without a sun, there are no shadows.
 // Filter: a tent over 4 × 4 texels, as in Castaño 2013, "Shadow Mapping Summary". Depths are compared along the plane
 // of the surface: Isidoro 2006, "Shadow Mapping: GPU-based Tips and Techniques". What is left is an offset along the
 // normal that grows with the texels: Holbert 2011, "Saying Goodbye to Shadow Acne".
+#ifndef WEFT_SUN_SHADOW
+#define WEFT_SUN_SHADOW
+#include "frame_set.glsl"
 
 layout(constant_id = 20) const bool HAS_sunShadow = false;
 uniform sampler2DArrayShadow sunShadow;
@@ -77,3 +80,4 @@ float sun_visibility(vec3 position, vec3 normal, float view_distance) {
     }
     return visible + rest;
 }
+#endif

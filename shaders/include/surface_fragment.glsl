@@ -1,5 +1,9 @@
 // What a material makes of a fragment: the inputs of surface_vertex.glsl, and the material's textures there. Fragment
-// stages only. Needs material_set.glsl.
+// stages only.
+#ifndef WEFT_SURFACE_FRAGMENT
+#define WEFT_SURFACE_FRAGMENT
+#include "material_set.glsl"
+
 layout(location = 0) in vec3 world_normal;
 layout(location = 1) in vec4 world_tangent;
 layout(location = 2) in vec2 surface_uv;
@@ -58,3 +62,4 @@ vec3 emission() {
     const vec3 tint = mix(vec3(1.0), vertex_color().rgb, material.emission_tint);
     return texture(emissive_texture, texture_uv(material.emissive_uv)).rgb * material.emissive * tint;
 }
+#endif

@@ -1,15 +1,18 @@
 // What a surface sends to the eye of the lights and of the sky, but for its own emission. Units: cd/m². Deferred and
 // forward shading share it. Its ports are the buffer `lights` and, where lights are culled, the lists `tileLights`: then
 // only those of the pixel's tile are asked, in the same order. A light that is not listed would add exactly nothing, so
-// the sum is the same to the last bit. Needs brdf.glsl, frame_set.glsl, lights.glsl and sky.glsl.
-layout(constant_id = 15) const bool HAS_tileLights = false;
-
-layout(std430) readonly buffer Lights { Light items[]; } lights;
-layout(std430) readonly buffer TileLights { uint items[]; } tileLights;
-
-#include "light_reflection.glsl"
+// the sum is the same to the last bit.
+#ifndef WEFT_SURFACE_LIGHT
+#define WEFT_SURFACE_LIGHT
+#include "brdf.glsl"
 #include "directional_lights.glsl"
+#include "frame_set.glsl"
+#include "light_reflection.glsl"
+#include "lights.glsl"
+#include "sky.glsl"
 #include "tile_lights.glsl"
+
+layout(constant_id = 15) const bool HAS_tileLights = false;
 
 // Directional lights are in no list; the others are those of the tile that `pixel` lies in.
 vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
@@ -43,3 +46,4 @@ vec3 reflected_radiance(Surface s, vec3 position, vec3 orm, ivec2 pixel) {
     const vec3 v = normalize(view.eye - position);
     return lights_reflection(s, v, position, pixel) + orm.r * sky_reflection(s, v, orm.g);
 }
+#endif

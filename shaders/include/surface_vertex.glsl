@@ -1,5 +1,7 @@
 // A vertex of a drawn surface, in the canonical vertex format: a position stream and an attribute stream, and what only
 // some meshes have in buffers beside them. What every fragment stage wants to know is handed on at locations 0 to 4.
+#ifndef WEFT_SURFACE_VERTEX
+#define WEFT_SURFACE_VERTEX
 #include "shared/instance.glsl"
 
 layout(location = 0) in vec4 position;
@@ -36,3 +38,4 @@ Instance place_surface() {
     }
     return instance;
 }
+#endif

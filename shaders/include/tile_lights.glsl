@@ -1,6 +1,11 @@
 // Which lights reach which tile: the lists that light culling writes. Tiles are 16 × 16 pixels, in rows from the top left;
 // the last ones of a row or column may hang over. A list is its length and then indices into the list of all lights,
-// ascending, without the directional ones. Needs frame_set.glsl and a buffer port `tileLights`.
+// ascending, without the directional ones. The buffer port is `tileLights`.
+#ifndef WEFT_TILE_LIGHTS
+#define WEFT_TILE_LIGHTS
+#include "frame_set.glsl"
+
+layout(std430) readonly buffer TileLights { uint items[]; } tileLights;
 
 const int kTileSizeLog2 = 4;
 
@@ -12,3 +17,4 @@ uint tile_list(ivec2 pixel) {
     const ivec2 tile = pixel >> kTileSizeLog2;
     return uint(tile.y * tiles.x + tile.x) * (uint(tileLights.items.length()) / uint(tiles.x * tiles.y));
 }
+#endif

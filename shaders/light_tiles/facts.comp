@@ -10,7 +10,6 @@ layout(local_size_x = 16, local_size_y = 16) in;
 
 uniform sampler2D depth, hiz;
 readonly buffer Lights { Light items[]; } lights;
-readonly buffer TileLights { uint items[]; } tileLights;
 layout(rgba16f) writeonly uniform image2D tileFacts;
 
 #include "tile_lights.glsl"

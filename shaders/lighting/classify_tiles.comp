@@ -8,7 +8,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 uniform sampler2D hiz;  // the mip whose texels are tiles; r is 0 where there is no surface
 layout(std430) readonly buffer Lights { Light items[]; } lights;
-layout(std430) readonly buffer TileLights { uint items[]; } tileLights;
 layout(r32ui) writeonly uniform uimage2D tileClass;
 
 #include "tile_lights.glsl"

@@ -1,9 +1,13 @@
 // Every shader under shaders/ compiles, and its words pass the gate.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <set>
 
 #include "shader/compile_shader.h"
+#include "shader_folder.h"
 
 namespace weft {
 namespace {
@@ -31,6 +35,64 @@ std::vector<Shipped> shipped(const fs::path& folder) {
     }
     return found;
 }
+
+// Programs with the header in each stage where it makes sense, which is every one unless it names what only one has.
+std::vector<const char*> programs_of(const std::string& header) {
+    const auto names = [&header](const char* word) { return header.find(word) != std::string::npos; };
+    if (names("gl_Position")) return {"vertices"};
+    if (names("gl_FragCoord") || names("gl_FrontFacing")) return {"surface"};
+    return {"alone.comp", "alone.frag", "vertices"};
+}
+
+ProgramKind kind_of(const std::string& program) {
+    if (program.ends_with(".comp")) return ProgramKind::compute;
+    return program.ends_with(".frag") ? ProgramKind::fullscreen : ProgramKind::raster;
+}
+
+// Whoever includes a header need not know what it includes, nor in which order.
+class Headers : public ShaderFolder, public testing::WithParamInterface<std::string> {};
+
+TEST_P(Headers, CompileAlone) {
+    const std::string& header = GetParam();
+    roots_.include_root = fs::path(WEFT_SOURCE_DIR) / "shaders/include";
+    std::ifstream file(roots_.include_root / header);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    // Twice, as by two headers that need it.
+    const std::string body = "#include \"" + header + "\"\n#include \"" + header + "\"\nvoid main() { ";
+    write("graph/alone.comp", "#version 460\nlayout(local_size_x = 1) in;\n" + body + "}\n");
+    write("graph/alone.frag", "#version 460\n" + body + "}\n");
+    write("graph/vertices/vertices.vert", "#version 460\n" + body + "gl_Position = vec4(0); }\n");
+    write("graph/vertices/vertices.frag", "#version 460\nvoid main() { }\n");
+    // The vertices of every drawn surface hand on what such a fragment reads.
+    write("graph/surface/surface.vert",
+          "#version 460\n#include \"surface_vertex.glsl\"\n"
+          "void main() { place_surface(); gl_Position = vec4(0); }\n");
+    write("graph/surface/surface.frag", "#version 460\n" + body + "}\n");
+    for (const char* name : programs_of(text)) {
+        const auto program = compile(name, kind_of(name));
+        EXPECT_TRUE(program.ok()) << name << "\n" << (program ? "" : to_text(program.errors()));
+    }
+}
+
+std::vector<std::string> headers() {
+    const fs::path folder = fs::path(WEFT_SOURCE_DIR) / "shaders/include";
+    // What every shared structure begins and ends with, and no header by itself.
+    const std::set<std::string> parts{"shared/begin.glsl", "shared/end.glsl"};
+    std::vector<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = entry.path().lexically_relative(folder).generic_string();
+        if (entry.path().extension() == ".glsl" && !parts.contains(name)) found.push_back(name);
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Headers, testing::ValuesIn(headers()), [](const auto& row) {
+    std::string name = row.param.substr(0, row.param.rfind('.'));
+    for (char& c : name)
+        if (c == '/') c = '_';
+    return name;
+});
 
 TEST(ShippedShaders, all_compile) {
     const fs::path folder = fs::path(WEFT_SOURCE_DIR) / "shaders";
