@@ -1,0 +1,70 @@
+#include "drivers/edge_mask.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "image/error_summary.h"
+#include "image/flip.h"
+
+namespace weft::test {
+namespace {
+
+using image::Image;
+
+struct Range {
+    glm::vec3 least{1e9f}, most{-1e9f};
+};
+
+// Of the texels at most `radius` away, in steps.
+Range range_around(const Image& picture, int x, int y, int radius) {
+    const int width = static_cast<int>(picture.width_px), height = static_cast<int>(picture.height_px);
+    Range range;
+    for (int row = std::max(y - radius, 0); row <= std::min(y + radius, height - 1); ++row)
+        for (int column = std::max(x - radius, 0); column <= std::min(x + radius, width - 1); ++column) {
+            const glm::vec3 texel = picture.texels[static_cast<size_t>(row * width + column)] * 255.0f;
+            range.least = glm::min(range.least, texel);
+            range.most = glm::max(range.most, texel);
+        }
+    return range;
+}
+
+float largest(const glm::vec3& v) {
+    return std::max({v.x, v.y, v.z});
+}
+
+bool near_edge(const Image& picture, int x, int y) {
+    const Range range = range_around(picture, x, y, 2);
+    return largest(range.most - range.least) > 2 * kSameSteps;
+}
+
+}  // namespace
+
+DriverDifference compare_drivers(const Image& reference, const Image& test) {
+    DriverDifference difference;
+    Image judged = test;
+    size_t foreign = 0;
+    for (size_t i = 0; i < test.texels.size(); ++i) {
+        const int x = static_cast<int>(i % test.width_px), y = static_cast<int>(i / test.width_px);
+        const glm::vec3 texel = test.texels[i] * 255.0f;
+        const float steps = largest(glm::abs(texel - reference.texels[i] * 255.0f));
+        constexpr float kRounding = 0.01f;  // of a step, by the conversions to and from floats
+        if (steps <= kSameSteps + kRounding) judged.texels[i] = reference.texels[i];
+        if (!near_edge(reference, x, y) && !near_edge(test, x, y))
+            difference.off_edges_steps = std::max(difference.off_edges_steps, steps);
+        const Range around = range_around(reference, x, y, 1);
+        const float outside = largest(glm::max(around.least - texel, texel - around.most));
+        if (outside > kSameSteps + kRounding) ++foreign;
+    }
+    difference.edge_share = static_cast<double>(foreign) / static_cast<double>(test.texels.size());
+    difference.mean_flip = image::summarize(image::flip_map(reference, judged)).mean;
+    return difference;
+}
+
+std::string to_text(const DriverDifference& difference) {
+    std::ostringstream text;
+    text << "off edges " << difference.off_edges_steps << "/255, edge texels " << 100 * difference.edge_share
+         << " %, mean FLIP " << difference.mean_flip;
+    return text.str();
+}
+
+}  // namespace weft::test
