@@ -38,6 +38,7 @@ constexpr std::array kLimits{
     Limit{"maxPushConstantsBytes", &DeviceProfile::max_push_constants_bytes},
     Limit{"maxColorAttachments", &DeviceProfile::max_color_attachments},
     Limit{"maxWorkgroupInvocations", &DeviceProfile::max_workgroup_invocations},
+    Limit{"maxSharedBytes", &DeviceProfile::max_shared_bytes},
     Limit{"maxSampledImagesPerStage", &DeviceProfile::max_sampled_images_per_stage},
     Limit{"maxStorageImagesPerStage", &DeviceProfile::max_storage_images_per_stage},
 };
@@ -57,6 +58,23 @@ struct Switch {
 constexpr std::array kSwitches{
     Switch{"storageReadWithoutFormat", &DeviceProfile::storage_read_without_format},
     Switch{"descriptorIndexing", &DeviceProfile::descriptor_indexing},
+};
+
+struct CapabilityName {
+    ShaderCapabilityMask bit;
+    const char* name;
+};
+namespace sc = shader_capability;
+constexpr std::array kCapabilityNames{
+    CapabilityName{sc::kImageGatherExtended, "ImageGatherExtended"},
+    CapabilityName{sc::kImageCubeArray, "ImageCubeArray"},
+    CapabilityName{sc::kSubgroupVote, "GroupNonUniformVote"},
+    CapabilityName{sc::kSubgroupArithmetic, "GroupNonUniformArithmetic"},
+    CapabilityName{sc::kSubgroupBallot, "GroupNonUniformBallot"},
+    CapabilityName{sc::kSubgroupShuffle, "GroupNonUniformShuffle"},
+    CapabilityName{sc::kSubgroupShuffleRelative, "GroupNonUniformShuffleRelative"},
+    CapabilityName{sc::kSubgroupClustered, "GroupNonUniformClustered"},
+    CapabilityName{sc::kSubgroupQuad, "GroupNonUniformQuad"},
 };
 
 struct SampleCounts {
@@ -153,6 +171,24 @@ struct ProfileReader {
         return true;
     }
 
+    void capabilities(const Json& list, DeviceProfile& profile) {
+        profile.shader_capabilities = 0;
+        for (const Json& item : list) {
+            const auto it =
+                std::find_if(kCapabilityNames.begin(), kCapabilityNames.end(), [&](const CapabilityName& c) {
+                    return item.is_string() && item.get<std::string>() == c.name;
+                });
+            if (it != kCapabilityNames.end()) {
+                profile.shader_capabilities |= it->bit;
+                continue;
+            }
+            std::string known;
+            for (const CapabilityName& c : kCapabilityNames)
+                known += (known.empty() ? "" : ", ") + std::string(c.name);
+            fault("/shaderCapabilities", "unknown shader capability " + item.dump(), "known are " + known);
+        }
+    }
+
     void queues(const Json& list, DeviceProfile& profile) {
         profile.queue_families.clear();
         for (const Json& item : list) {
@@ -227,6 +263,8 @@ struct ProfileReader {
             profile.name = value.get<std::string>();
         } else if (key == "formats" && value.is_object()) {
             formats(value, profile);
+        } else if (key == "shaderCapabilities" && value.is_array()) {
+            capabilities(value, profile);
         } else if (key == "queueFamilies" && value.is_array()) {
             queues(value, profile);
         } else if (key == "memoryHeaps" && value.is_array()) {
@@ -336,6 +374,9 @@ std::string profile_to_json(const DeviceProfile& profile) {
         for (uint32_t count = 1; count <= kMostSamples; count <<= 1)
             if (profile.*s.value & count) root[s.name].push_back(count);
     for (const Switch& s : kSwitches) root[s.name] = profile.*s.value;
+    root["shaderCapabilities"] = Json::array();
+    for (const CapabilityName& c : kCapabilityNames)
+        if (profile.shader_capabilities & c.bit) root["shaderCapabilities"].push_back(c.name);
     write_memory(profile, root);
     for (const auto& [format, mask] : profile.formats) {
         root["formats"][std::string(format_info(format).name)] = features_to_json(mask);

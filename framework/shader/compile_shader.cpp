@@ -10,6 +10,7 @@
 #include "shader/shader_cache.h"
 #include "shader/shader_memory.h"
 #include "shader/shader_sources.h"
+#include "shader/spirv_gate.h"
 #include "shader/validate_spirv.h"
 
 namespace weft {
@@ -133,9 +134,14 @@ void report(const InterfaceFaults& faults, const std::vector<CompiledStage>& sta
     for (const InterfaceFault& fault : faults) {
         const auto stage = std::ranges::find(stages, fault.stage, &CompiledStage::stage);
         const SourceText* source = stage == stages.end() ? nullptr : stage->source;
-        const SourcePosition position = find_declaration(fault.subject, source, reader.sources());
-        Diagnostic diagnostic = diagnostic_at(position, fault.code, fault.message);
-        if (position.line > 0) diagnostic.length = static_cast<uint32_t>(fault.subject.size());
+        FoundWord found{find_declaration(fault.subject, source, reader.sources()),
+                        static_cast<uint32_t>(fault.subject.size())};
+        if (fault.subject.empty()) found = find_words(fault.words, source, reader.sources());
+        // GL_EXT_spirv_intrinsics can ask for anything, under no name of its own.
+        if (found.position.line == 0 && fault.code == "W208")
+            found = find_words("spirv_*", source, reader.sources());
+        Diagnostic diagnostic = diagnostic_at(found.position, fault.code, fault.message);
+        if (found.position.line > 0) diagnostic.length = found.length;
         diagnostic.help.push_back(fault.help);
         errors.push_back(std::move(diagnostic));
     }
@@ -163,6 +169,11 @@ Result<ShaderProgram> build_program(const std::string& reference, ProgramKind ki
 
     InterfaceFaults faults;
     Diagnostics errors;
+    for (const CompiledStage& stage : stages)
+        std::ranges::move(gate_faults(stage.stage, stage.spirv, {roots.target, roots.limits}),
+                          std::back_inserter(faults));
+    report(faults, stages, reader, errors);
+    if (!errors.empty()) return errors;
     link_stages(stages, faults);
     report(faults, stages, reader, errors);
     if (!errors.empty()) return errors;
@@ -184,8 +195,12 @@ std::optional<ShaderProgram> cached_program(const std::string& reference, Progra
                                             const ShaderRoots& roots, SourceReader& reader) {
     auto program = load_cached(reference, kind, roots, reader);
     if (!program) return std::nullopt;
-    const auto invalid = [](const ShaderModule& module) { return spirv_fault(module.spirv).has_value(); };
-    if (std::ranges::any_of(program->modules, invalid)) return std::nullopt;
+    // A refused module is compiled again, for the error's place.
+    const auto refused = [&](const ShaderModule& module) {
+        return spirv_fault(module.spirv).has_value() ||
+               !gate_faults(module.stage, module.spirv, {roots.target, roots.limits}).empty();
+    };
+    if (std::ranges::any_of(program->modules, refused)) return std::nullopt;
     InterfaceFaults faults;
     program->interface = reflect_program(program->modules, faults);
     if (!faults.empty()) return std::nullopt;

@@ -6,7 +6,8 @@
 // what they say. Stage inputs and outputs without a location are joined by name. Errors: W201 shader not
 // found, W202 GLSL error, W203 include not found or outside the roots, W204 invalid SPIR-V, W205 stages that
 // do not fit together, W206 an interface that no pass can offer, W207 a stage that takes too much memory or
-// time to compile, X570 no compiler to start.
+// time to compile, W208 a
+// capability of SPIR-V that is not allowed, W209 too much memory for its own variables, X570 no compiler to start.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "shader/shader_target.h"
 #include "weft/limits.h"
 #include "weft/result.h"
 #include "weft/shader_interface.h"
@@ -34,6 +36,7 @@ struct ShaderRoots {
     // where nothing limits the memory and the time that a hostile shader takes.
     std::filesystem::path worker = {};
     ShaderLimits limits = {};
+    ShaderTarget target = {};
 };
 
 enum class ProgramKind : uint8_t {

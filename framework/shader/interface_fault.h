@@ -10,11 +10,15 @@
 namespace weft::shader {
 
 struct InterfaceFault {
-    std::string code;  // "W205" stages that do not fit together, "W206" an interface no pass can offer
+    // "W205" stages that do not fit together, "W206" an interface no pass can offer, "W208" and "W209" what
+    // the SPIR-V gate refuses
+    std::string code;
     ShaderStage stage = ShaderStage::compute;
     std::string subject;  // the name to look for in the source; empty when the fault has none
     std::string message;
     std::string help;
+    // Where there is no name to look for: what may stand for the fault in the source; see find_words().
+    std::string words = {};
 };
 
 using InterfaceFaults = std::vector<InterfaceFault>;

@@ -45,7 +45,8 @@ ShaderRoots shader_roots(const LoadInput& input) {
             input.shader_root / "include",
             input.shader_cache,
             input.shader_worker,
-            input.limits.shader};
+            input.limits.shader,
+            shader_target(input.profile)};
 }
 
 }  // namespace

@@ -95,6 +95,10 @@ void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, boo
     }
     binding.reads = !non_readable;
     binding.writes = !non_writable;
+    // The feature vertexPipelineStoresAndAtomics, which has no capability: no device is made with it.
+    if (binding.writes && result_.stage == ShaderStage::vertex && used_.contains(id))
+        fault(binding.name, "the vertex stage can write to \"" + binding.name + "\"",
+              "declare it `readonly`; fragment and compute stages write");
 }
 
 void Reflector::reflect_images() {

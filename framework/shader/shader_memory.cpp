@@ -15,6 +15,10 @@ std::string key_of(const std::string& reference, ProgramKind kind, const ShaderR
     std::error_code error;
     for (const fs::path& root : roots.roots)
         key += '\n' + fs::absolute(root.empty() ? fs::path(".") : root, error).generic_string();
+    // What passed the gate for one device may not for another.
+    const ShaderTarget& target = roots.target;
+    key += '\n' + std::to_string(target.capabilities) + ' ' +
+           std::to_string(target.storage_read_without_format) + ' ' + std::to_string(target.max_shared_bytes);
     return key + '\n' + fs::absolute(roots.include_root, error).generic_string();
 }
 

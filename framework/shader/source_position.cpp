@@ -33,7 +33,47 @@ SourcePosition position_at(const SourceText& source, size_t offset) {
             1 + static_cast<uint32_t>(offset - line_start)};
 }
 
+std::vector<const SourceText*> searched(const SourceText* first,
+                                        const std::vector<const SourceText*>& others) {
+    std::vector<const SourceText*> order = others;
+    if (first != nullptr) order.insert(order.begin(), first);
+    return order;
+}
+
+std::vector<std::string_view> split(std::string_view words) {
+    std::vector<std::string_view> parts;
+    while (!words.empty()) {
+        const size_t end = std::min(words.find(' '), words.size());
+        if (end > 0) parts.push_back(words.substr(0, end));
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return parts;
+}
+
+bool matches(std::string_view word, std::string_view pattern) {
+    if (!pattern.ends_with('*')) return word == pattern;
+    return word.starts_with(pattern.substr(0, pattern.size() - 1));
+}
+
 }  // namespace
+
+FoundWord find_words(const std::string& words, const SourceText* first,
+                     const std::vector<const SourceText*>& others) {
+    const std::vector<std::string_view> patterns = split(words);
+    for (const SourceText* source : searched(first, others)) {
+        const std::string text = without_comments(source->text);
+        for (size_t at = 0; at < text.size() && !patterns.empty();) {
+            size_t end = at;
+            while (end < text.size() && is_word_char(text[end])) ++end;
+            const std::string_view word = std::string_view(text).substr(at, end - at);
+            const auto is_word = [&](std::string_view pattern) { return matches(word, pattern); };
+            if (!word.empty() && std::ranges::any_of(patterns, is_word))
+                return {position_at(*source, at), static_cast<uint32_t>(word.size())};
+            at = std::max(end, at + 1);
+        }
+    }
+    return {{first, 0, 0}, 0};
+}
 
 std::string without_comments(std::string text) {
     for (size_t at = 0; at + 1 < text.size(); ++at) {
@@ -48,9 +88,7 @@ std::string without_comments(std::string text) {
 
 SourcePosition find_declaration(const std::string& name, const SourceText* first,
                                 const std::vector<const SourceText*>& others) {
-    std::vector<const SourceText*> order = others;
-    if (first != nullptr) order.insert(order.begin(), first);
-    for (const SourceText* source : order) {
+    for (const SourceText* source : searched(first, others)) {
         const auto offset = name.empty() ? std::nullopt : find_declared(without_comments(source->text), name);
         if (offset) return position_at(*source, *offset);
     }

@@ -32,6 +32,15 @@ struct SourcePosition {
 [[nodiscard]] SourcePosition find_declaration(const std::string& name, const SourceText* first,
                                               const std::vector<const SourceText*>& others);
 
+// Where the first of some words stands outside comments, whichever it is; looks in `first`, then in the
+// others. `words` are separated by spaces; one that ends in "*" is the beginning of a word.
+struct FoundWord {
+    SourcePosition position;
+    uint32_t length = 0;
+};
+[[nodiscard]] FoundWord find_words(const std::string& words, const SourceText* first,
+                                   const std::vector<const SourceText*>& others);
+
 // The same text with comments turned to spaces, so that offsets stay.
 [[nodiscard]] std::string without_comments(std::string text);
 

@@ -128,7 +128,7 @@ void DeviceBuilder::describe(const Candidate& candidate) {
     device->info_ = candidate.info;
     device->info_.layers = std::move(layers);
     device->profile_ = make_profile(fn, candidate.handle);
-    device->profile_.storage_read_without_format = device->optional_.storage_read_without_format;
+    add_optional_features(device->optional_, device->profile_);
     fn.vkGetPhysicalDeviceMemoryProperties(candidate.handle, &device->memory_);
 }
 

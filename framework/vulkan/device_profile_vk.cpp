@@ -50,11 +50,34 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.depth_samples = limits.framebufferDepthSampleCounts & limits.framebufferStencilSampleCounts &
                             limits.sampledImageDepthSampleCounts;
     profile.max_workgroup_invocations = limits.maxComputeWorkGroupInvocations;
+    profile.max_shared_bytes = limits.maxComputeSharedMemorySize;
     profile.max_sampled_images_per_stage = limits.maxPerStageDescriptorSampledImages;
     profile.max_storage_images_per_stage = limits.maxPerStageDescriptorStorageImages;
     profile.max_uniform_buffer_bytes = limits.maxUniformBufferRange;
     profile.max_storage_buffer_bytes = limits.maxStorageBufferRange;
     profile.buffer_image_granularity_bytes = limits.bufferImageGranularity;
+}
+
+namespace sc = shader_capability;
+
+constexpr std::array<std::pair<VkSubgroupFeatureFlagBits, ShaderCapabilityMask>, 7> kSubgroupBits{{
+    {VK_SUBGROUP_FEATURE_VOTE_BIT, sc::kSubgroupVote},
+    {VK_SUBGROUP_FEATURE_ARITHMETIC_BIT, sc::kSubgroupArithmetic},
+    {VK_SUBGROUP_FEATURE_BALLOT_BIT, sc::kSubgroupBallot},
+    {VK_SUBGROUP_FEATURE_SHUFFLE_BIT, sc::kSubgroupShuffle},
+    {VK_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT, sc::kSubgroupShuffleRelative},
+    {VK_SUBGROUP_FEATURE_CLUSTERED_BIT, sc::kSubgroupClustered},
+    {VK_SUBGROUP_FEATURE_QUAD_BIT, sc::kSubgroupQuad},
+}};
+
+// Subgroup operations are a property: no feature switches them on.
+ShaderCapabilityMask subgroup_capabilities(const VkPhysicalDeviceVulkan11Properties& properties) {
+    if ((properties.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) == 0) return 0;
+    ShaderCapabilityMask mask = 0;
+    for (const auto& [bit, capability] : kSubgroupBits) {
+        if ((properties.subgroupSupportedOperations & bit) != 0) mask |= capability;
+    }
+    return mask;
 }
 
 void add_queue_families(const InstanceFunctions& fn, VkPhysicalDevice physical, DeviceProfile& profile) {
@@ -76,11 +99,22 @@ void add_queue_families(const InstanceFunctions& fn, VkPhysicalDevice physical, 
 
 }  // namespace
 
+void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profile) {
+    profile.storage_read_without_format = enabled.storage_read_without_format;
+    const auto set = [&](ShaderCapabilityMask bit, bool has) {
+        profile.shader_capabilities =
+            has ? profile.shader_capabilities | bit : profile.shader_capabilities & ~bit;
+    };
+    set(sc::kImageGatherExtended, enabled.image_gather_extended);
+    set(sc::kImageCubeArray, enabled.cube_arrays);
+}
+
 DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physical) {
     VkPhysicalDeviceVulkan12Properties v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
+    VkPhysicalDeviceVulkan11Properties v11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES, &v12};
     VkPhysicalDeviceProperties2 properties{};
     properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &v12;
+    properties.pNext = &v11;
     fn.vkGetPhysicalDeviceProperties2(physical, &properties);
     FeatureChain supported;
     fn.vkGetPhysicalDeviceFeatures2(physical, &supported.head());
@@ -92,7 +126,9 @@ DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physica
     add_limits(properties.properties.limits, profile);
     profile.integer_samples = v12.framebufferIntegerColorSampleCounts &
                               properties.properties.limits.sampledImageIntegerSampleCounts;
-    profile.storage_read_without_format = supported.v10().shaderStorageImageReadWithoutFormat == VK_TRUE;
+    profile.shader_capabilities = subgroup_capabilities(v11);
+    FeatureChain all;
+    add_optional_features(enable_optional_features(supported, all), profile);
     profile.descriptor_indexing = supported.v12().descriptorIndexing == VK_TRUE;
     return profile;
 }

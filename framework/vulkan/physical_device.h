@@ -30,6 +30,8 @@ struct Candidate {
 // V402, with the packages that bring a driver.
 [[nodiscard]] Diagnostic no_device_error();
 
+// What of a profile hangs on features: a device has those that it was made with.
+void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profile);
 // The device as the compiler sees it.
 [[nodiscard]] DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physical);
 

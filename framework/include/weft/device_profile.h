@@ -61,6 +61,21 @@ struct MemoryTypeProfile {
 // Sample counts, each its own bit: 1 | 4 is one sample a pixel or four.
 using SampleCountMask = uint32_t;
 
+// What shaders may use on some devices only. The names in files are those of SPIR-V's capabilities.
+using ShaderCapabilityMask = uint32_t;
+namespace shader_capability {
+inline constexpr ShaderCapabilityMask kImageGatherExtended = 1u << 0;
+inline constexpr ShaderCapabilityMask kImageCubeArray = 1u << 1;
+// Subgroup operations of compute stages, beyond the basic ones that each device has.
+inline constexpr ShaderCapabilityMask kSubgroupVote = 1u << 2;
+inline constexpr ShaderCapabilityMask kSubgroupArithmetic = 1u << 3;
+inline constexpr ShaderCapabilityMask kSubgroupBallot = 1u << 4;
+inline constexpr ShaderCapabilityMask kSubgroupShuffle = 1u << 5;
+inline constexpr ShaderCapabilityMask kSubgroupShuffleRelative = 1u << 6;
+inline constexpr ShaderCapabilityMask kSubgroupClustered = 1u << 7;
+inline constexpr ShaderCapabilityMask kSubgroupQuad = 1u << 8;
+}  // namespace shader_capability
+
 struct DeviceProfile {
     std::string name;
     std::vector<QueueFamilyProfile> queue_families{{QueueKind::graphics, 1}};
@@ -73,6 +88,7 @@ struct DeviceProfile {
     SampleCountMask integer_samples = 1;
     SampleCountMask depth_samples = 1 | 4;
     uint32_t max_workgroup_invocations = 1024;
+    uint32_t max_shared_bytes = 32768;  // `shared` variables of a compute stage
     uint32_t max_sampled_images_per_stage = 128;
     uint32_t max_storage_images_per_stage = 128;
     uint64_t max_uniform_buffer_bytes = 65536;
@@ -80,6 +96,7 @@ struct DeviceProfile {
     uint64_t buffer_image_granularity_bytes = 64;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
+    ShaderCapabilityMask shader_capabilities = 0;
     // Memory: nothing is known of it where the lists are empty. A resource's bit of MemoryNeed::type_bits is
     // its index into memory_types.
     std::vector<MemoryHeapProfile> memory_heaps;

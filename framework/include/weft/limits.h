@@ -38,6 +38,11 @@ struct ShaderLimits {
     uint64_t stage_ms = 4000;
     uint64_t graph_ms = 60'000;
     uint64_t spirv_bytes = 4ull << 20;
+    uint64_t inlined_bytes = 32ull << 20;
+    uint64_t shared_bytes = 64ull << 10;
+    uint64_t private_bytes = 64ull << 10;
+    uint64_t push_constant_bytes = 4096;
+    uint64_t interface_bytes = 2048;
 };
 
 struct SceneLimits {

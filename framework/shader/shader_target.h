@@ -1,0 +1,22 @@
+// Purpose: what the SPIR-V gate knows of the device that a shader is for. By default it offers everything
+// that depends on a device, so that shaders can be looked at where no device is known.
+#pragma once
+
+#include <cstdint>
+
+#include "weft/device_profile.h"
+
+namespace weft {
+
+struct ShaderTarget {
+    ShaderCapabilityMask capabilities = ~ShaderCapabilityMask{0};
+    bool storage_read_without_format = true;
+    uint64_t max_shared_bytes = UINT64_MAX;
+    bool operator==(const ShaderTarget&) const = default;
+};
+
+[[nodiscard]] inline ShaderTarget shader_target(const DeviceProfile& profile) {
+    return {profile.shader_capabilities, profile.storage_read_without_format, profile.max_shared_bytes};
+}
+
+}  // namespace weft

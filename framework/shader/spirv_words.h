@@ -1,0 +1,52 @@
+// Purpose: the instructions of a SPIR-V module, one after the other. Safe with any words: a module that ends
+// inside an instruction, or holds one of no length, ends there. Units: words.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace weft::shader {
+
+struct SpirvInstruction {
+    uint32_t opcode = 0;
+    std::span<const uint32_t> operands;
+
+    // 0 where the instruction is shorter.
+    [[nodiscard]] uint32_t operand(size_t i) const { return i < operands.size() ? operands[i] : 0; }
+};
+
+class SpirvReader {
+ public:
+    explicit SpirvReader(std::span<const uint32_t> module)
+        : rest_(module.subspan(module.size() < kHeaderWords ? module.size() : kHeaderWords)) {}
+
+    // False at the end.
+    [[nodiscard]] bool next(SpirvInstruction& instruction) {
+        if (rest_.empty()) return false;
+        const size_t words = rest_.front() >> 16;
+        if (words == 0 || words > rest_.size()) return false;
+        instruction = {rest_.front() & 0xffffu, rest_.subspan(1, words - 1)};
+        rest_ = rest_.subspan(words);
+        return true;
+    }
+
+ private:
+    static constexpr size_t kHeaderWords = 5;
+    std::span<const uint32_t> rest_;
+};
+
+// A literal string: four characters a word, the first in the lowest byte, up to the first zero.
+[[nodiscard]] inline std::string spirv_string(std::span<const uint32_t> words) {
+    std::string text;
+    for (const uint32_t word : words) {
+        for (uint32_t i = 0; i < 4; ++i) {
+            const char c = static_cast<char>(static_cast<uint8_t>(word >> (8 * i)));
+            if (c == '\0') return text;
+            text += c;
+        }
+    }
+    return text;
+}
+
+}  // namespace weft::shader

@@ -1,0 +1,11 @@
+// refused
+#version 460
+#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require
+#extension GL_EXT_shader_atomic_float2 : require
+#extension GL_EXT_shader_16bit_storage : require
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+buffer Sums { float16_t sum; } sums;  // here
+void main() {
+    atomicAdd(sums.sum, float16_t(1));
+}

@@ -1,0 +1,9 @@
+// refused
+#version 460
+#extension GL_EXT_shader_atomic_float : require
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+buffer Sums { float sum; } sums;
+void main() {
+    atomicAdd(sums.sum, 1.0);  // here
+}

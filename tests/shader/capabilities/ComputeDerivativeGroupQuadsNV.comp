@@ -1,0 +1,10 @@
+// refused
+#version 460
+#extension GL_NV_compute_shader_derivatives : require
+layout(local_size_x = 2, local_size_y = 2) in;
+buffer Data { uint items[]; } data;
+layout(derivative_group_quadsNV) in;  // here
+uniform sampler2D source;
+void main() {
+    data.items[0] = uint(texture(source, vec2(0.5)).x);
+}

@@ -1,0 +1,6 @@
+// refused
+#version 460
+void main() {
+    gl_Position = vec4(0, 0, 0, 1);
+    gl_CullDistance[0] = 1;  // here
+}

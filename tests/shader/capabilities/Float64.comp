@@ -1,0 +1,8 @@
+// refused
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+void main() {
+    double sum = data.items[0];  // here
+    data.items[0] = uint(sum);
+}

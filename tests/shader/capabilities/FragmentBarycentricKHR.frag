@@ -1,0 +1,9 @@
+// refused
+#version 460
+#extension GL_EXT_fragment_shader_barycentric : require
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+void main() {
+    color = vec4(uv, 0, 1);
+    color.xyz = gl_BaryCoordEXT;  // here
+}

@@ -1,0 +1,9 @@
+// refused
+#version 460
+#extension GL_NV_conservative_raster_underestimation : require
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+void main() {
+    color = vec4(uv, 0, 1);
+    color.x = float(gl_FragFullyCoveredNV);  // here
+}

@@ -1,0 +1,8 @@
+// refused
+#version 460
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+void main() {
+    color = vec4(uv, 0, 1);
+    color.x = float(gl_PrimitiveID);  // here
+}

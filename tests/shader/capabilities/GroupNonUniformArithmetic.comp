@@ -1,0 +1,8 @@
+// compute+device
+#version 460
+#extension GL_KHR_shader_subgroup_arithmetic : require
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+void main() {
+    data.items[0] = subgroupAdd(1u);  // here
+}

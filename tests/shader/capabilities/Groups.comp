@@ -1,0 +1,8 @@
+// refused
+#version 460
+#extension GL_AMD_shader_ballot : require
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+void main() {
+    data.items[0] = uint(addInvocationsAMD(1));  // here
+}

@@ -1,0 +1,8 @@
+// device
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+layout(rgba8) writeonly uniform imageCubeArray target;  // here
+void main() {
+    imageStore(target, ivec3(0), vec4(1));
+}

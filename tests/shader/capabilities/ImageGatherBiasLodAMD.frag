@@ -1,0 +1,10 @@
+// refused
+#version 460
+#extension GL_AMD_texture_gather_bias_lod : require
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+uniform sampler2D source;
+void main() {
+    color = vec4(uv, 0, 1);
+    color = textureGather(source, uv, 0, 1.0);  // here
+}

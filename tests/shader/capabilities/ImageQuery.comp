@@ -1,0 +1,8 @@
+// allowed
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+uniform sampler2D source;
+void main() {
+    data.items[0] = uint(textureSize(source, 0).x);
+}

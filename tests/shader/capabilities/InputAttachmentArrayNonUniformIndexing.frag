@@ -1,0 +1,10 @@
+// refused
+#version 460
+#extension GL_EXT_nonuniform_qualifier : require
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+layout(input_attachment_index = 0) uniform subpassInput source[2];
+void main() {
+    color = vec4(uv, 0, 1);
+    color = subpassLoad(source[nonuniformEXT(int(uv.x))]);  // here
+}

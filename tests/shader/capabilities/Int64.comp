@@ -1,0 +1,9 @@
+// refused
+#version 460
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+void main() {
+    uint64_t sum = data.items[0];  // here
+    data.items[0] = uint(sum);
+}

@@ -1,0 +1,8 @@
+// refused
+#version 460
+#extension GL_INTEL_shader_integer_functions2 : require
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+void main() {
+    data.items[0] = absoluteDifference(data.items[0], 5u);  // here
+}

@@ -1,0 +1,8 @@
+// interface
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+uniform sampler1D source;
+void main() {
+    data.items[0] = uint(textureLod(source, 0.5, 0).x);
+}

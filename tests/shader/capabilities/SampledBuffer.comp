@@ -1,0 +1,8 @@
+// interface
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+uniform samplerBuffer source;  // here
+void main() {
+    data.items[0] = uint(texelFetch(source, 0).x);
+}

@@ -1,0 +1,8 @@
+// device
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+uniform samplerCubeArray source;  // here
+void main() {
+    data.items[0] = uint(textureLod(source, vec4(1), 0).x);
+}

@@ -1,0 +1,7 @@
+// allowed
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+void main() {
+    data.items[0] = 1u;
+}

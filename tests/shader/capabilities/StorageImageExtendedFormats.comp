@@ -1,0 +1,8 @@
+// allowed
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+layout(rg16f) writeonly uniform image2D target;
+void main() {
+    imageStore(target, ivec2(0), vec4(1));
+}

@@ -1,0 +1,8 @@
+// refused
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+layout(rgba8) writeonly uniform image2DMS target;  // here
+void main() {
+    imageStore(target, ivec2(0), 0, vec4(1));
+}

@@ -1,0 +1,9 @@
+// refused
+#version 460
+#extension GL_EXT_shader_8bit_storage : require
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+uniform Bytes { uint8_t byte; } bytes;  // here
+void main() {
+    data.items[0] = uint(bytes.byte);
+}

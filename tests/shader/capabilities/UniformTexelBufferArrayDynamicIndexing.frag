@@ -1,0 +1,9 @@
+// refused
+#version 460
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+uniform samplerBuffer source[2];  // here
+void main() {
+    color = vec4(uv, 0, 1);
+    color = texelFetch(source[int(uv.x)], 0);
+}

@@ -1,0 +1,8 @@
+// refused
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+#pragma use_variable_pointers  // here
+void main() {
+    data.items[0] = 1u;
+}

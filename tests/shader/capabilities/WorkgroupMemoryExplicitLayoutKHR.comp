@@ -1,0 +1,10 @@
+// refused
+#version 460
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+#extension GL_EXT_shared_memory_block : require  // here
+shared Block { uint value; } block;
+void main() {
+    block.value = 1u;
+    data.items[0] = block.value;
+}

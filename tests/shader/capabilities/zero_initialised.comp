@@ -1,0 +1,10 @@
+// refused
+#version 460
+#extension GL_EXT_null_initializer : require
+layout(local_size_x = 8) in;
+buffer Data { uint items[]; } data;
+shared uint total = { };  // here
+void main() {
+    total += 1u;
+    data.items[0] = total;
+}

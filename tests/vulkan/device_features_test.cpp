@@ -1,0 +1,92 @@
+// The device is made with what the SPIR-V gate lets shaders use (framework/shader/capability_table.cpp), and
+// with nothing for shaders that the gate refuses.
+#include "vulkan/device_features.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "vulkan/physical_device.h"
+
+namespace weft::vk {
+namespace {
+
+template <class Struct>
+void switch_all_on(Struct& features, VkBool32 Struct::*first) {
+    VkBool32* begin = &(features.*first);
+    const auto* end = reinterpret_cast<const std::byte*>(&features) + sizeof(features);
+    for (VkBool32* feature = begin; reinterpret_cast<const std::byte*>(feature + 1) <= end; ++feature)
+        *feature = VK_TRUE;
+}
+
+// A device that offers everything.
+void offer_all(FeatureChain& chain) {
+    switch_all_on(chain.v10(), &VkPhysicalDeviceFeatures::robustBufferAccess);
+    switch_all_on(chain.v11(), &VkPhysicalDeviceVulkan11Features::storageBuffer16BitAccess);
+    switch_all_on(chain.v12(), &VkPhysicalDeviceVulkan12Features::samplerMirrorClampToEdge);
+    switch_all_on(chain.v13(), &VkPhysicalDeviceVulkan13Features::robustImageAccess);
+}
+
+class MadeWith : public testing::Test {
+ protected:
+    MadeWith() {
+        FeatureChain supported;
+        offer_all(supported);
+        required_features(enabled_);
+        optional_ = enable_optional_features(supported, enabled_);
+    }
+    FeatureChain enabled_;
+    OptionalFeatures optional_;
+};
+
+TEST_F(MadeWith, NothingThatTheGateRefuses) {
+    const VkPhysicalDeviceFeatures& v10 = enabled_.v10();
+    for (const VkBool32 feature :
+         {v10.shaderFloat64, v10.shaderInt64, v10.shaderInt16, v10.shaderClipDistance, v10.shaderCullDistance,
+          v10.sampleRateShading, v10.geometryShader, v10.tessellationShader, v10.multiViewport,
+          v10.shaderStorageImageMultisample, v10.shaderResourceResidency, v10.shaderResourceMinLod,
+          v10.vertexPipelineStoresAndAtomics, v10.shaderTessellationAndGeometryPointSize})
+        EXPECT_EQ(feature, VK_FALSE);
+    // Buffers and push constants of 8 and 16 bits, multiview, variable pointers, draw parameters.
+    const VkPhysicalDeviceVulkan11Features none{};
+    EXPECT_EQ(
+        std::memcmp(&enabled_.v11().storageBuffer16BitAccess, &none.storageBuffer16BitAccess,
+                    sizeof(none) - offsetof(VkPhysicalDeviceVulkan11Features, storageBuffer16BitAccess)),
+        0);
+    const VkPhysicalDeviceVulkan12Features& v12 = enabled_.v12();
+    for (const VkBool32 feature :
+         {v12.bufferDeviceAddress, v12.bufferDeviceAddressCaptureReplay, v12.shaderBufferInt64Atomics,
+          v12.shaderSharedInt64Atomics, v12.shaderFloat16, v12.shaderInt8, v12.storageBuffer8BitAccess,
+          v12.uniformAndStorageBuffer8BitAccess, v12.storagePushConstant8, v12.descriptorIndexing,
+          v12.runtimeDescriptorArray, v12.vulkanMemoryModel, v12.vulkanMemoryModelDeviceScope,
+          v12.shaderOutputLayer, v12.shaderOutputViewportIndex, v12.shaderSubgroupExtendedTypes,
+          v12.scalarBlockLayout, v12.shaderSampledImageArrayNonUniformIndexing})
+        EXPECT_EQ(feature, VK_FALSE);
+    EXPECT_EQ(enabled_.v13().shaderZeroInitializeWorkgroupMemory, VK_FALSE);
+    EXPECT_EQ(enabled_.v13().shaderIntegerDotProduct, VK_FALSE);
+}
+
+TEST_F(MadeWith, AllThatTheGateAlwaysAllows) {
+    EXPECT_EQ(enabled_.v10().fragmentStoresAndAtomics, VK_TRUE);
+    EXPECT_EQ(enabled_.v10().shaderStorageImageExtendedFormats, VK_TRUE);
+    EXPECT_EQ(enabled_.v10().shaderStorageImageWriteWithoutFormat, VK_TRUE);
+    EXPECT_EQ(enabled_.v13().shaderDemoteToHelperInvocation, VK_TRUE);
+    EXPECT_EQ(enabled_.v13().shaderTerminateInvocation, VK_TRUE);
+}
+
+TEST_F(MadeWith, WhatTheProfileSaysThatShadersMayUse) {
+    DeviceProfile profile;
+    add_optional_features(optional_, profile);
+    EXPECT_EQ(enabled_.v10().imageCubeArray, VK_TRUE);
+    EXPECT_EQ(enabled_.v10().shaderImageGatherExtended, VK_TRUE);
+    EXPECT_EQ(enabled_.v10().shaderStorageImageReadWithoutFormat, VK_TRUE);
+    EXPECT_EQ(profile.shader_capabilities,
+              shader_capability::kImageCubeArray | shader_capability::kImageGatherExtended);
+    EXPECT_TRUE(profile.storage_read_without_format);
+    add_optional_features({}, profile);
+    EXPECT_EQ(profile.shader_capabilities, 0u) << "a device that was made without them";
+    EXPECT_FALSE(profile.storage_read_without_format);
+}
+
+}  // namespace
+}  // namespace weft::vk
