@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Builds the fuzz targets and runs each for some seconds on what tests/fuzz/corpus holds. What is found lies under
 # build/fuzz/found/ and fails the run; put it into the corpus together with its remedy.
-#   run.sh SECONDS [graph|gltf|image]...
+#   run.sh SECONDS [graph|gltf|image|spirv]...
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 seconds=${1:?seconds for each target}
 shift
 targets=("$@")
-((${#targets[@]})) || targets=(graph gltf image)
+((${#targets[@]})) || targets=(graph gltf image spirv)
 build=$root/build/fuzz
 
 cd "$root"
@@ -27,13 +27,16 @@ for target in "${targets[@]}"; do
   case $target in
     graph) length=16384 ;;
     gltf) length=8192 ;;
+    spirv) length=1048576 ;;
     *) length=4096 ;;
   esac
   # tinyexr's leaks (image_fuzzer.cpp) would have every second input searched for more; at the end all are.
   leaks=1
   [ "$target" != image ] || leaks=0
+  words=()
+  [ ! -f "tests/fuzz/$target.dict" ] || words=(-dict="tests/fuzz/$target.dict")
   log=$build/$target.log result=passed
-  "$build/tests/fuzz/${target}_fuzzer" "$learnt" "tests/fuzz/corpus/$target" -dict="tests/fuzz/$target.dict" \
+  "$build/tests/fuzz/${target}_fuzzer" "$learnt" "tests/fuzz/corpus/$target" "${words[@]}" \
     -max_total_time="$seconds" -max_len=$length -rss_limit_mb=1024 -malloc_limit_mb=1024 -timeout=5 -detect_leaks=$leaks \
     -artifact_prefix="$found/" -print_final_stats=1 >"$log" 2>&1 || result=FAILED
   executions=$(awk '/^stat::number_of_executed_units/ { print $2 }' "$log")
