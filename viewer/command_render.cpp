@@ -152,7 +152,8 @@ ExitCode run_render(const RenderOptions& options) {
                                              frames, options.tier, session.pipelines_made_between_frames()});
         if (Status s = write_file(options.stats, json); !s) return fail_on_device(s.errors());
     }
-    std::fprintf(stderr, "weft: wrote %s\n", options.output.c_str());
+    const std::string& name = options.named_output.empty() ? options.output : options.named_output;
+    std::fprintf(stderr, "weft: wrote %s\n", name.c_str());
     // Objects that are still alive are heard of only when the device goes.
     open->session.reset();
     return report_messages(vk::destroy_device(std::move(open->device))) ? ExitCode::validation : ExitCode::ok;

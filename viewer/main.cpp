@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,6 +17,7 @@
 #include "driver_cache.h"
 #include "files.h"
 #include "output.h"
+#include "sandbox.h"
 #include "usage_hint.h"
 
 namespace weft::viewer {
@@ -56,6 +59,10 @@ struct RawTexts {
 
 void add_limits(CLI::App& command, RawTexts& raw) {
     command.add_option("--limits", raw.limits, "a JSON file of limits on what inputs may ask for");
+}
+
+void add_sandbox(CLI::App& command, bool& sandbox) {
+    command.add_flag("--sandbox", sandbox, "for files of strangers: run where nothing else can be opened");
 }
 
 void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
@@ -101,6 +108,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->check(CLI::Range(0.001, 3600.0))
         ->capture_default_str();
     add_limits(command, raw);
+    add_sandbox(command, o.sandbox);
     command.add_option("--test-drop-barriers", o.drop_barriers_before)->group("");
 }
 
@@ -108,7 +116,7 @@ void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     o.render.output.clear();
     add_render(command, o.render, raw);
     for (const char* flag :
-         {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats"})
+         {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats", "--sandbox"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "without a window");
     command.add_option("-o,--output", o.render.output, "write the last frame: .png, .exr or .pfm");
@@ -142,6 +150,7 @@ void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_flag("--run", o.run,
                      "run the graphs' own tests, on a device and under the validation layers");
     command.add_option("--device", o.device, "for --run: a device's index or part of its name");
+    add_sandbox(command, o.sandbox);
     CLI::Option* json = command.add_flag("--json", o.json, "what was found, as JSON on stdout");
     command.add_flag("--sarif", o.sarif, "what was found, as a SARIF 2.1.0 log on stdout")->excludes(json);
 }
@@ -154,6 +163,7 @@ void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
         ->check(choice_validator({"text", "json", "dot", "html"}))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "a file in place of stdout");
+    add_sandbox(command, o.sandbox);
 }
 
 void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
@@ -266,6 +276,37 @@ ExitCode run_bench(BenchCommands& bench, const RawTexts& raw, const Limits& limi
     return run_bench_frame(bench.frame_options);
 }
 
+std::string folder_of(const std::string& file) {
+    return file.empty() ? std::string() : std::filesystem::absolute(file).parent_path().string();
+}
+
+// A scene is a file, whose folder it may read, or a folder; built-in ones read nothing.
+std::string folder_of_scene(const std::string& scene) {
+    if (scene.starts_with("builtin:")) return {};
+    return std::filesystem::is_directory(scene) ? scene : folder_of(scene);
+}
+
+// Nothing: the command goes on, in a sandbox if it was asked for. Else the exit code. At most one is there.
+std::optional<ExitCode> enter_sandbox(RenderOptions* render, CheckOptions* check, PlanOptions* plan) {
+    SandboxNeeds needs;
+    if (render != nullptr && render->sandbox) {
+        const bool is_file = render->env != "sky" && render->env != "none";
+        needs = {{folder_of(render->graph), folder_of_scene(render->scene), is_file ? render->env : ""},
+                 {&render->output, &render->stats},
+                 true};
+        render->named_output = render->output;
+    } else if (check != nullptr && check->sandbox) {
+        for (const std::string& file : check->files) needs.read.push_back(folder_of(file));
+        needs.read.push_back(check->offline.profile);
+        needs.device = check->run;
+    } else if (plan != nullptr && plan->sandbox) {
+        needs = {{folder_of(plan->file), plan->offline.profile}, {&plan->output}, false};
+    } else {
+        return std::nullopt;
+    }
+    return run_in_sandbox(needs);
+}
+
 // CLI11's own exit codes become usage errors.
 int usage_exit(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version
@@ -343,6 +384,10 @@ int run(int argc, char** argv) {
         offline->limits = *limits;
     }
     if (render->count("--exposure") > 0) render_options.exposure_ev = static_cast<float>(raw.exposure);
+    if (const auto ended = enter_sandbox(render->parsed() ? &render_options : nullptr,
+                                         check->parsed() ? &check_options : nullptr,
+                                         plan->parsed() ? &plan_options : nullptr))
+        return exit_with(*ended);
     const bool needs_device = render->parsed() || view->parsed() || doctor->parsed() ||
                               (check->parsed() && check_options.run) ||
                               (bench.app->parsed() && !bench.compile->parsed());

@@ -37,6 +37,8 @@ struct RenderOptions {
     double timeout_s = 60;
     uint32_t queues = 1;
     std::string drop_barriers_before;  // test hook
+    bool sandbox = false;
+    std::string named_output;  // what messages call the output; empty: as it is
     Limits limits;
 };
 
@@ -63,6 +65,7 @@ struct CheckOptions {
     bool sarif = false;  // not both
     bool run = false;    // the graphs' own tests
     std::string device;  // for them
+    bool sandbox = false;
 };
 
 struct PlanOptions {
@@ -70,6 +73,7 @@ struct PlanOptions {
     OfflineOptions offline;
     std::string format = "text";
     std::string output;
+    bool sandbox = false;
 };
 
 struct SchemaOptions {

@@ -1,0 +1,64 @@
+// A Vulkan driver that is no driver: when it is loaded it does what code that a file smuggled in would do,
+// and prints what came of it, a line each. WEFT_HOSTILE_FOLDER names a folder that it has no business in.
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/ptrace.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace {
+
+void say(const char* what, bool done) {
+    std::fprintf(stderr, "hostile: %s %s\n", what, done ? "done" : "refused");
+}
+
+bool opens(const std::string& path, int flags) {
+    const int file = open(path.c_str(), flags, 0600);
+    if (file >= 0) close(file);
+    return file >= 0;
+}
+
+bool connects(int family, int type) {
+    const int made = socket(family, type, 0);
+    if (made >= 0) close(made);
+    return made >= 0;
+}
+
+bool sends_to_others() {
+    int pair[2];
+    if (socketpair(AF_UNIX, SOCK_DGRAM, 0, pair) != 0) return false;
+    close(pair[0]);
+    close(pair[1]);
+    return true;
+}
+
+__attribute__((constructor)) void attack() {
+    const char* folder = std::getenv("WEFT_HOSTILE_FOLDER");
+    if (folder == nullptr) return;
+    const std::string outside = folder;
+    say("reads a file", opens(outside + "/secret.txt", O_RDONLY));
+    say("reads /etc/passwd", opens("/etc/passwd", O_RDONLY));
+    say("lists the folder", opens(outside, O_RDONLY | O_DIRECTORY));
+    say("makes a file", opens(outside + "/new.txt", O_WRONLY | O_CREAT));
+    say("truncates a file", truncate((outside + "/victim.txt").c_str(), 0) == 0);
+    say("removes a file", unlink((outside + "/victim.txt").c_str()) == 0);
+    say("changes rights", chmod((outside + "/secret.txt").c_str(), 0666) == 0);
+    say("makes a network socket", connects(AF_INET, SOCK_STREAM));
+    say("makes a local socket", connects(AF_UNIX, SOCK_STREAM));
+    say("makes a datagram pair", sends_to_others());
+    say("signals its parent", kill(getppid(), SIGCONT) == 0);
+    // Ends with this process, and stops nobody.
+    say("traces its parent", ptrace(PTRACE_SEIZE, getppid(), nullptr, nullptr) == 0);
+    say("makes memory that runs", mmap(nullptr, 4096, PROT_READ | PROT_WRITE | PROT_EXEC,
+                                       MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED);
+    if (std::getenv("WEFT_HOSTILE_CRASH") != nullptr) std::abort();
+}
+
+}  // namespace
