@@ -1,5 +1,6 @@
 #include "shader/reflect_stage.h"
 
+#include <exception>
 #include <utility>
 
 #include "shader/reflector.h"
@@ -171,7 +172,19 @@ void Reflector::scan_instructions() {
 
 StageReflection reflect_stage(ShaderStage stage, const std::vector<uint32_t>& spirv,
                               InterfaceFaults& faults) {
-    return Reflector(stage, spirv, faults).run();
+    // Some of SPIRV-Cross's functions throw through its C interface.
+    try {
+        return Reflector(stage, spirv, faults).run();
+    } catch (const std::exception& error) {
+        faults.push_back({"W206",
+                          stage,
+                          {},
+                          std::string("the shader's SPIR-V cannot be reflected: ") + error.what(),
+                          "simplify the shader"});
+        StageReflection nothing;
+        nothing.stage = stage;
+        return nothing;
+    }
 }
 
 }  // namespace weft::shader

@@ -2,6 +2,9 @@
 // module goes on that either of the two refuses.
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "shader/interface_merge.h"
@@ -64,6 +67,21 @@ TEST(SpirvMutants, NoneGetsPastTheGateUnlessItIsValid) {
     }
     EXPECT_GE(refused, seen / 2) << "most changes matter";
     EXPECT_LT(refused, seen) << "some only rename a thing";
+}
+
+// SPIRV-Cross threw through its C interface: the process ended.
+TEST(SpirvMutants, WhatCannotBeReflectedIsAFault) {
+    std::ifstream file(std::filesystem::path(WEFT_SOURCE_DIR) / "tests/fuzz/corpus/spirv/no_local_size.spv",
+                       std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    std::vector<uint32_t> words(bytes.size() / sizeof(uint32_t));
+    std::memcpy(words.data(), bytes.data(), words.size() * sizeof(uint32_t));
+    ASSERT_FALSE(words.empty());
+    ASSERT_FALSE(shader::spirv_fault(words).has_value());
+    shader::InterfaceFaults faults;
+    (void)shader::reflect_program({{ShaderStage::compute, words}}, faults);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].code, "W206");
 }
 
 }  // namespace
