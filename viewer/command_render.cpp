@@ -49,9 +49,11 @@ class RenderProgress {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// Takes away what is ready after a frame: for many frames it would pile up. Of what is read back the last one is kept.
-void collect(render::Session& session, RunOutcome& outcome) {
-    std::ranges::move(session.take_timings(), std::back_inserter(outcome.timings));
+// Takes away what is ready after a frame: for many frames it would pile up. Of what is read back the last one is kept,
+// times only where somebody wants them.
+void collect(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
+    std::vector<vk::FrameTiming> timings = session.take_timings();
+    if (!options.stats.empty()) std::ranges::move(timings, std::back_inserter(outcome.timings));
     std::vector<vk::ReadbackData> readbacks = session.take_readbacks();
     if (!readbacks.empty()) outcome.last_readback = std::move(readbacks.back());
 }
@@ -62,7 +64,7 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
     for (uint32_t i = 0; i < frames; ++i) {
         if (Status s = session.render_frame(i * options.fixed_dt_s, options.fixed_dt_s); !s)
             return s.take_errors();
-        collect(session, outcome);
+        collect(session, options, outcome);
         // Of those that are begun the last ones may still be drawn.
         progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
     }
@@ -70,7 +72,7 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
     progress.tell(frames);
     Result<vk::ReadbackData> output = session.read_output();
     if (!output) return output.take_errors();
-    collect(session, outcome);
+    collect(session, options, outcome);
     outcome.output = std::move(*output);
     return outcome;
 }

@@ -11,7 +11,7 @@ namespace weft::vk {
 namespace {
 
 // That wait to be taken: a program that never asks shall not lose memory.
-constexpr size_t kMostTimings = 256;
+constexpr size_t kMostTimings = 32;
 
 class Stopwatch {
  public:

@@ -122,7 +122,7 @@ class Executor {
     [[nodiscard]] virtual Status run(const FrameInput& frame) = 0;
     // Waits for all frames in flight (fences, not the device), delivering their timings and readbacks.
     [[nodiscard]] virtual Status finish() = 0;
-    // Of completed frames, oldest first; each is returned once. Of timings the newest 256 are kept.
+    // Of completed frames, oldest first; each is returned once. Of timings the newest 32 are kept.
     [[nodiscard]] virtual std::vector<FrameTiming> take_timings() = 0;
     [[nodiscard]] virtual std::vector<ReadbackData> take_readbacks() = 0;
     // Copies an imported image (in its exit state, which must be transfer_src) to the host. Call after

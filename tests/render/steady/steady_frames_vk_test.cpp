@@ -196,6 +196,12 @@ TEST_F(Steady, MovingLightsCompileNothing) {
     expect_steady(objects);
 }
 
+TEST_F(Steady, TimesThatNobodyTakesDoNotPileUp) {
+    ASSERT_NO_FATAL_FAILURE(begin(WEFT_SOURCE_DIR "/tests/render/steady/branches.json", "spheres"));
+    ASSERT_NO_FATAL_FAILURE(draw(40));
+    EXPECT_EQ(session_->take_timings().size(), 32u) << "the newest, as executor.h says";
+}
+
 TEST_F(Steady, ForwardShadingKeepsItsMemory) {
     ASSERT_NO_FATAL_FAILURE(begin(shipped("forward"), "spheres"));
     ASSERT_NO_FATAL_FAILURE(draw_apart(20));
