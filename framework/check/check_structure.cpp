@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "check/check_scopes.h"
+#include "check/check_turns.h"
 
 namespace weft::check {
 namespace {
@@ -276,6 +277,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_scopes(plan, faults);
     check_transfers(plan, faults);
     check_stages(plan, faults);
+    check_turns(plan, faults);
     return true;
 }
 

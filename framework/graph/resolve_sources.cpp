@@ -98,9 +98,10 @@ class VersionConnector {
         const WriteRank rank = port(u).rank;
         if (rank == WriteRank::fresh) return;
         const bool any = !seen.sources.empty();
-        const bool loads = seen.this_frame || (rank == WriteRank::in_place && any);
+        const bool in_place = rank == WriteRank::in_place;
+        const bool loads = seen.this_frame || (in_place && any);
         Access& a = use(u).access;
-        if (a == Access::storage_write && any) a = Access::storage_read_write;
+        if (a == Access::storage_write && (any || in_place)) a = Access::storage_read_write;
         // What was in an import before the frame is cleared by the first raster write, as everything is.
         if (a == Access::color_write && loads) a = Access::color_read_write;
         if (a == Access::depth_write && loads) a = Access::depth_read_write;
@@ -125,7 +126,17 @@ class VersionConnector {
     bool must_find_content(const CellUse& u) {
         const Access a = use(u).access;
         if (!writes(a)) return true;
-        return port(u).reads_own_port || (state_.passes[u.pass].custom && reads(a)) || wants_last_frame(u);
+        return port(u).reads_own_port || keeps_the_rest(u) || (state_.passes[u.pass].custom && reads(a)) ||
+               wants_last_frame(u);
+    }
+
+    // Its author says that the preceding version stays where this pass does not write. An attachment without
+    // one is cleared.
+    bool keeps_the_rest(const CellUse& u) {
+        const PortWork& work = port(u);
+        const bool attachment = work.color_output != nullptr || work.is_depth_port;
+        return !attachment && work.rank == WriteRank::in_place &&
+               (state_.passes[u.pass].desc->partial || work.pinned());
     }
 
     // Going on where nothing is in this frame's copy of a history: its author means the last one.
@@ -145,10 +156,20 @@ class VersionConnector {
         const bool observer = state_.observers.contains(state_.pass_name(u.pass));
         const std::string who = observer ? "the observer" : "pass " + quoted(state_.pass_name(u.pass));
         const bool writes_it_too = written_by(u);
-        Diagnostic& d = state_.pass_error(
-            u.pass, use(u).loc, "W110",
-            who + " reads " + quoted(range_of(resource, missing.front().range)) +
-                (writes_it_too ? " before any other pass writes it" : ", which no pass writes before it"));
+        const std::string what = quoted(range_of(resource, missing.front().range));
+        const bool partial = writes(use(u).access) && state_.passes[u.pass].desc->partial;
+        Diagnostic& d =
+            state_.pass_error(u.pass, use(u).loc, "W110",
+                              partial ? who + " writes only a part of " + what +
+                                            " (\"partial\"), and no pass writes the rest before it"
+                                      : who + " reads " + what +
+                                            (writes_it_too ? " before any other pass writes it"
+                                                           : ", which no pass writes before it"));
+        if (partial && resource.history == 0)
+            add_help(
+                d,
+                "fill it first, for example with a pass of type \"clear\"; or, if this pass writes all of "
+                "it, remove \"partial\"");
         if (resource.history > 0) {
             const std::string last = role_name(resource.name, 1);
             add_help(d, "every frame begins with an empty copy; what the last one left is " + quoted(last) +
@@ -161,7 +182,7 @@ class VersionConnector {
                 d, "other parts or later versions of it are written: check the mips and layers, and the pin");
         } else if (resource.lifetime == ResourceLifetime::imported) {
             add_help(d, "the import has no content when the frame begins: write it first");
-        } else if (resource.history == 0) {
+        } else if (resource.history == 0 && !partial) {
             add_help(d, "write it in the \"out\" of a pass, or import it");
         }
     }

@@ -13,5 +13,7 @@ namespace weft {
 [[nodiscard]] int version_seen(const ResolveState& state, const Cell& cell, const CellUse& reader);
 // W110 for reads that nobody writes.
 void connect_versions(ResolveState& state, const std::vector<Cell>& cells);
+// W124 for reads that, where passes take turns, would not see the version that they name in every frame.
+void check_turned_cells(ResolveState& state, const std::vector<Cell>& cells);
 
 }  // namespace weft

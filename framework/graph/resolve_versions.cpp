@@ -261,6 +261,7 @@ void resolve_versions(ResolveState& state) {
     if (!order.run()) return;
     order.report_unordered();
     connect_versions(state, cells);
+    check_turned_cells(state, cells);
 }
 
 }  // namespace weft

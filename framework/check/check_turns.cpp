@@ -1,0 +1,199 @@
+#include "check/check_turns.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace weft::check {
+namespace {
+
+bool takes_turns(const PassDecl& pass) {
+    return pass.turns > 1;
+}
+
+// Neither pass can run in a frame without the other.
+bool run_together(const PassDecl& a, const PassDecl& b) {
+    if (takes_turns(a) != takes_turns(b)) return false;
+    return !takes_turns(a) || (a.turns == b.turns && a.turn == b.turn);
+}
+
+// What passes must follow a pass, by the edges of the graph.
+class Followers {
+ public:
+    explicit Followers(const ResolvedGraph& graph) : next_(graph.passes.size()) {
+        for (const EdgeDecl& edge : graph.edges) next_[edge.from].push_back(edge.to);
+    }
+
+    bool follows(PassId first, PassId second) {
+        std::vector<uint8_t>& known = known_[first];
+        if (known.empty()) fill(first, known);
+        return known[second] != 0;
+    }
+
+ private:
+    void fill(PassId first, std::vector<uint8_t>& reached) {
+        reached.assign(next_.size(), 0);
+        std::vector<PassId> open{first};
+        while (!open.empty()) {
+            const PassId pass = open.back();
+            open.pop_back();
+            for (const PassId to : next_[pass]) {
+                if (reached[to]) continue;
+                reached[to] = 1;
+                open.push_back(to);
+            }
+        }
+    }
+
+    std::vector<std::vector<PassId>> next_;
+    std::map<PassId, std::vector<uint8_t>> known_;
+};
+
+// The parts of one resource that a pass with turns writes, and all passes that write one of them.
+class TurnedResource {
+ public:
+    TurnedResource(const FramePlan& plan, ResourceId resource, Followers& followers, FaultList& faults)
+        : plan_(plan),
+          decl_(plan.graph.resources[resource]),
+          resource_(resource),
+          whole_(decl_.whole()),
+          followers_(followers),
+          faults_(faults),
+          parts_(size_t{whole_.mips} * whole_.layers * kAspects) {}
+
+    void check() {
+        const bool stays = decl_.lifetime == ResourceLifetime::persistent && decl_.history == 0;
+        for (PassId id = 0; id < plan_.graph.passes.size(); ++id) {
+            for (const UseDecl& use : plan_.graph.passes[id].uses) {
+                if (use.resource != resource_ || !writes(use.access)) continue;
+                add_writer(id, use);
+                if (!stays && takes_turns(plan_.graph.passes[id]) && plan_.live.live_passes[id])
+                    report_lost(id, use);
+            }
+        }
+        for (PassId id = 0; id < plan_.graph.passes.size(); ++id) {
+            if (!plan_.live.live_passes[id]) continue;
+            for (const UseDecl& use : plan_.graph.passes[id].uses) {
+                if (use.resource != resource_) continue;
+                for (const VersionSource& source : use.sources) check_read(id, use, source);
+            }
+        }
+    }
+
+ private:
+    static constexpr size_t kAspects = 3;
+
+    struct Part {
+        std::vector<PassId> writers;
+        bool overwritten = false;  // some writer does not see what was there
+        bool turned = false;       // some writer takes turns
+    };
+
+    template <class Visit>
+    void for_each_part(const SubresourceRange& range, Visit visit) {
+        for (size_t a = 0; a < kAspects; ++a) {
+            if (!(range.aspects & (1u << a))) continue;
+            for (uint32_t l = range.layer; l < std::min(range.layer + range.layers, whole_.layers); ++l)
+                for (uint32_t m = range.mip; m < std::min(range.mip + range.mips, whole_.mips); ++m)
+                    visit(parts_[(a * whole_.layers + l) * whole_.mips + m],
+                          SubresourceRange{m, 1, l, 1, static_cast<AspectMask>(1u << a)});
+        }
+    }
+
+    void add_writer(PassId id, const UseDecl& use) {
+        for_each_part(use.range, [&](Part& part, const SubresourceRange& cell) {
+            const bool goes_on = std::any_of(use.sources.begin(), use.sources.end(),
+                                             [&](const VersionSource& s) { return contains(s.range, cell); });
+            if (part.writers.empty() || part.writers.back() != id) part.writers.push_back(id);
+            part.overwritten = part.overwritten || !goes_on;
+            part.turned = part.turned || takes_turns(plan_.graph.passes[id]);
+        });
+    }
+
+    void check_read(PassId reader, const UseDecl& use, const VersionSource& source) {
+        for_each_part(source.range, [&](const Part& part, const SubresourceRange& cell) {
+            // Where every writer changes what is there, a read names the content as it stands.
+            if (!part.turned || !part.overwritten) return;
+            const bool before = source.producer == kNoId;
+            const PassId named = before ? last_of(part) : source.producer;
+            const PassDecl& maker = plan_.graph.passes[named];
+            if (!takes_turns(maker) || (!before && run_together(maker, plan_.graph.passes[reader]))) return;
+            for (const PassId other : part.writers) {
+                if (other == named) continue;
+                if (run_together(maker, plan_.graph.passes[other]) && !followers_.follows(named, other))
+                    continue;
+                return report(reader, use, cell, named, other);
+            }
+        });
+    }
+
+    PassId last_of(const Part& part) {
+        PassId last = part.writers.front();
+        for (const PassId pass : part.writers)
+            if (followers_.follows(last, pass)) last = pass;
+        return last;
+    }
+
+    void report_lost(PassId writer, const UseDecl& use) {
+        faults_.add("C332", use.loc,
+                    "pass " + faults_.pass_name(writer) + " takes turns and writes " +
+                        faults_.resource_name(resource_) +
+                        ", whose content does not stay until the next frame",
+                    "only what is kept may be written in turns");
+    }
+
+    void report(PassId reader, const UseDecl& use, const SubresourceRange& cell, PassId named, PassId other) {
+        faults_.add(
+            "C332", use.loc,
+            "pass " + faults_.pass_name(reader) + " reads " + faults_.resource_name(resource_) +
+                range_text(cell) + " as pass " + faults_.pass_name(named) +
+                " leaves it, but in frames in which that pass does not run, pass " +
+                faults_.pass_name(other) + " has overwritten it",
+            "passes that take turns must not overwrite each other's work where another pass reads it");
+    }
+
+    const FramePlan& plan_;
+    const ResourceDecl& decl_;
+    ResourceId resource_;
+    SubresourceRange whole_;
+    Followers& followers_;
+    FaultList& faults_;
+    std::vector<Part> parts_;
+};
+
+// In a frame in which the pass does not run its barriers still do, and nothing writes the content anew.
+void check_dropped_content(const FramePlan& plan, FaultList& faults) {
+    for (const PassStep& step : plan.barriers.steps) {
+        const PassDecl& pass = plan.graph.passes[step.pass];
+        if (!takes_turns(pass)) continue;
+        for (const BarrierDecl& barrier : step.barriers) {
+            const ResourceDecl& resource = plan.graph.resources[barrier.resource];
+            const bool image = resource.kind == ResourceKind::image;
+            if (!image || resource.lifetime == ResourceLifetime::transient ||
+                barrier.src.layout != Layout::undefined)
+                continue;
+            faults.add("C331", pass.loc,
+                       "the barrier before pass " + faults.pass_name(step.pass) + " drops what is in " +
+                           faults.resource_name(barrier.resource) + range_text(barrier.range) +
+                           ", also in frames in which the pass does not run",
+                       "the old layout must be the one that the range is in");
+        }
+    }
+}
+
+}  // namespace
+
+void check_turns(const FramePlan& plan, FaultList& faults) {
+    std::vector<uint8_t> turned(plan.graph.resources.size(), 0);
+    for (const PassDecl& pass : plan.graph.passes)
+        for (const UseDecl& use : pass.uses)
+            if (takes_turns(pass) && writes(use.access)) turned[use.resource] = 1;
+    if (std::find(turned.begin(), turned.end(), 1) == turned.end()) return;
+    Followers followers(plan.graph);
+    for (ResourceId id = 0; id < turned.size(); ++id)
+        if (turned[id]) TurnedResource(plan, id, followers, faults).check();
+    check_dropped_content(plan, faults);
+}
+
+}  // namespace weft::check
