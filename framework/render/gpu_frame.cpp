@@ -3,6 +3,8 @@
 #include <array>
 #include <cstring>
 
+#include "render/scene_bindings.h"
+
 namespace weft::render {
 namespace {
 
@@ -19,16 +21,6 @@ static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);
 static_assert(kSunOffsetBytes + sizeof(shared::SunConstants) <= kViewsOffsetBytes);
 static_assert(sizeof(shared::ViewConstants) <= kViewBytes);
 
-constexpr VkShaderStageFlags kStages =
-    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-constexpr std::array kBindings{
-    VkDescriptorSetLayoutBinding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
-    VkDescriptorSetLayoutBinding{1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
-    VkDescriptorSetLayoutBinding{2, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, kStages, nullptr},
-    VkDescriptorSetLayoutBinding{3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kStages, nullptr},
-    VkDescriptorSetLayoutBinding{4, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, kStages, nullptr},
-    VkDescriptorSetLayoutBinding{5, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, kStages, nullptr}};
-
 uint32_t index_of(std::string_view view) {
     for (uint32_t i = 0; i + 1 < kViews; ++i)
         if (view == sun_view_name(i)) return i + 1;
@@ -40,7 +32,7 @@ uint32_t index_of(std::string_view view) {
 Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Scene& scene) {
     GpuFrame frame;
     Result<DescriptorSets> sets =
-        DescriptorSets::create(device, kBindings, vk::kFramesInFlight * kViews, "frame constants");
+        DescriptorSets::create(device, layout_bindings(0), vk::kFramesInFlight * kViews, "frame constants");
     if (!sets) return sets.take_errors();
     Result<vk::Buffer> constants =
         vk::Buffer::create(device, kSlotBytes * vk::kFramesInFlight, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,

@@ -5,12 +5,12 @@
 #include <cstring>
 
 #include "render/frame_data.h"
+#include "render/scene_bindings.h"
 
 namespace weft::render {
 namespace {
 
 constexpr uint32_t kTexturesPerMaterial = 6;
-constexpr VkShaderStageFlags kMaterialStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 ResourceDecl texture_decl(const std::string& name, uint32_t width_px, uint32_t height_px, uint32_t mips,
                           scene::ColorSpace space) {
@@ -54,20 +54,12 @@ VkFilter filter(scene::Filter f) {
     return f == scene::Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
 }
 
-std::array<VkDescriptorSetLayoutBinding, 1 + kTexturesPerMaterial> material_bindings() {
-    std::array<VkDescriptorSetLayoutBinding, 1 + kTexturesPerMaterial> bindings{};
-    bindings[0] = {0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, kMaterialStages, nullptr};
-    for (uint32_t i = 1; i < bindings.size(); ++i)
-        bindings[i] = {i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, kMaterialStages, nullptr};
-    return bindings;
-}
-
 }  // namespace
 
 Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene& scene) {
     GpuMaterials materials;
     Result<DescriptorSets> sets = DescriptorSets::create(
-        device, material_bindings(), static_cast<uint32_t>(scene.materials.size()), "materials");
+        device, layout_bindings(2), static_cast<uint32_t>(scene.materials.size()), "materials");
     if (!sets) return sets.take_errors();
     materials.sets_ = std::move(*sets);
     if (Status s = materials.upload_textures(device, scene); !s) return s.take_errors();

@@ -6,16 +6,11 @@
 #include <numeric>
 
 #include "render/import_catalog.h"
+#include "render/scene_bindings.h"
 #include "shared/draw_command.glsl"
 
 namespace weft::render {
 namespace {
-
-constexpr VkDescriptorSetLayoutBinding draw_binding(uint32_t binding) {
-    return {binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_VERTEX_BIT, nullptr};
-}
-// Instances, vertex colours, second uvs.
-constexpr std::array kDrawBindings{draw_binding(0), draw_binding(1), draw_binding(2)};
 
 // What goes over something else comes after it.
 constexpr std::string_view kSortedList = "transparent";
@@ -33,7 +28,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     if (!materials) return materials.take_errors();
     Result<GpuFrame> frame = GpuFrame::create(device, scene);
     if (!frame) return frame.take_errors();
-    Result<DescriptorSets> instances = DescriptorSets::create(device, kDrawBindings, 1, "instances");
+    Result<DescriptorSets> instances = DescriptorSets::create(device, layout_bindings(3), 1, "instances");
     if (!instances) return instances.take_errors();
     gpu->geometry_ = std::move(*geometry);
     gpu->materials_ = std::move(*materials);

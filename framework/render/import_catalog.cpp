@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/scene_bindings.h"
 #include "render/sun_cascades.h"
 #include "shared/draw_command.glsl"
 #include "shared/light.glsl"
@@ -131,6 +132,7 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)}, {"Light", sizeof(shared::Light)}};
+    catalog.bindings = scene_bindings();
     return catalog;
 }
 

@@ -7,6 +7,7 @@
 #include "shader/glsl_compile.h"
 #include "shader/interface_merge.h"
 #include "shader/link_stages.h"
+#include "shader/local_size.h"
 #include "shader/shader_cache.h"
 #include "shader/shader_memory.h"
 #include "shader/shader_sources.h"
@@ -219,7 +220,9 @@ Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind k
                                      StageCompiler& compiler, ShaderMemory* memory) {
     if (memory != nullptr)
         if (const ShaderProgram* known = memory->find(reference, kind, roots)) return *known;
-    const auto keep = [&](const ShaderProgram* program, const SourceReader& reader) {
+    const auto keep = [&](ShaderProgram* program, const SourceReader& reader) {
+        if (program != nullptr && kind == ProgramKind::compute)
+            program->interface.states_local_size = states_local_size(reader.sources());
         if (memory == nullptr) return;
         memory->add_files_of(reader);
         if (program != nullptr) memory->remember(*program, kind, roots, reader);

@@ -115,8 +115,10 @@ void merge_stage(ShaderInterface& all, const StageReflection& stage, InterfaceFa
     for (const SpecConstant& constant : stage.spec_constants) {
         merge_spec_constant(all, constant, stage.stage, faults);
     }
-    if (stage.stage == ShaderStage::vertex)
+    if (stage.stage == ShaderStage::vertex) {
         take_variables(all.vertex_inputs, stage.inputs, stage.stage, faults);
+        all.writes_point_size = stage.writes_point_size;
+    }
     if (stage.stage == ShaderStage::fragment) {
         take_variables(all.fragment_outputs, stage.outputs, stage.stage, faults);
         all.discards = stage.discards;

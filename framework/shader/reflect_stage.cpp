@@ -150,6 +150,11 @@ void Reflector::reflect_execution() {
     for (const SpvExecutionMode mode : std::span(modes, count)) {
         if (mode == SpvExecutionModeDepthReplacing) result_.writes_depth = true;
     }
+    if (result_.stage == ShaderStage::vertex) {
+        spvc_compiler_update_active_builtins(compiler_);
+        result_.writes_point_size = spvc_compiler_has_active_builtin(compiler_, SpvBuiltInPointSize,
+                                                                     SpvStorageClassOutput) == SPVC_TRUE;
+    }
     // Asked for LocalSize, SPIRV-Cross gives numbers for LocalSizeId too, those of the defaults.
     for (unsigned i = 0; i < 3 && result_.stage == ShaderStage::compute; ++i) {
         result_.local_size[i] =

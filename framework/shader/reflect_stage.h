@@ -47,6 +47,7 @@ struct StageReflection {
     std::array<uint32_t, 3> local_size{1, 1, 1};
     bool discards = false;
     bool writes_depth = false;
+    bool writes_point_size = false;
 };
 
 [[nodiscard]] StageReflection reflect_stage(ShaderStage stage, const std::vector<uint32_t>& spirv,

@@ -43,11 +43,23 @@ struct ImportDecl {
     uint32_t draws = 1;  // how many draws are in the list
 };
 
+// A descriptor that the program binds beside the ports: in set 0 for all passes with shaders, in sets 2 and 3
+// for raster passes that draw lists. Shaders only read it.
+struct OfferedBinding {
+    uint32_t set = 0;
+    uint32_t binding = 0;
+    BindingKind kind = BindingKind::uniform_buffer;
+    ShaderStageMask stages = 0;
+    uint32_t bytes = 0;    // of a uniform buffer
+    bool arrayed = false;  // an image: sampler2DArray, else sampler2D
+};
+
 struct ImportCatalog {
     std::map<std::string, ImportDecl, std::less<>> imports;
     std::vector<std::string> views;                        // "camera", "sun(0)", "sun(1)", …
     std::map<std::string, double, std::less<>> numbers;    // that expressions may name: "directionalLights"
     std::map<std::string, uint32_t, std::less<>> strides;  // element types of buffers: "Light" → bytes
+    std::vector<OfferedBinding> bindings;                  // empty: not known, and only the sets are checked
 };
 
 [[nodiscard]] const char* import_kind_name(ImportKind kind);

@@ -96,8 +96,10 @@ struct ShaderInterface {
     std::vector<StageVariable> vertex_inputs;  // sorted by location
     std::vector<StageVariable> fragment_outputs;
     std::array<uint32_t, 3> local_size{1, 1, 1};
-    bool discards = false;      // a fragment stage that may drop its pixel
-    bool writes_depth = false;  // gl_FragDepth
+    bool discards = false;           // a fragment stage that may drop its pixel
+    bool writes_depth = false;       // gl_FragDepth
+    bool writes_point_size = false;  // gl_PointSize, in the vertex stage
+    bool states_local_size = true;   // a compute stage that declares its local size, and be it 1
 
     [[nodiscard]] const ShaderBinding* find(std::string_view name) const;  // set 1 only: the pass's ports
 };

@@ -1,4 +1,5 @@
 #version 460
+layout(local_size_x = 1) in;
 uniform sampler2D color;
 writeonly buffer Total { uint channels[4]; } total;
 

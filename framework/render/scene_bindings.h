@@ -1,0 +1,16 @@
+// Purpose: what descriptor sets 0, 2 and 3 hold while a scene is drawn: one table for the layouts that are
+// made and for the check of shaders. See shaders/include/frame_set.glsl, material_set.glsl and
+// surface_vertex.glsl.
+#pragma once
+
+#include <vector>
+
+#include "vulkan/functions.h"
+#include "weft/imports.h"
+
+namespace weft::render {
+
+[[nodiscard]] std::vector<OfferedBinding> scene_bindings();
+[[nodiscard]] std::vector<VkDescriptorSetLayoutBinding> layout_bindings(uint32_t set);
+
+}  // namespace weft::render
