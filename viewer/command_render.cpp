@@ -70,10 +70,12 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
     }
     if (Status s = session.finish(); !s) return s.take_errors();
     progress.tell(frames);
-    Result<vk::ReadbackData> output = session.read_output();
-    if (!output) return output.take_errors();
+    if (session.has_output()) {
+        Result<vk::ReadbackData> output = session.read_output();
+        if (!output) return output.take_errors();
+        outcome.output = std::move(*output);
+    }
     collect(session, options, outcome);
-    outcome.output = std::move(*output);
     return outcome;
 }
 
@@ -142,6 +144,9 @@ ExitCode run_render(const RenderOptions& options) {
     Result<OpenSession> open = open_session(options);
     if (!open) return fail_on_device(open.errors());
     render::Session& session = *open->session;
+    if (const bool shows_output = options.resource.empty() && options.debug.empty();
+        shows_output && !session.has_output())
+        return fail_on_device(session.read_output().errors());
     const uint32_t frames = options.frames > 0 ? options.frames : session.frames();
     Result<RunOutcome> outcome = run_frames(session, options, frames);
     if (!outcome) {

@@ -2,6 +2,7 @@
 
 #include "check/check_plan.h"
 #include "files.h"
+#include "graph/debug_view.h"
 #include "graph/memory_report.h"
 #include "graph/stages.h"
 #include "render/import_catalog.h"
@@ -63,7 +64,12 @@ Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOption
     compile_options.granularity_bytes = profile->buffer_image_granularity_bytes;
     compile_options.queues = logical_queues(*profile, options.queues);
     OfflinePlan made{compile(loaded->graph, profile_needs(loaded->graph, *profile), compile_options),
-                     std::move(*profile)};
+                     std::move(*profile),
+                     {}};
+    // A graph without an output is a piece of others, which may have what its views show.
+    if (loaded->graph.output != kNoId)
+        made.view_faults = of_tier(debug_view_faults(loaded->desc), options.tier);
+    for (Diagnostic& d : made.view_faults) d.pointer = pointer_at(document, d.file, d.line, d.column);
     const std::string& file = document.sources.files.front().path;
     Diagnostics faults = budget_faults(made.plan, options.limits.graph, file);
     if (faults.empty()) faults = check_plan(made.plan);

@@ -20,6 +20,7 @@ namespace weft::viewer {
 struct OfflinePlan {
     FramePlan plan;
     DeviceProfile profile;
+    Diagnostics view_faults;  // of "debug": what it shows may be there in another tier
 };
 
 // What the tiers of one document have in common, found by the first that is compiled.

@@ -30,6 +30,14 @@ class Findings {
         }
     }
 
+    // Those that all variants give.
+    Diagnostics take_common() {
+        Diagnostics kept;
+        for (const auto& [place, seen] : seen_)
+            if (seen.variants == variants_) kept.push_back(std::move(all_[seen.index]));
+        return kept;
+    }
+
     // Warnings that something is unused hold only where all tiers agree.
     Diagnostics take() {
         std::vector<bool> used(all_.size(), false);
@@ -70,7 +78,7 @@ CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options)
         for (const std::string& name : tier_names(*document)) tiers.push_back(name);
         checked.tiers = tiers.size() - 1;
     }
-    Findings findings;
+    Findings findings, views;
     SharedByTiers shared;
     for (const std::string& tier : tiers) {
         OfflineOptions of_tier = options;
@@ -79,10 +87,13 @@ CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options)
         Result<OfflinePlan> made =
             compile_offline(*document, of_tier, found, tiers.size() > 1 ? &shared : nullptr);
         if (!made) found.insert(found.end(), made.errors().begin(), made.errors().end());
+        if (made) views.add(std::move(made->view_faults));
         if (made && !checked.plan) checked.plan = std::move(made->plan);
         findings.add(std::move(found));
     }
     checked.found = findings.take();
+    // A view of what only some tiers have is no fault: the others list it as unavailable.
+    for (Diagnostic& d : views.take_common()) checked.found.push_back(std::move(d));
     return checked;
 }
 

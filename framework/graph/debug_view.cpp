@@ -190,6 +190,23 @@ std::vector<std::string> debug_decoders() {
     return {kNames.begin(), kNames.end()};
 }
 
+Diagnostics debug_view_faults(const GraphDesc& graph) {
+    std::vector<std::string> known;
+    for (const auto& [name, unused] : graph.resources) known.push_back(name);
+    for (const auto& [name, unused] : graph.imports) known.push_back(name);
+    Diagnostics faults;
+    for (const auto& [name, view] : graph.debug) {
+        const std::string& shown = view.show.name;
+        if (graph.resources.contains(shown) || graph.imports.contains(shown)) continue;
+        Diagnostic& d = faults.emplace_back(graph.sources.error(
+            view.show.loc, "W103", "debug view \"" + name + "\" shows unknown resource \"" + shown + "\""));
+        const std::string near = did_you_mean_text(shown, known);
+        d.help.push_back(near.empty() ? "name one of \"resources\" or \"imports\", or remove the view"
+                                      : near);
+    }
+    return faults;
+}
+
 Status add_debug_view(GraphDesc& graph, const ImportCatalog& imports, const std::string& name) {
     const Result<DebugViewDesc> view = find_view(graph, name);
     if (!view) return view.errors();

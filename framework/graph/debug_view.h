@@ -17,6 +17,9 @@ inline constexpr const char* kDebugView = "debugView";
 // What a resource can be shown as: "color", "octahedral", "depth", …
 [[nodiscard]] std::vector<std::string> debug_decoders();
 
+// W103: views of resources that the graph doesn't have.
+[[nodiscard]] Diagnostics debug_view_faults(const GraphDesc& graph);
+
 // `name`: a view of the graph's "debug", or a reference to any resource.
 [[nodiscard]] Status add_debug_view(GraphDesc& graph, const ImportCatalog& imports, const std::string& name);
 

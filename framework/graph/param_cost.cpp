@@ -150,8 +150,10 @@ class CostStep {
                                     quoted(name),
                                 "remove it, or use it");
         const std::set<std::string, std::less<>> named = named_resources();
+        const char* output = import_kind_name(ImportKind::output);  // W184 says so
         for (const auto& [name, import] : graph_.imports)
-            if (!named.contains(name) && !costs_.contains(name + "Draws") && !state_.is_included(import.loc))
+            if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
+                !state_.is_included(import.loc))
                 state_.warn(import.loc, "W134", "nothing uses the import " + quoted(name),
                             "remove it, or name it in a port or in \"draws\"");
     }

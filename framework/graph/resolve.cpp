@@ -18,6 +18,8 @@ Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) 
     check_turns(state);
     resolve_versions(state);
     resolve_attachments(state);
+    check_clear_values(state);
+    check_output(state);
     resolve_dispatches(state);
     resolve_blocks(state);
     check_custom_passes(state);

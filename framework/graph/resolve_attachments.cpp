@@ -26,6 +26,8 @@ class AttachmentStep {
                   "split the pass, or pack its outputs");
         }
         check_agreement();
+        check_stencil();
+        check_viewport();
         for (const ResolveDesc& resolve : desc().resolves) add_resolve(resolve);
     }
 
@@ -65,6 +67,32 @@ class AttachmentStep {
         depth.clear = clear_value(decl_.uses[index]);
         decl_.depth = depth;
         check_range(decl_.uses[index]);
+    }
+
+    void check_stencil() {
+        if (!desc().state.stencil_test || desc().depth || work_.faulty) return;
+        error(decl_.loc, "W182",
+              "the state of pass " + quoted(decl_.name) +
+                  " tests stencil, but the pass has no depth attachment",
+              "name one with stencil, \"depth\": \"image\" of format \"d32f_s8|d24_s8\"; or remove "
+              "\"stencil\"");
+    }
+
+    // A device that draws into images of a side has viewports of it, and places them within twice as much.
+    void check_viewport() {
+        if (!decl_.state.viewport) return;
+        const RectPx& view = *decl_.state.viewport;
+        const int64_t side = state_.input.profile.max_image_2d_px;
+        const auto fits = [&](int64_t place, int64_t extent) {
+            return extent <= side && place >= -2 * side && place + extent <= 2 * side - 1;
+        };
+        if (fits(view.x, view.width) && fits(view.y, view.height)) return;
+        error(decl_.loc, "W119",
+              "the viewport of pass " + quoted(decl_.name) + " is " + std::to_string(view.width) + "x" +
+                  std::to_string(view.height) + " px at " + std::to_string(view.x) + ", " +
+                  std::to_string(view.y),
+              "the device offers " + std::to_string(side) + " px a side, from " + std::to_string(-2 * side) +
+                  " to " + std::to_string(2 * side - 1));
     }
 
     void add_resolve(const ResolveDesc& resolve) {

@@ -119,8 +119,11 @@ class ShaderBinder {
 
     bool fullscreen_covers() const {
         const RasterState& s = desc().state;
-        return decl_.kind == PassKind::fullscreen && !work_.shader->discards && !s.depth_test &&
-               !s.stencil_test && !s.scissor && !s.viewport && !s.alpha_to_coverage;
+        const bool whole_triangle =
+            s.cull == CullMode::none && s.fill == FillMode::fill &&
+            (s.topology == Topology::triangles || s.topology == Topology::triangle_strip);
+        return decl_.kind == PassKind::fullscreen && whole_triangle && !work_.shader->discards &&
+               !s.depth_test && !s.stencil_test && !s.scissor && !s.viewport && !s.alpha_to_coverage;
     }
 
     bool clears(const std::string& port) const { return desc().clear || desc().clear_ports.contains(port); }

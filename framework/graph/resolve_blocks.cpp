@@ -4,6 +4,7 @@
 #include <array>
 
 #include "graph/resolve_context.h"
+#include "graph/whole_number.h"
 
 namespace weft {
 namespace {
@@ -188,8 +189,24 @@ class BlockStep {
                   {"give it as many components: [x, y, …] in \"params\""});
             return;
         }
+        const bool fits =
+            std::ranges::all_of(values, [&](double v) { return fits_member(member.scalar, v); });
+        if (!fits) {
+            error(loc,
+                  "Params." + member.name + " of shader " + quoted(work_.desc->shader) +
+                      " can't hold that value",
+                  {member.scalar == ScalarType::f32 ? "single precision ends at 3.4e38"
+                                                    : "words hold -2147483648 to 4294967295"});
+            return;
+        }
         std::ranges::copy(values, write.value.begin());
         decl_.params.push_back(write);
+    }
+
+    // The bits of a word may be meant as either kind of integer: -1 is all of them.
+    static bool fits_member(ScalarType scalar, double value) {
+        if (scalar == ScalarType::f32) return fits_into_float(value);
+        return scalar == ScalarType::boolean || fits_into<int32_t>(value) || fits_into<uint32_t>(value);
     }
 
     void report_unknown(const BlockMember& member) {

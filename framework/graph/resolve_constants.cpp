@@ -2,10 +2,9 @@
 // "constants", the graph, or the numbers that the scene offers. Those that a draw list's variants set are left to it.
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <limits>
 
 #include "graph/resolve_context.h"
+#include "graph/whole_number.h"
 
 namespace weft {
 namespace {
@@ -105,12 +104,9 @@ class ConstantStep {
 
     void store(const SpecConstant& constant, const ExprValue& value, SourceLoc loc) {
         const double x = value.x;
-        const bool whole = x == std::floor(x);
-        const bool fits =
-            constant.type == ScalarType::u32   ? whole && x >= 0 && x <= std::numeric_limits<uint32_t>::max()
-            : constant.type == ScalarType::i32 ? whole && x >= std::numeric_limits<int32_t>::min() &&
-                                                     x <= std::numeric_limits<int32_t>::max()
-                                               : std::isfinite(static_cast<float>(x));
+        const bool fits = constant.type == ScalarType::u32   ? whole_number<uint32_t>(x).has_value()
+                          : constant.type == ScalarType::i32 ? whole_number<int32_t>(x).has_value()
+                                                             : fits_into_float(x);
         if (value.is_size || !fits) {
             const std::string wanted = constant.type == ScalarType::u32   ? "a whole number from 0"
                                        : constant.type == ScalarType::i32 ? "a whole number"
@@ -126,11 +122,11 @@ class ConstantStep {
     static uint32_t bits_of(ScalarType type, double x) {
         switch (type) {
             case ScalarType::f32:
-                return std::bit_cast<uint32_t>(static_cast<float>(x));
+                return std::bit_cast<uint32_t>(saturated_float(x));
             case ScalarType::i32:
-                return std::bit_cast<uint32_t>(static_cast<int32_t>(x));
+                return std::bit_cast<uint32_t>(saturated<int32_t>(x));
             case ScalarType::u32:
-                return static_cast<uint32_t>(x);
+                return saturated<uint32_t>(x);
             case ScalarType::boolean:
                 break;
         }

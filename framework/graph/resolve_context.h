@@ -180,11 +180,15 @@ void bind_fixed_pass(ResolveState& state, PassId pass);  // clear, copy, readbac
 void bind_custom_pass(ResolveState& state, PassId pass);
 void set_constants(ResolveState& state, PassId pass);  // specialisation constants
 void check_draws(ResolveState& state, PassId pass);
+// What a shader needs of the pass beyond ports and parameters: bound descriptor sets, sizes of points.
+void check_shader_fits(ResolveState& state, PassId pass);
 void resolve_view(ResolveState& state, PassId pass);
 void choose_formats(ResolveState& state);
 void check_interfaces(ResolveState& state);
 void resolve_versions(ResolveState& state);
 void resolve_attachments(ResolveState& state);
+void check_clear_values(ResolveState& state);  // against the formats of what they clear
+void check_output(ResolveState& state);        // somebody writes it
 void resolve_dispatches(ResolveState& state);
 void resolve_blocks(ResolveState& state);
 void check_custom_passes(ResolveState& state);

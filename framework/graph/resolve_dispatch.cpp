@@ -12,6 +12,13 @@ namespace {
 
 constexpr double kMaxGroups = 65535;  // the least that Vulkan promises
 
+// The bits of a float are no number of anything.
+bool holds_floats(const ResolveState& state, ResourceId resource) {
+    const ResourceDesc* desc = state.resources[resource].desc;
+    if (desc == nullptr || !desc->is_buffer) return false;
+    return desc->element == "f32" || desc->element == "mat4" || desc->element.starts_with("vec");
+}
+
 class DispatchStep {
  public:
     DispatchStep(ResolveState& state, PassId pass)
@@ -51,11 +58,16 @@ class DispatchStep {
         const UseDecl& use = decl_.uses[decl_.indirect_use];
         const ResourceDecl& resource = state_.graph.resources[use.resource];
         const bool buffer = resource.kind == ResourceKind::buffer;
-        if (state_.resources[use.resource].suspect_shape || (buffer && resource.size_bytes >= kCountsBytes))
+        const bool floats = holds_floats(state_, use.resource);
+        if (state_.resources[use.resource].suspect_shape ||
+            (buffer && !floats && resource.size_bytes >= kCountsBytes))
             return;
         error(use.loc,
               "pass " + quoted(decl_.name) + " reads its numbers of workgroups from " +
-                  quoted(resource.name) + (buffer ? ", which is too small" : ", which is an image"),
+                  quoted(resource.name) +
+                  (!buffer  ? ", which is an image"
+                   : floats ? ", whose elements are floats"
+                            : ", which is too small"),
               "it takes a buffer of three words: { \"buffer\": \"u32\", \"count\": 3 }");
     }
 
@@ -127,8 +139,8 @@ class DispatchStep {
                                       : !desc.threads.empty() ? desc.threads.front().loc
                                                               : desc.loc;
                 error(loc,
-                      "pass " + quoted(decl_.name) + " would run " +
-                          std::to_string(static_cast<int64_t>(count)) + " workgroups along one side",
+                      "pass " + quoted(decl_.name) + " would run " + number_text(count) +
+                          " workgroups along one side",
                       "1 to 65535 are possible");
                 return;
             }
@@ -156,14 +168,16 @@ void find_draw_commands(ResolveState& state, PassId pass) {
     const std::string& list = decl.draw_lists.front();
     const uint64_t draws = state.input.imports.imports.at(list).draws;
     const bool buffer = resource.kind == ResourceKind::buffer;
-    if (buffer && resource.size_bytes >= draws * kCommandBytes) return;
+    const bool floats = holds_floats(state, use.resource);
+    if (buffer && !floats && resource.size_bytes >= draws * kCommandBytes) return;
     Diagnostic& d = state.pass_error(
         pass, use.loc, "W114",
         "pass " + quoted(decl.name) + " reads its draw commands from " + quoted(resource.name) +
-            (buffer ? ", which has " + std::to_string(resource.size_bytes) + " bytes; the " +
-                          std::to_string(draws) + " draws of " + quoted(list) + " take " +
-                          std::to_string(draws * kCommandBytes)
-                    : ", which is an image"));
+            (floats   ? std::string(", whose elements are floats")
+             : buffer ? ", which has " + std::to_string(resource.size_bytes) + " bytes; the " +
+                            std::to_string(draws) + " draws of " + quoted(list) + " take " +
+                            std::to_string(draws * kCommandBytes)
+                      : ", which is an image"));
     add_help(
         d, "it takes a buffer of as many: { \"buffer\": \"DrawCommand\", \"count\": \"" + list + "Draws\" }");
 }

@@ -112,10 +112,9 @@ void count_vertices(ResolveState& state, PassId pass) {
         if (!value) return 1;
         const double whole = std::ceil(value->x);
         if (!value->is_size && whole >= 1 && whole <= kMost) return static_cast<uint32_t>(whole);
-        Diagnostic& d = state.pass_error(
-            pass, count.loc, "W114",
-            "pass " + quoted(decl.name) + " would draw " +
-                (value->is_size ? "a size" : std::to_string(static_cast<int64_t>(whole))) + " " + what);
+        Diagnostic& d = state.pass_error(pass, count.loc, "W114",
+                                         "pass " + quoted(decl.name) + " would draw " +
+                                             (value->is_size ? "a size" : number_text(whole)) + " " + what);
         add_help(d, value->is_size ? "use .x or .y of it" : "1 to 16777216 are possible");
         return 1;
     };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "graph/resolve_presence.h"
+#include "graph/whole_number.h"
 
 namespace weft {
 namespace {
@@ -15,12 +16,14 @@ std::optional<uint32_t> subresource_index(ResolveState& state, PassId pass, cons
         state.passes[pass].faulty = true;
         return std::nullopt;
     }
-    const double index = std::floor(value->x);
-    if (!value->is_size && index >= 0 && index < count) return static_cast<uint32_t>(index);
-    const std::string found = value->is_size ? "a size" : std::to_string(static_cast<int64_t>(index));
-    Diagnostic& d =
-        state.pass_error(pass, ref.loc, "W105",
-                         std::string(what) + " " + found + " of " + quoted(ref.name) + " is out of range");
+    const std::optional<uint32_t> index = value->is_size ? std::nullopt : whole_number<uint32_t>(value->x);
+    if (index && *index < count) return *index;
+    const bool fraction = !value->is_size && value->x != std::floor(value->x);
+    const std::string found = value->is_size ? "a size" : number_text(value->x);
+    Diagnostic& d = state.pass_error(pass, ref.loc, "W105",
+                                     std::string(what) + " " + found + " of " + quoted(ref.name) +
+                                         (fraction ? " is not a whole number" : " is out of range"));
+    if (fraction) add_help(d, "round it: floor(…) or ceil(…)");
     add_help(d, quoted(ref.name) + " has " +
                     (count == 1 ? std::string("only ") + what + " 0"
                                 : std::string(what) + "s 0 to " + std::to_string(count - 1)));
@@ -270,6 +273,7 @@ void bind_ports(ResolveState& state) {
         if (has_shader(kind)) {
             if (!state.passes[id].shader) continue;
             bind_shader_pass(state, id);
+            check_shader_fits(state, id);
             set_constants(state, id);
         } else if (kind == PassKind::custom) {
             if (state.passes[id].custom) bind_custom_pass(state, id);

@@ -1,9 +1,9 @@
 // One description may stand for several passes (`repeat`) or none (`if`).
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "graph/resolve_context.h"
+#include "graph/whole_number.h"
 
 namespace weft {
 namespace {
@@ -97,14 +97,14 @@ class RepeatStep {
             report_size(expression);
             return std::nullopt;
         }
-        if (value->x == std::floor(value->x)) return value->x;
-        std::ostringstream number;
-        number.imbue(std::locale::classic());
-        number << value->x;
-        Diagnostic& d = state_.error(
-            expression.loc, "W109",
-            quoted(expression.text) + " is " + number.str() + ", and a repeat counts in whole numbers");
-        add_help(d, "round it: floor(…) or ceil(…)");
+        if (whole_number<int32_t>(value->x)) return value->x;
+        const bool fraction = value->x != std::floor(value->x);
+        Diagnostic& d = state_.error(expression.loc, "W109",
+                                     quoted(expression.text) + " is " + number_text(value->x) +
+                                         ", and a repeat counts in whole numbers" +
+                                         (fraction ? "" : " from -2147483648 to 2147483647"));
+        add_help(d, fraction ? "round it: floor(…) or ceil(…)"
+                             : "count from 0, and compute what you need from the index");
         return std::nullopt;
     }
 
@@ -119,7 +119,7 @@ class RepeatStep {
         std::string text = desc_.name;
         for (const RepeatDesc& repeat : desc_.repeat) {
             text += text.size() == desc_.name.size() ? "#" : ".";
-            text += std::to_string(static_cast<int64_t>(indices_.at(repeat.index)));
+            text += std::to_string(saturated<int64_t>(indices_.at(repeat.index)));
         }
         return text;
     }

@@ -6,6 +6,7 @@
 #include "graph/format_words.h"
 #include "graph/reference.h"
 #include "graph/resolve_context.h"
+#include "graph/whole_number.h"
 
 namespace weft {
 namespace {
@@ -19,11 +20,11 @@ bool uses_mips_of(const ResourceDesc& desc) {
     return asks(desc.size) || asks(desc.mips) || asks(desc.layers) || asks(desc.count);
 }
 
-// Whole numbers of at least 1. Anything the device could not hold is capped here and reported by the limits'
-// check.
+// Rounded down, but a part of 1 is 1: halving ends there. Anything the device could not hold is capped here
+// and reported by the limits' check.
 uint32_t at_least_one(double value) {
     constexpr double kMost = 1u << 30;
-    return static_cast<uint32_t>(std::clamp(std::floor(value), 1.0, kMost));
+    return saturated<uint32_t>(std::clamp(std::floor(value), 1.0, kMost));
 }
 
 ExprValue default_size(const ResolveState& state) {
@@ -70,13 +71,33 @@ class ResourceStep {
 
     std::optional<double> number(const Expr& expression, double fallback, const char* what) {
         const std::optional<ExprValue> found = value(expression, number_value(fallback));
-        if (!found || !found->is_size) return found ? std::optional(found->x) : std::nullopt;
+        if (!found) return std::nullopt;
+        if (!found->is_size && found->x > 0) return found->x;
+        if (!found->is_size) {
+            report_nothing(expression,
+                           std::string(what) + " of " + quoted(desc_.name) + " is " + number_text(found->x));
+            return std::nullopt;
+        }
         work_.suspect_shape = true;
         Diagnostic& d =
             state_.error(expression.loc, "W106",
                          std::string(what) + " of " + quoted(desc_.name) + " is a size, not a number");
         add_help(d, "use .x or .y of it, or their product");
         return std::nullopt;
+    }
+
+    // Zero and less: unlike a part of 1, nothing that halving gives.
+    void report_nothing(const Expr& expression, const std::string& message) {
+        work_.suspect_shape = true;
+        add_help(state_.error(expression.empty() ? desc_.loc : expression.loc, "W109", message),
+                 "keep it above zero, for example with max(…, 1)");
+    }
+
+    bool check_size(const ExprValue& size) {
+        if (size.x > 0 && size.y > 0) return true;
+        report_nothing(desc_.size, "the size of " + quoted(desc_.name) + " is " + number_text(size.x) +
+                                       " x " + number_text(size.y));
+        return false;
     }
 
     void resolve_image() {
@@ -89,7 +110,7 @@ class ResourceStep {
         }
         const std::optional<ExprValue> size = value(desc_.size, default_size(state_));
         const std::optional<double> layers = number(desc_.layers, 1, "the layer count");
-        if (!size || !layers) return;
+        if (!size || !layers || !check_size(*size)) return;
         decl_.extent = {at_least_one(size->x), at_least_one(size->y), 1};
         resolve_layers(at_least_one(*layers));
         check_cube();
@@ -203,7 +224,7 @@ class ResourceStep {
                 std::to_string(limit) + " bytes a buffer");
             return;
         }
-        decl_.size_bytes = static_cast<uint64_t>(elements) * *stride;
+        decl_.size_bytes = saturated<uint64_t>(elements) * *stride;
     }
 
     ResolveState& state_;

@@ -128,6 +128,14 @@ Status Session::finish() {
 }
 
 Result<vk::ReadbackData> Session::read_output() {
+    if (!has_output()) {
+        Diagnostic d;
+        d.code = "W184";
+        d.message = "the graph has no output";
+        d.help = {"let it import one, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
+                  "or look at one of its resources: --resource NAME"};
+        return d;
+    }
     return stage_.executor->read_image(stage_.output);
 }
 

@@ -54,8 +54,8 @@ struct SessionInput {
 
 class Session {
  public:
-    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…). What it looked at is added to
-    // `files`, also after an error: as Preparation::files.
+    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…). What it looked at is added
+    // to `files`, also after an error: as Preparation::files.
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
@@ -80,7 +80,9 @@ class Session {
     [[nodiscard]] uint64_t pipelines_made_between_frames() const { return pipelines_made_between_frames_; }
     [[nodiscard]] Status render_frame(double time_s, double delta_time_s);
     [[nodiscard]] Status finish();
-    // The output image of the last frame; call after finish().
+    // Whether the graph writes an output: one that only delivers resources may do without.
+    [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
+    // The output image of the last frame; call after finish(). W184: there is none.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
     [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks() { return stage_.executor->take_readbacks(); }
     [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return stage_.executor->take_timings(); }

@@ -1,5 +1,6 @@
 #include "vulkan/clears.h"
 
+#include "graph/whole_number.h"
 #include "vulkan/barriers_vk.h"
 #include "vulkan/rendering_scope.h"
 #include "vulkan/to_vk.h"
@@ -11,7 +12,9 @@ void record_clear_of(const Device& device, VkCommandBuffer commands, const Frame
     const DeviceFunctions& fn = device.fn();
     const ResourceDecl& decl = plan.graph.resources[target.resource];
     if (decl.kind == ResourceKind::buffer) {
-        const auto word = static_cast<uint32_t>(static_cast<int64_t>(target.value[0]));
+        const float value = target.value[0];
+        const uint32_t word =
+            value < 0 ? static_cast<uint32_t>(saturated<int32_t>(value)) : saturated<uint32_t>(value);
         fn.vkCmdFillBuffer(commands, resources.buffer(target.resource), 0, VK_WHOLE_SIZE, word);
         return;
     }
@@ -23,7 +26,7 @@ void record_clear_of(const Device& device, VkCommandBuffer commands, const Frame
         fn.vkCmdClearColorImage(commands, image, layout, &value, 1, &range);
         return;
     }
-    const VkClearDepthStencilValue value{target.value[0], static_cast<uint32_t>(target.value[1])};
+    const VkClearDepthStencilValue value{target.value[0], saturated<uint32_t>(target.value[1])};
     fn.vkCmdClearDepthStencilImage(commands, image, layout, &value, 1, &range);
 }
 

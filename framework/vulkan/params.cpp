@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cstring>
 
+#include "graph/whole_number.h"
+
 namespace weft::vk {
 namespace {
 
@@ -33,16 +35,15 @@ double builtin_value(const ParamWrite& write, const FrameInput& frame, const Fra
 uint32_t bits_of(ScalarType scalar, double value) {
     switch (scalar) {
         case ScalarType::f32: {
-            const float narrowed = static_cast<float>(value);
+            const float narrowed = saturated_float(value);
             uint32_t bits = 0;
             std::memcpy(&bits, &narrowed, sizeof bits);
             return bits;
         }
         // A frame index wraps at 2^32 instead of overflowing the conversion.
         case ScalarType::i32:
-            return static_cast<uint32_t>(static_cast<int64_t>(value));
         case ScalarType::u32:
-            return static_cast<uint32_t>(static_cast<int64_t>(value));
+            return static_cast<uint32_t>(saturated<int64_t>(value));
         case ScalarType::boolean:
             return value != 0 ? 1 : 0;
     }

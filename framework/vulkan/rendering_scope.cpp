@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/whole_number.h"
 #include "vulkan/to_vk.h"
 
 namespace weft::vk {
@@ -49,10 +50,10 @@ VkClearColorValue clear_color(Format format, const std::array<float, 4>& value) 
     for (size_t i = 0; i < value.size(); ++i) {
         switch (format_info(format).numeric) {
             case NumericClass::sint:
-                out.int32[i] = static_cast<int32_t>(value[i]);
+                out.int32[i] = saturated<int32_t>(value[i]);
                 break;
             case NumericClass::uint:
-                out.uint32[i] = static_cast<uint32_t>(std::max(value[i], 0.0F));
+                out.uint32[i] = saturated<uint32_t>(value[i]);
                 break;
             case NumericClass::float_like:
             case NumericClass::depth:
@@ -86,7 +87,7 @@ Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassSte
     const UseDecl& use = pass.uses[pass.depth->use];
     Result<VkRenderingAttachmentInfo> info = attachment(pass, *pass.depth, step, views, frame);
     if (!info) return info.take_errors();
-    info->clearValue.depthStencil = {pass.depth->clear[0], static_cast<uint32_t>(pass.depth->clear[1])};
+    info->clearValue.depthStencil = {pass.depth->clear[0], saturated<uint32_t>(pass.depth->clear[1])};
     const FormatInfo& format = format_info(plan.graph.resources[use.resource].format);
     if (format.depth) scope.depth = *info;
     if (format.stencil) scope.stencil = *info;

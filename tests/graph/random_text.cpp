@@ -1,15 +1,29 @@
 #include "random_text.h"
 
-#include "random_text_repeats.h"
+#include "random_text_faults.h"
 
 namespace weft::test {
 namespace {
 
-class TextGenerator : public RandomTextRepeats {
+class TextGenerator : public RandomTextFaults {
  public:
-    using RandomTextRepeats::RandomTextRepeats;
+    using RandomTextFaults::RandomTextFaults;
 
     RandomText run() {
+        make();
+        shuffle();
+        return {text_of(model_, false), text_of(model_, true), params_, left_out_};
+    }
+
+    FaultyText run_with_fault() {
+        make();
+        const RandomFault fault = plant();
+        shuffle();
+        return {text_of(model_, false), params_, fault.code, fault.how};
+    }
+
+ private:
+    void make() {
         add_parameters();
         fill();
         const uint32_t pieces = between(4, 16);
@@ -18,11 +32,8 @@ class TextGenerator : public RandomTextRepeats {
         fold();
         if (chance(40)) present();
         add_after();
-        shuffle();
-        return {text_of(model_, false), text_of(model_, true), params_, left_out_};
     }
 
- private:
     void add_piece() {
         using Piece = void (TextGenerator::*)();
         struct Share {
@@ -30,13 +41,17 @@ class TextGenerator : public RandomTextRepeats {
             Piece piece;
         };
         constexpr Share kPieces[] = {
-            {20, &TextGenerator::mix},      {10, &TextGenerator::draw},     {9, &TextGenerator::update},
-            {6, &TextGenerator::blend},     {4, &TextGenerator::overwrite}, {6, &TextGenerator::alternatives},
-            {5, &TextGenerator::scene},     {4, &TextGenerator::wipe},      {4, &TextGenerator::copy},
-            {3, &TextGenerator::stretch},   {6, &TextGenerator::buffers},   {1, &TextGenerator::read_back},
-            {6, &TextGenerator::pyramid},   {3, &TextGenerator::rounds},    {3, &TextGenerator::bounce},
-            {3, &TextGenerator::staircase}, {2, &TextGenerator::remember},  {2, &TextGenerator::recall},
-            {3, &TextGenerator::keep},
+            {15, &TextGenerator::mix},           {8, &TextGenerator::draw},
+            {9, &TextGenerator::update},         {6, &TextGenerator::blend},
+            {4, &TextGenerator::overwrite},      {6, &TextGenerator::alternatives},
+            {5, &TextGenerator::scene},          {4, &TextGenerator::wipe},
+            {4, &TextGenerator::copy},           {3, &TextGenerator::stretch},
+            {6, &TextGenerator::buffers},        {1, &TextGenerator::read_back},
+            {6, &TextGenerator::pyramid},        {3, &TextGenerator::rounds},
+            {3, &TextGenerator::bounce},         {3, &TextGenerator::staircase},
+            {2, &TextGenerator::remember},       {2, &TextGenerator::recall},
+            {3, &TextGenerator::keep},           {4, &TextGenerator::turns},
+            {3, &TextGenerator::overwrite_part},
         };
         uint32_t roll = below(100);
         for (const Share& share : kPieces) {
@@ -93,6 +108,10 @@ class TextGenerator : public RandomTextRepeats {
 
 RandomText random_text(uint32_t seed) {
     return TextGenerator(seed).run();
+}
+
+FaultyText random_faulty_text(uint32_t seed) {
+    return TextGenerator(seed).run_with_fault();
 }
 
 }  // namespace weft::test

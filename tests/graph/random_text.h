@@ -1,7 +1,8 @@
 // Purpose: random graphs as texts, so that all of the way from JSON to a plan is tested: repeats (mip chains
-// down and up, nested, backwards, empty), conditions with parameters drawn at random, `else` and optional
-// ports, writers in place that are left out, history, kept content, parts of images, `after`, hints at
-// queues, and every type of pass but C++ ones. resolve() must accept each of them.
+// down and up, nested, backwards, empty, spread over frames), partial writes, conditions with parameters
+// drawn at random, `else` and optional ports, writers in place that are left out, history, kept content,
+// parts of images, `after`, hints at queues, and every type of pass but C++ ones. resolve() must accept each
+// of them.
 //
 // Nothing in a text has a place in an order, so passes and resources are written in any. The generator makes
 // passes one after the other, and each reads versions that are there; what a text says about order (pins,
@@ -28,6 +29,15 @@ struct RandomText {
 };
 
 [[nodiscard]] RandomText random_text(uint32_t seed);
+
+// The same with one fault in it, which resolve() must report, alone.
+struct FaultyText {
+    std::string text;
+    std::map<std::string, double> params;
+    std::string code;  // of the diagnostic: "W110"
+    std::string how;   // what was done
+};
+[[nodiscard]] FaultyText random_faulty_text(uint32_t seed);
 
 // Against shaders and imports of the generator's own.
 [[nodiscard]] Result<ResolvedGraph> resolve_text(const std::string& text,

@@ -1,5 +1,7 @@
 #include "random_text_model.h"
 
+#include <algorithm>
+
 namespace weft::test {
 namespace {
 
@@ -23,9 +25,18 @@ class Writer {
     }
 
  private:
-    static std::string imports() {
-        return "\"imports\": {\"opaque\": \"drawlist\", \"noise\": \"image\", \"instances\": \"buffer\", "
-               "\"backbuffer\": \"output\"},\n";
+    // An output that is imported must be written.
+    std::string imports() const {
+        const auto presents = [](const TextPass& p) {
+            return std::any_of(p.out.begin(), p.out.end(),
+                               [](const TextPort& port) { return port.ref.words == "backbuffer"; });
+        };
+        const bool output =
+            std::any_of(model_.passes.begin(), model_.passes.end(), presents) || model_.idle_output;
+        return std::string(
+                   "\"imports\": {\"opaque\": \"drawlist\", \"noise\": \"image\", "
+                   "\"instances\": \"buffer\"") +
+               (output ? ", \"backbuffer\": \"output\"},\n" : "},\n");
     }
 
     std::string parameters() const {
@@ -37,6 +48,7 @@ class Writer {
 
     static std::string resource(const TextResource& r) {
         std::string text = "  \"" + r.name + "\": {";
+        if (!r.verbatim.empty()) return text + r.verbatim + "}";
         if (r.kind == ValueKind::words)
             return text + "\"buffer\": \"u32\", \"count\": " + std::to_string(r.words) + r.more + "}";
         const std::string side = std::to_string(r.side_px);

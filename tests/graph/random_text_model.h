@@ -27,6 +27,7 @@ struct TextResource {
     uint32_t layers = 1;
     uint32_t words = 256;  // of buffers
     std::string more;      // ", "key": value"
+    std::string verbatim;  // all of its text, where it is not empty
 };
 
 // A part of a resource that is written as a whole, and the passes that write it, in order.
@@ -71,6 +72,7 @@ struct TextPass {
 };
 
 struct TextModel {
+    bool idle_output = false;  // imported, whoever writes it
     std::vector<TextCondition> conditions;
     std::map<std::string, double> defaults;
     std::vector<TextResource> resources;

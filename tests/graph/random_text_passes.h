@@ -66,7 +66,7 @@ class RandomTextPasses : public RandomTextFrame {
     void draw() {
         constexpr const char* kShaders[] = {"draw_1.frag", "draw_2.frag"};
         const uint32_t inputs = between(1, 2);
-        add_pass("draw", "fullscreen", kShaders[inputs - 1]);
+        add_pass("draw", "fullscreen", kShaders[inputs - 1]).more += chance(10) ? ", \"partial\": true" : "";
         choose_condition(20);
         read_colors(inputs);
         write("color", output_of_last_pass());
@@ -129,6 +129,22 @@ class RandomTextPasses : public RandomTextFrame {
         write_after_others("dst", v);
     }
 
+    // A part of it only: what was there stays beside it.
+    void overwrite_part() {
+        const size_t v = changeable([&](size_t c) {
+            return kind_of(c) == ValueKind::color && model_.values[c].fresh &&
+                   model_.values[c].condition == kNone;
+        });
+        if (v == kNone) return;
+        const size_t other = other_color(v);
+        if (other == kNone) return;
+        const bool draws = chance(40);
+        add_pass("part", draws ? "fullscreen" : "compute", draws ? "draw_1.frag" : "mix_1.comp").more +=
+            ", \"partial\": true";
+        model_.passes.back().in = {input("a", other, kNone, false)};
+        write_after_others(draws ? "color" : "dst", v);
+    }
+
     // Either of two passes makes it.
     void alternatives() {
         const auto [one, two] = opposite_conditions();
@@ -151,7 +167,9 @@ class RandomTextPasses : public RandomTextFrame {
         depth.format = chance(50) ? "d32f" : "d16";
         const size_t c = add_value(add_resource(color)), d = add_value(add_resource(depth));
         model_.values[c].fresh = model_.values[d].fresh = false;
-        add_pass("scene", "raster", nullptr).more += R"j(, "draws": ["opaque"], "shader": "scene")j";
+        add_pass("scene", "raster", nullptr).more +=
+            chance(25) ? R"j(, "draws": ["opaque"], "shader": "points", "state": {"topology": "points"})j"
+                       : R"j(, "draws": ["opaque"], "shader": "scene")j";
         write("color", c);
         model_.passes.back().depth = {{"depth", {d, 0, false, {}}, {}, false, {}}};
         model_.values[d].writers.push_back(model_.passes.size() - 1);

@@ -97,7 +97,7 @@ class RandomTextRepeats : public RandomTextPasses {
         const uint32_t frames = between(1, 2);
         const size_t ring = words ? new_words() : new_image("ring");
         TextResource& r = model_.resources[ring];
-        r.more = ", \"history\": " + std::to_string(frames) + ", \"firstFrame\": " + std::to_string(below(3));
+        r.more = ", \"history\": " + std::to_string(frames) + ", \"firstFrame\": " + std::to_string(below(2));
         const std::string past = r.name + "[-" + std::to_string(between(1, frames)) + "]";
         add_pass("remember", "compute", words ? "words_2.comp" : "remember.comp");
         choose_condition(30);
@@ -142,7 +142,65 @@ class RandomTextRepeats : public RandomTextPasses {
         write("x", v);
     }
 
+    // Rounds spread over frames, each with a layer of its own; others, in turns of their own, that read what
+    // they made; or rounds that change parts of one thing.
+    void turns() {
+        const uint32_t rounds = between(2, 4);
+        const std::string turn = turn_keys(rounds);
+        if (chance(30)) {
+            const size_t kept = new_words();
+            model_.resources[kept].more = ", \"keep\": true";
+            const std::string name = model_.resources[kept].name;
+            TextPass& pass = add_pass("turn", "compute", "turn_words.comp");
+            pass.more += turn + ", \"groups\": 4, \"partial\": true";
+            pass.out = {said("x", name)};
+            add_closed_value(kept);
+            return;
+        }
+        const size_t kept = kept_layers("turned", rounds);
+        add_pass("turn", "compute", "mix_1.comp").more += turn;
+        model_.passes.back().in = {input("a", plain_color(), kNone, false)};
+        model_.passes.back().out = {said("dst", model_.resources[kept].name + ".layer(i)")};
+        close_layers(kept, rounds);
+        if (!chance(60)) return;
+        const size_t next = kept_layers("chained", rounds);
+        TextPass& chained = add_pass("chain", "compute", "mix_1.comp");
+        chained.more += turn_keys(rounds);
+        chained.in = {said("a", model_.resources[kept].name + ".layer(i)", nearest(kept))};
+        chained.out = {said("dst", model_.resources[next].name + ".layer(i)")};
+        close_layers(next, rounds);
+    }
+
+    // What one round left in a kept image is overwritten by the next before its reader's turn comes.
+    void chain_turns_wrongly() {
+        const uint32_t rounds = between(2, 4);
+        const size_t scratch = new_image("scratch"), kept = kept_layers("stored", rounds);
+        model_.resources[scratch].more = ", \"keep\": true";
+        const std::string name = model_.resources[scratch].name, turn = turn_keys(rounds, rounds - 1);
+        add_pass("bake", "compute", "mix_1.comp").more += turn;
+        model_.passes.back().in = {input("a", plain_color(), kNone, false)};
+        model_.passes.back().out = {said("dst", name)};
+        TextPass& store = add_pass("store", "compute", "mix_1.comp");
+        store.more += turn;
+        store.in = {said("a", name, nearest(scratch))};
+        store.out = {said("dst", model_.resources[kept].name + ".layer(i)")};
+        close_layers(kept, rounds);
+    }
+
  private:
+    std::string turn_keys(uint32_t rounds, uint32_t most = UINT32_MAX) {
+        return ", \"repeat\": {\"i\": \"0.." + std::to_string(rounds - 1) +
+               "\"}, \"perFrame\": " + std::to_string(between(1, std::min(most, rounds)));
+    }
+    size_t kept_layers(const char* what, uint32_t layers) {
+        const size_t kept = new_image(what, 1, layers);
+        model_.resources[kept].more = ", \"keep\": true";
+        return kept;
+    }
+    void close_layers(size_t image, uint32_t layers) {
+        for (uint32_t layer = 0; layer < layers; ++layer)
+            add_closed_value(image, ".layer(" + std::to_string(layer) + ")");
+    }
     bool one_format_of(size_t resource) const {
         return model_.resources[resource].format.find('|') == std::string::npos;
     }

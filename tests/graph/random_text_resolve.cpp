@@ -16,6 +16,12 @@ ShaderProgram with_switches(ShaderProgram p, bool c) {
     return with_constants(std::move(p), {{"HAS_b", ScalarType::boolean}});
 }
 
+ShaderBinding foreign_set(uint32_t set) {
+    ShaderBinding binding = buffer("instances", true, false);
+    binding.set = set;
+    return binding;
+}
+
 ShaderCatalog make_shaders() {
     const ShaderBinding a = sampled("a"), b = sampled("b"), c = sampled("c");
     const ShaderBinding dst = image_out("dst", Format::undefined);
@@ -33,6 +39,8 @@ ShaderCatalog make_shaders() {
     shaders["draw_1.frag"] = seeded(fragment({"color"}, {a}));
     shaders["draw_2.frag"] = with_switches(seeded(fragment({"color"}, {a, b})), false);
     shaders["scene"] = fragment({"color"});
+    shaders["points"] = fragment({"color"});
+    shaders["points"].interface.writes_point_size = true;
     shaders["sky_1.frag"] = seeded(fragment({"color"}));
     shaders["sky_2.frag"] = seeded(fragment({"color"}, {sampled("depth")}));
     shaders["pack.comp"] = seeded(compute({a, words_out}));
@@ -40,6 +48,7 @@ ShaderCatalog make_shaders() {
     shaders["words.comp"] = seeded(compute({words_in, words_out}));
     shaders["words_2.comp"] = seeded(compute({words_in, buffer("b", true, false), words_out}));
     shaders["turn_words.comp"] = seeded(compute({buffer("x", true, true)}));
+    shaders["foreign.comp"] = seeded(compute({dst, foreign_set(3)}));
     return shaders;
 }
 

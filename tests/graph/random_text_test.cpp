@@ -33,5 +33,26 @@ TEST(RandomText, MeansTheSameWithoutItsConditions) {
     EXPECT_GE(left_out * 2, seeds);
 }
 
+// One message, of the code that the fault has.
+TEST(RandomText, EachFaultIsFound) {
+    const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 300;
+    std::map<std::string, uint32_t> found;
+    for (uint32_t seed = 0; seed < seeds; ++seed) {
+        const FaultyText made = random_faulty_text(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.how);
+        const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, fake_profile());
+        ASSERT_FALSE(graph.ok()) << "accepted\n" << made.text;
+        ASSERT_EQ(graph.errors().size(), 1u) << to_text(graph.errors()) << made.text;
+        const Diagnostic& fault = graph.errors().front();
+        ASSERT_EQ(fault.code, made.code) << to_text(fault) << made.text;
+        EXPECT_GT(fault.line, 0u) << to_text(fault);
+        EXPECT_FALSE(fault.help.empty()) << to_text(fault);
+        ++found[fault.code];
+    }
+    for (const auto& [code, count] : found) std::cout << code << " " << count << ", ";
+    std::cout << "seeds 0.." << seeds - 1 << "\n";
+    EXPECT_EQ(found.size(), 9u);
+}
+
 }  // namespace
 }  // namespace weft::test

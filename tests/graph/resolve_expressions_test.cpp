@@ -14,12 +14,14 @@ class ResolveExpressions : public ResolveTest {
 
     // A pass that draws into x, with this state.
     std::string drawing(const std::string& state, const std::string& before = "") {
+        const bool stencil = state.find("stencil") != std::string::npos;
         return before + R"j("params": {"n": 3}, "sizes": {"half": "output / 2"},
-          "resources": {"s": "rgba16f", "x": "rgba16f"},
+          "resources": {"s": "rgba16f", "x": "rgba16f")j" +
+               (stencil ? R"j(, "z": "d32f_s8"},)j" : "},") + R"j(
           "passes": {"c": {"type": "clear", "out": ["s"], "clear": ["n / 4", 0, "n * 2", 1]},
                      "p": {"type": "fullscreen", "shader": "mix.frag", "in": {"src": "s"}, "out": {"color": "x"},
                            "clear": 0, "state": )j" +
-               state + "}}";
+               state + (stencil ? R"j(, "depth": "z"}})j" : "}}");
     }
 };
 
@@ -27,7 +29,7 @@ TEST_F(ResolveExpressions, OfStates) {
     const ResolvedGraph g = good(drawing(
         R"j({"scissor": ["half.x", 0, "half.x", "half.y"], "viewport": [0, "-n", 64, "n * 8"],
              "depthBias": {"constant": "n / 2", "slope": 0.5},
-             "stencil": {"reference": "n + 1", "pass": "replace"}})j"));
+             "depth": "none", "stencil": {"reference": "n + 1", "pass": "replace"}})j"));
     const RasterState& state = find_pass(g, "p")->state;
     EXPECT_EQ(state.scissor, (RectPx{320, 0, 320, 180}));
     EXPECT_EQ(state.viewport, (RectPx{0, -3, 64, 24}));
@@ -48,7 +50,9 @@ TEST_F(ResolveExpressions, OutOfRangeOnceKnown) {
     const Diagnostic negative = bad(drawing(R"j({"scissor": ["0 - n", 0, 8, 8]})j"));
     EXPECT_EQ(negative.code, "W109");
     EXPECT_NE(negative.message.find("is -3"), std::string::npos) << negative.message;
-    EXPECT_EQ(bad(drawing(R"j({"stencil": {"reference": "n / 2"}})j")).code, "W109");
+    EXPECT_EQ(
+        bad(drawing(R"j({"depth": "none", "stencil": {"reference": "n / 2", "pass": "replace"}})j")).code,
+        "W109");
     EXPECT_EQ(bad(drawing(R"j({"depthBias": {"constant": "half"}})j")).code, "W106");
 }
 
