@@ -134,8 +134,9 @@ ExitCode fail_on_device(const Diagnostics& errors) {
 }
 
 ExitCode run_render(const RenderOptions& options) {
-    if (const Result<ImageFileKind> kind = image_file_kind(options.output);
-        !kind && options.resource.empty()) {
+    // Whether a resource is a picture is known only when the graph is compiled.
+    const Result<ImageFileKind> kind = image_file_kind(options.output);
+    if (!kind && options.resource.empty()) {
         report(kind.errors());
         return ExitCode::usage;
     }
@@ -147,6 +148,10 @@ ExitCode run_render(const RenderOptions& options) {
     if (const bool shows_output = options.resource.empty() && options.debug.empty();
         shows_output && !session.has_output())
         return fail_on_device(session.read_output().errors());
+    if (!kind && !is_buffer(session.plan(), options.resource)) {
+        report(kind.errors());
+        return ExitCode::usage;
+    }
     const uint32_t frames = options.frames > 0 ? options.frames : session.frames();
     Result<RunOutcome> outcome = run_frames(session, options, frames);
     if (!outcome) {

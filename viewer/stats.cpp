@@ -63,6 +63,10 @@ Json validation_json(vk::Device& device) {
     return validation;
 }
 
+const ResourceDecl* resource_behind(const FramePlan& plan, const std::string& reference) {
+    return find_resource(plan.graph, reference.substr(0, reference.find_first_of("@[.")));
+}
+
 }  // namespace
 
 std::string stats_json(const StatsInput& input) {
@@ -93,9 +97,13 @@ std::string stats_json(const StatsInput& input) {
 }
 
 bool is_pre_exposed(const FramePlan& plan, const std::string& reference) {
-    const ResourceDecl* resource =
-        find_resource(plan.graph, reference.substr(0, reference.find_first_of("@[.")));
+    const ResourceDecl* resource = resource_behind(plan, reference);
     return resource && resource->pre_exposed;
+}
+
+bool is_buffer(const FramePlan& plan, const std::string& reference) {
+    const ResourceDecl* resource = resource_behind(plan, reference);
+    return resource && resource->kind == ResourceKind::buffer;
 }
 
 std::string sha256(const std::vector<std::byte>& bytes) {

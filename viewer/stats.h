@@ -23,6 +23,9 @@ struct StatsInput {
 // Whether the resource behind a reference ("hdr@lighting.mip(0)") is stored × preExposure.
 [[nodiscard]] bool is_pre_exposed(const FramePlan& plan, const std::string& reference);
 
+// Whether it is a buffer, which is written as it is.
+[[nodiscard]] bool is_buffer(const FramePlan& plan, const std::string& reference);
+
 // Lower-case hex.
 [[nodiscard]] std::string sha256(const std::vector<std::byte>& bytes);
 

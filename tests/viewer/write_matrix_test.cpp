@@ -218,6 +218,17 @@ TEST(WrittenFirst, WhatCanBeKnownIsSaidBeforeAnythingIsRead) {
     EXPECT_EQ(run.err.find("none.json:"), std::string::npos) << run.text();
 }
 
+// Whether it renders first shows in the time: a million frames take hours.
+TEST(WrittenFirst, AnUnknownExtensionIsRefusedBeforeAFrameIsRendered) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder scratch;
+    std::vector<std::string> arguments =
+        tiny_render({"--frames", "1000000", "--resource", "paint", "-o", scratch / "a.gif"});
+    const RunResult run = run_weft(arguments);
+    EXPECT_EQ(run.exit_code, 2) << run.text();
+    EXPECT_NE(run.err.find("error[X511]"), std::string::npos) << run.text();
+}
+
 TEST(WrittenFirst, ADescriptorIsWrittenWhereItStands) {
     const ScratchFolder scratch;
     const std::string schema = weft_in_shell({"schema"});
