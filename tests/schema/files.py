@@ -17,6 +17,7 @@ BEYOND_SCHEMAS = {
     "the default {} lies outside the range", "the default {} is not listed", "the range ends before it begins",
     "the bounds end before they begin", "the name {} is taken", "{} has a meaning of its own in expressions",
     "draws without a list have no material that says what is culled", "the number of view {} is",
+    "whose format is {}, can't be cleared to", "the size of {} is",
 }
 
 
