@@ -83,7 +83,9 @@ TEST_F(HostileGraph, TooManyPasses) {
     refused(R"("repeat": { "i": "0..99", "j": "0..99" })");
     refused(R"("repeat": { "i": "0..1000000000" }, "if": "0")");
     refused(R"("repeat": { "i": "0..1000000000", "j": "1..0" })");
-    refused(R"("repeat": { "i": "0..9007199254740992 * 9007199254740992" }, "if": "0")");
+    expect_refused_cheaply(
+        check(clears_x(R"("repeat": { "i": "0..9007199254740992 * 9007199254740992" }, "if": "0")")),
+        {"graph.json:3:", "error[W109]", "a repeat counts in whole numbers", "at /passes/p/repeat/i"});
     const RunResult most =
         check(graph(R"("x": "rgba8")", R"("p": { "type": "clear", "out": ["x"], "repeat": { "i": "0..4094" } },
     "z": { "type": "clear", "out": ["backbuffer"] })"));
