@@ -60,7 +60,7 @@ install(EXPORT weft FILE weftTargets.cmake NAMESPACE weft:: DESTINATION lib/cmak
 
 # The names under which the loader finds the shared libraries that the archive needs.
 set(WEFT_CARRIED "")
-foreach(library ${XXHASH_LIBRARY} ${WEFT_SPIRV_CROSS_LIBRARY})
+foreach(library ${XXHASH_LIBRARY} ${PNG_LIBRARY} ${JPEG_LIBRARY} ${WEFT_SPIRV_CROSS_LIBRARY})
   get_filename_component(real ${library} REALPATH)
   get_filename_component(name ${real} NAME)
   string(REGEX MATCH "^.*\\.so\\.[0-9]+" soname ${name})

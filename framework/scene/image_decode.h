@@ -1,5 +1,5 @@
-// Purpose: PNG and JPEG to 8-bit RGBA, the size known before a pixel is decoded. No single allocation of the
-// decoder exceeds kMaxDecoderAllocationBytes, so a small header before a large compressed stream stays small.
+// Purpose: PNG and JPEG to 8-bit RGBA. The header tells the size before a pixel is decoded, and the decoder allocates no
+// more than that size justifies: data beyond the last row is never inflated. Source: libpng and libjpeg-turbo decode.
 // Errors: `error` says what was found; the image is empty then.
 #pragma once
 
@@ -11,14 +11,16 @@
 
 namespace weft::scene {
 
-inline constexpr size_t kMaxDecoderAllocationBytes = 576ull << 20;
-
 struct ImageSize {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
+    // What decoding allocates beside the four bytes a pixel of the result.
+    uint64_t decoder_bytes = 0;
+
+    [[nodiscard]] uint64_t texels() const { return uint64_t{width_px} * height_px; }
 };
 
-// nullopt when it is neither PNG nor JPEG, or the header is cut short or can't be.
+// nullopt when it is neither PNG nor JPEG, or the header is cut short or invalid.
 [[nodiscard]] std::optional<ImageSize> read_image_size(std::span<const uint8_t> encoded);
 
 struct DecodedImage {

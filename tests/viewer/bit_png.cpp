@@ -10,21 +10,20 @@ void append_big_endian(std::string& to, uint32_t value) {
         to += static_cast<char>(static_cast<uint8_t>(value >> shift));
 }
 
+constexpr std::array<uint32_t, 256> kCrcTable = [] {
+    std::array<uint32_t, 256> table{};
+    for (uint32_t i = 0; i < table.size(); ++i) {
+        table[i] = i;
+        for (int bit = 0; bit < 8; ++bit)
+            table[i] = (table[i] >> 1) ^ ((table[i] & 1) != 0 ? 0xEDB88320u : 0);
+    }
+    return table;
+}();
+
 uint32_t crc32(const std::string& bytes) {
     uint32_t crc = 0xFFFFFFFFu;
-    for (const char c : bytes) {
-        crc ^= static_cast<uint8_t>(c);
-        for (int i = 0; i < 8; ++i) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xEDB88320u : 0);
-    }
+    for (const char c : bytes) crc = (crc >> 8) ^ kCrcTable[(crc ^ static_cast<uint8_t>(c)) & 0xFF];
     return ~crc;
-}
-
-std::string chunk(const std::string& type, const std::string& data) {
-    std::string text;
-    append_big_endian(text, static_cast<uint32_t>(data.size()));
-    text += type + data;
-    append_big_endian(text, crc32(type + data));
-    return text;
 }
 
 // RFC 1951. Huffman codes go highest bit first, everything else lowest bit first.
@@ -76,14 +75,35 @@ std::string zeros(uint64_t count) {
 
 }  // namespace
 
-std::string black_png(uint32_t width_px, uint32_t height_px) {
+std::string png_chunk(std::string_view type, std::string_view data) {
+    std::string text, checked(type);
+    checked += data;
+    append_big_endian(text, static_cast<uint32_t>(data.size()));
+    text += checked;
+    append_big_endian(text, crc32(checked));
+    return text;
+}
+
+namespace {
+
+std::string black_png_with(uint32_t width_px, uint32_t height_px, uint64_t data_bytes) {
     std::string header;
     append_big_endian(header, width_px);
     append_big_endian(header, height_px);
     header += std::string("\1\0\0\0\0", 5);  // one bit, grey
+    return std::string("\x89PNG\r\n\x1a\n") + png_chunk("IHDR", header) +
+           png_chunk("IDAT", zeros(data_bytes)) + png_chunk("IEND", "");
+}
+
+}  // namespace
+
+std::string black_png(uint32_t width_px, uint32_t height_px) {
     const uint64_t row_bytes = 1 + (uint64_t{width_px} + 7) / 8;
-    return std::string("\x89PNG\r\n\x1a\n") + chunk("IHDR", header) +
-           chunk("IDAT", zeros(row_bytes * height_px)) + chunk("IEND", "");
+    return black_png_with(width_px, height_px, row_bytes * height_px);
+}
+
+std::string swollen_png(uint64_t data_bytes) {
+    return black_png_with(1, 1, data_bytes);
 }
 
 }  // namespace weft::test
