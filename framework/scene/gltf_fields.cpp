@@ -68,6 +68,11 @@ bool Fields::has(const char* key) const {
     return object_->contains(key);
 }
 
+bool Fields::is_object(const char* key) const {
+    const auto it = object_->find(key);
+    return it != object_->end() && it->is_object();
+}
+
 std::vector<std::string> Fields::keys() const {
     std::vector<std::string> names;
     for (const auto& [key, value] : object_->items()) names.push_back(key);

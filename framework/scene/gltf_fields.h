@@ -26,6 +26,7 @@ class Fields {
     [[nodiscard]] const std::string& pointer() const { return pointer_; }
     [[nodiscard]] std::string pointer_to(const std::string& key) const { return pointer_ + "/" + key; }
     [[nodiscard]] bool has(const char* key) const;
+    [[nodiscard]] bool is_object(const char* key) const;
     [[nodiscard]] std::vector<std::string> keys() const;
 
     std::optional<uint64_t> integer(const char* key, Need need, uint64_t min, uint64_t max) const;

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/gltf_container.h"
+#include "scene/gltf_keys.h"
 #include "scene/gltf_rules.h"
 
 namespace weft::scene::gltf {
@@ -73,6 +74,7 @@ std::optional<json> parse_json(std::string_view text, Report& report) {
 std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& limits, Report& report) {
     std::optional<json> root = parse_json(text, report);
     if (!root) return std::nullopt;
+    check_keys(text, report);
     const json lights = light_extras(*root);
     normalise(*root, false);
     Checker c{Fields(*root, "", report), limits, report};

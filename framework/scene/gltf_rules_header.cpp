@@ -12,6 +12,9 @@ constexpr std::array<std::string_view, 8> kKnownExtensions{
     "KHR_materials_ior",     "KHR_materials_specular",   "KHR_materials_unlit",
     "KHR_mesh_quantization", "KHR_texture_transform"};
 
+constexpr const char* kConvertOldFile =
+    "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the scene again";
+
 void check_version(const Fields& asset, const char* key, bool fine, const std::string& version,
                    Report& report) {
     if (fine) return;
@@ -20,7 +23,24 @@ void check_version(const Fields& asset, const char* key, bool fine, const std::s
                  "export the scene as glTF 2.0");
 }
 
+// glTF 1.0 names its things by the keys of objects where 2.0 has arrays, and need not say its version.
+bool is_gltf_1(const Fields& root) {
+    if (root.has("asset")) {
+        const std::optional<Fields> asset = root.object("asset", Need::optional);
+        if (asset && asset->has("version")) {
+            const std::optional<std::string> version = asset->text("version", Need::optional);
+            return version && (*version == "1" || version->starts_with("1."));
+        }
+    }
+    return root.is_object("meshes") || root.is_object("nodes") || root.is_object("buffers");
+}
+
 void check_asset(Checker& c) {
+    if (is_gltf_1(c.root)) {
+        c.report.error("S113", c.root.has("asset") ? "/asset/version" : "/asset",
+                       "this is a glTF 1.0 file; weft reads glTF 2.0", kConvertOldFile);
+        return;
+    }
     const std::optional<Fields> asset = c.root.object("asset", Need::required);
     if (!asset) return;
     if (const auto version = asset->text("version", Need::required)) {
@@ -57,6 +77,8 @@ bool is_known_extension(std::string_view name) {
 
 void check_header(Checker& c) {
     check_asset(c);
+    // All else in a file of another version would be wrong, too.
+    if (c.report.failed()) return;
     check_extensions(c);
     for (const char* name :
          {"buffers", "bufferViews", "accessors", "samplers", "meshes", "nodes", "scenes", "cameras"}) {

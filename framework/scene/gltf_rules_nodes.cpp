@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "scene/gltf_rules.h"
 
@@ -37,6 +38,21 @@ void check_light(const Fields& light, Report& report) {
     if (!report.failed()) warn_of_cones(*cone, report);
 }
 
+// The far plane and the aspect ratio are not used: the one is infinite, the other that of the picture.
+void warn_of_unused(const Fields& perspective, double near, Report& report) {
+    const std::optional<double> far = perspective.number("zfar", Need::optional);
+    if (far && *far <= near)
+        report.warn("S154", perspective.pointer_to("zfar"),
+                    "\"zfar\" is " + describe(*far) + ", which is not beyond \"znear\", " + describe(near) +
+                        "; it is not used",
+                    "give the camera a zfar above its znear, or none");
+    const std::optional<double> aspect = perspective.number("aspectRatio", Need::optional);
+    if (aspect && *aspect <= 0)
+        report.warn("S154", perspective.pointer_to("aspectRatio"),
+                    "\"aspectRatio\" is " + describe(*aspect) + "; it is not used",
+                    "give the camera an aspectRatio above 0, or none");
+}
+
 void check_camera(Checker& c, const Fields& camera, size_t self) {
     const std::string name = camera.text("name", Need::optional).value_or("");
     const std::string type = camera.text("type", Need::required).value_or("perspective");
@@ -55,6 +71,7 @@ void check_camera(Checker& c, const Fields& camera, size_t self) {
         perspective->wrong("yfov", "above 0 and at most 3.1 radians");
     const std::optional<double> near = perspective->number("znear", Need::required);
     if (near && *near <= 0) perspective->wrong("znear", "above 0");
+    warn_of_unused(*perspective, near.value_or(0), c.report);
 }
 
 // With at most one parent a node, the nodes are a forest exactly when every walk upwards ends.
@@ -88,14 +105,39 @@ void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
     }
 }
 
+// Rotations are brought to length 1, as other loaders do it; none of length 0 is a rotation.
+void check_rotation(const Fields& node, Report& report) {
+    constexpr double kRounding = 0.01, kNone_length = 1e-6;
+    const std::vector<double> xyzw = node.numbers("rotation", 4);
+    if (xyzw.empty()) return;
+    const double length = std::hypot(std::hypot(xyzw[0], xyzw[1]), std::hypot(xyzw[2], xyzw[3]));
+    if (std::abs(length - 1) <= kRounding) return;
+    const bool is_zero = length <= kNone_length;
+    report.warn(is_zero ? "S152" : "S154", node.pointer_to("rotation"),
+                is_zero ? "the rotation is zero and is replaced by [0, 0, 0, 1]: the node is not turned"
+                        : "the rotation has length " + describe(length) + " and is brought to length 1",
+                "write rotations as unit quaternions [x, y, z, w]");
+}
+
+// Legal, and used to hide things, but seldom meant.
+void check_scale(const Fields& node, Report& report) {
+    const std::vector<double> scale = node.numbers("scale", 3);
+    const auto zeros = std::count(scale.begin(), scale.end(), 0.0);
+    if (zeros == 0) return;
+    report.warn("S152", node.pointer_to("scale"),
+                std::string("the scale is zero along ") + (zeros == 1 ? "one axis" : zeros == 2 ? "two axes" : "all axes") +
+                    (zeros == 1 ? ": the node and what is below it are flat" : ": nothing of the node and what is below it can be seen"),
+                "give the node a scale above 0, or remove it");
+}
+
 void check_node(Checker& c, const Fields& node, uint32_t self, std::vector<uint32_t>& parent) {
     node.text("name", Need::optional);
     node.index("mesh", Need::optional, c.sizes["meshes"], "meshes");
     node.index("camera", Need::optional, c.sizes["cameras"], "cameras");
     node.numbers("matrix", 16);
     node.numbers("translation", 3);
-    node.numbers("rotation", 4);
-    node.numbers("scale", 3);
+    check_rotation(node, c.report);
+    check_scale(node, c.report);
     if (const std::optional<Fields> light = node.extension("KHR_lights_punctual")) {
         light->index("light", Need::required, c.sizes["lights"], "lights");
     }

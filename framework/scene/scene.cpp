@@ -16,6 +16,8 @@ glm::vec3 position_at(const Light& light, double time_s) {
 }
 namespace {
 
+constexpr float kFramingDistance = 1.9f;  // in bounding radii
+
 // Above this many transformed vertices the corners of each mesh's box stand in for its vertices.
 constexpr uint64_t kMaxExactVertices = 100'000'000;
 
@@ -65,9 +67,13 @@ Camera framing_camera(const Scene& scene, float aspect) {
     Camera camera;
     camera.name = "framing";
     camera.transform = glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0),
-                                 glm::vec4(back, 0), glm::vec4(centre + back * (1.9f * radius), 1));
+                                 glm::vec4(back, 0), glm::vec4(centre + back * (kFramingDistance * radius), 1));
     constexpr float kHalfHorizontal = 0.39269908170f;  // 22.5°
-    camera.fov_y_rad = 2 * std::atan(std::tan(kHalfHorizontal) / std::max(aspect, 1e-6f));
+    // A portrait is narrower than the scene is wide: there the horizontal field holds the bounding sphere, whose edge is
+    // seen at asin(1 / 1.9).
+    static const float kHalfSphere = std::asin(1 / kFramingDistance);
+    const float half_horizontal = aspect < 1 ? kHalfSphere : kHalfHorizontal;
+    camera.fov_y_rad = 2 * std::atan(std::tan(half_horizontal) / std::max(aspect, 1e-6f));
     // The nearest point of the bounding sphere is 0.9 radii away.
     camera.near_m = radius * 0.01f;
     return camera;

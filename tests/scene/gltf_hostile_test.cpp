@@ -282,5 +282,41 @@ TEST_F(GltfHostile, EveryTruncationAndManyMutationsEndInAResult) {
     }
 }
 
+TEST_F(GltfHostile, KeysThatStandTwiceAreRefusedWithTheirPlace) {
+    write("twice.gltf", "{\n\"asset\":{\"version\":\"2.0\"},\n\"nodes\":[{\"mesh\":0},{\"name\":\"a\",\n \"name\":\"b\"}]}");
+    Diagnostic fault = fail_file("twice.gltf");
+    EXPECT_EQ(fault.code, "S114");
+    EXPECT_EQ(fault.line, 4u);
+    EXPECT_EQ(fault.column, 2u);
+    EXPECT_NE(fault.message.find("\"name\""), std::string::npos) << fault.message;
+    // The same key, written in another way; in what is not read, too.
+    write("escaped.gltf", R"({"asset":{"version":"2.0"},"extras":{"a":1,"\u0061":2}})");
+    EXPECT_EQ(fail_file("escaped.gltf").code, "S114");
+    // As a value, or in another object, it is another thing.
+    write("fine.gltf", R"({"asset":{"version":"2.0"},"extras":{"a":"a","b":{"a":["a","a"]},"\"":0,"\\":0}})");
+    (void)load_file("fine.gltf");
+}
+
+TEST_F(GltfHostile, AThousandKeysThatStandTwiceAreNotAThousandMessages) {
+    std::string json = R"({"asset":{"version":"2.0"},"extras":{"a":0)";
+    for (int i = 0; i < 200'000; ++i) json += ",\"a\":0";
+    write("many.gltf", json + "}}");
+    EXPECT_EQ(fail_file("many.gltf").code, "S114");
+    EXPECT_LE(errors_.size(), 20u);
+}
+
+TEST_F(GltfHostile, AFileOfTheFirstVersionIsNamedAsSuch) {
+    write("old.gltf", R"({"asset":{"version":"1.0"},"meshes":{"a":{}},"nodes":{"b":{}},"buffers":{}})");
+    const Diagnostic fault = fail_file("old.gltf");
+    EXPECT_EQ(where(fault), "S113 /asset/version");
+    EXPECT_NE(fault.message.find("glTF 1.0"), std::string::npos) << fault.message;
+    EXPECT_NE(fault.help.at(0).find("convert"), std::string::npos);
+    EXPECT_EQ(errors_.size(), 1u) << "all else is a consequence";
+    // The version may be left out there.
+    write("older.gltf", R"({"meshes":{"a":{}},"nodes":{"b":{}}})");
+    EXPECT_EQ(where(fail_file("older.gltf")), "S113 /asset");
+    EXPECT_EQ(errors_.size(), 1u);
+}
+
 }  // namespace
 }  // namespace weft::scene::test

@@ -138,5 +138,80 @@ TEST_F(GltfNodes, TheFramingCameraSeesTheWholeScene) {
     EXPECT_NEAR(glm::determinant(glm::mat3(camera.transform)), 1, 1e-5f);
 }
 
+// The angle between the axis and the edge of a sphere, as seen from outside of it, must fit into the smaller field.
+TEST_F(GltfNodes, TheFramingCameraOfAPortraitHoldsTheBoundingSphere) {
+    const Scene scene = load(GltfText());
+    const float radius = glm::length(scene.bounds_max - scene.bounds_min) / 2;
+    for (const float aspect : {0.99f, 9.0f / 16, 0.25f, 0.01f}) {
+        const Camera camera = framing_camera(scene, aspect);
+        const glm::vec3 centre = (scene.bounds_min + scene.bounds_max) * 0.5f;
+        const float distance = glm::length(glm::vec3(camera.transform[3]) - centre);
+        EXPECT_NEAR(distance, 1.9f * radius, 1e-4f);
+        const float half_width = std::atan(std::tan(camera.fov_y_rad / 2) * aspect);
+        EXPECT_GE(half_width, std::asin(radius / distance) - 1e-5f) << aspect;
+        EXPECT_GE(camera.fov_y_rad / 2, half_width) << aspect;
+    }
+    // From 1 on it is as ever.
+    EXPECT_NEAR(framing_camera(scene, 1).fov_y_rad, 0.785398f, 1e-5f);
+}
+
+struct Odd {
+    const char* name;
+    const char* nodes;
+    const char* place;  // code and pointer of the warning
+};
+
+class OddTransform : public GltfTest, public ::testing::WithParamInterface<Odd> {};
+
+TEST_P(OddTransform, IsNamedAndDrawn) {
+    GltfText text;
+    text.members["nodes"] = GetParam().nodes;
+    const Scene scene = load(text);
+    EXPECT_EQ(scene.instances.size(), 1u);
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_EQ(where(warnings_[0]), GetParam().place);
+    EXPECT_FALSE(warnings_[0].help.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, OddTransform,
+    ::testing::Values(Odd{"ZeroRotation", R"([{"mesh":0,"rotation":[0,0,0,0]}])", "S152 /nodes/0/rotation"},
+                      Odd{"LongRotation", R"([{"mesh":0,"rotation":[0,0,0,2]}])", "S154 /nodes/0/rotation"},
+                      Odd{"ZeroScale", R"([{"mesh":0,"scale":[0,0,0]}])", "S152 /nodes/0/scale"},
+                      Odd{"FlatScale", R"([{"mesh":0,"scale":[1,0,1]}])", "S152 /nodes/0/scale"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST_F(GltfNodes, AZeroRotationTurnsNothing) {
+    GltfText text;
+    text.members["nodes"] = R"([{"mesh":0,"rotation":[0,0,0,0],"translation":[1,0,0]}])";
+    expect_near(apply(load(text).instances.at(0).transform, {1, 0, 0}), {2, 0, 0});
+    warnings_.clear();
+    text.members["nodes"] = R"([{"mesh":0,"rotation":[0,0,0.7071,0.7071]}])";
+    (void)load(text);
+    EXPECT_TRUE(warnings_.empty()) << "rounding is no fault";
+}
+
+TEST_F(GltfNodes, AFarPlaneThatIsNearerThanTheNearOneIsNamed) {
+    GltfText text;
+    const auto camera = [&](const std::string& planes) {
+        text.members["cameras"] = R"([{"type":"perspective","perspective":{"yfov":0.7,)" + planes + "}}]";
+        text.members["nodes"] = R"([{"mesh":0,"camera":0}])";
+        warnings_.clear();
+    };
+    camera(R"("znear":1,"zfar":0.5)");
+    EXPECT_EQ(load(text).cameras.size(), 1u);
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_EQ(where(warnings_[0]), "S154 /cameras/0/perspective/zfar");
+    camera(R"("znear":1,"zfar":2,"aspectRatio":0)");
+    (void)load(text);
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_EQ(where(warnings_[0]), "S154 /cameras/0/perspective/aspectRatio");
+    camera(R"("znear":1,"zfar":2)");
+    (void)load(text);
+    EXPECT_TRUE(warnings_.empty());
+    camera(R"("znear":-1,"zfar":2)");
+    EXPECT_EQ(where(fail(text)), "S108 /cameras/0/perspective/znear");
+}
+
 }  // namespace
 }  // namespace weft::scene::test
