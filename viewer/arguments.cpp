@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <optional>
 #include <span>
 
+#include "numbers.h"
 #include "weft/result.h"
 
 namespace weft::viewer {
@@ -27,13 +24,12 @@ struct FutureFlags {
 };
 constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags}};
 
-std::optional<double> number_of(const std::string& text) {
-    if (text == "true" || text == "false") return text == "true" ? 1 : 0;
-    if (text.empty() || text.front() == ' ') return std::nullopt;
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    if (*end != 0 || !std::isfinite(number)) return std::nullopt;
-    return number;
+// Parameters are passed to shaders as 32-bit floats.
+constexpr NumberRange kParam{-3.4e38, 3.4e38, ""};
+constexpr uint64_t kMostSide_px = 16'384;
+
+bool is_truth(const std::string& text) {
+    return text == "true" || text == "false";
 }
 
 // ": did you mean …?", or empty.
@@ -45,16 +41,17 @@ std::string with_guess(const std::string& text, const std::vector<std::string>& 
 }  // namespace
 
 std::string size_fault(const std::string& text) {
-    unsigned width = 0, height = 0;
-    char end = 0;
-    const bool whole = std::sscanf(text.c_str(), "%5ux%5u%c", &width, &height, &end) == 2;
-    if (whole && width > 0 && height > 0 && width <= 16384 && height <= 16384) return "";
+    const size_t by = text.find('x');
+    const auto is_side = [](const std::string& side) { return whole_number_fault(side, 1, kMostSide_px).empty(); };
+    if (by != std::string::npos && is_side(text.substr(0, by)) && is_side(text.substr(by + 1))) return "";
     return "a size is WIDTHxHEIGHT in pixels, each 1 to 16384, not \"" + text + "\"";
 }
 
 Extent3D parse_size(const std::string& text) {
+    const size_t by = std::min(text.find('x'), text.size() - 1);
     Extent3D size;
-    std::sscanf(text.c_str(), "%5ux%5u", &size.width, &size.height);
+    size.width = static_cast<uint32_t>(whole_number(text.substr(0, by)).value_or(1));
+    size.height = static_cast<uint32_t>(whole_number(text.substr(by + 1)).value_or(1));
     return size;
 }
 
@@ -62,7 +59,9 @@ std::string param_fault(const std::string& text) {
     const size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) return "a parameter is NAME=VALUE, not \"" + text + "\"";
     const std::string value = text.substr(equals + 1);
-    return number_of(value) ? "" : "\"" + value + "\" is not a number, true or false";
+    if (is_truth(value)) return "";
+    if (!finite_number(value)) return "\"" + value + "\" is not a number, true or false";
+    return number_fault(value, kParam);
 }
 
 std::string choice_fault(const std::string& text, const std::vector<std::string>& choices) {
@@ -70,11 +69,6 @@ std::string choice_fault(const std::string& text, const std::vector<std::string>
     std::string all;
     for (const std::string& choice : choices) all += (all.empty() ? "" : ", ") + choice;
     return "\"" + text + "\" is not one of " + all + with_guess(text, choices);
-}
-
-std::string limit_fault(const std::string& text) {
-    const std::optional<double> number = text == "true" || text == "false" ? std::nullopt : number_of(text);
-    return number ? "" : "\"" + text + "\" is not a finite number";
 }
 
 std::string plot_fault(const std::string& text) {
@@ -93,7 +87,9 @@ std::map<std::string, double> parse_params(const std::vector<std::string>& texts
     std::map<std::string, double> params;
     for (const std::string& text : texts) {
         const size_t equals = text.find('=');
-        params[text.substr(0, equals)] = number_of(text.substr(equals + 1)).value_or(0);
+        const std::string value = text.substr(equals + 1);
+        params[text.substr(0, equals)] =
+            is_truth(value) ? (value == "true" ? 1 : 0) : finite_number(value).value_or(0);
     }
     return params;
 }

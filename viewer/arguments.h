@@ -24,9 +24,6 @@ namespace weft::viewer {
 // What is wrong with a word that is none of these, or empty.
 [[nodiscard]] std::string choice_fault(const std::string& text, const std::vector<std::string>& choices);
 
-// What is wrong with a limit that a number may not pass, or empty.
-[[nodiscard]] std::string limit_fault(const std::string& text);
-
 // What is wrong with the name of a plot, or empty.
 [[nodiscard]] std::string plot_fault(const std::string& text);
 

@@ -16,6 +16,7 @@
 #include "commands.h"
 #include "driver_cache.h"
 #include "files.h"
+#include "numbers.h"
 #include "output.h"
 #include "sandbox.h"
 #include "usage_hint.h"
@@ -39,14 +40,47 @@ CLI::Validator env_validator() {
     return CLI::Validator([](std::string& text) { return env_fault(text); }, "sky|none|FILE.hdr");
 }
 
-CLI::Validator limit_validator() {
-    return CLI::Validator([](std::string& text) { return limit_fault(text); }, "NUMBER");
+// These replace what was written by a plain decimal number, which CLI11 reads the same everywhere.
+CLI::Validator number_in(const NumberRange& range) {
+    return CLI::Validator(
+        [range](std::string& text) {
+            std::string fault = number_fault(text, range);
+            if (fault.empty()) text = decimal(*finite_number(text));
+            return fault;
+        },
+        describe(range));
 }
 
 CLI::Validator choice_validator(std::vector<std::string> choices) {
     return CLI::Validator(
         [choices = std::move(choices)](std::string& text) { return choice_fault(text, choices); }, "");
 }
+
+CLI::Validator fraction_in(const NumberRange& range) {
+    return CLI::Validator(
+        [range](std::string& text) {
+            std::string fault = fraction_fault(text, range);
+            if (fault.empty()) text = decimal(*finite_fraction(text));
+            return fault;
+        },
+        describe(range) + ", or a fraction");
+}
+
+CLI::Validator whole_number_in(uint64_t least, uint64_t most) {
+    return CLI::Validator(
+        [least, most](std::string& text) {
+            std::string fault = whole_number_fault(text, least, most);
+            if (fault.empty()) text = std::to_string(*whole_number(text));
+            return fault;
+        },
+        std::to_string(least) + " to " + std::to_string(most));
+}
+
+constexpr uint64_t kMostSeed = 0xFFFFFFFF;
+constexpr uint64_t kMostLights = 65'536;
+constexpr uint64_t kMostQueues = 4;
+constexpr NumberRange kTimeout{0.001, 3600, "s"};
+constexpr NumberRange kAnyDifference{-1e30, 1e30, ""};
 
 // Texts that need a second look after parsing.
 struct RawTexts {
@@ -73,9 +107,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("--tier", o.tier, "a quality tier of the graph [the graph as it is]");
     command.add_option("--size", raw.size, "in pixels")->check(size_validator())->capture_default_str();
     command.add_option("--frames", o.frames, "how many to render; the last is written [the graph's, else 1]")
-        ->check(CLI::Range(1u, 1000000u));
-    command.add_option("--fixed-dt", o.fixed_dt_s, "seconds from frame to frame")
-        ->check(CLI::NonNegativeNumber);
+        ->transform(whole_number_in(1, 1'000'000));
+    command.add_option("--fixed-dt", o.fixed_dt_s, "seconds from frame to frame, such as 0.02 or 1/60")
+        ->transform(fraction_in({0, 3600, "s"}));
     command.add_option("--camera", o.camera,
                        "a camera of the scene by name, or EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG");
     command.add_option("--env", o.env, "what surrounds the scene: sky, none, or a Radiance picture (.hdr)")
@@ -83,12 +117,14 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command
         .add_option("--time", o.hour, "the hour of the day, 0 to 24, of builtin:atrium and builtin:lights")
-        ->check(CLI::Range(0.0f, 24.0f));
+        ->transform(number_in({0, 24, "hours"}));
     command.add_option("--lights", o.lights, "so many seeded lights in place of the scene's")
-        ->check(CLI::Range(1u, 65536u));
-    command.add_option("--seed", o.seed, "of --lights")->capture_default_str();
+        ->transform(whole_number_in(1, kMostLights));
+    command.add_option("--seed", o.seed, "of --lights")
+        ->transform(whole_number_in(0, kMostSeed))
+        ->capture_default_str();
     command.add_option("--exposure", raw.exposure, "in EV, in place of the scene's")
-        ->check(CLI::Range(-40.0, 40.0));
+        ->transform(number_in({-40, 40, "EV"}));
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
     command.add_option("--resource", o.resource,
@@ -102,10 +138,10 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command
         .add_option("--queues", o.queues,
                     "how many queues to plan for: 1 graphics, 2 + compute, 3 + transfer")
-        ->check(CLI::Range(1u, 4u))
+        ->transform(whole_number_in(1, kMostQueues))
         ->capture_default_str();
     command.add_option("--timeout", o.timeout_s, "seconds to wait for a frame")
-        ->check(CLI::Range(0.001, 3600.0))
+        ->transform(number_in(kTimeout))
         ->capture_default_str();
     add_limits(command, raw);
     add_sandbox(command, o.sandbox);
@@ -121,7 +157,7 @@ void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     command.add_flag("--headless", o.headless, "without a window");
     command.add_option("-o,--output", o.render.output, "write the last frame: .png, .exr or .pfm");
     command.add_option("--frames", o.render.frames, "end after so many [SIGINT, SIGTERM, or stdin closes]")
-        ->check(CLI::Range(1u, 100000000u));
+        ->transform(whole_number_in(1, 100'000'000));
     command.add_option("--stats", o.render.stats,
                        "write how often was reloaded, and more, to this JSON file");
 }
@@ -132,7 +168,7 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
                        "a device profile: a file, or a shipped one's name [lavapipe]");
     command.add_option("--size", raw.size, "of the output")->check(size_validator())->capture_default_str();
     command.add_option("--queues", o.queues, "how many queues: graphics, compute, transfer, compute")
-        ->check(CLI::Range(1u, 4u))
+        ->transform(whole_number_in(1, kMostQueues))
         ->capture_default_str();
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
@@ -200,8 +236,8 @@ void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
         ->check(choice_validator({"flip", "psnr", "max"}))
         ->capture_default_str();
     command.add_option("--max", o.max, "exit code 6 when the mean FLIP, or max, is above this")
-        ->check(limit_validator());
-    command.add_option("--min", o.min, "exit code 6 when the PSNR is below this")->check(limit_validator());
+        ->transform(number_in(kAnyDifference));
+    command.add_option("--min", o.min, "exit code 6 when the PSNR is below this")->transform(number_in(kAnyDifference));
     command.add_option("-o,--output", o.output, "write where they differ to this .png");
     command.add_flag("--json", o.json, "as JSON");
     add_limits(command, raw);
@@ -218,14 +254,16 @@ struct BenchCommands {
 CLI::App* add_bench_compile(CLI::App& bench, BenchOptions& o) {
     CLI::App* command = bench.add_subcommand("compile", "how long compiling takes, on graphs made by a seed");
     command->add_option("--passes", o.passes, "each writes one image and reads two")
-        ->check(CLI::Range(1u, 1000000u))
+        ->transform(whole_number_in(1, 1'000'000))
         ->capture_default_str();
     command->add_option("--shape", o.shape, "which passes one reads: chain, window32 or random")
         ->check(choice_validator({"chain", "window32", "random"}))
         ->capture_default_str();
-    command->add_option("--seed", o.seed, "of std::mt19937")->capture_default_str();
+    command->add_option("--seed", o.seed, "of std::mt19937")
+        ->transform(whole_number_in(0, kMostSeed))
+        ->capture_default_str();
     command->add_option("--queues", o.queues, "how many queues to plan for")
-        ->check(CLI::Range(1u, 4u))
+        ->transform(whole_number_in(1, kMostQueues))
         ->capture_default_str();
     command->add_flag("--json", o.json, "as JSON");
     return command;
@@ -242,21 +280,23 @@ void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command->add_option("--lights", o.lights, "so many seeded lights, one after the other")
         ->delimiter(',')
-        ->check(CLI::Range(1u, 65536u))
+        ->transform(whole_number_in(1, kMostLights))
         ->capture_default_str();
     command->add_option("--size", raw.bench_size, "in pixels")
         ->check(size_validator())
         ->capture_default_str();
     command->add_option("--camera", o.camera, "as of weft render");
-    command->add_option("--seed", o.seed, "of the lights")->capture_default_str();
+    command->add_option("--seed", o.seed, "of the lights")
+        ->transform(whole_number_in(0, kMostSeed))
+        ->capture_default_str();
     command->add_option("--rounds", o.rounds, "so often each graph draws a frame, in turn with the others")
-        ->check(CLI::Range(1u, 1000u))
+        ->transform(whole_number_in(1, 1000))
         ->capture_default_str();
     command->add_option("--plot", o.plot, "draw the times over the lights into this .svg")
         ->check(CLI::Validator([](std::string& text) { return plot_fault(text); }, "FILE.svg"));
     command->add_option("--device", o.device, "a device's index or part of its name");
     command->add_option("--timeout", o.timeout_s, "seconds to wait for a frame")
-        ->check(CLI::Range(0.001, 3600.0))
+        ->transform(number_in(kTimeout))
         ->capture_default_str();
     add_limits(*command, raw);
     command->add_flag("--json", o.json, "as JSON");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "files.h"
+#include "numbers.h"
 #include "progress_text.h"
 #include "scene/builtin_scenes.h"
 #include "scene/load_environment.h"
@@ -21,6 +22,10 @@ namespace weft::viewer {
 namespace {
 
 constexpr std::string_view kBuiltinPrefix = "builtin:";
+
+// Of --camera. Single precision holds nothing of a scene that is farther away.
+constexpr NumberRange kPlace{-1e9, 1e9, "m"};
+constexpr NumberRange kFieldOfView{0.01, 179, "degrees"};
 
 // Luminances near 1, so that a file's own lights of a few candela or lux show at exposure 0.
 constexpr glm::vec3 kPlainSkyZenith{0.28f, 0.42f, 0.70f};
@@ -53,16 +58,15 @@ Status apply_environment(scene::Scene& scene, const std::string& env, const Scen
     return Unit{};
 }
 
-std::vector<float> numbers(const std::string& text) {
-    std::vector<float> values;
-    const char* at = text.c_str();
-    while (*at) {
-        char* end = nullptr;
-        const float value = std::strtof(at, &end);
-        if (end == at || !std::isfinite(value)) return {};
-        values.push_back(value);
-        at = *end == ',' ? end + 1 : end;
-        if (*end && *end != ',') return {};
+// Empty where one of them is no finite number.
+std::vector<double> numbers(const std::string& text) {
+    std::vector<double> values;
+    for (size_t at = 0; at <= text.size();) {
+        const size_t end = std::min(text.find(',', at), text.size());
+        const std::optional<double> value = finite_number(std::string_view(text).substr(at, end - at));
+        if (!value) return {};
+        values.push_back(*value);
+        at = end + 1;
     }
     return values;
 }
@@ -81,21 +85,26 @@ Diagnostic no_hours(const std::string& scene) {
 }
 
 Result<scene::Camera> placed_camera(const std::string& choice) {
-    const std::vector<float> n = numbers(choice);
+    const std::vector<double> n = numbers(choice);
     const std::string help = "--camera EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG: metres and degrees";
     if (n.size() != 7)
         return choice_error("X520", "a camera is a name or seven numbers, not \"" + choice + "\"", help);
+    for (size_t i = 0; i < n.size(); ++i) {
+        const NumberRange& range = i == 6 ? kFieldOfView : kPlace;
+        if (n[i] < range.least || n[i] > range.most)
+            return choice_error("X520", "the camera's number " + std::to_string(i + 1) + " is out of range: \"" + choice + "\"",
+                                std::string(i == 6 ? "the field of view lies from " : "a coordinate lies from ") +
+                                    describe(range));
+    }
     const glm::vec3 eye(n[0], n[1], n[2]), at(n[3], n[4], n[5]);
-    if (glm::distance(eye, at) < 1e-6f || n[6] <= 0 || n[6] >= 180)
-        return choice_error(
-            "X520", "this camera looks nowhere: \"" + choice + "\"",
-            "eye and target must differ, and the field of view lie between 0 and 180 degrees");
+    if (glm::distance(eye, at) < 1e-6f)
+        return choice_error("X520", "this camera looks nowhere: \"" + choice + "\"", "eye and target must differ");
     const glm::vec3 forward = glm::normalize(at - eye);
     const glm::vec3 up = std::abs(forward.y) > 0.999f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
     scene::Camera camera;
     camera.name = "placed";
     camera.transform = glm::inverse(glm::lookAt(eye, at, up));
-    camera.fov_y_rad = glm::radians(n[6]);
+    camera.fov_y_rad = static_cast<float>(glm::radians(n[6]));
     return camera;
 }
 

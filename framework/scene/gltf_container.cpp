@@ -52,7 +52,8 @@ std::optional<Container> open_binary(std::span<const uint8_t> file, Report& repo
         report.error("S113", {},
                      version == 1 ? "this is a binary file of glTF 1.0; weft reads glTF 2.0"
                                   : "GLB version is " + std::to_string(version) + " when it should be 2",
-                     "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the scene again");
+                     "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the "
+                     "scene again");
         return std::nullopt;
     }
     const uint32_t length = read_u32(file, 8);

@@ -67,15 +67,15 @@ class Scan {
 
     void report_twins(size_t first) {
         const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first);
-        std::sort(begin, keys_.end(), [](const Key& a, const Key& b) {
-            return a.raw != b.raw ? a.raw < b.raw : a.at < b.at;
-        });
+        std::sort(begin, keys_.end(),
+                  [](const Key& a, const Key& b) { return a.raw != b.raw ? a.raw < b.raw : a.at < b.at; });
         for (size_t i = first + 1; i < keys_.size() && named_ < kMostNamed; ++i) {
             if (keys_[i].raw != keys_[i - 1].raw) continue;
             const TextPosition place = position_of(json_, keys_[i].at);
-            report_.error_at("S114", place.line, place.column,
-                             "the key \"" + shortened(std::string(keys_[i].raw)) + "\" stands twice in one object",
-                             "remove one of the two: programs differ in which one they read");
+            report_.error_at(
+                "S114", place.line, place.column,
+                "the key \"" + shortened(std::string(keys_[i].raw)) + "\" stands twice in one object",
+                "remove one of the two: programs differ in which one they read");
             ++named_;
         }
     }

@@ -125,8 +125,12 @@ void check_scale(const Fields& node, Report& report) {
     const auto zeros = std::count(scale.begin(), scale.end(), 0.0);
     if (zeros == 0) return;
     report.warn("S152", node.pointer_to("scale"),
-                std::string("the scale is zero along ") + (zeros == 1 ? "one axis" : zeros == 2 ? "two axes" : "all axes") +
-                    (zeros == 1 ? ": the node and what is below it are flat" : ": nothing of the node and what is below it can be seen"),
+                std::string("the scale is zero along ") +
+                    (zeros == 1   ? "one axis"
+                     : zeros == 2 ? "two axes"
+                                  : "all axes") +
+                    (zeros == 1 ? ": the node and what is below it are flat"
+                                : ": nothing of the node and what is below it can be seen"),
                 "give the node a scale above 0, or remove it");
 }
 

@@ -1,6 +1,6 @@
-// Purpose: PNG and JPEG to 8-bit RGBA. The header tells the size before a pixel is decoded, and the decoder allocates no
-// more than that size justifies: data beyond the last row is never inflated. Source: libpng and libjpeg-turbo decode.
-// Errors: `error` says what was found; the image is empty then.
+// Purpose: PNG and JPEG to 8-bit RGBA. The header tells the size before a pixel is decoded, and the decoder
+// allocates no more than that size justifies: data beyond the last row is never inflated. Source: libpng and
+// libjpeg-turbo decode. Errors: `error` says what was found; the image is empty then.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,8 @@ namespace {
 
 // libjpeg's pools and tables, beside rows and coefficients.
 constexpr uint64_t kLibraryBytes = 1 << 20;
-// Each scan of a progressive picture goes over all of it. Encoders write ten; 64 coefficients of three channels that
-// come one by one are below 200, and no encoder does that.
+// Each scan of a progressive picture goes over all of it. Encoders write ten; 64 coefficients of three
+// channels that come one by one are below 200, and no encoder does that.
 constexpr int kMostScans = 100;
 
 // libjpeg reports an error by a jump over its frames, back into functions that own nothing.
@@ -104,7 +104,8 @@ bool decode_rows(Reader& reader, uint64_t most_bytes) {
     while (info.output_scanline < info.output_height) {
         uint8_t* target = reader.rgba + info.output_scanline * row_bytes;
         JSAMPROW row = is_cmyk ? reader.cmyk_row : target;
-        if (jpeg_read_scanlines(&info, &row, 1) != 1) fail_with(reader, "the file ends before the picture does");
+        if (jpeg_read_scanlines(&info, &row, 1) != 1)
+            fail_with(reader, "the file ends before the picture does");
         if (is_cmyk) write_cmyk_row(reader.cmyk_row, info.output_width, target);
     }
     return true;

@@ -1,5 +1,5 @@
-// Purpose: JPEG to 8-bit RGBA with libjpeg-turbo: baseline and progressive, grey, YCbCr, RGB, CMYK and YCCK. How much
-// memory and how many scans a file may take follows from its header. Errors: as image_decode.h says.
+// Purpose: JPEG to 8-bit RGBA with libjpeg-turbo: baseline and progressive, grey, YCbCr, RGB, CMYK and YCCK.
+// How much memory and how many scans a file may take follows from its header. Errors: as image_decode.h says.
 #pragma once
 
 #include "scene/image_decode.h"

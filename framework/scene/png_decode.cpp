@@ -22,7 +22,8 @@ constexpr uint64_t kLibraryBytes = 256 << 10;
 // What one chunk may make libpng allocate; the chunks that are read (PLTE, tRNS) have 768 bytes at most.
 constexpr png_alloc_size_t kChunkBytes = 64 << 10;
 
-// Compressed data that is smaller than this is never refused: tables of a short stream outweigh what they encode.
+// Compressed data that is smaller than this is never refused: tables of a short stream outweigh what they
+// encode.
 constexpr uint64_t kLeastDataBytes = 512;
 
 uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
@@ -30,7 +31,8 @@ uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
            uint32_t{encoded[at + 3]};
 }
 
-// What the picture inflates to: its rows, each with a byte that names its filter. Interlaced ones have more, shorter rows.
+// What the picture inflates to: its rows, each with a byte that names its filter. Interlaced ones have more,
+// shorter rows.
 uint64_t inflated_bytes(std::span<const uint8_t> encoded, const ImageSize& size) {
     constexpr std::array<uint64_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};
     const uint8_t color_type = encoded[kColorTypeAt];
@@ -114,8 +116,7 @@ bool decode_rows(Reader& reader, uint32_t width, uint32_t height) {
         png_get_image_height(reader.png, reader.info) != height)
         png_error(reader.png, "its header contradicts itself");
     for (int pass = 0; pass < passes; ++pass)
-        for (uint32_t y = 0; y < height; ++y)
-            png_read_row(reader.png, reader.rgba + y * row_bytes, nullptr);
+        for (uint32_t y = 0; y < height; ++y) png_read_row(reader.png, reader.rgba + y * row_bytes, nullptr);
     return true;
 }
 

@@ -66,11 +66,12 @@ Camera framing_camera(const Scene& scene, float aspect) {
     const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
     Camera camera;
     camera.name = "framing";
-    camera.transform = glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0),
-                                 glm::vec4(back, 0), glm::vec4(centre + back * (kFramingDistance * radius), 1));
+    camera.transform =
+        glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0), glm::vec4(back, 0),
+                  glm::vec4(centre + back * (kFramingDistance * radius), 1));
     constexpr float kHalfHorizontal = 0.39269908170f;  // 22.5°
-    // A portrait is narrower than the scene is wide: there the horizontal field holds the bounding sphere, whose edge is
-    // seen at asin(1 / 1.9).
+    // A portrait is narrower than the scene is wide: there the horizontal field holds the bounding sphere,
+    // whose edge is seen at asin(1 / 1.9).
     static const float kHalfSphere = std::asin(1 / kFramingDistance);
     const float half_horizontal = aspect < 1 ? kHalfSphere : kHalfHorizontal;
     camera.fov_y_rad = 2 * std::atan(std::tan(half_horizontal) / std::max(aspect, 1e-6f));

@@ -171,8 +171,8 @@ struct Bounds {
 [[nodiscard]] Bounds world_bounds(const Scene& scene);
 
 // The camera of design when a scene brings none: looks at the bounds' centre from direction (0.9, 0.75, 1.3),
-// normalised, at 1.9 × the bounding radius. `aspect` is width / height. From 1 on the horizontal field of view is 45°;
-// below, it is the 63.5° that the whole bounding sphere takes from there.
+// normalised, at 1.9 × the bounding radius. `aspect` is width / height. From 1 on the horizontal field of
+// view is 45°; below, it is the 63.5° that the whole bounding sphere takes from there.
 [[nodiscard]] Camera framing_camera(const Scene& scene, float aspect);
 
 }  // namespace weft::scene

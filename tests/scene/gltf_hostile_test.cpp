@@ -283,7 +283,9 @@ TEST_F(GltfHostile, EveryTruncationAndManyMutationsEndInAResult) {
 }
 
 TEST_F(GltfHostile, KeysThatStandTwiceAreRefusedWithTheirPlace) {
-    write("twice.gltf", "{\n\"asset\":{\"version\":\"2.0\"},\n\"nodes\":[{\"mesh\":0},{\"name\":\"a\",\n \"name\":\"b\"}]}");
+    write(
+        "twice.gltf",
+        "{\n\"asset\":{\"version\":\"2.0\"},\n\"nodes\":[{\"mesh\":0},{\"name\":\"a\",\n \"name\":\"b\"}]}");
     Diagnostic fault = fail_file("twice.gltf");
     EXPECT_EQ(fault.code, "S114");
     EXPECT_EQ(fault.line, 4u);

@@ -138,7 +138,8 @@ TEST_F(GltfNodes, TheFramingCameraSeesTheWholeScene) {
     EXPECT_NEAR(glm::determinant(glm::mat3(camera.transform)), 1, 1e-5f);
 }
 
-// The angle between the axis and the edge of a sphere, as seen from outside of it, must fit into the smaller field.
+// The angle between the axis and the edge of a sphere, as seen from outside of it, must fit into the smaller
+// field.
 TEST_F(GltfNodes, TheFramingCameraOfAPortraitHoldsTheBoundingSphere) {
     const Scene scene = load(GltfText());
     const float radius = glm::length(scene.bounds_max - scene.bounds_min) / 2;

@@ -79,21 +79,21 @@ TEST(ImageDecode, APngOfMoreDataThanItsSizeNeedsIsRefusedBeforeItIsInflated) {
 TEST(ImageDecode, TextsAndProfilesAreNotInflated) {
     const std::string stream = test::swollen_png(8'000'000);
     const size_t begin = stream.find("IDAT") + 4, end = stream.find("IEND") - 8;
-    const std::string text =
-        png_chunk("zTXt", std::string("a\0\0", 3) + stream.substr(begin, end - begin));
+    const std::string text = png_chunk("zTXt", std::string("a\0\0", 3) + stream.substr(begin, end - begin));
     std::string file = test::black_png(4, 4);
     std::string texts;
     for (int i = 0; i < 40; ++i) texts += text;
     file.insert(file.find("IDAT") - 4, texts);
-    const test::Cost cost = test::cost_of([&] { return decode_image(bytes_of(file)).rgba.size() == 64 ? 0 : 1; });
+    const test::Cost cost =
+        test::cost_of([&] { return decode_image(bytes_of(file)).rgba.size() == 64 ? 0 : 1; });
     EXPECT_EQ(cost.answer, 0);
     EXPECT_LE(cost.grown_bytes, 4 * kMiB);
 }
 
 // Every file of the corpus, whole and cut anywhere: no more than its header says.
 TEST(ImageDecode, TakesNoMoreThanTheHeaderSays) {
-    for (const char* name : {"rgba8.png", "rgba16.png", "interlaced.png", "palette4.png", "base.jpg", "prog.jpg", "progressive.jpg",
-                             "cmyk.jpg", "gray.jpg", "sub.jpg"}) {
+    for (const char* name : {"rgba8.png", "rgba16.png", "interlaced.png", "palette4.png", "base.jpg",
+                             "prog.jpg", "progressive.jpg", "cmyk.jpg", "gray.jpg", "sub.jpg"}) {
         const std::string file = corpus(name);
         const std::optional<ImageSize> size = read_image_size(bytes_of(file));
         ASSERT_TRUE(size) << name;

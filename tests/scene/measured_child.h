@@ -1,5 +1,5 @@
-// Purpose: what a piece of work costs: it runs in a child process, which is asked for its CPU time and its largest
-// resident memory. Neither depends on how busy the machine is. Units are in names.
+// Purpose: what a piece of work costs: it runs in a child process, which is asked for its CPU time and its
+// largest resident memory. Neither depends on how busy the machine is. Units are in names.
 #pragma once
 
 #include <cstdint>

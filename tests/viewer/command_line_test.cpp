@@ -64,6 +64,79 @@ const std::vector<BadUsage>& bad_usages() {
     return usages;
 }
 
+// Every flag that takes a number, with the message's range: what is no finite number within it is refused.
+struct NumberFlag {
+    const char* name;
+    std::vector<std::string> command;
+    const char* flag;
+    const char* range;
+    const char* below;  // just out of range
+    const char* above;
+};
+
+void PrintTo(const NumberFlag& flag, std::ostream* out) {
+    *out << flag.name;
+}
+
+const std::vector<NumberFlag>& number_flags() {
+    static const std::vector<NumberFlag> flags{
+        {"Timeout", {"render"}, "--timeout", "0.001 to 3600 s", "0", "3600.5"},
+        {"FixedDt", {"render"}, "--fixed-dt", "0 to 3600 s", "-1/60", "7201/2"},
+        {"Exposure", {"render"}, "--exposure", "-40 to 40 EV", "-41", "1e9"},
+        {"Time", {"render"}, "--time", "0 to 24 hours", "-0.1", "24.1"},
+        {"Frames", {"render"}, "--frames", "1 to 1000000", "0", "1000001"},
+        {"Lights", {"render"}, "--lights", "1 to 65536", "0", "65537"},
+        {"Seed", {"render"}, "--seed", "0 to 4294967295", "-1", "4294967296"},
+        {"Queues", {"render"}, "--queues", "1 to 4", "0", "5"},
+        {"ViewTimeout", {"view", "--headless"}, "--timeout", "0.001 to 3600 s", "-1", "3601"},
+        {"ViewFrames", {"view", "--headless"}, "--frames", "1 to 100000000", "0", "100000001"},
+        {"PlanQueues", {"plan", kDeferred}, "--queues", "1 to 4", "-1", "5"},
+        {"BenchPasses", {"bench", "compile"}, "--passes", "1 to 1000000", "0", "1000001"},
+        {"BenchSeed", {"bench", "compile"}, "--seed", "0 to 4294967295", "-1", "4294967296"},
+        {"BenchRounds", {"bench", "frame"}, "--rounds", "1 to 1000", "0", "1001"},
+        {"BenchLights", {"bench", "frame"}, "--lights", "1 to 65536", "1,0", "10,65537"},
+        {"BenchTimeout", {"bench", "frame"}, "--timeout", "0.001 to 3600 s", "0", "3601"},
+        {"CompareMax", {"compare", "a", "b"}, "--max", "-1e+30 to 1e+30", "-1e31", "1e31"},
+        {"CompareMin", {"compare", "a", "b"}, "--min", "-1e+30 to 1e+30", "-1e31", "1e31"},
+    };
+    return flags;
+}
+
+class NumberFlagTest : public testing::TestWithParam<NumberFlag> {};
+
+TEST_P(NumberFlagTest, TakesFiniteNumbersWithinItsRangeAlone) {
+    const NumberFlag& flag = GetParam();
+    for (const std::string value : {"nan", "-inf", "1e999", "0x1p1", "1/0", flag.below, flag.above}) {
+        std::vector<std::string> words = flag.command;
+        words.push_back(std::string(flag.flag) + "=" + value);
+        const RunResult run = run_weft(words);
+        EXPECT_EQ(run.exit_code, 2) << value << "\n" << run.text();
+        EXPECT_NE(run.err.find(flag.flag), std::string::npos) << value << "\n" << run.text();
+        EXPECT_NE(run.err.find(flag.range), std::string::npos) << value << "\n" << run.text();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, NumberFlagTest, testing::ValuesIn(number_flags()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(CommandLine, NumbersInOtherArgumentsAreFiniteToo) {
+    for (const char* value : {"nan", "inf", "1e39", "-1e39", "0x10", "1/2"}) {
+        const RunResult run = run_weft({"render", "--param", std::string("exposure=") + value});
+        EXPECT_EQ(run.exit_code, 2) << run.text();
+    }
+    for (const char* size : {"-1x8", "8x-1", "+8x8", " 8x8", "8x 8", "8x8x8", "8.0x8", "nanx8", "4294967297x8", "x8", "8x"}) {
+        const RunResult run = run_weft({"render", "--size", size});
+        EXPECT_EQ(run.exit_code, 2) << run.text();
+        EXPECT_NE(run.err.find("each 1 to 16384"), std::string::npos) << run.text();
+    }
+    for (const char* camera : {"nan,0,5,0,0,0,50", "0,0,inf,0,0,0,50", "0,0,5,0,0,0,nan", "0,0,5,0,0,0,0", "0,0,5,0,0,0,180",
+                               "1e30,0,5,0,0,0,50", "0,0,5,0,0,5,50", "1,2,3,4,5,6,7,8", "1,2,3,,5,6,7"}) {
+        const RunResult run = run_weft({"render", "builtin:spheres", "--camera", camera});
+        EXPECT_EQ(run.exit_code, 2) << run.text();
+        EXPECT_NE(run.err.find("error[X520]"), std::string::npos) << run.text();
+    }
+}
+
 class BadUsageTest : public testing::TestWithParam<BadUsage> {};
 
 TEST_P(BadUsageTest, IsExitCode2AndSaysWhy) {
