@@ -20,14 +20,15 @@ static_assert(sizeof(shared::DrawCommand) == kCommandBytes);
 
 }  // namespace
 
-Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const scene::Scene& scene) {
+Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const scene::Scene& scene,
+                                                   scene::Scene* owned) {
     std::unique_ptr<GpuScene> gpu(new GpuScene);
     Result<GpuGeometry> geometry = GpuGeometry::create(device, scene);
     if (!geometry) return geometry.take_errors();
-    Result<GpuMaterials> materials = GpuMaterials::create(device, scene);
-    if (!materials) return materials.take_errors();
-    Result<GpuFrame> frame = GpuFrame::create(device, scene);
+    Result<GpuFrame> frame = GpuFrame::create(device, scene);  // reads textures that lights throw
     if (!frame) return frame.take_errors();
+    Result<GpuMaterials> materials = GpuMaterials::create(device, scene, owned);
+    if (!materials) return materials.take_errors();
     Result<DescriptorSets> instances = DescriptorSets::create(device, layout_bindings(3), 1, "instances");
     if (!instances) return instances.take_errors();
     gpu->geometry_ = std::move(*geometry);
@@ -136,28 +137,64 @@ void GpuScene::record(const vk::DrawContext& context) const {
     if (context.uses_instances)
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    instances_.sets.data(), 0, nullptr);
-    uint32_t bound_material = scene::kNone;
-    for (uint32_t i = 0; i < found->second.size(); ++i) {
+    DrawState state;
+    const std::vector<Draw>& draws = found->second;
+    for (uint32_t i = 0; i < draws.size();) {
         const uint32_t place = place_of(context.list, i);
-        const Draw& draw = found->second[place];
+        const Draw& draw = draws[place];
+        const uint32_t same = count_alike(context, draws, i);
+        i += same;
         if (draw.variant != context.variant) continue;
-        if (context.uses_materials && draw.material != bound_material) {
-            const VkDescriptorSet set = materials_.set(draw.material);
-            fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 2, 1, &set,
-                                       0, nullptr);
-            bound_material = draw.material;
-        }
-        fn.vkCmdSetFrontFace(commands,
-                             draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-        if (context.cull == CullMode::material)
-            fn.vkCmdSetCullMode(commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+        set_state(context, draw, state);
         if (context.draw_commands != VK_NULL_HANDLE)
             fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{place} * kCommandBytes,
                                         1, kCommandBytes);
         else
-            fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, 1, draw.mesh.first_index,
+            fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, same, draw.mesh.first_index,
                                 draw.mesh.vertex_offset, draw.instance);
     }
+}
+
+// How many draws from the i-th on are one mesh in instances that follow each other: one command draws them,
+// in the same order. Indirect draws have a command each.
+uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
+                               uint32_t i) const {
+    if (context.draw_commands != VK_NULL_HANDLE) return 1;
+    const Draw& first = draws[place_of(context.list, i)];
+    uint32_t count = 1;
+    for (; i + count < draws.size(); ++count) {
+        const Draw& next = draws[place_of(context.list, i + count)];
+        const bool alike = next.mesh == first.mesh && next.instance == first.instance + count &&
+                           next.material == first.material && next.variant == first.variant &&
+                           next.double_sided == first.double_sided && next.mirrored == first.mirrored;
+        if (!alike) break;
+    }
+    return count;
+}
+
+// Says what differs from the draw before.
+void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const {
+    const vk::DeviceFunctions& fn = *context.fn;
+    if (context.uses_materials && draw.material != state.material) {
+        const VkDescriptorSet set = materials_.set(draw.material);
+        fn.vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 2, 1,
+                                   &set, 0, nullptr);
+        state.material = draw.material;
+    }
+    if (state.mirrored != draw.mirrored) {
+        fn.vkCmdSetFrontFace(context.commands,
+                             draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        state.mirrored = draw.mirrored;
+    }
+    if (context.cull == CullMode::material && state.double_sided != draw.double_sided) {
+        fn.vkCmdSetCullMode(context.commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+        state.double_sided = draw.double_sided;
+    }
+}
+
+uint64_t GpuScene::draw_count(std::string_view list) const {
+    const auto found = lists_.find(list);
+    return found == lists_.end() ? 0 : found->second.size();
 }
 
 }  // namespace weft::render

@@ -1,10 +1,11 @@
 // Purpose: a scene on the GPU as graphs draw it: the lists opaque, masked and anisotropic, sorted by
-// material, and transparent, sorted by distance in every frame; a buffer of draw commands for each, and the sets 0 (frame),
-// 2 (material) and 3 (draw) that shaders/include/*_set.glsl declare.
+// material, and transparent, sorted by distance in every frame; a buffer of draw commands for each, and the
+// sets 0 (frame), 2 (material) and 3 (draw) that shaders/include/*_set.glsl declare.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ namespace weft::render {
 
 class GpuScene final : public vk::DrawSource {
  public:
+    // `owned` is `scene` or null. Each texture that was copied to the GPU is freed in it.
     [[nodiscard]] static Result<std::unique_ptr<GpuScene>> create(vk::Device& device,
-                                                                  const scene::Scene& scene);
+                                                                  const scene::Scene& scene,
+                                                                  scene::Scene* owned = nullptr);
 
     // Fills the slot's constants and sorts what is transparent; call between Executor::begin_frame() and
     // run().
@@ -28,6 +31,7 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
     void record(const vk::DrawContext& context) const override;
+    [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
     // What the import commands_of(list) is bound to; of any list that import_catalog.h names.
     [[nodiscard]] VkBuffer commands(std::string_view list) const;
 
@@ -41,6 +45,14 @@ class GpuScene final : public vk::DrawSource {
         bool mirrored = false;  // negative determinant: the winding is swapped
         glm::vec3 center{0};    // of its bounds, in the world
     };
+    // What was said last to a command buffer.
+    struct DrawState {
+        uint32_t material = scene::kNone;
+        std::optional<bool> mirrored, double_sided;
+    };
+    [[nodiscard]] uint32_t count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
+                                       uint32_t i) const;
+    void set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const;
     // Where in its list the i-th draw is.
     [[nodiscard]] uint32_t place_of(std::string_view list, uint32_t i) const;
 

@@ -37,6 +37,8 @@ class DrawSource {
     // Records every draw of `context.list` that belongs to `context.variant`. Streams are bound in the order
     // of the import's vertex format.
     virtual void record(const DrawContext& context) const = 0;
+    // How many objects the list holds: what a message about a slow frame names.
+    [[nodiscard]] virtual uint64_t draw_count(std::string_view /*list*/) const { return 0; }
 };
 
 }  // namespace weft::vk

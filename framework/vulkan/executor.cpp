@@ -30,6 +30,18 @@ std::string pass_names(const FramePlan& plan, uint32_t first) {
     return names;
 }
 
+// What passes in flight draw, where that alone may take long: "gbuffer 4096, sunShadows#0 4096".
+std::string draw_counts(const FramePlan& plan, const DrawSource* draws, uint32_t first) {
+    std::string counts;
+    for (size_t position = first; draws != nullptr && position < plan.schedule.order.size(); ++position) {
+        const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
+        uint64_t count = 0;
+        for (const std::string& list : pass.draw_lists) count += draws->draw_count(list);
+        if (count > 0) counts += (counts.empty() ? "" : ", ") + pass.name + " " + std::to_string(count);
+    }
+    return counts;
+}
+
 void begin_label(const Device& device, VkCommandBuffer commands, const std::string& name) {
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
     label.pLabelName = name.c_str();
@@ -66,6 +78,9 @@ Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
                     result);
     if (diagnostic.help.empty())
         diagnostic.help.push_back("look for an endless loop in the first of these passes");
+    if (const std::string counts = draw_counts(objects_->plan, objects_->draws, first); !counts.empty())
+        diagnostic.help.push_back("the number of objects that these passes draw may explain it: " + counts +
+                                  "; large ones that cover each other take longest");
     lost_ = {diagnostic};
     timed_out_ = true;
     return diagnostic;

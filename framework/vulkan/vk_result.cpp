@@ -39,7 +39,7 @@ Diagnostic vk_error(VkResult result, std::string_view what) {
     switch (result) {
         case VK_TIMEOUT:
             error.code = "V407";
-            error.help = {"a shader may be looping without end; --timeout SECONDS allows more time"};
+            error.help = {"--timeout SECONDS allows more time; a shader may be looping without end"};
             break;
         case VK_ERROR_DEVICE_LOST:
             error.code = "V408";

@@ -124,13 +124,15 @@ TEST(CommandLine, NumbersInOtherArgumentsAreFiniteToo) {
         const RunResult run = run_weft({"render", "--param", std::string("exposure=") + value});
         EXPECT_EQ(run.exit_code, 2) << run.text();
     }
-    for (const char* size : {"-1x8", "8x-1", "+8x8", " 8x8", "8x 8", "8x8x8", "8.0x8", "nanx8", "4294967297x8", "x8", "8x"}) {
+    for (const char* size :
+         {"-1x8", "8x-1", "+8x8", " 8x8", "8x 8", "8x8x8", "8.0x8", "nanx8", "4294967297x8", "x8", "8x"}) {
         const RunResult run = run_weft({"render", "--size", size});
         EXPECT_EQ(run.exit_code, 2) << run.text();
         EXPECT_NE(run.err.find("each 1 to 16384"), std::string::npos) << run.text();
     }
-    for (const char* camera : {"nan,0,5,0,0,0,50", "0,0,inf,0,0,0,50", "0,0,5,0,0,0,nan", "0,0,5,0,0,0,0", "0,0,5,0,0,0,180",
-                               "1e30,0,5,0,0,0,50", "0,0,5,0,0,5,50", "1,2,3,4,5,6,7,8", "1,2,3,,5,6,7"}) {
+    for (const char* camera :
+         {"nan,0,5,0,0,0,50", "0,0,inf,0,0,0,50", "0,0,5,0,0,0,nan", "0,0,5,0,0,0,0", "0,0,5,0,0,0,180",
+          "1e30,0,5,0,0,0,50", "0,0,5,0,0,5,50", "1,2,3,4,5,6,7,8", "1,2,3,,5,6,7"}) {
         const RunResult run = run_weft({"render", "builtin:spheres", "--camera", camera});
         EXPECT_EQ(run.exit_code, 2) << run.text();
         EXPECT_NE(run.err.find("error[X520]"), std::string::npos) << run.text();
@@ -227,7 +229,9 @@ TEST(Plan, DependsOnTheSize) {
 
 TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
     const RunResult run = run_weft({"plan", kDeferred});
-    EXPECT_NE(run.out.find(" at 2 sunShadows#0: sunShadow (12.0 MiB) hdr (7200.0 KiB) albedo"), std::string::npos) << run.text();
+    EXPECT_NE(run.out.find(" at 2 sunShadows#0: sunShadow (12.0 MiB) hdr (7200.0 KiB) albedo"),
+              std::string::npos)
+        << run.text();
     for (const char* part : {"sum ", "peak live ", "heaps ", "gap "})
         EXPECT_NE(run.out.find(part), std::string::npos) << part;
 }
@@ -352,6 +356,26 @@ void main() {
 }
 
 // So short a time runs out anywhere: in an upload, in a frame, or not at all.
+// It need not be a shader's fault: a scene may hold more than the device draws in that time.
+TEST(TimeOut, CountsTheObjectsThatThePassesInFlightDraw) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder folder;
+    std::filesystem::copy(WEFT_SOURCE_DIR "/docs/examples", folder.path(),
+                          std::filesystem::copy_options::recursive);
+    std::string shader = read_text(folder.path() / "ink/surfaces/surfaces.frag");
+    const std::string turns = "for (uint i = 0; i < 4000000000u; ++i) for (uint j = 0; j < 4000000000u; ++j) light = "
+                              "sin(light * float(i ^ j));\n";
+    shader.replace(shader.find("const float light"), 17, "float light");
+    shader.insert(shader.find("const float luminance"), turns);
+    folder.write("ink/surfaces/surfaces.frag", shader);
+    const RunResult run = run_weft({"render", "builtin:spheres", "--size", "64x64", "--timeout", "2", "--graph",
+                                    folder / "ink.json", "-o", folder / "late.png"});
+    EXPECT_EQ(run.exit_code, 7) << run.text();
+    EXPECT_NE(run.err.find("error[V407]"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("objects that these passes draw may explain it: surfaces 5"), std::string::npos)
+        << run.text();
+}
+
 TEST(TimeOut, NeverCrashesWhereverItStrikes) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
