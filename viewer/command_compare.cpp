@@ -90,7 +90,7 @@ Comparison compare(const CompareOptions& options, const Image& a, const Image& b
         result.unit = "mean FLIP";
         result.has_summary = true;
     } else if (is_psnr(options)) {
-        result.map = image::difference_map(image::to_display(a), image::to_display(b));
+        result.map = image::difference_map(a, b, image::Compared::as_displayed);
         result.value = image::psnr_db(a, b);
         result.unit = "dB";
     } else {

@@ -10,11 +10,13 @@
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include "files.h"
+#include "image/flip.h"
 #include "scene/image_decode.h"
 
 namespace weft::viewer {
@@ -40,20 +42,40 @@ Diagnostic undecodable(const std::string& path, const std::string& what, const s
                       "write it again; PNG, EXR and PFM as `weft render -o` writes them can be read");
 }
 
+// What reading a picture takes beside its texels.
+struct Reading {
+    uint64_t file_bytes = 0;
+    uint64_t bytes_per_texel = 0;
+};
+
+// While the second of two such pictures is read, or while they are compared: their texels, the map of
+// differences, its sorted copy and its picture.
+uint64_t comparing_bytes(const Size& size, const Reading& reading) {
+    constexpr uint64_t kPictures = 2 * sizeof(glm::vec3), kMaps = 3 * sizeof(float) + sizeof(float);
+    const auto width_px = static_cast<uint32_t>(size.width_px),
+               height_px = static_cast<uint32_t>(size.height_px);
+    const uint64_t texels = uint64_t{width_px} * height_px;
+    const uint64_t while_read = reading.file_bytes + texels * (kPictures + reading.bytes_per_texel);
+    return std::max(while_read, texels * (kPictures + kMaps) + image::flip_band_bytes(width_px, height_px));
+}
+
 // Asked before anything of that size is allocated.
-std::optional<Diagnostic> size_fault(const std::string& path, const Size& size, const PictureLimits& limits) {
+std::optional<Diagnostic> size_fault(const std::string& path, const Size& size, const Reading& reading,
+                                     const PictureLimits& limits) {
     const auto side_limit_px = static_cast<int64_t>(limits.side_px);
-    if (size.width_px > 0 && size.height_px > 0 && size.width_px <= side_limit_px &&
-        size.height_px <= side_limit_px &&
-        static_cast<uint64_t>(size.width_px * size.height_px) <= limits.texels)
-        return std::nullopt;
+    const bool fits = size.width_px > 0 && size.height_px > 0 && size.width_px <= side_limit_px &&
+                      size.height_px <= side_limit_px;
+    if (fits && comparing_bytes(size, reading) <= limits.memory_bytes) return std::nullopt;
     Diagnostic d;
     d.code = "X531";
     d.file = path;
-    d.message = "the picture says that it is " + std::to_string(size.width_px) + "x" +
-                std::to_string(size.height_px) + "; a side has 1 to " + std::to_string(limits.side_px) +
-                " px, and all have " + std::to_string(limits.texels) + " texels at most";
-    d.help = {"compare parts of it, or raise picture.sidePx or picture.texels with --limits"};
+    d.message =
+        "the picture says that it is " + std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
+    d.message += fits ? "; to compare two of that size takes " +
+                            std::to_string(comparing_bytes(size, reading)) + " bytes, the limit is " +
+                            std::to_string(limits.memory_bytes)
+                      : "; a side has 1 to " + std::to_string(limits.side_px) + " px";
+    d.help = {"compare parts of it, " + raise_limit_text(fits ? "picture.memoryBytes" : "picture.sidePx")};
     return d;
 }
 
@@ -64,7 +86,8 @@ std::span<const uint8_t> bytes_of(const std::string& content) {
 Result<Image> read_png(const std::string& path, const std::string& content, const PictureLimits& limits) {
     const std::optional<scene::ImageSize> size = scene::read_image_size(bytes_of(content));
     if (!size) return undecodable(path, "PNG", "its header is cut short");
-    if (auto fault = size_fault(path, {size->width_px, size->height_px}, limits)) return *fault;
+    const Reading reading{content.size() + size->decoder_bytes, 4};
+    if (auto fault = size_fault(path, {size->width_px, size->height_px}, reading, limits)) return *fault;
     const scene::DecodedImage decoded = scene::decode_image(bytes_of(content));
     if (decoded.rgba.empty()) return undecodable(path, "PNG", decoded.error);
     Image result{decoded.size.width_px, decoded.size.height_px, image::Encoding::display, {}};
@@ -82,7 +105,13 @@ std::string taken(const char* message) {
     return text;
 }
 
-Result<Size> exr_size(const std::string& path, std::span<const uint8_t> bytes) {
+// tinyexr holds every channel of every level as floats, and then red, green, blue and alpha once more.
+struct ExrShape {
+    Size size;
+    uint64_t bytes_per_texel = 0;
+};
+
+Result<ExrShape> exr_shape(const std::string& path, std::span<const uint8_t> bytes) {
     EXRVersion version{};
     if (ParseEXRVersionFromMemory(&version, bytes.data(), bytes.size()) != TINYEXR_SUCCESS)
         return undecodable(path, "EXR", "its header is cut short");
@@ -94,15 +123,19 @@ Result<Size> exr_size(const std::string& path, std::span<const uint8_t> bytes) {
     if (ParseEXRHeaderFromMemory(&header, &version, bytes.data(), bytes.size(), &why) != TINYEXR_SUCCESS)
         return undecodable(path, "EXR", taken(why));
     const EXRBox2i box = header.data_window;
+    const auto channels = static_cast<uint64_t>(std::max(header.num_channels, 0));
+    const uint64_t levels = header.tiled != 0 && header.tile_level_mode != TINYEXR_TILE_ONE_LEVEL ? 4 : 1;
     FreeEXRHeader(&header);
-    return Size{int64_t{box.max_x} - box.min_x + 1, int64_t{box.max_y} - box.min_y + 1};
+    return ExrShape{{int64_t{box.max_x} - box.min_x + 1, int64_t{box.max_y} - box.min_y + 1},
+                    channels * levels * sizeof(float) + 4 * sizeof(float)};
 }
 
 Result<Image> read_exr(const std::string& path, const std::string& content, const PictureLimits& limits) {
     const std::span<const uint8_t> bytes = bytes_of(content);
-    const Result<Size> size = exr_size(path, bytes);
-    if (!size) return size.errors();
-    if (auto fault = size_fault(path, *size, limits)) return *fault;
+    const Result<ExrShape> shape = exr_shape(path, bytes);
+    if (!shape) return shape.errors();
+    if (auto fault = size_fault(path, shape->size, {content.size(), shape->bytes_per_texel}, limits))
+        return *fault;
     float* rgba = nullptr;
     int width = 0, height = 0;
     const char* why = nullptr;
@@ -152,7 +185,7 @@ std::optional<PfmHeader> pfm_header(std::string_view content) {
 Result<Image> read_pfm(const std::string& path, const std::string& content, const PictureLimits& limits) {
     const std::optional<PfmHeader> header = pfm_header(content);
     if (!header) return undecodable(path, "PFM", "its header isn't \"PF\", width, height and scale");
-    if (auto fault = size_fault(path, header->size, limits)) return *fault;
+    if (auto fault = size_fault(path, header->size, {content.size(), 0}, limits)) return *fault;
     Image result{static_cast<uint32_t>(header->size.width_px),
                  static_cast<uint32_t>(header->size.height_px),
                  image::Encoding::linear,
@@ -194,7 +227,12 @@ Result<Image> read_image(const std::string& path, const PictureLimits& limits) {
         if (content->starts_with("\x89PNG")) return read_png(path, *content, limits);
         if (content->starts_with("\x76\x2f\x31\x01")) return read_exr(path, *content, limits);
         if (content->starts_with("PF") || content->starts_with("Pf")) return read_pfm(path, *content, limits);
-    } catch (const std::exception& error) {  // tinyexr may throw, and memory may run out
+    } catch (const std::bad_alloc&) {
+        Diagnostic fault = unreadable(path, "memory ran out while the picture was read",
+                                      "close other programs, or compare parts of it");
+        fault.code = "X571";
+        return fault;
+    } catch (const std::exception& error) {  // tinyexr may throw
         return undecodable(path, "picture", error.what());
     }
     return unreadable(path, "this is neither a PNG nor an EXR nor a PFM",

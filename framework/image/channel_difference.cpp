@@ -9,10 +9,8 @@ namespace weft::image {
 namespace {
 
 // Whole numbers from 0 to 255.
-Image to_steps(const Image& image) {
-    Image steps = to_display(image);
-    for (glm::vec3& texel : steps.texels) texel = glm::round(texel * 255.0f);
-    return steps;
+glm::vec3 step_texel(const Image& image, size_t index) {
+    return glm::round(display_texel(image, index) * 255.0f);
 }
 
 bool compares_raw(const Image& a, const Image& b) {
@@ -25,42 +23,45 @@ float difference(float a, float b) {
     return std::abs(a - b);
 }
 
-// The largest difference of each texel's channels, times `scale`.
-Plane largest_of_channels(const Image& a, const Image& b, float scale) {
-    Plane map{a.width_px, a.height_px, std::vector<float>(a.texels.size())};
-    for (size_t i = 0; i < map.values.size(); ++i) {
-        const glm::vec3 &p = a.texels[i], &q = b.texels[i];
-        map.values[i] = scale * std::max({difference(p.r, q.r), difference(p.g, q.g), difference(p.b, q.b)});
-    }
-    return map;
+float largest_of(const glm::vec3& p, const glm::vec3& q) {
+    return std::max({difference(p.r, q.r), difference(p.g, q.g), difference(p.b, q.b)});
+}
+
+// Of each texel's channels: raw values, or steps of 8 bits.
+float difference_at(const Image& a, const Image& b, bool raw, size_t index) {
+    return raw ? largest_of(a.texels[index], b.texels[index])
+               : largest_of(step_texel(a, index), step_texel(b, index));
 }
 
 }  // namespace
 
 double psnr_db(const Image& a, const Image& b) {
     assert(same_size(a, b) && !a.texels.empty());
-    const Image steps_a = to_steps(a), steps_b = to_steps(b);
     double squares = 0;
-    for (size_t i = 0; i < steps_a.texels.size(); ++i) {
-        const glm::dvec3 d = glm::dvec3(steps_a.texels[i]) - glm::dvec3(steps_b.texels[i]);
+    for (size_t i = 0; i < a.texels.size(); ++i) {
+        const glm::dvec3 d = glm::dvec3(step_texel(a, i)) - glm::dvec3(step_texel(b, i));
         squares += glm::dot(d, d);
     }
-    const double mean = squares / (3.0 * static_cast<double>(steps_a.texels.size()));
+    const double mean = squares / (3.0 * static_cast<double>(a.texels.size()));
     if (mean == 0) return std::numeric_limits<double>::infinity();
     return 10 * std::log10(255.0 * 255.0 / mean);
 }
 
 double largest_difference(const Image& a, const Image& b) {
     assert(same_size(a, b) && !a.texels.empty());
-    const Plane map =
-        compares_raw(a, b) ? largest_of_channels(a, b, 1) : largest_of_channels(to_steps(a), to_steps(b), 1);
-    return *std::max_element(map.values.begin(), map.values.end());
+    const bool raw = compares_raw(a, b);
+    float most = 0;
+    for (size_t i = 0; i < a.texels.size(); ++i) most = std::max(most, difference_at(a, b, raw, i));
+    return most;
 }
 
-Plane difference_map(const Image& a, const Image& b) {
+Plane difference_map(const Image& a, const Image& b, Compared compared) {
     assert(same_size(a, b) && !a.texels.empty());
-    if (compares_raw(a, b)) return largest_of_channels(a, b, 1);
-    return largest_of_channels(to_steps(a), to_steps(b), 1.0f / 255);
+    const bool raw = compared == Compared::as_they_are && compares_raw(a, b);
+    const float scale = raw ? 1 : 1.0f / 255;
+    Plane map{a.width_px, a.height_px, std::vector<float>(a.texels.size())};
+    for (size_t i = 0; i < map.values.size(); ++i) map.values[i] = scale * difference_at(a, b, raw, i);
+    return map;
 }
 
 }  // namespace weft::image

@@ -14,7 +14,10 @@ namespace weft::image {
 // In steps of 8 bits, or in raw values. Infinite where only one of the two is NaN; two NaN are the same.
 [[nodiscard]] double largest_difference(const Image& a, const Image& b);
 
-// The largest difference of a texel's channels: 1 is 255 steps, or 1 in raw values.
-[[nodiscard]] Plane difference_map(const Image& a, const Image& b);
+enum class Compared : uint8_t { as_they_are, as_displayed };
+
+// The largest difference of a texel's channels: 1 is 255 steps, or 1 in raw values, which `as_displayed`
+// rules out.
+[[nodiscard]] Plane difference_map(const Image& a, const Image& b, Compared compared = Compared::as_they_are);
 
 }  // namespace weft::image

@@ -82,29 +82,93 @@ float color_error(glm::vec3 a, glm::vec3 b, float largest) {
     return kKneeError + (difference - knee) / (largest - knee) * (1 - kKneeError);
 }
 
-}  // namespace
+struct Kernels {
+    SensitivityKernels sensitivity;
+    FeatureKernels detectors;
 
-Plane flip_map(const Image& reference, const Image& test, float pixels_per_degree) {
-    assert(same_size(reference, test) && !reference.texels.empty());
-    const SensitivityKernels sensitivity = sensitivity_kernels(pixels_per_degree);
-    const FeatureKernels detectors = feature_kernels(pixels_per_degree);
-    const Planes planes_a = opponent_planes(to_display(reference));
-    const Planes planes_b = opponent_planes(to_display(test));
-    const std::vector<glm::vec3> lab_a = perceived(planes_a, sensitivity);
-    const std::vector<glm::vec3> lab_b = perceived(planes_b, sensitivity);
-    const Features features_a = features(planes_a[0], detectors);
-    const Features features_b = features(planes_b[0], detectors);
+    explicit Kernels(float pixels_per_degree)
+        : sensitivity(sensitivity_kernels(pixels_per_degree)),
+          detectors(feature_kernels(pixels_per_degree)) {}
 
+    // How far from a texel lies what counts for it.
+    [[nodiscard]] uint32_t radius_px() const {
+        size_t taps = std::max({detectors.edge.size(), detectors.point.size(), detectors.smooth.size()});
+        for (const std::vector<WeightedGaussian>& sums : sensitivity)
+            for (const WeightedGaussian& gaussian : sums) taps = std::max(taps, gaussian.taps.size());
+        return static_cast<uint32_t>(taps / 2);
+    }
+};
+
+// Rows [first, end) of a picture, as display values.
+Image rows_of(const Image& picture, uint32_t first, uint32_t end) {
+    const auto at = [&](uint32_t row) {
+        return picture.texels.begin() + static_cast<std::ptrdiff_t>(size_t{row} * picture.width_px);
+    };
+    return to_display({picture.width_px, end - first, picture.encoding, {at(first), at(end)}});
+}
+
+// What is left of a picture after the eye, and its features.
+struct Seen {
+    std::vector<glm::vec3> lab;
+    Features found;
+
+    Seen(const Image& display, const Kernels& kernels) {
+        Planes planes = opponent_planes(display);
+        lab = perceived(planes, kernels.sensitivity);
+        found = features(std::move(planes[0]), kernels.detectors);
+    }
+};
+
+Plane flip_of_rows(const Image& reference, const Image& test, const Kernels& kernels) {
+    const Seen a(reference, kernels), b(test, kernels);
     const float largest =
         std::pow(hyab_distance(linear_to_hunt_lab({0, 1, 0}), linear_to_hunt_lab({0, 0, 1})), kColorExponent);
-    Plane map{reference.width_px, reference.height_px, std::vector<float>(lab_a.size())};
-    for (size_t i = 0; i < lab_a.size(); ++i) {
-        const float feature = std::max(std::abs(features_a.edges[i] - features_b.edges[i]),
-                                       std::abs(features_a.points[i] - features_b.points[i]));
+    Plane map{reference.width_px, reference.height_px, std::vector<float>(a.lab.size())};
+    for (size_t i = 0; i < a.lab.size(); ++i) {
+        const float feature = std::max(std::abs(a.found.edges[i] - b.found.edges[i]),
+                                       std::abs(a.found.points[i] - b.found.points[i]));
         const float feature_error =
             std::pow(std::min(feature / std::numbers::sqrt2_v<float>, 1.0f), kFeatureExponent);
-        const float color = std::min(color_error(lab_a[i], lab_b[i], largest), 1.0f);
+        const float color = std::min(color_error(a.lab[i], b.lab[i], largest), 1.0f);
         map.values[i] = std::pow(color, 1 - feature_error);
+    }
+    return map;
+}
+
+// The picture is compared in bands of about so many texels, so that what is computed for each texel stays
+// small.
+constexpr uint64_t kBandTexels = 1 << 19;
+// Of a band: two pictures, three planes twice, and what the filters hold.
+constexpr uint64_t kBytesPerBandTexel = 128;
+
+uint32_t band_rows(uint32_t width_px, uint32_t radius_px) {
+    return static_cast<uint32_t>(std::max<uint64_t>({kBandTexels / width_px, 2 * radius_px, 1}));
+}
+
+}  // namespace
+
+uint64_t flip_band_bytes(uint32_t width_px, uint32_t height_px, float pixels_per_degree) {
+    const uint32_t radius_px = Kernels(pixels_per_degree).radius_px();
+    const uint64_t rows = std::min<uint64_t>(height_px, band_rows(width_px, radius_px) + 2 * radius_px);
+    return rows * width_px * kBytesPerBandTexel;
+}
+
+// A band is computed with as many rows around it as the kernels reach, so that its own are the same as those
+// of the whole.
+Plane flip_map(const Image& reference, const Image& test, float pixels_per_degree) {
+    assert(same_size(reference, test) && !reference.texels.empty());
+    const Kernels kernels(pixels_per_degree);
+    const uint32_t radius_px = kernels.radius_px(), height_px = reference.height_px;
+    const uint32_t rows = band_rows(reference.width_px, radius_px);
+    Plane map{reference.width_px, height_px, {}};
+    map.values.reserve(reference.texels.size());
+    for (uint32_t first = 0; first < height_px; first += rows) {
+        const uint32_t end = std::min(first + rows, height_px);
+        const uint32_t above = std::min(first, radius_px), below = std::min(height_px - end, radius_px);
+        const Plane band = flip_of_rows(rows_of(reference, first - above, end + below),
+                                        rows_of(test, first - above, end + below), kernels);
+        const float* own = band.values.data() + size_t{above} * map.width_px;
+        map.values.insert(map.values.end(), own, own + size_t{end - first} * map.width_px);
     }
     return map;
 }

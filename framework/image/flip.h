@@ -17,4 +17,8 @@ inline constexpr float kPixelsPerDegree = 67;
 [[nodiscard]] Plane flip_map(const Image& reference, const Image& test,
                              float pixels_per_degree = kPixelsPerDegree);
 
+// What flip_map() allocates beside its pictures and the map, at most.
+[[nodiscard]] uint64_t flip_band_bytes(uint32_t width_px, uint32_t height_px,
+                                       float pixels_per_degree = kPixelsPerDegree);
+
 }  // namespace weft::image

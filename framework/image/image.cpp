@@ -10,10 +10,16 @@ bool same_size(const Image& a, const Image& b) {
 
 Image to_display(Image image) {
     if (image.encoding == Encoding::display) return image;
-    for (glm::vec3& texel : image.texels)
-        for (int c = 0; c < 3; ++c) texel[c] = encode_srgb(glm::clamp(texel[c], 0.0f, 1.0f));
+    for (size_t i = 0; i < image.texels.size(); ++i) image.texels[i] = display_texel(image, i);
     image.encoding = Encoding::display;
     return image;
+}
+
+glm::vec3 display_texel(const Image& image, size_t index) {
+    glm::vec3 texel = image.texels[index];
+    if (image.encoding == Encoding::display) return texel;
+    for (int c = 0; c < 3; ++c) texel[c] = encode_srgb(glm::clamp(texel[c], 0.0f, 1.0f));
+    return texel;
 }
 
 float encode_srgb(float linear) {

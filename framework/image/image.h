@@ -29,6 +29,7 @@ struct Plane {
 
 // Linear values are clamped to [0, 1] and encoded, and not rounded; display values stay as they are.
 [[nodiscard]] Image to_display(Image image);
+[[nodiscard]] glm::vec3 display_texel(const Image& image, size_t index);
 
 [[nodiscard]] float encode_srgb(float linear);
 [[nodiscard]] float decode_srgb(float encoded);

@@ -158,5 +158,22 @@ TEST(ErrorSummary, CountsByHand) {
     EXPECT_EQ(summarize({2, 1, {0, 0}}).weighted_quartiles, (std::array<double, 3>{0, 0, 0}));
 }
 
+// Large pictures are compared in bands: where two of them meet, each texel has the same value as in a picture
+// that is compared at once.
+TEST(Flip, OfBandsIsThatOfTheWholePicture) {
+    constexpr uint32_t kWidth = 32, kHeight = (1 << 19) / kWidth + 300, kMeet = (1 << 19) / kWidth;
+    const Image a = noise(kWidth, kHeight, 1), b = noise(kWidth, kHeight, 2);
+    constexpr uint32_t kTop = kMeet - 120, kRows = 240;
+    const auto part_of = [&](const Image& whole) {
+        const auto begin = whole.texels.begin() + kTop * kWidth;
+        return Image{kWidth, kRows, whole.encoding, {begin, begin + kRows * kWidth}};
+    };
+    const Plane whole = flip_map(a, b), part = flip_map(part_of(a), part_of(b));
+    ASSERT_EQ(whole.values.size(), a.texels.size());
+    for (uint32_t i = 60 * kWidth; i < (kRows - 60) * kWidth; ++i)
+        ASSERT_EQ(whole.values[kTop * kWidth + i], part.values[i]) << "row " << kTop + i / kWidth;
+    EXPECT_LE(flip_band_bytes(16384, 16384), uint64_t{512} << 20);
+}
+
 }  // namespace
 }  // namespace weft::image::test

@@ -224,6 +224,27 @@ TEST_F(Compare, RefusesHugePicturesByTheirHeaders) {
     }
 }
 
+// What comparing takes in all is counted: the files, the pictures, and the maps of differences.
+TEST_F(Compare, TakesNoMoreMemoryThanTheLimitSays) {
+    const auto black = [&](const char* name, const std::string& size, uint64_t texels) {
+        scratch_.write(name, "PF\n" + size + "\n-1.0\n");
+        const std::filesystem::path file = scratch_.path() / name;
+        std::filesystem::resize_file(file, std::filesystem::file_size(file) + texels * 12);  // takes no room
+    };
+    black("more.pfm", "8192 4096", uint64_t{8192} * 4096);
+    const RunResult refused = compare("more.pfm", "more.pfm");
+    EXPECT_EQ(refused.exit_code, 3) << refused.text();
+    EXPECT_NE(refused.err.find("raise picture.memoryBytes with --limits"), std::string::npos)
+        << refused.text();
+    black("most.pfm", "4096 2048", uint64_t{4096} * 2048);
+    for (const char* metric : {"flip", "psnr", "max"}) {
+        if (!extended() && std::string(metric) == "flip") continue;  // takes seconds
+        const RunResult run = compare("most.pfm", "most.pfm", {"--metric", metric});
+        EXPECT_EQ(run.exit_code, 0) << run.text();
+        EXPECT_LE(run.max_rss_bytes, uint64_t{768} << 20) << metric;
+    }
+}
+
 TEST_F(Compare, RefusesPicturesThatAreCutShort) {
     const auto raw = map_values(noise(1), to_linear);
     const std::string pfm = pfm_file(kWidth_px, kHeight_px, raw), exr = exr_file(kWidth_px, kHeight_px, raw),
