@@ -42,7 +42,9 @@ std::string with_guess(const std::string& text, const std::vector<std::string>& 
 
 std::string size_fault(const std::string& text) {
     const size_t by = text.find('x');
-    const auto is_side = [](const std::string& side) { return whole_number_fault(side, 1, kMostSide_px).empty(); };
+    const auto is_side = [](const std::string& side) {
+        return whole_number_fault(side, 1, kMostSide_px).empty();
+    };
     if (by != std::string::npos && is_side(text.substr(0, by)) && is_side(text.substr(by + 1))) return "";
     return "a size is WIDTHxHEIGHT in pixels, each 1 to 16384, not \"" + text + "\"";
 }

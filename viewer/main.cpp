@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -237,7 +238,8 @@ void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command.add_option("--max", o.max, "exit code 6 when the mean FLIP, or max, is above this")
         ->transform(number_in(kAnyDifference));
-    command.add_option("--min", o.min, "exit code 6 when the PSNR is below this")->transform(number_in(kAnyDifference));
+    command.add_option("--min", o.min, "exit code 6 when the PSNR is below this")
+        ->transform(number_in(kAnyDifference));
     command.add_option("-o,--output", o.output, "write where they differ to this .png");
     command.add_flag("--json", o.json, "as JSON");
     add_limits(command, raw);
@@ -457,6 +459,9 @@ int main(int argc, char** argv) {
     weft::viewer::prepare_output();
     try {
         return weft::viewer::run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        weft::viewer::report_out_of_memory();
+        return static_cast<int>(weft::viewer::ExitCode::failed);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "weft: internal error: %s\n", error.what());
         return static_cast<int>(weft::viewer::ExitCode::failed);

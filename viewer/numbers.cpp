@@ -26,7 +26,8 @@ std::optional<double> finite_number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     double number = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+    if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number))
+        return std::nullopt;
     return number;
 }
 
@@ -57,7 +58,8 @@ std::string fraction_fault(const std::string& text, const NumberRange& range) {
 std::string whole_number_fault(const std::string& text, uint64_t least, uint64_t most) {
     const std::optional<uint64_t> number = whole_number(text);
     if (number && *number >= least && *number <= most) return "";
-    return "\"" + text + "\" is not a whole number of " + std::to_string(least) + " to " + std::to_string(most);
+    return "\"" + text + "\" is not a whole number of " + std::to_string(least) + " to " +
+           std::to_string(most);
 }
 
 std::string decimal(double number) {

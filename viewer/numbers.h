@@ -1,5 +1,6 @@
-// Purpose: numbers on the command line. Every one of them is read here, so that none is NaN, infinite or out of range,
-// and every message names the range and the unit. Errors: a text for the message; empty when the number is good.
+// Purpose: numbers on the command line. Every one of them is read here, so that none is NaN, infinite or out
+// of range, and every message names the range and the unit. Errors: a text for the message; empty when the
+// number is good.
 #pragma once
 
 #include <cstdint>

@@ -31,6 +31,14 @@ void report(const Diagnostics& diagnostics) {
     if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
 }
 
+// Without a Diagnostic: that would need memory.
+void report_out_of_memory() {
+    std::fputs(
+        "error[X571]: memory ran out\n"
+        "  help: close other programs, or ask for less: a smaller --size, a smaller scene or graph\n",
+        stderr);
+}
+
 ExitCode exit_code_for(const Diagnostics& errors) {
     const auto it = std::find_if(errors.begin(), errors.end(),
                                  [](const Diagnostic& d) { return d.severity == Severity::error; });

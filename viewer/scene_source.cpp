@@ -92,13 +92,16 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
     for (size_t i = 0; i < n.size(); ++i) {
         const NumberRange& range = i == 6 ? kFieldOfView : kPlace;
         if (n[i] < range.least || n[i] > range.most)
-            return choice_error("X520", "the camera's number " + std::to_string(i + 1) + " is out of range: \"" + choice + "\"",
-                                std::string(i == 6 ? "the field of view lies from " : "a coordinate lies from ") +
-                                    describe(range));
+            return choice_error(
+                "X520",
+                "the camera's number " + std::to_string(i + 1) + " is out of range: \"" + choice + "\"",
+                std::string(i == 6 ? "the field of view lies from " : "a coordinate lies from ") +
+                    describe(range));
     }
     const glm::vec3 eye(n[0], n[1], n[2]), at(n[3], n[4], n[5]);
     if (glm::distance(eye, at) < 1e-6f)
-        return choice_error("X520", "this camera looks nowhere: \"" + choice + "\"", "eye and target must differ");
+        return choice_error("X520", "this camera looks nowhere: \"" + choice + "\"",
+                            "eye and target must differ");
     const glm::vec3 forward = glm::normalize(at - eye);
     const glm::vec3 up = std::abs(forward.y) > 0.999f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
     scene::Camera camera;
@@ -146,8 +149,9 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& li
     Result<scene::Scene> scene =
         builtin ? scene::make_builtin(name, options) : load_file(name, limits, warnings);
     if (!scene) return scene;
-    if (Status applied = apply_environment(*scene, choice.env, limits); !applied)
-        return applied.take_errors();
+    SceneLimits rest = limits;  // what surrounds a scene draws from the same budget
+    rest.memory_bytes -= std::min(rest.memory_bytes, scene->memory_bytes);
+    if (Status applied = apply_environment(*scene, choice.env, rest); !applied) return applied.take_errors();
     const bool has_seeded_lights = builtin && name == "lights";
     if (choice.lights && !has_seeded_lights)
         scene->lights = scene::seeded_lights(*scene, *choice.lights, choice.seed);

@@ -73,8 +73,8 @@ Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options) {
     return vk::Device::create(device_options);
 }
 
-SessionOpener::SessionOpener(const RenderOptions& options)
-    : options_(options), passes_(registered_passes()) {}
+SessionOpener::SessionOpener(const RenderOptions& options, Attempts attempts)
+    : options_(options), attempts_(attempts), passes_(registered_passes()) {}
 
 // Before a scene is loaded and a device made: both take their time.
 Status SessionOpener::check_graph() {
@@ -124,8 +124,11 @@ Result<OpenSession> SessionOpener::open_checked() {
         device_ = std::move(*device);
     }
     Diagnostics warnings;
-    Result<std::unique_ptr<render::Session>> session = render::Session::create(
-        *device_, *scene_, session_input(options_, *scene_, camera_, passes_), warnings, &files_);
+    const render::SessionInput input = session_input(options_, *scene_, camera_, passes_);
+    Result<std::unique_ptr<render::Session>> session =
+        attempts_ == Attempts::one
+            ? render::Session::create(*device_, std::move(*scene_), input, warnings, &files_)
+            : render::Session::create(*device_, *scene_, input, warnings, &files_);
     if (!options_.quiet) report(warnings);
     if (session) return OpenSession{std::move(device_), std::move(*session)};
     can_be_mended_ = exit_code_for(session.errors()) == ExitCode::invalid_input;
@@ -143,7 +146,7 @@ Result<OpenSession> SessionOpener::open() {
 }
 
 Result<OpenSession> open_session(const RenderOptions& options) {
-    return SessionOpener(options).open();
+    return SessionOpener(options, SessionOpener::Attempts::one).open();
 }
 
 }  // namespace weft::viewer

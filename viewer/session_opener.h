@@ -2,6 +2,7 @@
 // files the scene and the device are kept, so that trying again is cheap. Errors: as open_session().
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,10 +15,12 @@ namespace weft::viewer {
 
 class SessionOpener {
  public:
+    // With one attempt the scene is handed over to the session, which needs less memory.
+    enum class Attempts : uint8_t { one, many };
     // `options` outlives it.
-    explicit SessionOpener(const RenderOptions& options);
+    SessionOpener(const RenderOptions& options, Attempts attempts);
 
-    // Warnings go to stderr. May be called again after an error, and not after a success.
+    // Warnings go to stderr. With many attempts it may be called again after an error; never after a success.
     [[nodiscard]] Result<OpenSession> open();
 
     // After an error: an edit of files() may mend it.
@@ -32,6 +35,7 @@ class SessionOpener {
     [[nodiscard]] Result<OpenSession> open_checked();
 
     const RenderOptions& options_;
+    const Attempts attempts_;
     const PassCatalog passes_;
     std::optional<scene::Scene> scene_;
     scene::Camera camera_;

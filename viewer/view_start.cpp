@@ -33,7 +33,7 @@ bool is_there(const std::string& graph) {
 }  // namespace
 
 Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, bool waits, EndSignals& end) {
-    SessionOpener opener(options);
+    SessionOpener opener(options, SessionOpener::Attempts::many);
     Result<std::unique_ptr<render::FileWatch>> watch = render::FileWatch::create();
     if (!watch) return watch.take_errors();
     for (;;) {

@@ -47,78 +47,110 @@ std::array<uint16_t, 4> unorm16(const glm::vec4& v) {
     return out;
 }
 
-struct Streams {
-    std::vector<glm::vec4> positions;
-    std::vector<VertexAttributes> attributes;
-    std::vector<uint32_t> indices;
-    std::vector<std::array<uint16_t, 4>> colors;
-    std::vector<glm::vec2> second_uvs;
-    std::vector<MeshRange> ranges;
-};
-
 // What leads from the vertices' indices to the stream of a mesh that starts at `vertex_offset`.
 int32_t stream_offset(bool present, size_t begins, int32_t vertex_offset) {
     return present ? static_cast<int32_t>(begins) - vertex_offset : shared::kNoStream;
 }
 
-Streams streams_of(const scene::Scene& scene) {
-    Streams streams;
+std::vector<MeshRange> ranges_of(const scene::Scene& scene) {
+    std::vector<MeshRange> ranges;
+    size_t vertices = 0, indices = 0, colors = 0, second_uvs = 0;
     for (const scene::Mesh& mesh : scene.meshes) {
-        const auto vertex_offset = static_cast<int32_t>(streams.positions.size());
-        streams.ranges.push_back(
-            {static_cast<uint32_t>(streams.indices.size()), static_cast<uint32_t>(mesh.indices.size()),
-             vertex_offset, stream_offset(!mesh.colors.empty(), streams.colors.size(), vertex_offset),
-             stream_offset(!mesh.second_uvs.empty(), streams.second_uvs.size(), vertex_offset)});
-        for (const glm::vec4& color : mesh.colors) streams.colors.push_back(unorm16(color));
-        streams.second_uvs.insert(streams.second_uvs.end(), mesh.second_uvs.begin(), mesh.second_uvs.end());
-        for (size_t i = 0; i < mesh.positions.size(); ++i) {
-            streams.positions.emplace_back(mesh.positions[i], 1.0f);
-            streams.attributes.push_back(
-                {snorm16(glm::vec4(mesh.normals[i], 0)), snorm16(mesh.tangents[i]), mesh.uvs[i]});
-        }
-        streams.indices.insert(streams.indices.end(), mesh.indices.begin(), mesh.indices.end());
+        const auto vertex_offset = static_cast<int32_t>(vertices);
+        ranges.push_back({static_cast<uint32_t>(indices), static_cast<uint32_t>(mesh.indices.size()),
+                          vertex_offset, stream_offset(!mesh.colors.empty(), colors, vertex_offset),
+                          stream_offset(!mesh.second_uvs.empty(), second_uvs, vertex_offset)});
+        vertices += mesh.positions.size();
+        indices += mesh.indices.size();
+        colors += mesh.colors.size();
+        second_uvs += mesh.second_uvs.size();
     }
-    return streams;
+    return ranges;
 }
 
-}  // namespace
+// One stream of all meshes: as many items of each as `count` says, which `item(mesh, i)` makes.
+template <class Count, class Item>
+auto joined(const scene::Scene& scene, const Count& count, const Item& item) {
+    size_t all = 0;
+    for (const scene::Mesh& mesh : scene.meshes) all += count(mesh);
+    std::vector<std::decay_t<decltype(item(scene.meshes.front(), size_t{0}))>> stream;
+    stream.reserve(all);
+    for (const scene::Mesh& mesh : scene.meshes)
+        for (size_t i = 0; i < count(mesh); ++i) stream.push_back(item(mesh, i));
+    return stream;
+}
 
-Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& scene) {
-    Streams streams = streams_of(scene);
+std::vector<glm::vec4> positions_of(const scene::Scene& scene) {
+    return joined(
+        scene, [](const scene::Mesh& m) { return m.positions.size(); },
+        [](const scene::Mesh& m, size_t i) { return glm::vec4(m.positions[i], 1.0f); });
+}
+
+std::vector<VertexAttributes> attributes_of(const scene::Scene& scene) {
+    return joined(
+        scene, [](const scene::Mesh& m) { return m.positions.size(); },
+        [](const scene::Mesh& m, size_t i) {
+            return VertexAttributes{snorm16(glm::vec4(m.normals[i], 0)), snorm16(m.tangents[i]), m.uvs[i]};
+        });
+}
+
+std::vector<uint32_t> indices_of(const scene::Scene& scene) {
+    return joined(
+        scene, [](const scene::Mesh& m) { return m.indices.size(); },
+        [](const scene::Mesh& m, size_t i) { return m.indices[i]; });
+}
+
+std::vector<std::array<uint16_t, 4>> colors_of(const scene::Scene& scene) {
+    return joined(
+        scene, [](const scene::Mesh& m) { return m.colors.size(); },
+        [](const scene::Mesh& m, size_t i) { return unorm16(m.colors[i]); });
+}
+
+std::vector<glm::vec2> second_uvs_of(const scene::Scene& scene) {
+    return joined(
+        scene, [](const scene::Mesh& m) { return m.second_uvs.size(); },
+        [](const scene::Mesh& m, size_t i) { return m.second_uvs[i]; });
+}
+
+std::vector<shared::Instance> instances_of(const scene::Scene& scene, const std::vector<MeshRange>& ranges) {
     std::vector<shared::Instance> placed;
     placed.reserve(scene.instances.size());
     for (const scene::Instance& instance : scene.instances) {
         placed.push_back(gpu_instance(instance.transform));
-        placed.back().color_offset = streams.ranges[instance.mesh].color_offset;
-        placed.back().second_uv_offset = streams.ranges[instance.mesh].second_uv_offset;
+        placed.back().color_offset = ranges[instance.mesh].color_offset;
+        placed.back().second_uv_offset = ranges[instance.mesh].second_uv_offset;
     }
+    return placed;
+}
 
+}  // namespace
+
+// A stream at a time: each is gone here before the next one is made.
+Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& scene) {
     GpuGeometry geometry;
-    geometry.meshes = std::move(streams.ranges);
-    Result<vk::Buffer> positions =
-        filled(device, std::move(streams.positions), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "scene positions");
+    geometry.meshes = ranges_of(scene);
+    constexpr VkBufferUsageFlags kVertices = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                                 kIndices = VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                                 kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    Result<vk::Buffer> positions = filled(device, positions_of(scene), kVertices, "scene positions");
     if (!positions) return positions.take_errors();
-    Result<vk::Buffer> attributes =
-        filled(device, std::move(streams.attributes), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "scene attributes");
+    Result<vk::Buffer> attributes = filled(device, attributes_of(scene), kVertices, "scene attributes");
     if (!attributes) return attributes.take_errors();
-    Result<vk::Buffer> indices =
-        filled(device, std::move(streams.indices), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "scene indices");
+    Result<vk::Buffer> indices = filled(device, indices_of(scene), kIndices, "scene indices");
     if (!indices) return indices.take_errors();
     Result<vk::Buffer> instances =
-        filled(device, std::move(placed), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "scene instances");
+        filled(device, instances_of(scene, geometry.meshes), kStorage, "scene instances");
     if (!instances) return instances.take_errors();
-    Result<vk::Buffer> colors =
-        filled(device, std::move(streams.colors), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "scene vertex colours");
+    Result<vk::Buffer> colors = filled(device, colors_of(scene), kStorage, "scene vertex colours");
     if (!colors) return colors.take_errors();
-    Result<vk::Buffer> second_uvs =
-        filled(device, std::move(streams.second_uvs), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, "scene second uvs");
+    Result<vk::Buffer> second_uvs = filled(device, second_uvs_of(scene), kStorage, "scene second uvs");
     if (!second_uvs) return second_uvs.take_errors();
-    geometry.colors = std::move(*colors);
-    geometry.second_uvs = std::move(*second_uvs);
     geometry.positions = std::move(*positions);
     geometry.attributes = std::move(*attributes);
     geometry.indices = std::move(*indices);
     geometry.instances = std::move(*instances);
+    geometry.colors = std::move(*colors);
+    geometry.second_uvs = std::move(*second_uvs);
     return geometry;
 }
 

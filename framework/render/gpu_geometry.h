@@ -16,6 +16,8 @@ struct MeshRange {
     int32_t vertex_offset = 0;
     int32_t color_offset = 0;  // as in shared::Instance
     int32_t second_uv_offset = 0;
+
+    friend bool operator==(const MeshRange&, const MeshRange&) = default;
 };
 
 struct GpuGeometry {

@@ -56,23 +56,25 @@ VkFilter filter(scene::Filter f) {
 
 }  // namespace
 
-Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene& scene) {
+Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene& scene,
+                                          scene::Scene* owned) {
     GpuMaterials materials;
     Result<DescriptorSets> sets = DescriptorSets::create(
         device, layout_bindings(2), static_cast<uint32_t>(scene.materials.size()), "materials");
     if (!sets) return sets.take_errors();
     materials.sets_ = std::move(*sets);
-    if (Status s = materials.upload_textures(device, scene); !s) return s.take_errors();
+    if (Status s = materials.upload_textures(device, scene, owned); !s) return s.take_errors();
     if (Status s = materials.upload_constants(device, scene); !s) return s.take_errors();
     for (uint32_t i = 0; i < scene.materials.size(); ++i) materials.write_set(device, scene.materials[i], i);
     return materials;
 }
 
-Status GpuMaterials::upload_textures(vk::Device& device, const scene::Scene& scene) {
-    for (const scene::Texture& texture : scene.textures) {
-        Result<vk::Image> image = uploaded(device, texture);
+Status GpuMaterials::upload_textures(vk::Device& device, const scene::Scene& scene, scene::Scene* owned) {
+    for (size_t i = 0; i < scene.textures.size(); ++i) {
+        Result<vk::Image> image = uploaded(device, scene.textures[i]);
         if (!image) return image.take_errors();
         textures_.push_back(std::move(*image));
+        if (owned != nullptr) owned->textures[i].mips = {};
     }
     Result<vk::Image> white = single_texel(device, "white", {255, 255, 255, 255});
     if (!white) return white.take_errors();

@@ -14,7 +14,9 @@ namespace weft::render {
 
 class GpuMaterials {
  public:
-    [[nodiscard]] static Result<GpuMaterials> create(vk::Device& device, const scene::Scene& scene);
+    // `owned` is `scene` or null: as of GpuScene.
+    [[nodiscard]] static Result<GpuMaterials> create(vk::Device& device, const scene::Scene& scene,
+                                                     scene::Scene* owned);
 
     [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
     [[nodiscard]] VkDescriptorSet set(uint32_t material) const { return sets_.sets[material]; }
@@ -22,7 +24,7 @@ class GpuMaterials {
  private:
     using SamplerKey = std::tuple<scene::Filter, scene::Filter, bool, scene::Wrap, scene::Wrap>;
 
-    Status upload_textures(vk::Device& device, const scene::Scene& scene);
+    Status upload_textures(vk::Device& device, const scene::Scene& scene, scene::Scene* owned);
     Status upload_constants(vk::Device& device, const scene::Scene& scene);
     void write_set(vk::Device& device, const scene::Material& material, uint32_t index);
     VkSampler sampler(vk::Device& device, const scene::TextureSlot& slot);

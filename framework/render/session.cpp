@@ -48,13 +48,26 @@ Session::~Session() = default;
 Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene::Scene& scene,
                                                  const SessionInput& input, Diagnostics& warnings,
                                                  std::set<std::filesystem::path>* files) {
+    return create(device, scene, nullptr, input, warnings, files);
+}
+
+Result<std::unique_ptr<Session>> Session::create(vk::Device& device, scene::Scene&& scene,
+                                                 const SessionInput& input, Diagnostics& warnings,
+                                                 std::set<std::filesystem::path>* files) {
+    return create(device, scene, &scene, input, warnings, files);
+}
+
+Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene::Scene& scene,
+                                                 scene::Scene* owned, const SessionInput& input,
+                                                 Diagnostics& warnings,
+                                                 std::set<std::filesystem::path>* files) {
     std::unique_ptr<Session> session(new Session(device, input));
     session->imports_ = scene_imports(input.size, &scene);
     own_imports(device, session->imports_);
     Result<LoadedGraph> loaded = session->load(session->selection_, session->imports_, warnings);
     if (files != nullptr) files->merge(std::set<std::filesystem::path>(session->memory_->files()));
     if (!loaded) return loaded.take_errors();
-    Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene);
+    Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene, owned);
     if (!gpu) return gpu.take_errors();
     session->scene_ = std::move(*gpu);
     session->scene_lights_ = scene.lights;

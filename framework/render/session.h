@@ -59,6 +59,11 @@ class Session {
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
+    // The same for a scene that is not used any more: its textures are freed one by one as they are copied to
+    // the GPU, which halves what they take at most.
+    [[nodiscard]] static Result<std::unique_ptr<Session>> create(
+        vk::Device& device, scene::Scene&& scene, const SessionInput& input, Diagnostics& warnings,
+        std::set<std::filesystem::path>* files = nullptr);
 
     ~Session();
 
@@ -97,6 +102,9 @@ class Session {
 
  private:
     Session(vk::Device& device, const SessionInput& input);
+    [[nodiscard]] static Result<std::unique_ptr<Session>> create(
+        vk::Device& device, const scene::Scene& scene, scene::Scene* owned, const SessionInput& input,
+        Diagnostics& warnings, std::set<std::filesystem::path>* files);
     [[nodiscard]] LoadInput load_input(const Selection& selection, const ImportCatalog& imports) const;
     // With memory_, which holds the files that were looked at then.
     [[nodiscard]] Result<LoadedGraph> load(const Selection& selection, const ImportCatalog& imports,

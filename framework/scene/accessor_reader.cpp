@@ -28,7 +28,27 @@ std::optional<std::span<const uint8_t>> range_of(const Document& document, uint3
     return bytes.subspan(offset, *end - offset);
 }
 
+bool ascends(const Document& document, const Accessor& accessor) {
+    const Sparse& sparse = accessor.sparse;
+    const uint64_t index_bytes = size_bytes(sparse.index_type);
+    const auto indices = range_of(document, sparse.index_view, sparse.index_offset_bytes, index_bytes,
+                                  sparse.count, index_bytes);
+    if (!indices) return false;
+    uint64_t least = 0;
+    for (uint64_t i = 0; i < sparse.count; ++i) {
+        const uint32_t index = load_index(&(*indices)[i * index_bytes], sparse.index_type);
+        if (index < least || index >= accessor.count) return false;
+        least = uint64_t{index} + 1;
+    }
+    return true;
+}
+
 }  // namespace
+
+void check_sparse_indices(Document& document) {
+    for (Accessor& accessor : document.accessors)
+        if (accessor.sparse.count != 0) accessor.sparse.ascends = ascends(document, accessor);
+}
 
 std::optional<AccessorReader> AccessorReader::open(const Document& document, uint32_t accessor) {
     const Accessor& source = document.accessors[accessor];
@@ -49,30 +69,37 @@ std::optional<AccessorReader> AccessorReader::open(const Document& document, uin
     }
     const Sparse& sparse = source.sparse;
     if (sparse.count == 0) return reader;
+    if (!sparse.ascends) return std::nullopt;
     const uint64_t index_bytes = size_bytes(sparse.index_type);
     const auto indices = range_of(document, sparse.index_view, sparse.index_offset_bytes, index_bytes,
                                   sparse.count, index_bytes);
     const auto values = range_of(document, sparse.value_view, sparse.value_offset_bytes,
                                  reader.element_bytes_, sparse.count, reader.element_bytes_);
     if (!indices || !values) return std::nullopt;
-    for (uint64_t i = 0; i < sparse.count; ++i) {
-        const uint32_t index = load_index(&(*indices)[i * index_bytes], sparse.index_type);
-        const bool ascending = reader.sparse_indices_.empty() || index > reader.sparse_indices_.back();
-        if (index >= source.count || !ascending) return std::nullopt;
-        reader.sparse_indices_.push_back(index);
-    }
+    reader.sparse_type_ = sparse.index_type;
+    reader.sparse_count_ = sparse.count;
+    reader.sparse_indices_ = *indices;
     reader.sparse_values_ = *values;
     return reader;
 }
 
+std::optional<uint64_t> AccessorReader::sparse_row(uint64_t element) const {
+    const uint64_t index_bytes = size_bytes(sparse_type_);
+    uint64_t low = 0, high = sparse_count_;
+    while (low < high) {
+        const uint64_t middle = low + (high - low) / 2;
+        const uint32_t index = load_index(&sparse_indices_[middle * index_bytes], sparse_type_);
+        if (index == element) return middle;
+        (index < element ? low : high) = index < element ? middle + 1 : middle;
+    }
+    return std::nullopt;
+}
+
 std::span<const uint8_t> AccessorReader::element_bytes(uint64_t element) const {
     assert(element < count_);
-    if (!sparse_indices_.empty()) {
-        const auto it = std::lower_bound(sparse_indices_.begin(), sparse_indices_.end(), element);
-        if (it != sparse_indices_.end() && *it == element) {
-            const auto row = static_cast<uint64_t>(it - sparse_indices_.begin());
-            return sparse_values_.subspan(row * element_bytes_, element_bytes_);
-        }
+    if (sparse_count_ != 0) {
+        if (const std::optional<uint64_t> row = sparse_row(element))
+            return sparse_values_.subspan(*row * element_bytes_, element_bytes_);
     }
     if (data_.empty()) return {};
     return data_.subspan(element * stride_bytes_, element_bytes_);

@@ -13,9 +13,12 @@
 
 namespace weft::scene::gltf {
 
+// Looks at every sparse index once. An accessor may be opened many times, by each primitive that uses it.
+void check_sparse_indices(Document& document);
+
 class AccessorReader {
  public:
-    // nullopt when the accessor reaches past its bytes or a sparse index past its count.
+    // nullopt when the accessor reaches past its bytes, or its sparse indices do not ascend within its count.
     [[nodiscard]] static std::optional<AccessorReader> open(const Document& document, uint32_t accessor);
 
     [[nodiscard]] uint64_t count() const { return count_; }
@@ -41,7 +44,11 @@ class AccessorReader {
     ComponentType type_ = ComponentType::f32;
     uint32_t components_ = 1;
     bool normalized_ = false;
-    std::vector<uint32_t> sparse_indices_;  // ascending
+    [[nodiscard]] std::optional<uint64_t> sparse_row(uint64_t element) const;
+
+    ComponentType sparse_type_ = ComponentType::u32;
+    uint64_t sparse_count_ = 0;
+    std::span<const uint8_t> sparse_indices_;  // ascending
     std::span<const uint8_t> sparse_values_;
 };
 

@@ -1,6 +1,7 @@
 #include "scene/alpha_settle.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace weft::scene::gltf {
 namespace {
@@ -34,11 +35,17 @@ std::vector<bool> with_translucent_meshes(const BuiltMeshes& built, size_t mater
 void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures,
                   std::vector<Material>& materials) {
     const std::vector<bool> translucent = with_translucent_meshes(built, materials.size());
+    std::vector<std::optional<bool>> opaque(
+        textures.size());  // each is looked at once, however many materials show it
+    const auto is_opaque_texture = [&](uint32_t texture) {
+        if (!opaque[texture]) opaque[texture] = is_opaque(textures[texture]);
+        return *opaque[texture];
+    };
     for (size_t i = 0; i < materials.size(); ++i) {
         Material& material = materials[i];
         if (material.alpha_mode != AlphaMode::blend || material.base_color.a < 1 || translucent[i]) continue;
         const uint32_t texture = material.base_color_texture.texture;
-        if (texture == kNone || is_opaque(textures[texture])) material.alpha_mode = AlphaMode::opaque;
+        if (texture == kNone || is_opaque_texture(texture)) material.alpha_mode = AlphaMode::opaque;
     }
 }
 

@@ -53,7 +53,7 @@ std::optional<Container> open_binary(std::span<const uint8_t> file, Report& repo
                      version == 1 ? "this is a binary file of glTF 1.0; weft reads glTF 2.0"
                                   : "GLB version is " + std::to_string(version) + " when it should be 2",
                      "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the "
-                     "scene again");
+                     "scene as glTF 2.0");
         return std::nullopt;
     }
     const uint32_t length = read_u32(file, 8);
@@ -101,13 +101,14 @@ std::optional<Container> open_container(std::span<const uint8_t> file, Report& r
     return Container{text, std::nullopt};
 }
 
-bool json_within_limits(std::string_view json, const SceneLimits& limits, Report& report) {
+std::optional<uint64_t> count_values(std::string_view json, const SceneLimits& limits, Report& report) {
     if (json.size() > limits.json_bytes) {
         report.error("S107", {},
                      "the JSON has " + std::to_string(json.size()) + " bytes, the limit is " +
                          std::to_string(limits.json_bytes),
-                     "move embedded data: URIs into .bin and image files, or save as .glb");
-        return false;
+                     "move embedded data: URIs into .bin and image files, save as .glb, " +
+                         raise_limit_text("scene.jsonBytes"));
+        return std::nullopt;
     }
     uint64_t values = 0;
     uint32_t depth = 0;
@@ -130,11 +131,13 @@ bool json_within_limits(std::string_view json, const SceneLimits& limits, Report
             "S107", at.line, at.column,
             deep ? "the JSON is nested deeper than " + std::to_string(limits.json_depth) + " levels"
                  : "the JSON holds more than " + std::to_string(limits.json_values) + " values",
-            deep ? "glTF needs fewer than 16 levels: remove the nested extras or extensions"
-                 : "keep geometry in binary buffers and split the scene into several files");
-        return false;
+            deep ? "glTF needs fewer than 16 levels: remove the nested extras or extensions, " +
+                       raise_limit_text("scene.jsonDepth")
+                 : "keep geometry in binary buffers and split the scene into several files, " +
+                       raise_limit_text("scene.jsonValues"));
+        return std::nullopt;
     }
-    return true;
+    return values;
 }
 
 TextPosition position_of(std::string_view text, size_t byte) {

@@ -21,8 +21,10 @@ struct Container {
 // Views into `file`. nullopt after an error was reported.
 [[nodiscard]] std::optional<Container> open_container(std::span<const uint8_t> file, Report& report);
 
-// False after an error was reported. Brackets and commas inside strings do not count.
-[[nodiscard]] bool json_within_limits(std::string_view json, const SceneLimits& limits, Report& report);
+// How many values the JSON holds; nullopt after an error was reported. Brackets and commas inside strings do
+// not count.
+[[nodiscard]] std::optional<uint64_t> count_values(std::string_view json, const SceneLimits& limits,
+                                                   Report& report);
 
 struct TextPosition {
     uint32_t line = 1;

@@ -44,6 +44,7 @@ struct Sparse {
     ComponentType index_type = ComponentType::u32;
     uint32_t value_view = kNone;
     uint64_t value_offset_bytes = 0;
+    bool ascends = false;  // its indices do, within the accessor's count: check_sparse_indices()
 };
 
 struct Accessor {

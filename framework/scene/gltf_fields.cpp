@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "weft/limits.h"
 
 namespace weft::scene::gltf {
 namespace {
@@ -203,10 +206,13 @@ const json* Fields::array(const char* key, uint64_t max_items) const {
         return nullptr;
     }
     if (value->size() <= max_items) return value;
+    const std::string_view name(key);
+    const bool material = name == "materials" || name == "textures" || name == "images";
     report_->error("S107", pointer_to(key),
                    quoted(key) + " has " + std::to_string(value->size()) + " items, the limit is " +
                        std::to_string(max_items),
-                   "split the scene into several files");
+                   "split the scene into several files, " +
+                       raise_limit_text(material ? "scene.materials" : "scene.arrayItems"));
     return nullptr;
 }
 

@@ -1,12 +1,14 @@
 #include "scene/gltf_resources.h"
 
+#include <algorithm>
+
 namespace weft::scene::gltf {
 namespace {
 
 class Loader {
  public:
-    Loader(const RootedFolder& folder, uint64_t max_bytes, Report& report)
-        : folder_(folder), bytes_left_(max_bytes), report_(report) {}
+    Loader(const RootedFolder& folder, uint64_t max_bytes, MemoryBudget& memory, Report& report)
+        : folder_(folder), bytes_left_(max_bytes), memory_(memory), report_(report) {}
 
     // The bytes of `uri`; nullopt after an error was reported at `pointer`.
     std::optional<std::vector<uint8_t>> load(const std::string& uri, const std::string& pointer) {
@@ -17,6 +19,8 @@ class Loader {
             report_fault(ReadFault::too_large, "the data: URI exceeds what is left of the limit", pointer);
             return std::nullopt;
         }
+        if (!take_memory(memory_, {bytes->size(), "S107", pointer, "this file"}, report_))
+            return std::nullopt;
         bytes_left_ -= bytes->size();
         return bytes;
     }
@@ -27,6 +31,7 @@ class Loader {
             report_fault(ReadFault::too_large, "the buffers exceed the limit", pointer);
             return false;
         }
+        if (!take_memory(memory_, {bytes, "S107", pointer, "the buffer"}, report_)) return false;
         bytes_left_ -= bytes;
         return true;
     }
@@ -42,7 +47,9 @@ class Loader {
     }
 
     std::optional<std::vector<uint8_t>> read(const std::string& uri, const std::string& pointer) {
-        FileBytes file = folder_.read(uri, bytes_left_);
+        // What fits into the one limit may be more than the other one leaves: the file is measured before it
+        // is read.
+        FileBytes file = folder_.read(uri, std::min(bytes_left_, memory_.left_bytes()));
         if (!file.fault) return std::move(file.bytes);
         report_fault(*file.fault, file.message, pointer);
         return std::nullopt;
@@ -55,7 +62,9 @@ class Loader {
                               "copy the file into the scene's folder and refer to it by a relative URI");
                 break;
             case ReadFault::too_large:
-                report_.error("S107", pointer, message, "use fewer or smaller buffers and images");
+                report_.error("S107", pointer, message,
+                              "use fewer or smaller buffers and images, or raise scene.resourceBytes or "
+                              "scene.memoryBytes with --limits");
                 break;
             case ReadFault::missing:
             case ReadFault::unreadable:
@@ -66,6 +75,7 @@ class Loader {
 
     const RootedFolder& folder_;
     uint64_t bytes_left_;
+    MemoryBudget& memory_;
     Report& report_;
 };
 
@@ -89,8 +99,13 @@ void load_buffer(Loader& loader, const BufferSource& source, std::optional<std::
                          "add \"uri\", or save the scene as .glb with its buffer first");
             return;
         }
-        if (source.length_bytes <= binary->size() && !loader.reserve(source.length_bytes, pointer)) return;
-        buffer.assign(binary->begin(), binary->end());
+        if (source.length_bytes > binary->size()) {
+            report_short_buffer(report, pointer, source.length_bytes, binary->size());
+            return;
+        }
+        if (!loader.reserve(source.length_bytes, pointer)) return;
+        const std::span<const uint8_t> bytes = binary->first(source.length_bytes);
+        buffer.assign(bytes.begin(), bytes.end());
     }
     if (buffer.size() < source.length_bytes) {
         report_short_buffer(report, pointer, source.length_bytes, buffer.size());
@@ -103,8 +118,8 @@ void load_buffer(Loader& loader, const BufferSource& source, std::optional<std::
 
 std::optional<Resources> load_resources(CheckedJson& checked, std::optional<std::span<const uint8_t>> binary,
                                         const RootedFolder& folder, const SceneLimits& limits,
-                                        Report& report) {
-    Loader loader(folder, limits.resource_bytes, report);
+                                        MemoryBudget& memory, Report& report) {
+    Loader loader(folder, limits.resource_bytes, memory, report);
     Resources out;
     for (size_t i = 0; i < checked.buffers.size(); ++i) {
         load_buffer(loader, checked.buffers[i], binary, i, report, out);

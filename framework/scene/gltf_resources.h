@@ -1,7 +1,7 @@
 // Purpose: the bytes behind a glTF's buffers and images, from data: URIs, the .glb's own chunk, or files
 // below the scene's folder. This is the only place where a URI of a glTF meets the file system. Errors: S101
 // missing file, S102 broken data: URI, S103 URI that leaves the folder, S104 fewer bytes than byteLength,
-// S107 more bytes than the limit.
+// S107 more bytes than the limits.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "scene/gltf_check.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_report.h"
+#include "scene/memory_budget.h"
 #include "scene/rooted_folder.h"
 
 namespace weft::scene::gltf {
@@ -25,6 +26,6 @@ struct Resources {
 [[nodiscard]] std::optional<Resources> load_resources(CheckedJson& checked,
                                                       std::optional<std::span<const uint8_t>> binary,
                                                       const RootedFolder& folder, const SceneLimits& limits,
-                                                      Report& report);
+                                                      MemoryBudget& memory, Report& report);
 
 }  // namespace weft::scene::gltf

@@ -28,6 +28,7 @@ struct Checker {
     std::vector<uint64_t> view_lengths{};
     std::vector<uint64_t> view_strides{};
     std::vector<AccessorShape> accessors{};
+    uint64_t sparse_values = 0;  // of all accessors so far
 };
 
 [[nodiscard]] bool is_known_extension(std::string_view name);

@@ -86,6 +86,13 @@ void check_sparse(Checker& c, const Fields& accessor, uint64_t accessor_count, u
     if (!sparse) return;
     const uint64_t max_count = std::min<uint64_t>(accessor_count, INT32_MAX);
     const uint64_t count = sparse->integer("count", Need::required, 1, max_count).value_or(0);
+    // Accessors may share the bytes of their indices, each of which is looked at for each of them.
+    c.sparse_values += count;
+    if (c.sparse_values > c.limits.vertices && c.sparse_values - count <= c.limits.vertices)
+        c.report.error("S107", sparse->pointer_to("count"),
+                       "the sparse accessors have " + std::to_string(c.sparse_values) +
+                           " values up to here, the limit is " + std::to_string(c.limits.vertices),
+                       "export without sparse accessors, " + raise_limit_text("scene.vertices"));
     const std::optional<Fields> indices = sparse->object("indices", Need::required);
     const std::optional<Fields> values = sparse->object("values", Need::required);
     if (!indices || !values) return;
@@ -118,7 +125,7 @@ void check_accessor_data(Checker& c, const Fields& accessor, uint64_t count, uin
         c.report.error("S107", accessor.pointer_to("count"),
                        std::to_string(count) + " elements without a buffer view, the limit is " +
                            std::to_string(c.limits.vertices),
-                       "lower the count");
+                       "lower the count, " + raise_limit_text("scene.vertices"));
         return;
     }
     const uint64_t stride = c.view_strides[view] != 0 ? c.view_strides[view] : element;

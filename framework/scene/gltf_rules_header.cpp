@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, 8> kKnownExtensions{
     "KHR_mesh_quantization", "KHR_texture_transform"};
 
 constexpr const char* kConvertOldFile =
-    "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the scene again";
+    "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the scene as glTF 2.0";
 
 void check_version(const Fields& asset, const char* key, bool fine, const std::string& version,
                    Report& report) {

@@ -99,7 +99,7 @@ void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
             c.report.error("S109", pointer,
                            "the node is " + std::to_string(levels) + " levels deep, the limit is " +
                                std::to_string(c.limits.node_depth),
-                           "flatten the hierarchy");
+                           "flatten the hierarchy, " + raise_limit_text("scene.nodeDepth"));
             return;
         }
     }

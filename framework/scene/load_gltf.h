@@ -2,8 +2,9 @@
 // no count in it is believed before it was compared with the bytes that are there, and every total has a
 // limit. Units: as in scene.h; glTF's own (metres, radians, candela, lux) are the same. emissiveFactor times
 // emissiveStrength is read as cd/m².
-// Errors: S101…S149, each with the file and a JSON pointer. Warnings: S150…S199, for what was left out or
-// mended. Source: "glTF 2.0 Specification", Khronos Group, 2021, and the KHR extension texts it links to.
+// Errors: S101…S149, each with the file and a JSON pointer; X571 where memory ran out. Warnings: S150…S199,
+// for what was left out or mended. Source: "glTF 2.0 Specification", Khronos Group, 2021, and the KHR
+// extension texts it links to.
 #pragma once
 
 #include <cstdint>

@@ -149,6 +149,7 @@ void generate_tangents(Mesh& mesh, uint32_t uv_set) {
     const std::vector<glm::vec2>& uvs = uv_set == 1 && !mesh.second_uvs.empty() ? mesh.second_uvs : mesh.uvs;
     if (uvs.empty()) {
         mesh.tangents.clear();
+        mesh.tangents.reserve(mesh.normals.size());
         for (const glm::vec3& normal : mesh.normals) mesh.tangents.emplace_back(any_orthogonal(normal), 1.0f);
         return;
     }

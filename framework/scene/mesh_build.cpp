@@ -9,6 +9,7 @@
 #include "scene/mesh_attributes.h"
 #include "scene/mesh_topology.h"
 #include "scene/vertex_streams.h"
+#include "weft/limits.h"
 
 namespace weft::scene::gltf {
 namespace {
@@ -27,10 +28,23 @@ bool reads_second_uvs(const Material& material) {
     return false;
 }
 
+// Positions, normals, tangents and uvs; colours and second uvs where a mesh has them.
+constexpr uint64_t kHostBytesPerVertex = 12 + 12 + 16 + 8, kHostBytesPerColor = 16, kHostBytesPerSecondUv = 8;
+// With the copy on the GPU, 16 and 24 bytes, and what is on its way there.
+constexpr uint64_t kBytesPerVertex = kHostBytesPerVertex + 16 + 24 + 24;
+constexpr uint64_t kBytesPerColor = kHostBytesPerColor + 8, kBytesPerSecondUv = kHostBytesPerSecondUv + 8,
+                   kBytesPerIndex = 4 + 4 + 2;
+
+uint64_t memory_of(const Mesh& mesh) {
+    return sizeof(Mesh) + mesh.name.size() + mesh.positions.capacity() * kBytesPerVertex +
+           mesh.colors.capacity() * kBytesPerColor + mesh.second_uvs.capacity() * kBytesPerSecondUv +
+           mesh.indices.capacity() * kBytesPerIndex;
+}
+
 class Builder {
  public:
-    Builder(const Document& document, const SceneLimits& limits, Report& report)
-        : document_(document), limits_(limits), report_(report) {}
+    Builder(const Document& document, const SceneLimits& limits, MemoryBudget& memory, Report& report)
+        : document_(document), limits_(limits), memory_(memory), report_(report) {}
 
     // The mesh of a primitive at `pointer`; without indices when nothing is left of it. `label` is for
     // messages.
@@ -41,20 +55,66 @@ class Builder {
             open_accessor(document_, primitive.position, pointer + "/attributes/POSITION", report_);
         if (!positions) return mesh;
         std::vector<uint32_t> indices = read_indices(primitive, positions->count(), pointer);
-        if (indices.empty() || !within_limits(indices, primitive.normal == kNone, pointer)) return mesh;
+        if (indices.empty() || !within_limits(indices, primitive.normal == kNone, pointer) ||
+            !take(most_memory_of(primitive, indices), pointer))
+            return mesh;
         drop_unusable(indices, *positions, pointer);
         if (indices.empty()) return mesh;
         const std::vector<uint32_t> used = make_compact(indices);
         mesh.indices = std::move(indices);
+        mesh.positions.reserve(used.size());
         for (const uint32_t vertex : used) mesh.positions.push_back(positions->vector<glm::vec3>(vertex));
         read_attributes(primitive, {document_, report_, label, pointer + "/attributes", used}, mesh);
         // Every vertex has uvs from here on, so that one vertex layout serves all meshes.
         mesh.uvs.resize(mesh.positions.size(), glm::vec2(0));
         compute_bounds(mesh);
+        shrink(mesh);
         return mesh;
+    }
+    // Keeps what `mesh` takes, with its name, and gives back what building it took. False after a limit was
+    // reached: all that follows would be beyond it, too.
+    bool settle(const Mesh& mesh, const std::string& pointer) {
+        memory_.give_back(taken_bytes_);
+        taken_bytes_ = 0;
+        if (is_full_) return false;
+        return mesh.indices.empty() ||
+               take_memory(memory_, {memory_of(mesh), "S107", pointer, label_}, report_);
     }
 
  private:
+    bool take(uint64_t bytes, const std::string& pointer) {
+        is_full_ = !take_memory(memory_, {bytes, "S107", pointer, label_}, report_);
+        if (is_full_) return false;
+        taken_bytes_ += bytes;
+        return true;
+    }
+
+    // While the mesh is built, beside its indices: each vertex may be doubled where its uvs are mirrored, and
+    // flat shading copies all streams.
+    [[nodiscard]] uint64_t most_memory_of(const Primitive& primitive,
+                                          const std::vector<uint32_t>& indices) const {
+        const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
+        const uint64_t range = uint64_t{*high} - *low + 1, corners = indices.size();
+        const bool flat = primitive.normal == kNone;
+        const bool splits = primitive.uv != kNone && (flat || primitive.tangent == kNone);
+        const uint64_t read = std::min(range, corners), drawn = flat ? corners : read;
+        constexpr uint64_t kScratch = 24, kFrame = 16;  // sums, sides and twins of a vertex; of a triangle
+        uint64_t vertex_bytes = kHostBytesPerVertex + kScratch;
+        if (primitive.color != kNone) vertex_bytes += kHostBytesPerColor;
+        if (primitive.second_uv != kNone) vertex_bytes += kHostBytesPerSecondUv;
+        return drawn * vertex_bytes * (splits ? 2 : 1) + (flat ? read * vertex_bytes : 0) +
+               (range + read) * sizeof(uint32_t) + corners / 3 * kFrame;
+    }
+
+    // Doubled vertices let streams grow by more than they need.
+    static void shrink(Mesh& mesh) {
+        mesh.positions.shrink_to_fit();
+        mesh.normals.shrink_to_fit();
+        mesh.tangents.shrink_to_fit();
+        mesh.uvs.shrink_to_fit();
+        mesh.colors.shrink_to_fit();
+        mesh.second_uvs.shrink_to_fit();
+    }
     void read_attributes(const Primitive& primitive, const StreamSource& from, Mesh& mesh) {
         mesh.uvs = read_uvs(from, primitive.uv, "TEXCOORD_0");
         mesh.colors = read_colors(from, primitive.color);
@@ -97,8 +157,10 @@ class Builder {
         if (primitive.indices != kNone && !reader) return indices;
         uint64_t count = reader ? reader->count() : vertices;
         const uint64_t triangles = triangle_count(primitive.mode, count);
-        if (triangles > limits_.triangles) {
-            report_over_limit(pointer, triangles, "triangles", limits_.triangles);
+        // Counted before they are read, and whether or not they are good: primitives may share their indices.
+        triangles_ = saturating_add(triangles_, triangles);
+        if (triangles_ > limits_.triangles) {
+            report_over_limit(pointer, triangles_, "triangles", limits_.triangles);
             return indices;
         }
         if (primitive.mode == kTriangles && count % 3 != 0) {
@@ -108,10 +170,14 @@ class Builder {
                          "export the mesh as triangles");
             count -= count % 3;
         }
+        // The corners as they stand in the file, and three for each triangle of a strip or fan.
+        const bool lists = primitive.mode == kTriangles;
+        if (!take(count * sizeof(uint32_t) + (lists ? 0 : triangles * 3 * sizeof(uint32_t)), pointer))
+            return indices;
         indices.resize(count);
         if (!reader) {
             std::iota(indices.begin(), indices.end(), 0u);
-            return triangle_list(primitive.mode, indices);
+            return triangle_list(primitive.mode, std::move(indices));
         }
         for (uint64_t i = 0; i < count; ++i) {
             indices[i] = reader->index(i);
@@ -122,25 +188,24 @@ class Builder {
                           "export the scene again");
             return {};
         }
-        return triangle_list(primitive.mode, indices);
+        return triangle_list(primitive.mode, std::move(indices));
     }
 
     // Counts what the primitive will take before anything is allocated for it.
     bool within_limits(const std::vector<uint32_t>& indices, bool flat, const std::string& pointer) {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
-        triangles_ += indices.size() / 3;
         vertices_ += std::max<uint64_t>(uint64_t{*high} - *low + 1, flat ? indices.size() : 0);
-        if (triangles_ > limits_.triangles)
-            report_over_limit(pointer, triangles_, "triangles", limits_.triangles);
         if (vertices_ > limits_.vertices) report_over_limit(pointer, vertices_, "vertices", limits_.vertices);
-        return triangles_ <= limits_.triangles && vertices_ <= limits_.vertices;
+        return vertices_ <= limits_.vertices;
     }
 
     void report_over_limit(const std::string& pointer, uint64_t found, const char* what, uint64_t limit) {
-        report_.error("S107", pointer,
-                      "the scene has " + std::to_string(found) + " " + what + " up to here, the limit is " +
-                          std::to_string(limit),
-                      "simplify the meshes or split the scene");
+        is_full_ = true;
+        report_.error(
+            "S107", pointer,
+            "the scene has " + std::to_string(found) + " " + what + " up to here, the limit is " +
+                std::to_string(limit),
+            "simplify the meshes or split the scene, " + raise_limit_text("scene." + std::string(what)));
     }
 
     void drop_unusable(std::vector<uint32_t>& indices, const AccessorReader& positions,
@@ -180,8 +245,11 @@ class Builder {
 
     const Document& document_;
     const SceneLimits& limits_;
+    MemoryBudget& memory_;
     Report& report_;
-    std::string label_;  // of the primitive at hand
+    bool is_full_ = false;
+    uint64_t taken_bytes_ = 0;  // for the primitive at hand
+    std::string label_;         // of it
     uint64_t triangles_ = 0;
     uint64_t vertices_ = 0;
 };
@@ -218,9 +286,9 @@ std::string primitive_label(const MeshSource& source, size_t mesh, size_t primit
 }  // namespace
 
 BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, const LoadOptions& options,
-                         Report& report) {
+                         MemoryBudget& memory, Report& report) {
     BuiltMeshes built;
-    Builder builder(document, limits, report);
+    Builder builder(document, limits, memory, report);
     StageProgress progress(options, "meshes", document.meshes.size());
     for (size_t m = 0; m < document.meshes.size(); ++m) {
         const MeshSource& source = document.meshes[m];
@@ -231,8 +299,9 @@ BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits, co
             const std::string name = primitive_label(source, m, p);
             if (!is_drawable(primitive, name, pointer, report)) continue;
             Mesh mesh = builder.build(primitive, name, pointer);
-            if (mesh.indices.empty()) continue;
             mesh.name = mesh_name(source, m, p);
+            if (!builder.settle(mesh, pointer)) return built;
+            if (mesh.indices.empty()) continue;
             primitives.push_back({static_cast<uint32_t>(built.meshes.size()), primitive.material});
             built.meshes.push_back(std::move(mesh));
         }

@@ -10,6 +10,7 @@
 #include "scene/gltf_document.h"
 #include "scene/gltf_report.h"
 #include "scene/load_gltf.h"
+#include "scene/memory_budget.h"
 
 namespace weft::scene::gltf {
 
@@ -25,6 +26,6 @@ struct BuiltMeshes {
 
 // Faults are reported and leave their primitive out.
 [[nodiscard]] BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits,
-                                       const LoadOptions& options, Report& report);
+                                       const LoadOptions& options, MemoryBudget& memory, Report& report);
 
 }  // namespace weft::scene::gltf

@@ -11,6 +11,6 @@ namespace weft::scene::gltf {
 // Without the corners of a last, unfinished one.
 [[nodiscard]] uint64_t triangle_count(uint32_t mode, uint64_t corners);
 // Triangles of a strip or fan that use one corner twice only join others, and are left out.
-[[nodiscard]] std::vector<uint32_t> triangle_list(uint32_t mode, const std::vector<uint32_t>& corners);
+[[nodiscard]] std::vector<uint32_t> triangle_list(uint32_t mode, std::vector<uint32_t> corners);
 
 }  // namespace weft::scene::gltf

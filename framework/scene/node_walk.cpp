@@ -2,10 +2,15 @@
 
 #include <cmath>
 
+#include "weft/limits.h"
+
 namespace weft::scene::gltf {
 namespace {
 
 constexpr float kMaxEntry = 1e15f;
+// An instance: here, in the GPU's buffer and its staging, in a list of draws and of draw commands, twice for
+// growing.
+constexpr uint64_t kBytesPerInstance = 2 * sizeof(Instance) + 2 * 208 + 2 * 96 + 2 * 20;
 
 bool is_usable(const glm::mat4& m) {
     for (int column = 0; column < 4; ++column) {
@@ -43,6 +48,21 @@ class Walk {
  public:
     Walk(const Document& document, const BuiltMeshes& meshes, uint32_t default_material, Scene& scene)
         : document_(document), meshes_(meshes), default_material_(default_material), scene_(scene) {}
+
+    // Of what place() adds to the scene: every instance, light and camera has a name of its own.
+    [[nodiscard]] uint64_t memory_bytes(const Node& node) const {
+        uint64_t bytes = 0;
+        if (node.mesh != kNone) {
+            for (const BuiltPrimitive& primitive : meshes_.of_gltf_mesh[node.mesh]) {
+                const std::string& name = node.name.empty() ? meshes_.meshes[primitive.mesh].name : node.name;
+                bytes += kBytesPerInstance + name.size();
+            }
+        }
+        if (node.light != kNone)
+            bytes += 3 * sizeof(Light) + node.name.size() + 2 * document_.lights[node.light].name.size();
+        if (node.camera != kNone) bytes += 2 * sizeof(Camera) + node.name.size();
+        return bytes;
+    }
 
     void place(const Node& node, const glm::mat4& world) {
         if (node.mesh != kNone) {
@@ -83,7 +103,7 @@ class Walk {
 }  // namespace
 
 void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t default_material,
-                 const SceneLimits& limits, Report& report, Scene& scene) {
+                 const SceneLimits& limits, MemoryBudget& memory, Report& report, Scene& scene) {
     struct Visit {
         uint32_t node;
         glm::mat4 parent;
@@ -104,11 +124,15 @@ void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t d
                         "correct the matrix or scale of the node or of its parents");
             continue;
         }
+        if (!take_memory(
+                memory, {walk.memory_bytes(node), "S107", "/nodes/" + std::to_string(visit.node), "the node"},
+                report))
+            return;
         walk.place(node, world);
         if (scene.instances.size() > limits.instances) {
             report.error("S107", "/nodes/" + std::to_string(visit.node),
                          "the scene has more than " + std::to_string(limits.instances) + " instances",
-                         "join meshes or split the scene");
+                         "join meshes or split the scene, " + raise_limit_text("scene.instances"));
             return;
         }
         for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], world});

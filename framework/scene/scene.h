@@ -160,6 +160,8 @@ struct Scene {
     glm::vec3 sky_horizon{0};
     Environment environment;  // in place of the sky, where there is one
     float exposure_ev = 0;    // what a photographer would choose here; 0 multiplies by 1
+    uint64_t memory_bytes =
+        0;  // of SceneLimits::memory_bytes, what a loaded scene and its copy on the GPU take
 };
 
 [[nodiscard]] glm::vec3 position_at(const Light& light, double time_s);

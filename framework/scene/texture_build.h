@@ -1,6 +1,6 @@
 // Purpose: decodes the images that materials and lights use, once each, and makes one texture for every
 // meaning they are used with: an image that is both colour and data becomes an sRGB and a linear texture.
-// Errors: S106 an image over the limits, S112 an image that cannot be decoded.
+// Errors: S106 an image over the limits or the memory that is left, S112 an image that cannot be decoded.
 #pragma once
 
 #include <vector>
@@ -8,6 +8,7 @@
 #include "scene/gltf_document.h"
 #include "scene/gltf_report.h"
 #include "scene/load_gltf.h"
+#include "scene/memory_budget.h"
 
 namespace weft::scene::gltf {
 
@@ -15,8 +16,8 @@ namespace weft::scene::gltf {
 // textures and points the slots of `materials`, and the pictures of `functions`, from glTF textures to them.
 // A slot whose texture has no image becomes empty.
 [[nodiscard]] std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
-                                                  const LoadOptions& options, Report& report,
-                                                  std::vector<Material>& materials,
+                                                  const LoadOptions& options, MemoryBudget& memory,
+                                                  Report& report, std::vector<Material>& materials,
                                                   std::vector<LightFunction>& functions);
 
 }  // namespace weft::scene::gltf

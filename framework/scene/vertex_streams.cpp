@@ -105,6 +105,7 @@ bool read_tangents(const StreamSource& from, uint32_t accessor, Mesh& mesh) {
     const std::optional<AccessorReader> reader = open(from, accessor, "TANGENT");
     if (!reader) return false;
     size_t mended = 0;
+    mesh.tangents.reserve(from.used.size());
     for (size_t i = 0; i < from.used.size(); ++i) {
         glm::vec4 tangent = reader->vector<glm::vec4>(from.used[i]);
         const float length = glm::length(glm::vec3(tangent));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 #include <functional>
@@ -13,6 +14,7 @@ namespace {
 
 // Copies need offsets that are multiples of the texel size and of 4; no texel is larger.
 constexpr uint64_t kStagingAlignmentBytes = 16;
+constexpr size_t kStagingBytes = 16 << 20;  // of a buffer's upload
 
 uint64_t align_up(uint64_t value) {
     return (value + kStagingAlignmentBytes - 1) / kStagingAlignmentBytes * kStagingAlignmentBytes;
@@ -97,8 +99,7 @@ void record_image_copy(const DeviceFunctions& fn, VkCommandBuffer commands, cons
 }
 
 void record_buffer_copy(const DeviceFunctions& fn, VkCommandBuffer commands, const Buffer& target,
-                        const Buffer& staging, uint64_t size_bytes) {
-    const VkBufferCopy region{0, 0, size_bytes};
+                        const Buffer& staging, const VkBufferCopy& region) {
     fn.vkCmdCopyBuffer(commands, staging.handle(), target.handle(), 1, &region);
     VkMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
@@ -131,12 +132,19 @@ Status upload_buffer(Device& device, const Buffer& target, std::span<const std::
     if (bytes.size() > target.size_bytes()) {
         return size_error("an upload into a buffer", bytes.size(), target.size_bytes());
     }
-    return copy_from_staging(
-        device, "uploading a buffer", bytes.size(),
-        [&](std::span<std::byte> staging) { std::memcpy(staging.data(), bytes.data(), bytes.size()); },
-        [&](VkCommandBuffer commands, const Buffer& staging) {
-            record_buffer_copy(device.fn(), commands, target, staging, bytes.size());
-        });
+    // In pieces, so that staging stays small however large the buffer is.
+    for (size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {
+        const std::span<const std::byte> piece =
+            bytes.subspan(offset, std::min<size_t>(kStagingBytes, bytes.size() - offset));
+        Status copied = copy_from_staging(
+            device, "uploading a buffer", piece.size(),
+            [&](std::span<std::byte> staging) { std::memcpy(staging.data(), piece.data(), piece.size()); },
+            [&](VkCommandBuffer commands, const Buffer& staging) {
+                record_buffer_copy(device.fn(), commands, target, staging, {0, offset, piece.size()});
+            });
+        if (!copied) return copied;
+    }
+    return Unit{};
 }
 
 Status upload_image(Device& device, const Image& target, std::span<const std::span<const std::byte>> levels) {

@@ -17,7 +17,7 @@ weft::scene::SceneLimits small_limits() {
     limits.vertices = 200'000;
     limits.triangles = 200'000;
     limits.image_side_px = 2'048;
-    limits.decoded_image_bytes = 32 << 20;
+    limits.memory_bytes = 96 << 20;
     return limits;
 }
 

@@ -5,12 +5,29 @@
 #include "fuzzed_file.h"
 #include "image_reader.h"
 #include "scene/image_decode.h"
+#include "scene/light_pictures.h"
 #include "scene/load_environment.h"
+#include "scene/mip_chain.h"
 
 namespace {
 
 // Above this, time goes into filling memory.
 constexpr uint64_t kMostTexels = 1 << 20;
+
+// What a lamp throws: a texture, at the size of all of them.
+void show_by_a_light(const weft::scene::DecodedImage& image) {
+    constexpr uint64_t kMostForLights = 1 << 14;
+    if (image.size.texels() > kMostForLights) return;
+    weft::scene::Scene scene;
+    weft::scene::Texture& texture = scene.textures.emplace_back();
+    texture.width_px = image.size.width_px;
+    texture.height_px = image.size.height_px;
+    texture.color_space = weft::scene::ColorSpace::srgb;
+    texture.mips = weft::scene::build_mip_chain(texture.width_px, texture.height_px, image.rgba,
+                                                {weft::scene::TexelMeaning::srgb_color, -1});
+    scene.light_functions.emplace_back().picture = 0;
+    if (weft::scene::light_pictures(scene).layers != 1) std::abort();
+}
 
 // Textures of glTF files: PNG and JPEG.
 void read_as_texture(std::span<const uint8_t> bytes) {
@@ -19,20 +36,23 @@ void read_as_texture(std::span<const uint8_t> bytes) {
     const weft::scene::DecodedImage image = weft::scene::decode_image(bytes);
     const size_t expected = size_t{size->width_px} * size->height_px * 4;
     if (image.rgba.empty() ? image.error.empty() : image.rgba.size() != expected) std::abort();
+    if (!image.rgba.empty()) show_by_a_light(image);
 }
 
 // Environments: Radiance pictures.
 void read_as_environment(const std::filesystem::path& file) {
     weft::scene::SceneLimits limits;
     limits.image_side_px = 4096;
-    limits.decoded_image_bytes = kMostTexels * 12;
+    limits.memory_bytes = kMostTexels * 32;
     const auto environment = weft::scene::load_environment(file, limits);
     if (!environment && environment.errors().empty()) std::abort();
 }
 
 // Pictures that `weft compare` reads: PNG, EXR and PFM.
 void read_as_picture(const std::filesystem::path& file) {
-    const auto image = weft::viewer::read_image(file.string(), {});
+    weft::PictureLimits limits;
+    limits.memory_bytes = 256 << 20;
+    const auto image = weft::viewer::read_image(file.string(), limits);
     if (image && image->texels.size() != size_t{image->width_px} * image->height_px) std::abort();
 }
 

@@ -26,8 +26,7 @@ for target in "${targets[@]}"; do
   mkdir -p "$learnt" "$found"
   case $target in
     graph) length=16384 ;;
-    gltf) length=8192 ;;
-    spirv) length=1048576 ;;
+    gltf | image | spirv) length=1048576 ;;
     *) length=4096 ;;
   esac
   # tinyexr's leaks (image_fuzzer.cpp) would have every second input searched for more; at the end all are.

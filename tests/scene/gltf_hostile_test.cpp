@@ -1,6 +1,8 @@
 #include <sys/stat.h>
 
 #include "scene/gltf_fixture.h"
+#include "scene/measured_child.h"
+#include "viewer/bit_png.h"
 
 namespace weft::scene::test {
 namespace {
@@ -318,6 +320,67 @@ TEST_F(GltfHostile, AFileOfTheFirstVersionIsNamedAsSuch) {
     write("older.gltf", R"({"meshes":{"a":{}},"nodes":{"b":{}}})");
     EXPECT_EQ(where(fail_file("older.gltf")), "S113 /asset");
     EXPECT_EQ(errors_.size(), 1u);
+}
+
+// 20,000 primitives of three vertices each, of one accessor with 100,000 sparse values: these are looked at
+// once.
+TEST_F(GltfHostile, SparseValuesAreNotReadAgainByEachPrimitive) {
+    constexpr uint32_t kValues = 100'000;
+    Bytes bytes;
+    for (uint32_t i = 0; i < kValues; ++i) append<uint32_t>(bytes, {i});
+    append<uint16_t>(bytes, {0, 1, 2, 0});
+    write("values.bin", bytes);
+    std::string primitives;
+    for (int i = 0; i < 20'000; ++i)
+        primitives +=
+            std::string(i > 0 ? "," : "") + R"({"attributes":{"POSITION":0,"NORMAL":0},"indices":1})";
+    write(
+        "sparse.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"uri":"values.bin","byteLength":400008}],)"
+        R"("bufferViews":[{"buffer":0,"byteLength":400000},{"buffer":0,"byteOffset":400000,"byteLength":6}],)"
+        R"("accessors":[{"componentType":5121,"count":100000,"type":"VEC3","sparse":{"count":100000,)"
+        R"("indices":{"bufferView":0,"componentType":5125},"values":{"bufferView":0}}},)"
+        R"({"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],)"
+        R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[)" +
+            primitives + "]}]}");
+    const weft::test::Cost cost =
+        weft::test::cost_of([&] { return load_file("sparse.gltf").meshes.size() == 20'000 ? 0 : 1; });
+    EXPECT_EQ(cost.answer, 0);
+    EXPECT_LE(cost.cpu_s, 2);
+}
+
+// One large picture that lets no light through, shown by 2,000 materials that might: it is looked at once.
+TEST_F(GltfHostile, APictureIsNotSearchedForHolesByEachMaterial) {
+    const std::string picture = weft::test::black_png(4096, 1024);
+    write("a.png", Bytes(picture.begin(), picture.end()));
+    std::string materials;
+    for (int i = 0; i < 2'000; ++i)
+        materials += std::string(i > 0 ? "," : "") +
+                     R"({"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+    write("blend.gltf",
+          R"({"asset":{"version":"2.0"},"images":[{"uri":"a.png"}],"textures":[{"source":0}],"materials":[)" +
+              materials + "]}");
+    const weft::test::Cost cost =
+        weft::test::cost_of([&] { return load_file("blend.gltf").materials.size() == 2'000 ? 0 : 1; });
+    EXPECT_EQ(cost.answer, 0);
+    EXPECT_LE(cost.cpu_s, 2);
+}
+
+// Every instance has a name, which may be its mesh's.
+TEST_F(GltfHostile, NamesAreCountedWhereverTheyAreCopied) {
+    std::string nodes;
+    for (int i = 0; i < 10'000; ++i) nodes += std::string(i > 0 ? "," : "") + R"({"mesh":0})";
+    write(
+        "names.gltf",
+        R"({"asset":{"version":"2.0"},"accessors":[{"componentType":5126,"count":3,"type":"VEC3"}],"meshes":[{"name":")" +
+            std::string(1'000'000, 'n') + R"(","primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[)" +
+            nodes + "]}");
+    const weft::test::Cost cost = weft::test::cost_of([&] {
+        const Diagnostic fault = fail_file("names.gltf");
+        return fault.code == "S107" && fault.pointer.starts_with("/nodes/") ? 0 : 1;
+    });
+    EXPECT_EQ(cost.answer, 0);
+    EXPECT_LE(cost.grown_bytes, uint64_t{1} << 30);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ TEST(Numbers, AreFiniteAndDecimal) {
     EXPECT_EQ(finite_number("-0.5"), -0.5);
     EXPECT_EQ(finite_number("+2e3"), 2000);
     EXPECT_EQ(finite_number("010"), 10);
-    for (const char* text : {"nan", "-nan", "inf", "-inf", "infinity", "1e999", "1e-999", "0x1p1", " 1", "1 ", "",
-                             "+", "-", "+-1", "1,5", "one", "1e"})
+    for (const char* text : {"nan", "-nan", "inf", "-inf", "infinity", "1e999", "1e-999", "0x1p1", " 1", "1 ",
+                             "", "+", "-", "+-1", "1,5", "one", "1e"})
         EXPECT_FALSE(finite_number(text)) << text;
 }
 
@@ -19,7 +19,8 @@ TEST(Numbers, MayBeFractionsWhereTheFlagSaysSo) {
     EXPECT_EQ(finite_fraction("1/60"), 1.0 / 60);
     EXPECT_EQ(finite_fraction("-3/2"), -1.5);
     EXPECT_EQ(finite_fraction("0.25"), 0.25);
-    for (const char* text : {"1/0", "0/0", "nan/1", "1/inf", "1/2/3", "/2", "1/", "/", "1e300/1e-300", "1 / 2"})
+    for (const char* text :
+         {"1/0", "0/0", "nan/1", "1/inf", "1/2/3", "/2", "1/", "/", "1e300/1e-300", "1 / 2"})
         EXPECT_FALSE(finite_fraction(text)) << text;
     // What is passed on reads back as the same number.
     EXPECT_EQ(finite_number(decimal(1.0 / 60)), 1.0 / 60);
