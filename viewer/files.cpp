@@ -5,6 +5,8 @@
 #include <fstream>
 #include <vector>
 
+#include "graph/contained_file.h"
+
 namespace weft::viewer {
 namespace {
 
@@ -42,16 +44,9 @@ std::filesystem::path shader_cache() {
 }
 
 std::optional<std::string> read_file(const std::string& path, uint64_t most_bytes) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return std::nullopt;
-    const uintmax_t bytes = std::filesystem::file_size(path, error);
-    if (error) return std::nullopt;
-    std::string content(std::min<uintmax_t>(bytes, most_bytes + 1), '\0');
-    in.read(content.data(), static_cast<std::streamsize>(content.size()));
-    content.resize(static_cast<size_t>(in.gcount()));
-    return content;
+    FileContent content = read_plain_file(path, most_bytes, LastLink::followed);
+    if (content.fault == FileFault::too_large) return std::string(most_bytes + 1, '\0');
+    return content.fault == FileFault::none ? std::optional(std::move(content.bytes)) : std::nullopt;
 }
 
 FileReader reader_up_to(uint64_t most_bytes) {

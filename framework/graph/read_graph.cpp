@@ -1,8 +1,11 @@
 // A graph's file and those that it includes, depth first, each of them once: what is included first lies
 // lowest when they are merged.
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <set>
 
+#include "graph/contained_file.h"
 #include "graph/json_doc.h"
 #include "graph/quantity_text.h"
 #include "graph/stages.h"
@@ -10,12 +13,25 @@
 namespace weft {
 namespace {
 
+// How many values a tree holds. Its depth is the reader's limit.
+uint64_t count_values(const JsonNode& node) {
+    uint64_t count = 1;
+    for (const JsonMember& member : node.members) count += count_values(member.value);
+    for (const JsonNode& item : node.items) count += count_values(item);
+    return count;
+}
+
 class IncludeReader {
  public:
     IncludeReader(JsonDoc& doc, const FileReader& reader, const GraphReading& reading)
         : doc_(doc), reader_(reader), reading_(reading) {
         bytes_ = doc.sources.files.front().text.size();
+        values_ = count_values(doc.root);
         open_.push_back(0);
+        const std::filesystem::path graph(doc.sources.files.front().path);
+        folders_ = {real_folder(graph.parent_path()), reading.include_root.empty()
+                                                          ? std::filesystem::path()
+                                                          : real_folder(reading.include_root)};
     }
 
     void follow(const JsonNode& file_root) {
@@ -31,9 +47,35 @@ class IncludeReader {
         }
     }
 
+    // Each tier is a graph of its own, merged and parsed anew.
+    void check_tiers() {
+        std::set<std::string_view> names;
+        for (const IncludedJson& included : doc_.included) check_tiers(included.root, names);
+        check_tiers(doc_.root, names);
+    }
+
     Diagnostics take_errors() { return std::move(errors_); }
 
  private:
+    void check_tiers(const JsonNode& root, std::set<std::string_view>& names) {
+        const JsonNode* tiers = root.find("tiers");
+        if (tiers == nullptr || !errors_.empty()) return;
+        const GraphLimits& limits = reading_.limits;
+        for (const JsonMember& tier : tiers->members) {
+            names.insert(tier.key);
+            if (names.size() > limits.tiers)
+                return fail(tier.key_loc, "W004",
+                            "the graph has more than " + std::to_string(limits.tiers) + " tiers",
+                            "let a parameter decide, " + raise_limit_text("graph.tiers"));
+            if (values_ * (names.size() + 1) > limits.json_values)
+                return fail(tier.key_loc, "W004",
+                            "the files hold " + std::to_string(values_) + " values, which with " +
+                                std::to_string(names.size()) + " tiers count for more than " +
+                                std::to_string(limits.json_values),
+                            "have fewer tiers, " + raise_limit_text("graph.jsonValues"));
+        }
+    }
+
     void fail(SourceLoc loc, std::string code, std::string message, std::string help) {
         errors_.push_back(doc_.sources.error(loc, std::move(code), std::move(message)));
         errors_.back().help.push_back(std::move(help));
@@ -71,6 +113,12 @@ class IncludeReader {
         for (const std::string& path : paths) {
             const auto known = std::ranges::find(files, path, &SourceFile::path);
             if (known != files.end()) return check_circle(item, static_cast<uint32_t>(known - files.begin()));
+            // What is no file on disk may still be one that the reader has.
+            const RealFile real = find_real_file(path, folders_);
+            if (!real.path.empty() && !real.is_inside)
+                return fail(item.loc, "W126",
+                            "\"" + item.string + "\" is a link that leads out of the graph's folder",
+                            "copy the file to where the link is");
             std::optional<std::string> text = reader_(path);
             if (text) return read(item, path, std::move(*text));
         }
@@ -100,13 +148,18 @@ class IncludeReader {
             return fail(item.loc, "W004",
                         "the files have more than " + limit_bytes_text(limits.json_bytes) + " together",
                         "check that \"" + path + "\" is a graph, " + raise_limit_text("graph.jsonBytes"));
-        const auto file = static_cast<uint32_t>(doc_.sources.files.size());
+        const auto file = static_cast<uint32_t>(doc_.sources.files.size());  // as read_json_file() counts it
         Result<JsonNode> root = read_json_file(doc_.sources, path, std::move(text), limits, item.loc);
         if (!root) {
             const Diagnostics& faults = root.errors();
             errors_.insert(errors_.end(), faults.begin(), faults.end());
             return;
         }
+        values_ += count_values(*root);
+        if (values_ > limits.json_values)
+            return fail(item.loc, "W004",
+                        "the files hold more than " + std::to_string(limits.json_values) + " values together",
+                        "include fewer, " + raise_limit_text("graph.jsonValues"));
         open_.push_back(file);
         follow(*root);
         open_.pop_back();
@@ -116,8 +169,10 @@ class IncludeReader {
     JsonDoc& doc_;
     const FileReader& reader_;
     const GraphReading& reading_;
-    std::vector<uint32_t> open_;  // the files on the way to the current one
-    uint64_t bytes_ = 0;          // of all files
+    std::vector<uint32_t> open_;                    // the files on the way to the current one
+    std::array<std::filesystem::path, 2> folders_;  // those that links must not lead out of
+    uint64_t bytes_ = 0;                            // of all files
+    uint64_t values_ = 0;
     Diagnostics errors_;
 };
 
@@ -128,6 +183,7 @@ Result<JsonDoc> read_graph(const std::string& path, const FileReader& reader, co
     if (!doc) return doc;
     IncludeReader includes(*doc, reader, reading);
     includes.follow(doc->root);
+    includes.check_tiers();
     Diagnostics errors = includes.take_errors();
     if (!errors.empty()) return errors;
     return doc;

@@ -1,9 +1,9 @@
 #include "scene/rooted_folder.h"
 
-#include <algorithm>
 #include <array>
-#include <fstream>
-#include <system_error>
+#include <span>
+
+#include "graph/contained_file.h"
 
 namespace weft::scene {
 namespace {
@@ -12,6 +12,32 @@ namespace fs = std::filesystem;
 
 FileBytes fault(ReadFault kind, std::string message) {
     return {{}, kind, std::move(message)};
+}
+
+FileBytes read_file(const fs::path& file, uint64_t max_bytes, LastLink link) {
+    const std::string name = "\"" + file.filename().string() + "\"";
+    FileBytes result;
+    const PlainRead read = weft::read_plain_file(file, max_bytes, link, [&](uint64_t size) {
+        result.bytes.resize(size);
+        return std::as_writable_bytes(std::span(result.bytes));
+    });
+    switch (read.fault) {
+        case FileFault::none:
+            // A file that shrank since it was measured must not leave a tail of zeros.
+            if (read.size_bytes == result.bytes.size()) return result;
+            [[fallthrough]];
+        case FileFault::unreadable:
+            return fault(ReadFault::unreadable, name + " cannot be read");
+        case FileFault::missing:
+            return fault(ReadFault::missing, name + " is not a plain file");
+        case FileFault::not_plain:
+            return fault(ReadFault::unreadable, name + " is not a plain file");
+        case FileFault::too_large:
+            break;
+    }
+    return fault(ReadFault::too_large, name + " holds " + std::to_string(read.size_bytes) +
+                                           " bytes, more than the " + std::to_string(max_bytes) +
+                                           " that are left of the limit");
 }
 
 int hex_digit(char c) {
@@ -26,22 +52,6 @@ bool has_scheme(std::string_view uri) {
     return colon != std::string_view::npos && uri.substr(0, colon).find('/') == std::string_view::npos;
 }
 
-bool climbs_out(const fs::path& relative) {
-    int depth = 0;
-    for (const fs::path& part : relative) {
-        if (part == "..") {
-            if (--depth < 0) return true;
-        } else if (part != "." && !part.empty()) {
-            ++depth;
-        }
-    }
-    return false;
-}
-
-bool is_below(const fs::path& file, const fs::path& root) {
-    return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
-}
-
 constexpr std::array<int8_t, 256> base64_table() {
     std::array<int8_t, 256> table{};
     table.fill(-1);
@@ -53,11 +63,7 @@ constexpr std::array<int8_t, 256> base64_table() {
 
 }  // namespace
 
-RootedFolder::RootedFolder(const fs::path& folder) {
-    std::error_code failed;
-    root_ = fs::canonical(folder.empty() ? fs::path(".") : folder, failed);
-    if (failed) root_.clear();
-}
+RootedFolder::RootedFolder(const fs::path& folder) : root_(real_folder(folder)) {}
 
 FileBytes RootedFolder::read(std::string_view uri, uint64_t max_bytes) const {
     const std::string shown(uri.substr(0, 80));
@@ -65,44 +71,21 @@ FileBytes RootedFolder::read(std::string_view uri, uint64_t max_bytes) const {
     if (!decoded || decoded->empty())
         return fault(ReadFault::missing, "\"" + shown + "\" is not a valid URI");
     const fs::path relative(*decoded);
-    if (has_scheme(uri) || has_scheme(*decoded) || relative.is_absolute() ||
-        decoded->find('\\') != std::string::npos || climbs_out(relative)) {
+    if (has_scheme(uri) || has_scheme(*decoded) || decoded->find('\\') != std::string::npos ||
+        climbs_out(relative)) {
         return fault(ReadFault::escapes, "\"" + shown + "\" leaves the scene's folder");
     }
     if (root_.empty()) return fault(ReadFault::missing, "the scene's folder is missing");
-    std::error_code failed;
-    const fs::path file = fs::canonical(root_ / relative, failed);
-    if (failed) return fault(ReadFault::missing, "\"" + shown + "\" does not exist: " + failed.message());
-    if (!is_below(file, root_)) {
+    const RealFile real = find_real_file(root_ / relative, std::span(&root_, 1));
+    if (real.path.empty()) return fault(ReadFault::missing, "\"" + shown + "\" does not exist");
+    if (!real.is_inside) {
         return fault(ReadFault::escapes, "\"" + shown + "\" is a link that leaves the scene's folder");
     }
-    return read_plain_file(file, max_bytes);
+    return read_file(real.path, max_bytes, LastLink::refused);
 }
 
 FileBytes read_plain_file(const fs::path& file, uint64_t max_bytes) {
-    const std::string name = file.filename().string();
-    std::error_code failed;
-    if (!fs::is_regular_file(file, failed)) {
-        return fault(failed ? ReadFault::missing : ReadFault::unreadable,
-                     "\"" + name + "\" is not a plain file");
-    }
-    const uint64_t size = fs::file_size(file, failed);
-    if (failed)
-        return fault(ReadFault::unreadable, "\"" + name + "\" cannot be measured: " + failed.message());
-    if (size > max_bytes) {
-        return fault(ReadFault::too_large, "\"" + name + "\" holds " + std::to_string(size) +
-                                               " bytes, more than the " + std::to_string(max_bytes) +
-                                               " that are left of the limit");
-    }
-    std::ifstream stream(file, std::ios::binary);
-    FileBytes result;
-    result.bytes.resize(size);
-    // A file that shrank since it was measured must not leave a tail of zeros.
-    if (!stream || (size > 0 && !stream.read(reinterpret_cast<char*>(result.bytes.data()),
-                                             static_cast<std::streamsize>(size)))) {
-        return fault(ReadFault::unreadable, "\"" + name + "\" cannot be read");
-    }
-    return result;
+    return read_file(file, max_bytes, LastLink::followed);
 }
 
 std::optional<std::string> percent_decode(std::string_view uri) {

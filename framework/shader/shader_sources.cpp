@@ -1,9 +1,9 @@
 #include "shader/shader_sources.h"
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
+#include "graph/contained_file.h"
 #include "graph/quantity_text.h"
 #include "shader/content_hash.h"
 
@@ -28,21 +28,11 @@ constexpr const char* kClimbing = "the path is absolute or climbs with \"..\"";
 
 SourceReader::SourceReader(const ShaderRoots& roots) : limits_(roots.limits) {
     const auto add = [&](const fs::path& folder) {
-        std::error_code error;
-        const fs::path real = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
-        roots_.push_back({folder, error ? fs::path() : real});
+        roots_.push_back({folder, real_folder(folder)});
+        folders_.push_back(roots_.back().canonical);
     };
     std::ranges::for_each(roots.roots, add);
     add(roots.include_root);
-}
-
-bool SourceReader::inside_roots(const fs::path& canonical) const {
-    return std::ranges::any_of(roots_, [&](const Root& root) {
-        if (root.canonical.empty()) return false;
-        const auto [end, rest] =
-            std::mismatch(root.canonical.begin(), root.canonical.end(), canonical.begin(), canonical.end());
-        return end == root.canonical.end() && rest != canonical.end();
-    });
 }
 
 SourceLookup SourceReader::look(size_t root, const fs::path& relative) {
@@ -57,14 +47,15 @@ SourceLookup SourceReader::look(size_t root, const fs::path& relative) {
             ? fs::absolute(roots_[root].shown.empty() ? fs::path(".") : roots_[root].shown, error)
             : roots_[root].canonical;
     places_.push_back((folder / relative).lexically_normal());
-    const fs::path file =
-        roots_[root].canonical.empty() ? fs::path() : fs::canonical(folder / relative, error);
+    const RealFile real =
+        roots_[root].canonical.empty() ? RealFile{} : find_real_file(folder / relative, folders_);
+    const fs::path& file = real.path;
     if (!file.empty() && file != places_.back()) places_.push_back(file);
-    if (file.empty() || error) {
+    if (file.empty()) {
         probes_.push_back(probe);
         return {nullptr, false, "no such file"};
     }
-    if (!inside_roots(file)) return {nullptr, true, "it is a link that leads outside the shader folders"};
+    if (!real.is_inside) return {nullptr, true, "it is a link that leads outside the shader folders"};
     SourceLookup lookup = load(root, relative, file);
     if (lookup.source != nullptr) {
         probe.present = true;
@@ -75,18 +66,14 @@ SourceLookup SourceReader::look(size_t root, const fs::path& relative) {
 }
 
 SourceLookup SourceReader::load(size_t root, const fs::path& relative, const fs::path& file) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) return {nullptr, true, "it is not a file"};
-    const uintmax_t bytes = fs::file_size(file, error);
-    if (error || bytes > limits_.file_bytes)
+    FileContent content = read_plain_file(file, limits_.file_bytes, LastLink::refused);
+    if (content.fault == FileFault::too_large)
         return {nullptr, true, "it is larger than " + limit_bytes_text(limits_.file_bytes)};
+    if (content.fault == FileFault::not_plain) return {nullptr, true, "it is not a file"};
+    if (content.fault != FileFault::none) return {nullptr, true, "it cannot be read"};
     if (texts_.size() >= limits_.files)
         return {nullptr, true, "a shader may have at most " + std::to_string(limits_.files) + " files"};
-    std::string text(bytes, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream.read(text.data(), static_cast<std::streamsize>(bytes))) {
-        return {nullptr, true, "it cannot be read"};
-    }
+    std::string text = std::move(content.bytes);
     total_bytes_ += text.size();
     if (total_bytes_ > limits_.text_bytes)
         return {nullptr, true,

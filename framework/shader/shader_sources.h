@@ -62,10 +62,10 @@ class SourceReader {
 
     SourceLookup look(size_t root, const std::filesystem::path& relative);
     SourceLookup load(size_t root, const std::filesystem::path& relative, const std::filesystem::path& file);
-    [[nodiscard]] bool inside_roots(const std::filesystem::path& canonical) const;
 
     ShaderLimits limits_;
-    std::vector<Root> roots_;  // the searched ones, then the include root
+    std::vector<Root> roots_;                     // the searched ones, then the include root
+    std::vector<std::filesystem::path> folders_;  // their real paths: links must not lead out of all of them
     std::map<std::pair<size_t, std::string>, SourceText> texts_;
     std::vector<SourceProbe> probes_;
     std::vector<std::filesystem::path> places_;
