@@ -1,5 +1,8 @@
 #include "check/ordering.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace weft::check {
 namespace {
 
@@ -75,7 +78,25 @@ bool AccessRecord::ordered_before(StageMask stages) const {
     return true;
 }
 
+bool AccessRecord::already_follows(const Scopes& scopes) const {
+    const StageMask added = scopes.dst_execution;
+    if (available_before(scopes) && (added & ~available_reach_) != 0) return false;
+    if (actor_.transition && (transition_reach_ & scopes.src_execution) != 0 &&
+        (added & ~transition_reach_) != 0)
+        return false;
+    for (StageMask rest = stages_; rest != 0; rest &= rest - 1) {
+        const int s = std::countr_zero(rest);
+        const StageMask reach = reach_[static_cast<size_t>(s)];
+        if ((((1u << s) | reach) & scopes.src_execution) != 0 && (added & ~reach) != 0) return false;
+    }
+    return true;
+}
+
 void AccessRecord::pass_barriers(std::span<const Scopes> all, std::span<const Scopes> on_memory) {
+    // Most records of a large plan have been through barriers like these before.
+    if (on_memory.empty() &&
+        std::ranges::all_of(all, [&](const Scopes& scopes) { return already_follows(scopes); }))
+        return;
     const AccessRecord before = *this;
     for (const Scopes& scopes : on_memory) {
         if (!is_write_) break;

@@ -60,6 +60,9 @@ class AccessRecord {
     [[nodiscard]] AccessMask access() const { return access_; }
 
  private:
+    // Carrying `scopes`, which were carried before, changes nothing.
+    [[nodiscard]] bool already_follows(const Scopes& scopes) const;
+
     Actor actor_;
     StageMask stages_ = 0;
     AccessMask access_ = 0;

@@ -217,11 +217,12 @@ void Replay::uses(const PassStep& step, bool goes_on) {
 }
 
 void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state) {
+    size_t source = 0;
     for (Cell& cell : cells_[use.resource]) {
         if (!overlaps(cell.range, use.range)) continue;
         expect_owner(by, use, cell);
         expect_order(by, use, cell, state, false);
-        expect_content(by.pass, use, cell);
+        expect_content(by.pass, use, cell, source);
         cell.reads.emplace_back(by, state.stages, state.access, false);
     }
 }

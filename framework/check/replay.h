@@ -89,7 +89,8 @@ class Replay {
     }
     [[nodiscard]] std::string missing(const AccessRecord& record, const std::string& barrier) const;
 
-    void expect_content(PassId id, const UseDecl& use, const Cell& cell);
+    // `hint`: the source that the last cell of this use was found in; the next one is near it.
+    void expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint);
     [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const;
     [[nodiscard]] bool anybody_writes(ResourceId resource, const SubresourceRange& range) const;
     void expect_order(const Actor& by, const UseDecl& use, const Cell& cell, const AccessState& state,

@@ -42,15 +42,16 @@ std::string Replay::missing(const AccessRecord& record, const std::string& barri
 void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell, const AccessState& state,
                           bool is_write) {
     const bool judged_as_read = is_write && reads(use.access);
-    const std::string who = faults_.actor_text(by, frame_);
-    const std::string what = faults_.resource_name(use.resource) + range_text(cell.range);
+    // Called for every subresource of every use: texts are made for faults only.
+    const auto who = [&] { return faults_.actor_text(by, frame_); };
+    const auto what = [&] { return faults_.resource_name(use.resource) + range_text(cell.range); };
     const bool image = plan_.graph.resources[use.resource].kind == ResourceKind::image;
     if (image && !judged_as_read && cell.layout != state.layout)
         faults_.add("C320", use.loc,
-                    who + " needs " + what + " in " + layout_text(state.layout) + ", but " +
+                    who() + " needs " + what() + " in " + layout_text(state.layout) + ", but " +
                         faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
                         " left it in " + layout_text(cell.layout),
-                    "a barrier before " + who + " must change the layout");
+                    "a barrier before " + who() + " must change the layout");
     // The rasteriser keeps the order of what is drawn in one rendering scope.
     const auto drawn_before = [&](const AccessRecord& record) {
         return by.scope != 0 && record.actor().scope == by.scope;
@@ -59,7 +60,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell,
         (!ordered(cell.write, state.stages) || !visible(cell.write, state))) {
         faults_.add(
             is_write ? "C312" : "C310", use.loc,
-            who + (is_write ? " writes " : " reads ") + what + " (" + access_text(state.access) + " in " +
+            who() + (is_write ? " writes " : " reads ") + what() + " (" + access_text(state.access) + " in " +
                 stages_text(state.stages) + "), but what " + faults_.actor_text(cell.write.actor(), frame_) +
                 " wrote (" + access_text(cell.write.access()) + " in " + stages_text(cell.write.stages()) +
                 ") is not made visible to it",
@@ -70,7 +71,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell,
         if (drawn_before(record) || ordered(record, state.stages)) continue;
         faults_.add(
             "C311", use.loc,
-            who + " writes " + what + " while " + faults_.actor_text(record.actor(), frame_) +
+            who() + " writes " + what() + " while " + faults_.actor_text(record.actor(), frame_) +
                 " may still read it (" + stages_text(record.stages()) + ")",
             missing(record, "a barrier from the reading to the writing stages is missing or too weak"));
     }
@@ -118,9 +119,16 @@ void Replay::expect_owner(const Actor& by, const UseDecl& use, Cell& cell) {
                 "it must be released and acquired in between, or be made concurrent");
 }
 
-void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell) {
-    const auto source = std::find_if(use.sources.begin(), use.sources.end(),
-                                     [&](const VersionSource& s) { return contains(s.range, cell.range); });
+void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint) {
+    // A use may have a source for each of thousands of layers: the search begins where the last one ended.
+    const auto holds_cell = [&](const VersionSource& s) { return contains(s.range, cell.range); };
+    const auto begin = use.sources.begin() + static_cast<std::ptrdiff_t>(std::min(hint, use.sources.size()));
+    auto source = std::find_if(begin, use.sources.end(), holds_cell);
+    if (source == use.sources.end()) {
+        source = std::find_if(use.sources.begin(), begin, holds_cell);
+        if (source == begin) source = use.sources.end();
+    }
+    if (source != use.sources.end()) hint = static_cast<size_t>(source - use.sources.begin());
     const PassId wanted = source == use.sources.end() ? kNoId : source->producer;
     const Content& found = cell.content;
     if (is_wanted_content(use, cell, wanted)) return;
