@@ -43,6 +43,8 @@ class TestRun {
         options_.params = options.offline.params;
         for (const auto& [name, value] : test.params) options_.params[name] = value;
         options_.limits = options.offline.limits;
+        uint64_t& frame_bytes = options_.limits.graph.transient_bytes;
+        frame_bytes = std::min(frame_bytes, options_.limits.graph.test_bytes);
         options_.queues = options.offline.queues;
         options_.device = options.device;
         options_.validate = true;
@@ -55,7 +57,8 @@ class TestRun {
 
     Diagnostics run() {
         Result<OpenSession> open = open_session(options_);
-        if (!open) return open.take_errors();
+        if (!open) return of_a_test(open.take_errors());
+        if (!check_readbacks(open->session->plan())) return std::move(failed_);
         const Status drawn = test_.swap.empty() ? draw(*open->session) : draw_swapping(*open->session);
         if (!drawn) return drawn.errors();
         check_all(*open->session);
@@ -65,6 +68,34 @@ class TestRun {
     }
 
  private:
+    // A test may use less memory than a frame.
+    Diagnostics of_a_test(Diagnostics faults) const {
+        for (Diagnostic& fault : faults)
+            if (fault.code == "W143" || fault.code == "W125")
+                fault.help.push_back("a graph's own test may use " +
+                                     limit_bytes_text(options_.limits.graph.test_bytes) + ", " +
+                                     raise_limit_text("graph.testBytes"));
+        return faults;
+    }
+
+    // What is read back is kept by this program as well. False: reported.
+    bool check_readbacks(const FramePlan& plan) {
+        const uint64_t most = options_.limits.graph.test_bytes;
+        uint64_t bytes = 0;
+        for (const PassDecl& pass : plan.graph.passes)
+            if (pass.kind == PassKind::readback && pass.name.starts_with("observe:") && !pass.uses.empty())
+                bytes += content_bytes(plan.graph.resources[pass.uses.front().resource]);
+        if (bytes <= most) return true;
+        Diagnostic d = graph_.sources.error(
+            test_.loc, "W125",
+            "the test reads back more than the " + limit_bytes_text(most) + " that a test may use");
+        d.tier = tier_;
+        d.help.push_back("expect something of fewer or smaller resources, " +
+                         raise_limit_text("graph.testBytes"));
+        failed_.push_back(std::move(d));
+        return false;
+    }
+
     Status draw(render::Session& session) {
         const uint32_t frames = test_.frames > 0 ? test_.frames : session.frames();
         for (uint32_t i = 0; i < frames; ++i)
@@ -162,10 +193,25 @@ class TestRun {
         }
     }
 
-    // Words of buffers are taken for floats.
-    std::vector<glm::vec4> values_of(const vk::ReadbackData& data) const {
-        return render::decode_texels(data.format == Format::undefined ? Format::r32f : data.format,
-                                     data.bytes);
+    // Calls visit(values, index of the first) piece by piece: decoded, a texel may take sixteen times its
+    // bytes. Words of buffers are taken for floats. Ends when visit() returns false.
+    template <class F>
+    static void visit_values(const vk::ReadbackData& data, F visit) {
+        constexpr size_t kTexelsAtOnce = 1u << 16;
+        const Format format = data.format == Format::undefined ? Format::r32f : data.format;
+        const size_t texel_bytes = std::max<size_t>(1, format_info(format).bytes_per_texel);
+        const size_t piece = kTexelsAtOnce * texel_bytes;
+        for (size_t begin = 0; begin + texel_bytes <= data.bytes.size(); begin += piece) {
+            const std::span<const std::byte> bytes =
+                std::span(data.bytes).subspan(begin, std::min(piece, data.bytes.size() - begin));
+            if (!visit(render::decode_texels(format, bytes), begin / texel_bytes)) return;
+        }
+    }
+
+    static bool is_bad(const ExpectationDesc& expectation, float value) {
+        if (expectation.what == "mean") return false;
+        if (expectation.what == "finite") return !std::isfinite(value);
+        return !(value >= expectation.least && value <= expectation.most);
     }
 
     void check_values(const ExpectationDesc& expectation) {
@@ -175,25 +221,28 @@ class TestRun {
                         "name a resource that a pass of this tier writes");
         const int channels =
             data->second.format == Format::undefined ? 1 : format_info(data->second.format).components;
-        const std::vector<glm::vec4> values = values_of(data->second);
         const uint32_t width = std::max(1u, data->second.extent.width);
         double sum = 0;
-        for (size_t i = 0; i < values.size(); ++i) {
-            for (int c = 0; c < channels; ++c) {
-                const float value = values[i][c];
-                sum += double{value};
-                const bool bad = expectation.what == "finite"
-                                     ? !std::isfinite(value)
-                                     : !(value >= expectation.least && value <= expectation.most);
-                if (!bad || expectation.what == "mean") continue;
-                return fail(expectation, "W161",
-                            "\"" + expectation.ref + "\" holds " + number_text(double{value}) + " at (" +
-                                std::to_string(i % width) + ", " + std::to_string(i / width) + ")",
-                            "weft render --resource writes it as .exr, --debug as a picture");
+        size_t count = 0;
+        std::optional<std::pair<size_t, float>> bad;
+        visit_values(data->second, [&](const std::vector<glm::vec4>& values, size_t first) {
+            for (size_t i = 0; i < values.size() && !bad; ++i) {
+                for (int c = 0; c < channels; ++c) {
+                    sum += double{values[i][c]};
+                    if (!bad && is_bad(expectation, values[i][c])) bad = {first + i, values[i][c]};
+                }
             }
-        }
-        if (expectation.what != "mean" || values.empty()) return;
-        const double mean = sum / (static_cast<double>(values.size()) * channels);
+            count += values.size();
+            return !bad;
+        });
+        if (bad)
+            return fail(expectation, "W161",
+                        "\"" + expectation.ref + "\" holds " + number_text(double{bad->second}) + " at (" +
+                            std::to_string(bad->first % width) + ", " + std::to_string(bad->first / width) +
+                            ")",
+                        "weft render --resource writes it as .exr, --debug as a picture");
+        if (expectation.what != "mean" || count == 0) return;
+        const double mean = sum / (static_cast<double>(count) * channels);
         if (mean >= expectation.least && mean <= expectation.most) return;
         fail(expectation, "W161",
              "the mean of \"" + expectation.ref + "\" is " + number_text(mean) + ", not between " +
@@ -229,7 +278,7 @@ Diagnostics run_graph_tests(const std::string& file, const CheckOptions& options
     if (!document) return document.take_errors();
     Result<JsonDoc> merged = merge(std::move(*document));
     if (!merged) return merged.take_errors();
-    const Result<GraphDesc> graph = parse(*merged);
+    const Result<GraphDesc> graph = parse(*merged, options.offline.limits.graph);
     if (!graph) return graph.errors();
     Diagnostics failed;
     for (size_t i = 0; i < graph->tests.size(); ++i) {

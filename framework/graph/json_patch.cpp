@@ -14,7 +14,7 @@ class Patcher {
         if (target.kind == JsonKind::object && patch.kind == JsonKind::object)
             return apply_members(target, std::move(patch));
         check_nulls(patch);
-        log_.sources.replacements.push_back({patch.loc, target.loc});
+        log_.sources.add_replacement({patch.loc, target.loc});
         target = std::move(patch);
     }
 

@@ -89,16 +89,17 @@ uint64_t placed_bytes(const FramePlan& plan, ResourceId resource) {
 }
 
 std::vector<ResourceId> live_at_peak(const FramePlan& plan) {
-    std::vector<ResourceId> live;
+    std::vector<const Placement*> placed;
     for (const Placement& p : plan.memory.placements) {
         const LifetimeSpan& span = plan.lifetimes.spans[p.resource];
         if (span.first <= plan.memory.peak_position && plan.memory.peak_position <= span.last)
-            live.push_back(p.resource);
+            placed.push_back(&p);
     }
-    std::sort(live.begin(), live.end(), [&](ResourceId a, ResourceId b) {
-        const uint64_t x = placed_bytes(plan, a), y = placed_bytes(plan, b);
-        return x != y ? x > y : a < b;
+    std::sort(placed.begin(), placed.end(), [](const Placement* a, const Placement* b) {
+        return a->size_bytes != b->size_bytes ? a->size_bytes > b->size_bytes : a->resource < b->resource;
     });
+    std::vector<ResourceId> live;
+    for (const Placement* p : placed) live.push_back(p->resource);
     return live;
 }
 

@@ -47,6 +47,7 @@ void read_imports(ParseContext& context, const JsonNode& node, GraphDesc& graph)
 
 void read_consts(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a constant", [&](const JsonMember& member) {
+        if (!check_value_count(context, graph, member.key_loc)) return;
         Expr value;
         if (read_expression(context, member.value, value)) graph.consts.emplace(member.key, std::move(value));
     });
@@ -54,6 +55,7 @@ void read_consts(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
 
 void read_sizes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a size", [&](const JsonMember& member) {
+        if (!check_value_count(context, graph, member.key_loc)) return;
         Expr size;
         if (read_size(context, member.value, size)) graph.sizes.emplace(member.key, std::move(size));
     });
@@ -167,13 +169,19 @@ void list_graph_words(std::vector<FormatWords>& lists) {
     list_keys(lists, "patch", kPatchKeys);
 }
 
-Result<GraphDesc> parse(const JsonDoc& document) {
+bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc) {
+    return context.within(graph.consts.size() + graph.params.size() + graph.sizes.size() + 1,
+                          context.limits().constants, loc, "parameters, constants and sizes",
+                          "graph.constants", "leave out those that nothing uses");
+}
+
+Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits) {
     static constexpr std::array<std::string_view, 3> kExpressionNames{"consts", "params", "sizes"};
     static constexpr std::array<std::string_view, 2> kReferenceNames{"imports", "resources"};
     GraphDesc graph;
     graph.sources = document.sources;
     if (!graph.sources.files.empty()) graph.name = stem(graph.sources.files.front().path);
-    ParseContext context(document.sources);
+    ParseContext context(document.sources, limits);
     const JsonNode& root = document.root;
     if (read_object(context, root, "a graph", kTopKeys, graph)) {
         if (root.find("version") == nullptr)

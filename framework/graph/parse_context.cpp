@@ -6,11 +6,14 @@
 #include <tuple>
 
 #include "graph/expression.h"
+#include "graph/reference.h"
 
 namespace weft {
 namespace {
 
 constexpr size_t kShortList = 16;
+// More names than this say no more.
+constexpr size_t kMostListed = 64;
 
 }  // namespace
 
@@ -33,8 +36,30 @@ void ParseContext::add(Diagnostics errors) {
     }
 }
 
+bool ParseContext::within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what,
+                          const char* limit_name, const std::string& help) {
+    if (count <= limit) return true;
+    if (is_full()) return false;
+    error(loc, "W125", "the graph has more than " + std::to_string(limit) + " " + what,
+          help + ", " + raise_limit_text(limit_name));
+    is_over_limit_ = true;
+    return false;
+}
+
+bool ParseContext::count_parts(const Expr& expression) {
+    parts_ += expression.postfix.size();
+    return within(parts_, limits_.expression_parts, expression.loc, "parts of expressions",
+                  "graph.expressionParts", "give what is written often a name in \"consts\" or \"sizes\"");
+}
+
+bool ParseContext::count_parts(const RefDesc& ref) {
+    for (const std::optional<Expr>* part : {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last})
+        if (*part && !count_parts(**part)) return false;
+    return true;
+}
+
 Diagnostics ParseContext::take_errors() {
-    if (is_full()) errors_.back().help.emplace_back("only the first 100 errors are shown");
+    if (errors_.size() >= kMaxErrors) errors_.back().help.emplace_back("only the first 100 errors are shown");
     const std::string& main = sources_.files.empty() ? std::string() : sources_.files.front().path;
     std::stable_sort(errors_.begin(), errors_.end(), [&](const Diagnostic& a, const Diagnostic& b) {
         const bool a_included = a.file != main, b_included = b.file != main;
@@ -157,7 +182,7 @@ bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double>
 bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
     if (node.kind == JsonKind::number) {
         out = number_expression(node.number, node.loc);
-        return true;
+        return context.count_parts(out);
     }
     if (node.kind != JsonKind::string) {
         wrong_type(context, node, "a number or an expression in a string");
@@ -168,6 +193,7 @@ bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
         context.add(parsed.take_errors());
         return false;
     }
+    if (!context.count_parts(*parsed)) return false;
     out = std::move(*parsed);
     return true;
 }
@@ -232,18 +258,38 @@ void read_names(ParseContext& context, const JsonNode& node, std::vector<std::st
 }
 
 bool check_identifier(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc) {
+    if (name.size() > context.limits().name_bytes) {
+        context.error(loc, "W004",
+                      "the name of " + std::string(what) + " has " + std::to_string(name.size()) +
+                          " bytes, more than " + std::to_string(context.limits().name_bytes),
+                      "choose a shorter one, " + raise_limit_text("graph.nameBytes"));
+        return false;
+    }
     if (is_identifier(name)) return true;
     context.error(loc, "W109", "\"" + name + "\" cannot be the name of " + std::string(what),
                   "names are made of letters, digits and _, and do not begin with a digit");
     return false;
 }
 
+bool read_reference(ParseContext& context, const JsonNode& node, RefDesc& out) {
+    if (!expect(context, node, JsonKind::string)) return false;
+    Result<RefDesc> ref = parse_reference({node.string, node.loc}, context.sources());
+    if (!ref) {
+        context.add(ref.take_errors());
+        return false;
+    }
+    out = std::move(*ref);
+    return context.count_parts(out);
+}
+
 std::string quoted_list(const std::vector<std::string>& names) {
+    const size_t shown = names.size() > kMostListed ? kMostListed : names.size();
     std::string text;
-    for (size_t i = 0; i < names.size(); ++i) {
+    for (size_t i = 0; i < shown; ++i) {
         if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
         text += "\"" + names[i] + "\"";
     }
+    if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
     return text;
 }
 

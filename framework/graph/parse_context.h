@@ -24,15 +24,23 @@ class ParseContext {
  public:
     static constexpr size_t kMaxErrors = 100;
 
-    explicit ParseContext(const SourceMap& sources) : sources_(sources) {}
+    explicit ParseContext(const SourceMap& sources, const GraphLimits& limits = {})
+        : sources_(sources), limits_(limits) {}
 
     // The reference lives until the next error. Beyond a limit errors are dropped.
     Diagnostic& error(SourceLoc loc, std::string code, std::string message);
     void error(SourceLoc loc, std::string code, std::string message, std::string help);
     void add(Diagnostics errors);
     [[nodiscard]] const SourceMap& sources() const { return sources_; }
-    // So many faults that looking for more would only cost time.
-    [[nodiscard]] bool is_full() const { return errors_.size() >= kMaxErrors; }
+    [[nodiscard]] const GraphLimits& limits() const { return limits_; }
+    // False: `count` is over `limit`, which is reported (W125), and parsing ends. `what`: "tiers".
+    bool within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what, const char* limit_name,
+                const std::string& help);
+    // Counts the parts of an expression or reference that was read; false: over the limit, reported.
+    bool count_parts(const Expr& expression);
+    bool count_parts(const RefDesc& ref);
+    // So many faults, or so much of something, that looking for more would only cost time.
+    [[nodiscard]] bool is_full() const { return is_over_limit_ || errors_.size() >= kMaxErrors; }
     [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
     [[nodiscard]] Diagnostics take_errors();  // in the order of the file
 
@@ -43,6 +51,9 @@ class ParseContext {
     [[nodiscard]] std::string pointer() const;
 
     const SourceMap& sources_;
+    const GraphLimits limits_;
+    size_t parts_ = 0;
+    bool is_over_limit_ = false;
     Diagnostics errors_;
     Diagnostic dropped_;
     std::vector<std::string> path_;
@@ -95,6 +106,8 @@ bool read_size(ParseContext& context, const JsonNode& node, Expr& out);
 void read_names(ParseContext& context, const JsonNode& node, std::vector<std::string>& names,
                 std::vector<SourceLoc>& locs);
 bool check_identifier(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc);
+// A reference in a string.
+bool read_reference(ParseContext& context, const JsonNode& node, RefDesc& out);
 
 void unknown_key(ParseContext& context, const JsonMember& member, std::string_view what,
                  const std::vector<std::string>& allowed);
@@ -102,7 +115,7 @@ void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, st
                  std::string help);
 void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
                 const std::vector<std::string>& allowed);
-// "a", "b" and "c"
+// "a", "b" and "c"; of a long list the first ones
 [[nodiscard]] std::string quoted_list(const std::vector<std::string>& names);
 
 // --- composed values
@@ -197,6 +210,8 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
+// The constants, parameters and sizes read so far are no more than the limit allows; false: reported.
+bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc);
 // The indices of repeats against each other and everything else that expressions may name.
 void check_indices(ParseContext& context, const GraphDesc& graph);
 void parse_pass_params(ParseContext& context, const JsonNode& node, PassDesc& pass);

@@ -3,18 +3,12 @@
 
 #include "graph/debug_view.h"
 #include "graph/parse_context.h"
-#include "graph/reference.h"
 
 namespace weft {
 namespace {
 
 void read_show(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
-    if (!expect(context, node, JsonKind::string)) return;
-    Result<RefDesc> ref = parse_reference({node.string, node.loc}, context.sources());
-    if (ref)
-        view.show = std::move(*ref);
-    else
-        context.add(ref.take_errors());
+    read_reference(context, node, view.show);
 }
 
 void read_decode(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
@@ -59,6 +53,9 @@ void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
     if (!expect(context, node, JsonKind::object)) return;
     for (const JsonMember& member : node.members) {
         if (context.is_full()) return;
+        if (!context.within(graph.debug.size() + 1, context.limits().debug_views, member.key_loc,
+                            "debug views", "graph.debugViews", "leave some out"))
+            return;
         const PointerScope scope(context, member.key);
         DebugViewDesc view;
         view.name = member.key;

@@ -66,6 +66,7 @@ void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     size_t end = open + 1;
     Result<Expr> number = parse_expression_at(text, end, context.sources());
     if (!number) return context.add(number.take_errors());
+    if (!context.count_parts(*number)) return;
     if (text.text.substr(end) != ")")
         return context.error(text.at(end, 1), "W106", "the number of a view does not end with ')'",
                              "write the view as \"" + pass.view.substr(0, open) + "(i)\"");

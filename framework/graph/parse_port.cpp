@@ -34,21 +34,12 @@ constexpr std::array kSamplerKeys{
 
 void read_ref(ParseContext& context, const JsonNode& node, PortDraft& draft) {
     draft.has_ref = true;
-    if (!expect(context, node, JsonKind::string)) return;
-    Result<RefDesc> ref = parse_reference({node.string, node.loc}, context.sources());
-    if (ref)
-        draft.port.ref = std::move(*ref);
-    else
-        context.add(ref.take_errors());
+    read_reference(context, node, draft.port.ref);
 }
 
 void read_else(ParseContext& context, const JsonNode& node, PortDraft& draft) {
-    if (!expect(context, node, JsonKind::string)) return;
-    Result<RefDesc> ref = parse_reference({node.string, node.loc}, context.sources());
-    if (ref)
-        draft.port.otherwise = std::move(*ref);
-    else
-        context.add(ref.take_errors());
+    RefDesc ref;
+    if (read_reference(context, node, ref)) draft.port.otherwise = std::move(ref);
 }
 
 void read_optional(ParseContext& context, const JsonNode& node, PortDraft& draft) {
@@ -119,6 +110,12 @@ bool is_port_map(ParseContext& context, const JsonNode& node) {
     return false;
 }
 
+// Inputs, outputs and resolve targets are counted each.
+bool check_port_count(ParseContext& context, size_t count, SourceLoc loc) {
+    return context.within(count, context.limits().pass_ports, loc, "ports of one kind in a pass",
+                          "graph.passPorts", "let one image with layers serve for many");
+}
+
 bool named_by_reference(const JsonMember& member) {
     const JsonNode* ref = member.value.find("ref");
     return ref != nullptr && ref->loc.line == member.key_loc.line && ref->loc.column == member.key_loc.column;
@@ -127,8 +124,10 @@ bool named_by_reference(const JsonMember& member) {
 template <class F>
 void read_ports(ParseContext& context, const JsonNode& node, F read) {
     if (!is_port_map(context, node)) return;
+    size_t count = 0;
     for (const JsonMember& member : node.members) {
         if (context.is_full()) break;
+        if (!check_port_count(context, ++count, member.key_loc)) return;
         const PointerScope scope(context, member.key);
         if (named_by_reference(member) || check_identifier(context, "a port", member.key, member.key_loc))
             read(member);
@@ -171,14 +170,16 @@ void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass)
     if (!expect(context, node, JsonKind::object)) return;
     std::vector<std::string> outputs;
     for (const PortDesc& port : pass.out) outputs.push_back(port.port);
+    size_t count = 0;
     for (const JsonMember& member : node.members) {
-        if (context.is_full()) break;
+        if (context.is_full() || !check_port_count(context, ++count, member.key_loc)) break;
         const PointerScope scope(context, member.key);
         Result<RefDesc> ref = parse_reference({member.key, member.key_loc}, context.sources());
         if (!ref) {
             context.add(ref.take_errors());
             continue;
         }
+        if (!context.count_parts(*ref)) return;
         ResolveDesc resolve;
         resolve.target.port = ref->name;
         resolve.target.loc = member.key_loc;

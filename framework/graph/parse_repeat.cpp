@@ -33,7 +33,7 @@ class RangeParser {
             return false;
         }
         out = std::move(*parsed);
-        return true;
+        return context_.count_parts(out);
     }
     bool accept(std::string_view word, const std::string& wanted) {
         skip_spaces();
@@ -69,6 +69,10 @@ void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass) {
         return context.error(node.loc, "W109", "a repeat without an index",
                              "name one: \"repeat\": { \"i\": \"0..3\" }, or remove the key");
     read_named(context, node, "an index", [&](const JsonMember& member) {
+        if (!context.within(pass.repeat.size() + 1, context.limits().repeat_indices, member.key_loc,
+                            "indices in a repeat", "graph.repeatIndices",
+                            "let one index count what several do"))
+            return;
         RepeatDesc repeat;
         repeat.index = member.key;
         repeat.loc = member.key_loc;

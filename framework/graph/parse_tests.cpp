@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "graph/parse_context.h"
+#include "graph/quantity_text.h"
 #include "graph/reference.h"
 
 namespace weft {
@@ -25,6 +26,7 @@ bool check_ref(ParseContext& context, const TestDraft& draft, const std::string&
         context.add(ref.take_errors());
         return false;
     }
+    if (!context.count_parts(*ref)) return false;
     if (draft.graph.resources.contains(ref->name) || draft.graph.imports.contains(ref->name)) return true;
     std::vector<std::string> known;
     for (const auto& [name, unused] : draft.graph.resources) known.push_back(name);
@@ -123,6 +125,15 @@ void read_test_size(ParseContext& context, const JsonNode& node, TestDraft& draf
     std::array<int64_t, 2> size{};
     for (size_t i = 0; i < size.size(); ++i)
         if (!read_integer(context, node.items[i], 1, kMostSide_px, size[i])) return;
+    // The picture, and its copy that is read back.
+    constexpr uint64_t kBytesPerTexel = 8;
+    const auto bytes = static_cast<uint64_t>(size[0] * size[1]) * kBytesPerTexel;
+    if (bytes > context.limits().test_bytes)
+        return context.error(node.loc, "W125",
+                             "a picture of " + node.items[0].string + "x" + node.items[1].string +
+                                 " px takes more than the " + limit_bytes_text(context.limits().test_bytes) +
+                                 " that a test may use",
+                             "make it smaller, " + raise_limit_text("graph.testBytes"));
     draft.test.size = {static_cast<uint32_t>(size[0]), static_cast<uint32_t>(size[1]), 1};
 }
 
@@ -191,12 +202,21 @@ void list_test_words(std::vector<FormatWords>& lists) {
 
 void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     if (!expect(context, node, JsonKind::array)) return;
+    size_t runs = 0;
     for (size_t i = 0; i < node.items.size() && !context.is_full(); ++i) {
         const PointerScope scope(context, std::to_string(i));
         TestDraft draft{graph, {}, {}, {}, {}, {}, false};
         draft.test.loc = node.items[i].loc;
         if (read_object(context, node.items[i], "a test", kTestKeys, draft))
             graph.tests.push_back(finished(context, std::move(draft)));
+        else
+            continue;
+        const GraphTestDesc& test = graph.tests.back();
+        runs += test.swap.empty() ? test.tiers.size() : test.swap.size();
+        if (!context.within(runs, context.limits().test_runs, test.loc,
+                            "runs of its own tests, each tier counted", "graph.testRuns",
+                            "let fewer tests run on fewer tiers"))
+            return;
     }
 }
 

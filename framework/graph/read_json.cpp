@@ -270,8 +270,7 @@ Result<JsonNode> read_json_file(SourceMap& sources, const std::string& path, std
     if (text.size() > limits.json_bytes)
         return file_error(path, "W004", "the file has more than " + limit_bytes_text(limits.json_bytes),
                           "check that this is a graph, " + raise_limit_text("graph.jsonBytes"));
-    const auto index = static_cast<uint32_t>(sources.files.size());
-    sources.files.push_back({path, std::move(text), includer});
+    const uint32_t index = sources.add_file(path, std::move(text), includer);
     const std::string_view source = sources.files.back().text;
     JsonNode root;
     std::vector<JsonFault> faults;

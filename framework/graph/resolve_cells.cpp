@@ -1,9 +1,12 @@
 #include "graph/resolve_cells.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace weft {
 namespace {
+
+constexpr uint64_t kStepsPerCell = 4;
 
 void sort_unique(std::vector<uint32_t>& values) {
     std::ranges::sort(values);
@@ -47,12 +50,14 @@ void add_use(const ResolvedGraph& graph, const CellUse& use, Cell& cell) {
     }
 }
 
-void cut_resource(const ResolvedGraph& graph, ResourceId resource, const std::vector<CellUse>& uses,
+void cut_resource(const ResolveState& state, ResourceId resource, const std::vector<CellUse>& uses,
                   std::vector<Cell>& cells) {
+    const ResolvedGraph& graph = state.graph;
     const Cuts cuts = cuts_of(graph, uses);
     const size_t first = cells.size();
     const size_t rows = cuts.layers.size() - 1;
     const size_t columns = cuts.mips.size() - 1;
+    state.spend(kStepsPerCell * cuts.aspects.size() * rows * columns, graph.resources[resource].loc);
     for (const AspectMask aspects : cuts.aspects) {
         for (size_t l = 0; l < rows; ++l) {
             for (size_t m = 0; m < columns; ++m) {
@@ -72,6 +77,8 @@ void cut_resource(const ResolvedGraph& graph, ResourceId resource, const std::ve
         for (size_t a = 0; a < cuts.aspects.size(); ++a) {
             if (!(cuts.aspects[a] & r.aspects)) continue;
             for (size_t l = index(cuts.layers, r.layer); cuts.layers[l] < r.layer + r.layers; ++l) {
+                state.spend(1 + index(cuts.mips, r.mip + r.mips) - index(cuts.mips, r.mip),
+                            graph.passes[u.pass].uses[u.use].loc);
                 for (size_t m = index(cuts.mips, r.mip); cuts.mips[m] < r.mip + r.mips; ++m) {
                     add_use(graph, u, cells[first + (a * rows + l) * columns + m]);
                 }
@@ -95,7 +102,8 @@ int Cell::writer_index(PassId pass) const {
     return found == writers.end() ? -1 : static_cast<int>(found - writers.begin());
 }
 
-std::vector<Cell> make_cells(const ResolvedGraph& graph) {
+std::vector<Cell> make_cells(const ResolveState& state) {
+    const ResolvedGraph& graph = state.graph;
     std::vector<std::vector<CellUse>> uses_of(graph.resources.size());
     for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
         const std::vector<UseDecl>& uses = graph.passes[pass].uses;
@@ -105,7 +113,7 @@ std::vector<Cell> make_cells(const ResolvedGraph& graph) {
     }
     std::vector<Cell> cells;
     for (ResourceId resource = 0; resource < uses_of.size(); ++resource) {
-        if (!uses_of[resource].empty()) cut_resource(graph, resource, uses_of[resource], cells);
+        if (!uses_of[resource].empty()) cut_resource(state, resource, uses_of[resource], cells);
     }
     return cells;
 }
@@ -120,14 +128,16 @@ std::vector<VersionSource> merged_sources(const std::vector<VersionSource>& cell
             rows.push_back(cell);
         }
     }
+    // Rows come layer by layer: only the last box of one producer and one range of mips can go on.
+    std::map<std::tuple<PassId, AspectMask, uint32_t, uint32_t>, size_t> last;
     std::vector<VersionSource> boxes;
     for (const VersionSource& row : rows) {
-        const auto above = std::ranges::find_if(boxes, [&](const VersionSource& box) {
-            return box.producer == row.producer && joins_layers(box.range, row.range);
-        });
-        if (above != boxes.end()) {
-            above->range.layers += row.range.layers;
+        const auto [above, is_new] =
+            last.try_emplace({row.producer, row.range.aspects, row.range.mip, row.range.mips}, boxes.size());
+        if (!is_new && joins_layers(boxes[above->second].range, row.range)) {
+            boxes[above->second].range.layers += row.range.layers;
         } else {
+            above->second = boxes.size();
             boxes.push_back(row);
         }
     }

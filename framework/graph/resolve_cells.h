@@ -28,7 +28,7 @@ struct Cell {
 };
 
 // Sorted by resource, then aspect, layer, mip.
-[[nodiscard]] std::vector<Cell> make_cells(const ResolvedGraph& graph);
+[[nodiscard]] std::vector<Cell> make_cells(const ResolveState& state);
 // Neighbouring boxes of one producer become one.
 [[nodiscard]] std::vector<VersionSource> merged_sources(const std::vector<VersionSource>& cells);
 

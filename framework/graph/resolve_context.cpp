@@ -7,6 +7,9 @@
 namespace weft {
 namespace {
 
+// More names than this say no more.
+constexpr size_t kMostListed = 64;
+
 template <class T>
 uint32_t index_by_name(const std::vector<T>& sorted, std::string_view name) {
     const auto it = std::lower_bound(sorted.begin(), sorted.end(), name,
@@ -53,14 +56,31 @@ std::vector<std::string> ResolveNames::known_resources() const {
 }
 
 Diagnostic& ResolveState::error(SourceLoc loc, std::string code, std::string message) {
-    return errors.emplace_back(input.graph.sources.error(loc, std::move(code), std::move(message)));
+    return add_error(input.graph.sources.error(loc, std::move(code), std::move(message)));
+}
+
+Diagnostic& ResolveState::add_error(Diagnostic fault) {
+    if (errors.size() >= kMostErrors) throw TooManyErrors{};
+    return errors.emplace_back(std::move(fault));
+}
+
+uint64_t ResolveState::most_steps() const {
+    return std::max<uint64_t>(1, input.limits.steps / (input.graph.tiers.size() + 1));
+}
+
+void ResolveState::spend(uint64_t count, SourceLoc loc) const {
+    const uint64_t most = most_steps();
+    if (count > most || steps > most - count) throw StepsUsedUp{loc};
+    steps += count;
 }
 
 Diagnostic& ResolveState::pass_error(PassId pass, SourceLoc loc, std::string code, std::string message) {
     passes[pass].faulty = true;
     Diagnostic fault = input.graph.sources.error(loc, std::move(code), std::move(message));
-    if (passes[pass].instance > 0 && is_known(fault)) return muted = std::move(fault);
-    return errors.emplace_back(std::move(fault));
+    if (passes[pass].instance == 0 || !is_known(fault)) return add_error(std::move(fault));
+    // Whoever reports it still looks for what to suggest.
+    spend(graph.passes.size() + graph.resources.size() + tried_ports, loc);
+    return muted = std::move(fault);
 }
 
 bool ResolveState::is_included(SourceLoc loc) const {
@@ -69,6 +89,10 @@ bool ResolveState::is_included(SourceLoc loc) const {
 }
 
 void ResolveState::warn(SourceLoc loc, std::string code, std::string message, std::string help) {
+    if (warnings.size() >= kMostWarnings) {
+        ++hidden_warnings;
+        return;
+    }
     Diagnostic warning = input.graph.sources.error(loc, std::move(code), std::move(message));
     warning.severity = Severity::warning;
     warning.help.push_back(std::move(help));
@@ -76,8 +100,9 @@ void ResolveState::warn(SourceLoc loc, std::string code, std::string message, st
 }
 
 std::optional<ExprValue> ResolveState::evaluate_here(const Expr& expression) {
+    spend(expression.postfix.size(), expression.loc);
     for (const ExprNode& node : expression.postfix) {
-        if (std::ranges::find(faulty_values, node.name) != faulty_values.end()) return std::nullopt;
+        if (!node.name.empty() && faulty_values.contains(node.name)) return std::nullopt;
         if (node.op != ExprOp::mips_of) continue;
         const ResourceId resource = resource_id(node.name);
         if (resource != kNoId && resources[resource].suspect_shape) return std::nullopt;
@@ -85,7 +110,7 @@ std::optional<ExprValue> ResolveState::evaluate_here(const Expr& expression) {
     Result<ExprValue> value = evaluate(expression, names, input.graph.sources);
     if (value) return *value;
     for (Diagnostic& d : value.take_errors()) {
-        if (!repeats_itself || !is_known(d)) errors.push_back(std::move(d));
+        if (!repeats_itself || !is_known(d)) add_error(std::move(d));
     }
     return std::nullopt;
 }
@@ -97,7 +122,7 @@ std::optional<double> ResolveState::number_here(const Expr& expression, const st
     const auto report = [&](std::string code, const std::string& message, std::string help) {
         Diagnostic fault = input.graph.sources.error(expression.loc, std::move(code), what + message);
         fault.help.push_back(std::move(help));
-        if (!repeats_itself || !is_known(fault)) errors.push_back(std::move(fault));
+        if (!repeats_itself || !is_known(fault)) add_error(std::move(fault));
         return std::nullopt;
     };
     if (value->is_size) return report("W106", " is a size, not a number", "use .x or .y of it");
@@ -161,10 +186,11 @@ std::string quoted(std::string_view name) {
 
 std::string joined(const std::vector<std::string>& names) {
     std::string text;
-    for (const std::string& name : names) {
-        if (!text.empty()) text += ", ";
-        text += quoted(name);
+    for (size_t i = 0; i < std::min(names.size(), kMostListed); ++i) {
+        if (i > 0) text += ", ";
+        text += quoted(names[i]);
     }
+    if (names.size() > kMostListed) text += " and " + std::to_string(names.size() - kMostListed) + " more";
     return text;
 }
 

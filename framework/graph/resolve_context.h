@@ -71,22 +71,35 @@ class ResolveNames final : public ExprNames {
     [[nodiscard]] std::vector<std::string> known_resources() const override;
 };
 
+// Thrown where going on would say nothing more; resolve() catches both. So that no graph, however large and
+// faulty, keeps a step busy for long.
+struct TooManyErrors {};
+struct StepsUsedUp {
+    SourceLoc loc;
+};
+
 struct ResolveState {
+    static constexpr size_t kMostErrors = 100;
+    static constexpr size_t kMostWarnings = 100;
+
     const ResolveInput& input;
     Diagnostics& warnings;
     Diagnostics errors = {};
     ResolvedGraph graph = {};
     ResolveNames names = {};
-    std::vector<std::string> faulty_values = {};     // params and sizes already reported
-    std::map<std::string, uint32_t> histories = {};  // of resources that keep earlier frames, by name
-    std::set<std::string> suspect_histories = {};    // reported
-    std::vector<ResourceWork> resources = {};        // by ResourceId
-    std::vector<PassWork> passes = {};               // by PassId
+    std::set<std::string, std::less<>> faulty_values = {};  // params and sizes already reported
+    std::map<std::string, uint32_t> histories = {};         // of resources that keep earlier frames, by name
+    std::set<std::string> suspect_histories = {};           // reported
+    std::vector<ResourceWork> resources = {};               // by ResourceId
+    std::vector<PassWork> passes = {};                      // by PassId
     std::map<std::string, PassDesc> observers = {};
     uint64_t repeat_steps = 0;  // of all passes so far
     uint64_t tried_passes = 0;  // those that `if` leaves out are counted too
     uint64_t tried_ports = 0;
     bool over_limit = false;  // reported already
+    size_t hidden_warnings = 0;
+    mutable uint64_t steps = 0;                                // see spend()
+    std::map<std::string, bool, std::less<>> is_written = {};  // written_by_any_pass() so far
     // By the name that the author gave: a repeat makes several passes, or none.
     std::map<std::string, std::vector<PassId>, std::less<>> instances = {};
     std::map<std::string, const PassDesc*, std::less<>> dropped = {};  // left out by `if` or an empty repeat
@@ -94,7 +107,15 @@ struct ResolveState {
     bool repeats_itself = false;  // a pass that is no repeat's first: its first one found the same faults
     Diagnostic muted = {};
 
+    // Throws TooManyErrors beyond the most.
     Diagnostic& error(SourceLoc loc, std::string code, std::string message);
+    // The same for a fault that was found elsewhere.
+    Diagnostic& add_error(Diagnostic fault);
+    // Work whose amount the file decides is counted before it is done: a step is about 100 ns or 32 bytes.
+    // Throws StepsUsedUp beyond graph.steps.
+    void spend(uint64_t count, SourceLoc loc) const;
+    // The part of graph.steps that this tier may use.
+    [[nodiscard]] uint64_t most_steps() const;
     // The same, and the pass is faulty from now on.
     Diagnostic& pass_error(PassId pass, SourceLoc loc, std::string code, std::string message);
     // The same fault at the same place was reported.
@@ -141,7 +162,8 @@ class IndexScope {
 // A range as its author would write it: only what is less than the whole resource.
 [[nodiscard]] std::string range_of(const ResourceDecl& resource, const SubresourceRange& range);
 [[nodiscard]] std::string quoted(std::string_view name);
-[[nodiscard]] std::string joined(const std::vector<std::string>& names);  // "a", "b", "c"
+// "a", "b", "c"; of a long list the first ones
+[[nodiscard]] std::string joined(const std::vector<std::string>& names);
 [[nodiscard]] std::string extent_text(const Extent3D& extent);
 [[nodiscard]] Extent3D use_extent(const ResolveState& state, const UseDecl& use);
 // "" holds for every output that has no state of its own.
@@ -192,6 +214,7 @@ void check_output(ResolveState& state);        // somebody writes it
 void resolve_dispatches(ResolveState& state);
 void resolve_blocks(ResolveState& state);
 void check_custom_passes(ResolveState& state);
+void weigh_plan(ResolveState& state);   // what compiling and proving will cost is within graph.steps
 void check_turns(ResolveState& state);  // of passes spread over frames
 void warn_unused(ResolveState& state);
 // Those that debug views show and tests look at, by name.

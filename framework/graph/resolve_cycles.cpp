@@ -17,6 +17,7 @@ class CycleReport {
         peel();
         for (PassId pass = 0; pass < done_.size(); ++pass) {
             if (done_[pass]) continue;
+            state_.spend(order_.arcs().size() + done_.size(), state_.passes[pass].desc->loc);
             const std::vector<PassId> knot = knot_of(pass);
             if (knot.size() > 1) report(knot);
             done_[pass] = 1;
@@ -172,13 +173,17 @@ class CycleReport {
         if (!cut) return;
         std::string text = state_.pass_name(cut->to) + " (" + reason(*cut) + ")";
         std::vector<Note> notes;
+        constexpr size_t kMostTold = 16;
+        size_t told = 0;
         // way() lists the arcs backwards, which is the direction in which passes wait.
         for (const uint32_t index : way(cut->to, cut->from)) {
             const OrderArc& arc = order_.arcs()[index];
+            if (++told > kMostTold) continue;
             text += " -> " + state_.pass_name(arc.to) + " (" + reason(arc) + ")";
             const Diagnostic place = state_.input.graph.sources.error(arc.loc, "", "");
             if (place.line != 0) notes.push_back({place.file, place.line, place.column, reason(arc)});
         }
+        if (told > kMostTold) text += " -> … " + std::to_string(told - kMostTold) + " more …";
         text += " -> " + state_.pass_name(cut->to);
         Diagnostic& d = state_.error(cut->loc, "W150", "dependency cycle: " + text);
         d.notes = std::move(notes);

@@ -13,6 +13,7 @@ void PassOrder::add(const OrderArc& arc) {
 
 bool PassOrder::sort() {
     std::vector<uint32_t> waits_for(out_.size(), 0);
+    work_ += out_.size() + 2 * arcs_.size();
     for (const OrderArc& arc : arcs_) ++waits_for[arc.to];
     std::vector<PassId> ready;
     for (PassId pass = 0; pass < out_.size(); ++pass) {
@@ -33,6 +34,7 @@ bool PassOrder::reaches(PassId from, PassId to) {
     while (!open.empty()) {
         const PassId pass = open.back();
         open.pop_back();
+        work_ += 1 + out_[pass].size();
         for (const uint32_t index : out_[pass]) {
             const PassId next = arcs_[index].to;
             if (next == to) return true;
@@ -47,10 +49,12 @@ bool PassOrder::reaches(PassId from, PassId to) {
 
 std::vector<uint8_t> PassOrder::reached_from(PassId from) const {
     std::vector<uint8_t> reached(out_.size(), 0);
+    work_ += out_.size() / 16;
     std::vector<PassId> open{from};
     while (!open.empty()) {
         const PassId pass = open.back();
         open.pop_back();
+        work_ += 1 + out_[pass].size();
         for (const uint32_t index : out_[pass]) {
             const PassId next = arcs_[index].to;
             if (reached[next]) continue;

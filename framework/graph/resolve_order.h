@@ -31,6 +31,8 @@ class PassOrder {
     // By pass: 1 where it runs after `from`.
     [[nodiscard]] std::vector<uint8_t> reached_from(PassId from) const;
 
+    // Arcs looked at so far.
+    [[nodiscard]] uint64_t work() const { return work_; }
     [[nodiscard]] const std::vector<OrderArc>& arcs() const { return arcs_; }
     [[nodiscard]] const std::vector<std::vector<uint32_t>>& arcs_out() const { return out_; }
 
@@ -40,6 +42,7 @@ class PassOrder {
     std::vector<uint32_t> position_;
     std::vector<uint32_t> stamp_;
     uint32_t search_ = 0;
+    mutable uint64_t work_ = 0;
 };
 
 // W150 for every knot of passes that wait for each other.

@@ -26,7 +26,7 @@ void declare_observers(ResolveState& state) {
     for (const std::string& text : state.input.observed) {
         const Result<RefDesc> ref = parse_reference({.text = text, .literal = {}}, state.input.graph.sources);
         if (!ref) {
-            state.errors.insert(state.errors.end(), ref.errors().begin(), ref.errors().end());
+            for (const Diagnostic& fault : ref.errors()) state.add_error(fault);
             continue;
         }
         PassDesc desc;

@@ -58,6 +58,7 @@ bool share_mips_and_layers(const SubresourceRange& a, const SubresourceRange& b)
 
 const PassDesc* dropped_writer(const ResolveState& state, const std::string& name) {
     for (const auto& [unused, desc] : state.dropped) {
+        state.spend(1 + desc->out.size(), desc->loc);
         if (output_of(*desc, name)) return desc;
     }
     return nullptr;
@@ -68,7 +69,9 @@ void resolve_pins(const ResolveState& state, PassId pass, const RefDesc& ref, co
     const std::string* name = &ref.pass;
     // Dropped passes may pin each other in a circle.
     for (size_t steps = 0; steps <= state.dropped.size(); ++steps) {
-        port.work.pins = state.instances.at(*name);
+        const std::vector<PassId>& pins = state.instances.at(*name);
+        state.spend(1 + pins.size(), ref.loc);
+        port.work.pins = pins;
         if (port.work.pinned()) return;
         const PassDesc& dropped = *state.dropped.at(*name);
         if (!passes_on(dropped, ref.name)) break;
@@ -77,6 +80,7 @@ void resolve_pins(const ResolveState& state, PassId pass, const RefDesc& ref, co
             name = next;
             continue;
         }
+        state.spend(outputs.size() + state.tried_ports, ref.loc);
         const std::set<std::string> writers = writers_of(state, outputs, ref.name, pass);
         if (writers.size() == 1) port.work.pins = state.instances.at(*writers.begin());
         const bool before = writers.empty() && state.resources[port.use.resource].has_content;
@@ -92,6 +96,7 @@ bool is_present(const ResolveState& state, PassId pass, const BoundPort& input, 
     if (resource.has_content || resource.suspect_writers) return true;
     if (!dropped_writer(state, state.resource_name(input.use.resource))) return true;
     for (PassId writer = 0; writer < outputs.size(); ++writer) {
+        state.spend(1 + outputs[writer].size(), input.use.loc);
         if (writer == pass) continue;
         for (const BoundPort& output : outputs[writer]) {
             if (output.use.resource == input.use.resource &&

@@ -33,7 +33,7 @@ ExprValue default_size(const ResolveState& state) {
 }
 
 bool default_size_is_faulty(const ResolveState& state) {
-    return std::ranges::find(state.faulty_values, "render") != state.faulty_values.end();
+    return state.faulty_values.contains("render");
 }
 
 struct Element {

@@ -8,14 +8,16 @@ namespace weft {
 namespace {
 
 // Whether any pass has it among its outputs, or something misspelt that may be meant for it.
-bool written_by_any_pass(const ResolveState& state, const std::string& name) {
+bool written_by_any_pass(ResolveState& state, const std::string& name) {
+    if (const auto known = state.is_written.find(name); known != state.is_written.end()) return known->second;
     const auto names = [&](const PortDesc* port) {
+        state.spend(1, port->loc);
         if (port->ref.name == name) return true;
         return state.resource_id(port->ref.name) == kNoId && !did_you_mean(port->ref.name, {name}).empty();
     };
-    return std::ranges::any_of(state.input.graph.passes, [&](const auto& entry) {
-        return std::ranges::any_of(written_ports(entry.second), names);
-    });
+    return state.is_written[name] = std::ranges::any_of(state.input.graph.passes, [&](const auto& entry) {
+               return std::ranges::any_of(written_ports(entry.second), names);
+           });
 }
 
 void report_no_history(ResolveState& state, PassId pass, const RefDesc& ref, const ResourceDecl& resource) {

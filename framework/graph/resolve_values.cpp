@@ -50,7 +50,7 @@ double value_of(const std::string& name, const ParamDesc& param,
 
 void resolve_params(ResolveState& state) {
     for (Diagnostic& fault : param_faults(state.input.graph, state.input.params))
-        state.errors.push_back(std::move(fault));
+        state.add_error(std::move(fault));
     for (const auto& [name, param] : state.input.graph.params) {
         const double value = value_of(name, param, state.input.params);
         state.names.values[name] = number_value(value);
@@ -60,7 +60,7 @@ void resolve_params(ResolveState& state) {
 }
 
 // Constants and sizes may refer to each other in any order, so each is evaluated when the first one asks for
-// it.
+// it. A chain of them may be as long as the file: it is followed without recursion.
 class NamedEvaluator {
  public:
     explicit NamedEvaluator(ResolveState& state) : state_(state) {}
@@ -72,6 +72,13 @@ class NamedEvaluator {
     }
 
  private:
+    // One that waits for the names in its expression.
+    struct Waiting {
+        const std::string* name;
+        const Expr* expression;
+        size_t next = 0;  // the part of the expression to look at
+    };
+
     // Null: it is neither a constant nor a size.
     const Expr* find(const std::string& name) const {
         const GraphDesc& graph = state_.input.graph;
@@ -82,18 +89,44 @@ class NamedEvaluator {
     }
 
     void evaluate_name(const std::string& name) {
+        begin(name);
+        while (!path_.empty()) {
+            if (begin_next()) continue;
+            const Waiting ready = path_.back();
+            path_.pop_back();
+            on_path_.erase(*ready.name);
+            finish(*ready.name, *ready.expression);
+        }
+    }
+
+    // False: its value is known or never will be.
+    bool begin(const std::string& name) {
         const Expr* expression = find(name);
-        if (!expression || state_.names.values.contains(name) || is_faulty(name)) return;
-        if (std::ranges::find(path_, name) != path_.end()) return report_cycle(name, expression->loc);
-        path_.push_back(name);
-        for (const ExprNode& node : expression->postfix)
-            if (node.op == ExprOp::name) evaluate_name(node.name);
-        path_.pop_back();
+        if (!expression || state_.names.values.contains(name) || is_faulty(name)) return false;
+        if (!on_path_.insert(name).second) {
+            report_cycle(name, expression->loc);
+            return false;
+        }
+        path_.push_back({&name, expression});
+        return true;
+    }
+
+    // Begins with the next name that the last one of the path waits for; false: there is none.
+    bool begin_next() {
+        const std::vector<ExprNode>& parts = path_.back().expression->postfix;
+        while (path_.back().next < parts.size()) {
+            const ExprNode& part = parts[path_.back().next++];
+            if (part.op == ExprOp::name && begin(part.name)) return true;
+        }
+        return false;
+    }
+
+    void finish(const std::string& name, const Expr& expression) {
         if (is_faulty(name)) return;
-        if (const auto value = evaluated(name, *expression)) {
+        if (const auto value = evaluated(name, expression)) {
             state_.names.values[name] = *value;
         } else {
-            state_.faulty_values.push_back(name);
+            state_.faulty_values.insert(name);
         }
     }
 
@@ -106,22 +139,25 @@ class NamedEvaluator {
         return std::nullopt;
     }
 
-    bool is_faulty(const std::string& name) const {
-        return std::ranges::find(state_.faulty_values, name) != state_.faulty_values.end();
-    }
+    bool is_faulty(const std::string& name) const { return state_.faulty_values.contains(name); }
 
     void report_cycle(const std::string& name, SourceLoc loc) {
+        constexpr std::ptrdiff_t kMostNamed = 16;
+        const auto first = std::ranges::find_if(path_, [&](const Waiting& w) { return *w.name == name; });
         std::string text;
-        for (auto it = std::ranges::find(path_, name); it != path_.end(); ++it) {
-            text += *it + " -> ";
-            state_.faulty_values.push_back(*it);
+        for (auto it = first; it != path_.end(); ++it) {
+            if (it - first < kMostNamed) text += *it->name + " -> ";
+            state_.faulty_values.insert(*it->name);
         }
+        if (path_.end() - first > kMostNamed)
+            text += "… " + std::to_string(path_.end() - first - kMostNamed) + " more … -> ";
         Diagnostic& d = state_.error(loc, "W106", "sizes depend on each other: " + text + name);
         add_help(d, "write one of them in terms of \"output\" or of numbers");
     }
 
     ResolveState& state_;
-    std::vector<std::string> path_;
+    std::vector<Waiting> path_;
+    std::set<std::string_view> on_path_;
 };
 
 // How long the imported draw lists are: "opaqueDraws". What the author calls so comes first.
@@ -133,7 +169,7 @@ void count_draws(ResolveState& state) {
         if (taken || state.names.values.contains(name)) continue;
         const auto offered = state.input.imports.imports.find(list);
         if (offered == state.input.imports.imports.end())
-            state.faulty_values.push_back(name);  // the import is reported
+            state.faulty_values.insert(name);  // the import is reported
         else
             state.names.values[name] = number_value(offered->second.draws);
     }

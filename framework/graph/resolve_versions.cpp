@@ -34,6 +34,7 @@ class VersionOrder {
             for (size_t i = 1; i < cell.writers.size(); ++i) {
                 const PassId a = cell.writers[i - 1].pass;
                 const PassId b = cell.writers[i].pass;
+                pay(use(cell.writers[i]).loc);
                 if (order_.reaches(a, b)) continue;
                 if (reported.insert(std::minmax(state_.passes[a].desc, state_.passes[b].desc)).second)
                     report_pair(cell, cell.writers[i - 1], cell.writers[i]);
@@ -45,7 +46,27 @@ class VersionOrder {
     const UseDecl& use(const CellUse& u) const { return state_.graph.passes[u.pass].uses[u.use]; }
     const PortWork& port(const CellUse& u) const { return state_.passes[u.pass].ports[u.use]; }
 
+    // What the searches of the order cost since the last call.
+    void pay(SourceLoc loc) {
+        state_.spend(order_.work() - paid_, loc);
+        paid_ = order_.work();
+    }
+
+    // Looking for one writer of a cell: many are compared in the time of a step.
+    static uint64_t search_steps(const Cell& cell) {
+        constexpr size_t kWritersPerStep = 64;
+        return 1 + cell.writers.size() / kWritersPerStep;
+    }
+
+    // Keeping an arc costs more than looking at it.
+    void add_arc(const OrderArc& arc) {
+        constexpr uint64_t kStepsPerArc = 4;
+        state_.spend(kStepsPerArc, arc.loc);
+        order_.add(arc);
+    }
+
     bool sorted() {
+        pay(state_.passes.empty() ? SourceLoc{} : state_.passes.front().desc->loc);
         if (order_.sort()) return true;
         report_cycles(state_, order_);
         return false;
@@ -66,7 +87,7 @@ class VersionOrder {
         const bool itself = name == state_.author_name(pass);
         if (found != state_.instances.end() && !itself) {
             for (const PassId from : found->second) {
-                order_.add({from, pass, EdgeKind::after, kNoId, loc});
+                add_arc({from, pass, EdgeKind::after, kNoId, loc});
                 state_.graph.edges.push_back({from, pass, EdgeKind::after, kNoId, loc});
             }
             return;
@@ -80,11 +101,12 @@ class VersionOrder {
     }
 
     void add_read(const Cell& cell, PassId writer, const CellUse& reader, bool pinnable) {
-        order_.add({writer, reader.pass, EdgeKind::raw, cell.resource, use(reader).loc, pinnable});
+        add_arc({writer, reader.pass, EdgeKind::raw, cell.resource, use(reader).loc, pinnable});
     }
 
     void add_known(Cell& cell) {
         for (const CellUse& reader : cell.readers) {
+            state_.spend(search_steps(cell), use(reader).loc);
             if (port(reader).pinned()) {
                 add_pin(cell, reader);
             } else if (cell.writer_index(reader.pass) < 0) {
@@ -93,6 +115,7 @@ class VersionOrder {
             }
         }
         for (const CellUse& writer : cell.writers) {
+            state_.spend(search_steps(cell), use(writer).loc);
             if (port(writer).pinned()) add_pin(cell, writer);
         }
         add_repeats(cell);
@@ -102,6 +125,7 @@ class VersionOrder {
 
     void add_pin(Cell& cell, const CellUse& reader) {
         bool writes_cell = false;
+        state_.spend(port(reader).pins.size() * search_steps(cell), use(reader).loc);
         for (const PassId pin : visible_pins(port(reader), reader.pass)) {
             if (cell.writer_index(pin) < 0) continue;
             add_read(cell, pin, reader, false);
@@ -121,7 +145,7 @@ class VersionOrder {
             const CellUse* before = nullptr;
             for (const auto& [instance, writer] : writers) {
                 if (before)
-                    order_.add({before->pass, writer.pass, EdgeKind::waw, cell.resource, use(writer).loc});
+                    add_arc({before->pass, writer.pass, EdgeKind::waw, cell.resource, use(writer).loc});
                 before = &writer;
             }
         }
@@ -136,7 +160,7 @@ class VersionOrder {
             return;
         for (const CellUse& writer : cell.writers) {
             const EdgeKind kind = EdgeKind::waw;
-            order_.add({base->pass, writer.pass, kind, cell.resource, use(writer).loc});
+            add_arc({base->pass, writer.pass, kind, cell.resource, use(writer).loc});
         }
     }
 
@@ -148,8 +172,10 @@ class VersionOrder {
             for (auto& [reader, before] : cell.foreign_pins) {
                 const std::vector<PassId>& pins = port(reader).pins;
                 for (const PassId pin : pins) {
+                    pay(use(reader).loc);
                     if (!reached.contains(pin)) reached.emplace(pin, order_.reached_from(pin));
                 }
+                state_.spend(pins.size() * cell.writers.size(), use(reader).loc);
                 for (const CellUse& writer : cell.writers) {
                     const bool later = std::ranges::any_of(pins, [&](const PassId pin) {
                         return pin == writer.pass || reached.at(pin)[writer.pass];
@@ -174,6 +200,7 @@ class VersionOrder {
 
     bool is_chain(const Cell& cell) {
         for (size_t i = 1; i < cell.writers.size(); ++i) {
+            pay(use(cell.writers[i]).loc);
             if (!order_.reaches(cell.writers[i - 1].pass, cell.writers[i].pass)) return false;
         }
         return true;
@@ -189,6 +216,7 @@ class VersionOrder {
             fresh.clear();
             if (added && !sorted()) return false;
             std::erase_if(pending, [&](Cell* cell) {
+                state_.spend(cell->writers.size(), use(cell->writers.front()).loc);
                 sort_by_position(*cell);
                 cell->ordered = is_chain(*cell);
                 if (cell->ordered) fresh.push_back(cell);
@@ -203,8 +231,8 @@ class VersionOrder {
         const auto add = [&](const CellUse& reader) {
             const auto next = static_cast<size_t>(version_seen(state_, cell, reader) + 1);
             if (next >= cell.writers.size() || cell.writers[next].pass == reader.pass) return;
-            order_.add({reader.pass, cell.writers[next].pass, EdgeKind::war, cell.resource,
-                        use(cell.writers[next]).loc});
+            add_arc({reader.pass, cell.writers[next].pass, EdgeKind::war, cell.resource,
+                     use(cell.writers[next]).loc});
             added = true;
         };
         for (const CellUse& reader : cell.readers) add(reader);
@@ -234,6 +262,7 @@ class VersionOrder {
     ResolveState& state_;
     std::vector<Cell>& cells_;
     PassOrder order_;
+    uint64_t paid_ = 0;
 };
 
 // In place: the output's range overlaps an input of the same pass.
@@ -256,7 +285,7 @@ void find_in_place_writes(ResolveState& state) {
 
 void resolve_versions(ResolveState& state) {
     find_in_place_writes(state);
-    std::vector<Cell> cells = make_cells(state.graph);
+    std::vector<Cell> cells = make_cells(state);
     VersionOrder order(state, cells);
     if (!order.run()) return;
     order.report_unordered();

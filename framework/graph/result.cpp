@@ -8,22 +8,37 @@
 namespace weft {
 namespace {
 
+// Longer names are not compared: nobody mistypes one letter of so many and wonders which.
+constexpr size_t kMostNameBytes = 64;
+// What one search for near names may cost: so many pairs of letters are compared, then no more names are.
+constexpr size_t kMostLetterPairs = 1u << 21;
+
 // Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours cost 1
-// each.
-size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
+// each. Only the diagonal band in which a distance of `most` can lie is computed (Ukkonen 1985), and rows end
+// where all of the band is beyond it; then the result is most + 1. Adds to `pairs` what it compared.
+size_t edit_distance(std::string_view a, std::string_view b, size_t most, size_t& pairs) {
+    const size_t far = most + 1;
+    if (a.size() > b.size() + most || b.size() > a.size() + most) return far;
+    std::vector<size_t> before(b.size() + 1, far), row(b.size() + 1, far), next(b.size() + 1, far);
+    for (size_t j = 0; j <= std::min(b.size(), most); ++j) row[j] = j;
     for (size_t i = 1; i <= a.size(); ++i) {
-        next[0] = i;
-        for (size_t j = 1; j <= b.size(); ++j) {
+        const size_t begin = i > most ? i - most : 1;
+        const size_t end = std::min(b.size(), i + most);
+        std::ranges::fill(next, far);
+        if (i <= most) next[0] = i;
+        size_t least = next[0];
+        for (size_t j = begin; j <= end; ++j) {
             const size_t substitution = row[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            next[j] = std::min({row[j] + 1, next[j - 1] + 1, substitution});
+            next[j] = std::min({row[j] + 1, next[j - 1] + 1, substitution, far});
             const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
             if (swapped) next[j] = std::min(next[j], before[j - 2] + 1);
+            least = std::min(least, next[j]);
         }
+        pairs += end + 1 - std::min(begin, end + 1);
         before = std::exchange(row, next);
+        if (least == far && std::ranges::all_of(before, [&](size_t d) { return d >= most; })) return far;
     }
-    return row[b.size()];
+    return std::min(row[b.size()], far);
 }
 
 std::string lower(std::string text) {
@@ -49,11 +64,19 @@ std::string to_text(const Diagnostics& diagnostics) {
 }
 
 std::vector<std::string> did_you_mean(const std::string& name, const std::vector<std::string>& known) {
+    if (name.size() > kMostNameBytes) return {};
     std::vector<std::pair<size_t, std::string>> near;
     const size_t limit = std::max<size_t>(1, name.size() / 3);
+    const std::string wanted = lower(name);
+    size_t pairs = 0;
     for (const std::string& candidate : known) {
-        const size_t distance = edit_distance(lower(name), lower(candidate));
-        const bool abbreviation = name.size() >= 3 && lower(candidate).find(lower(name)) != std::string::npos;
+        if (candidate.size() > 2 * kMostNameBytes) continue;
+        if (pairs > kMostLetterPairs) break;
+        const std::string offered = lower(candidate);
+        size_t distance = edit_distance(wanted, offered, limit, pairs);
+        const bool abbreviation = name.size() >= 3 && offered.find(wanted) != std::string::npos;
+        pairs += offered.size();
+        if (abbreviation) distance = std::min(distance, offered.size() - wanted.size());
         if (distance <= limit || abbreviation) near.emplace_back(distance, candidate);
     }
     std::sort(near.begin(), near.end());

@@ -40,7 +40,7 @@ struct GraphReading {
 [[nodiscard]] Result<JsonDoc> merge(JsonDoc document, const std::string& tier = {});
 // The tiers' names, in the order written; of files that don't say what tiers are, none.
 [[nodiscard]] std::vector<std::string> tier_names(const JsonDoc& document);
-[[nodiscard]] Result<GraphDesc> parse(const JsonDoc& document);
+[[nodiscard]] Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits = {});
 
 // --- what does it mean
 // -----------------------------------------------------------------------------------------

@@ -54,7 +54,7 @@ ShaderRoots shader_roots(const LoadInput& input) {
 Result<GraphDesc> described(const JsonDoc& document, const LoadInput& input) {
     Result<JsonDoc> merged = merge(document, input.tier);
     if (!merged) return merged.take_errors();
-    Result<GraphDesc> desc = parse(*merged);
+    Result<GraphDesc> desc = parse(*merged, input.limits.graph);
     if (!desc) return desc;
     desc->tier = input.tier;
     if (input.debug.empty()) return desc;

@@ -35,7 +35,7 @@ void set_shape(const ResourceDesc& resource, ShaderBinding& binding) {
         default:
             binding.dim = ImageDim::d2;
     }
-    binding.multisampled = resource.samples > 1;
+    binding.multisampled = !resource.samples.empty() && resource.samples.text != "1";
     binding.arrayed = !resource.layers.empty() && binding.dim == ImageDim::d2;
     if (resource.formats.empty()) return;
     if (const std::optional<Format> format = format_from_name(resource.formats.front()))

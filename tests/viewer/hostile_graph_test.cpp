@@ -100,7 +100,7 @@ TEST_F(HostileGraph, TooManyPasses) {
 
 TEST_F(HostileGraph, TooManyPorts) {
     std::string ports;
-    for (int i = 0; i < 60'000; ++i) ports += (i == 0 ? "\"p" : ", \"p") + std::to_string(i) + "\": \"x\"";
+    for (int i = 0; i < 200; ++i) ports += (i == 0 ? "\"p" : ", \"p") + std::to_string(i) + "\": \"x\"";
     expect_refused_cheaply(
         check(graph(R"("x": "rgba8")",
                     R"("r": { "type": "readback", "repeat": { "i": "0..4000" }, "in": { )" + ports + " } }")),

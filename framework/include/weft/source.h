@@ -2,8 +2,10 @@
 // it on as provenance; it never enters a plan's hash.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +28,9 @@ struct SourceFile {
     std::string path;  // as the user named it
     std::string text;
     SourceLoc included_at = {};  // of the file's name in the one that includes it; kNoFile: in none
+    // The number of newlines before each 4 KiB block of the text, so that a line is found without reading all
+    // lines before it. Made by SourceMap::add_file(); without it a line is searched from the first byte.
+    std::vector<uint32_t> newlines_before = {};
 };
 
 // A value that stands for another: of an including file, or of a tier.
@@ -36,8 +41,12 @@ struct Replacement {
 
 struct SourceMap {
     std::vector<SourceFile> files;
-    std::vector<Replacement> replacements;
+    // By file, line and column of `by`.
+    std::multimap<std::array<uint32_t, 3>, Replacement> replacements;
 
+    // Returns its index.
+    uint32_t add_file(std::string path, std::string text, SourceLoc included_at = {});
+    void add_replacement(const Replacement& replacement);
     // A diagnostic with file, line, column and the excerpt filled in from `loc`. Notes say where the file was
     // included, and what the value there replaced.
     [[nodiscard]] Diagnostic error(SourceLoc loc, std::string code, std::string message) const;
