@@ -119,7 +119,7 @@ class ClearCheck {
         add_help(fault, inside ? "whole numbers are exact up to 16777216"
                                : (range.whole ? "it holds whole numbers of " : "it holds values of ") +
                                      number_text(range.least) + " to " + number_text(range.most));
-        if (!state_.is_known(fault)) state_.errors.push_back(std::move(fault));
+        if (!state_.is_known(fault)) state_.add_error(std::move(fault));
     }
 
     ResolveState& state_;

@@ -54,7 +54,7 @@ void resolve_params(ResolveState& state) {
     for (const auto& [name, param] : state.input.graph.params) {
         const double value = value_of(name, param, state.input.params);
         state.names.values[name] = number_value(value);
-        if (!allows(param, value)) state.faulty_values.push_back(name);
+        if (!allows(param, value)) state.faulty_values.insert(name);
         state.graph.params.push_back({name, value, ParamCost::nothing});
     }
 }
