@@ -17,6 +17,7 @@
 #include "commands.h"
 #include "driver_cache.h"
 #include "files.h"
+#include "memory_reserve.h"
 #include "numbers.h"
 #include "output.h"
 #include "sandbox.h"
@@ -456,6 +457,7 @@ int run(int argc, char** argv) {
 }  // namespace weft::viewer
 
 int main(int argc, char** argv) {
+    weft::viewer::hold_memory_reserve();
     weft::viewer::prepare_output();
     try {
         return weft::viewer::run(argc, argv);

@@ -1,5 +1,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <new>
 
 #include "scene/gltf_container.h"
 #include "scene/gltf_keys.h"
@@ -62,6 +63,8 @@ std::optional<json> parse_json(std::string_view text, Report& report) {
                         cut ? "the JSON ends in the middle" : "this is not JSON from here on",
                         cut ? "the file is truncated: copy or export it again"
                             : "correct the syntax at this place, or name a .gltf or .glb");
+    } catch (const std::bad_alloc&) {
+        throw;  // no fault of the file: load_gltf() reports it
     } catch (const std::exception& fault) {
         report.error("S102", {}, std::string("the JSON cannot be read: ") + fault.what(),
                      "export the scene again");

@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <new>
 
 #define TINYGLTF_NO_FS
 #define TINYGLTF_NO_EXTERNAL_IMAGE
@@ -53,6 +54,8 @@ bool parse_model(const std::string& text, Buffers& buffers, tinygltf::Model& mod
         const bool parsed = loader.LoadASCIIFromString(&model, &error, &warning, text.data(),
                                                        static_cast<unsigned int>(text.size()), "");
         return parsed && error.empty();
+    } catch (const std::bad_alloc&) {
+        throw;  // no fault of the file: load_gltf() reports it
     } catch (const std::exception& fault) {
         error = fault.what();
         return false;

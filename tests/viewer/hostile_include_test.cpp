@@ -40,7 +40,7 @@ class HostileInclude : public testing::Test {
     void expect_refused(const std::string& name, const std::string& message) const {
         WatchedFolder outside(scratch_.path() / "outside");
         const RunResult run = check(name);
-        expect_refused_cheaply(run, {"graph.json:1:30: error[W126]", message});
+        expect_refused_cheaply(run, {"graph.json:1:29: error[W126]", message});
         EXPECT_EQ(run.text().find(kSecret), std::string::npos) << run.text();
         EXPECT_FALSE(outside.was_opened()) << name;
     }

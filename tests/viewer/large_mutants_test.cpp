@@ -24,7 +24,7 @@ uint32_t number_from(const char* variable, uint32_t fallback) {
 
 TEST(LargeMutants, EndByThemselvesInTime) {
     const uint32_t first = number_from("WEFT_MUTANT_SEED", kFirstSeed);
-    const uint32_t count = number_from("WEFT_MUTANTS", extended() ? 10'000 : 30);
+    const uint32_t count = number_from("WEFT_MUTANTS", extended() ? 10'000 : 200);
     const ScratchFolder scratch;
     std::vector<double> cpu_s;
     std::vector<uint64_t> memory_bytes;
