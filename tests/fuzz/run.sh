@@ -24,11 +24,6 @@ for target in "${targets[@]}"; do
   # What is learnt stays out of the source tree, and is known the next time.
   learnt=$build/corpus/$target found=$build/found/$target
   mkdir -p "$learnt" "$found"
-  case $target in
-    graph) length=16384 ;;
-    gltf | image | spirv) length=1048576 ;;
-    *) length=4096 ;;
-  esac
   # tinyexr's leaks (image_fuzzer.cpp) would have every second input searched for more; at the end all are.
   leaks=1
   [ "$target" != image ] || leaks=0
@@ -36,7 +31,7 @@ for target in "${targets[@]}"; do
   [ ! -f "tests/fuzz/$target.dict" ] || words=(-dict="tests/fuzz/$target.dict")
   log=$build/$target.log result=passed
   "$build/tests/fuzz/${target}_fuzzer" "$learnt" "tests/fuzz/corpus/$target" "${words[@]}" \
-    -max_total_time="$seconds" -max_len=$length -rss_limit_mb=1024 -malloc_limit_mb=1024 -timeout=5 -detect_leaks=$leaks \
+    -max_total_time="$seconds" -max_len=1048576 -rss_limit_mb=1024 -malloc_limit_mb=1024 -timeout=5 -detect_leaks=$leaks \
     -artifact_prefix="$found/" -print_final_stats=1 >"$log" 2>&1 || result=FAILED
   executions=$(awk '/^stat::number_of_executed_units/ { print $2 }' "$log")
   echo "$target: $result, ${executions:-0} executions in $seconds s, $(find "$found" -type f | wc -l) found"

@@ -137,7 +137,8 @@ TEST_P(OpensLink, ThatLeadsElsewhereIsRefusedUnopened) {
 // The graph's own file is named on the command line: it may be a link. Its folder is that of the link.
 INSTANTIATE_TEST_SUITE_P(All, OpensLink,
                          testing::Values(Link{"Shader", "graph/draw.comp", "error[W20"},
-                                         Link{"ShaderInclude", "graph/value.glsl", "error[W203]"}),
+                                         Link{"ShaderInclude", "graph/value.glsl", "error[W203]"},
+                                         Link{"Include", "graph/part.json", "error[W126]"}),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace
