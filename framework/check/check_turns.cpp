@@ -18,7 +18,7 @@ bool run_together(const PassDecl& a, const PassDecl& b) {
     return !takes_turns(a) || (a.turns == b.turns && a.turn == b.turn);
 }
 
-// What passes must follow a pass, by the edges of the graph.
+// The passes that must follow a pass, by the edges of the graph.
 class Followers {
  public:
     explicit Followers(const ResolvedGraph& graph) : next_(graph.passes.size()) {

@@ -15,7 +15,7 @@ namespace {
 constexpr int kMostNames = 100;
 constexpr mode_t kNewFile = 0666;  // less the umask
 
-// Nobody can guess it, so nobody can put a file or a link in its place.
+// Unpredictable, so that another program cannot put a file or a link in its place beforehand.
 std::string random_name() {
     uint64_t bits = 0;
     while (getrandom(&bits, sizeof bits, 0) != sizeof bits) {

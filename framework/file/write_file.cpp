@@ -120,7 +120,7 @@ Status check_writable(const std::string& path) {
 }
 
 Status write_file(const std::string& path, std::string_view data, Durability durability) {
-    // What was found before may have changed by now.
+    // The target may have changed since it was checked before.
     if (Status writable = check_writable(path); !writable) return writable;
     const FileTarget target = find_target(path);
     const bool sync = durability == Durability::on_disk;

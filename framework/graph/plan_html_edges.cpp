@@ -17,7 +17,7 @@ std::string point(PointPx p) {
     return std::to_string(p.x) + " " + std::to_string(p.y);
 }
 
-// Who is drawn where, in squares of kSquare_px.
+// The squares of kSquare_px that are drawn on already.
 class Occupied {
  public:
     explicit Occupied(PointPx drawing)

@@ -9,7 +9,7 @@ namespace weft {
 // `folded`: repeats of many rounds are one box each, with a link to the drawing of all rounds.
 void draw_graph(const PlanPage& page, bool folded, Markup& out);
 
-// What the link in such a box leads to.
+// The id of the page element that the link in such a box leads to.
 inline constexpr const char* kRoundsId = "rounds";
 
 }  // namespace weft

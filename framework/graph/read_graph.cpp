@@ -113,7 +113,7 @@ class IncludeReader {
         for (const std::string& path : paths) {
             const auto known = std::ranges::find(files, path, &SourceFile::path);
             if (known != files.end()) return check_circle(item, static_cast<uint32_t>(known - files.begin()));
-            // What is no file on disk may still be one that the reader has.
+            // The reader may also have a file that is not on disk.
             const RealFile real = find_real_file(path, folders_);
             if (!real.path.empty() && !real.is_inside)
                 return fail(item.loc, "W126",

@@ -78,7 +78,7 @@ Diagnostic& ResolveState::pass_error(PassId pass, SourceLoc loc, std::string cod
     passes[pass].faulty = true;
     Diagnostic fault = input.graph.sources.error(loc, std::move(code), std::move(message));
     if (passes[pass].instance == 0 || !is_known(fault)) return add_error(std::move(fault));
-    // Whoever reports it still looks for what to suggest.
+    // The caller still searches for a name to suggest; these steps pay for that.
     spend(graph.passes.size() + graph.resources.size() + tried_ports, loc);
     return muted = std::move(fault);
 }

@@ -7,7 +7,7 @@ namespace weft {
 
 void check_output(ResolveState& state) {
     const ResourceId output = state.graph.output;
-    // Who would write it may have a fault that was reported.
+    // The pass that would write it may have a fault that was reported.
     if (output == kNoId || !state.errors.empty()) return;
     const ResourceWork& work = state.resources[output];
     if (work.suspect_shape || work.suspect_writers) return;

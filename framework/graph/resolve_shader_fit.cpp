@@ -1,4 +1,4 @@
-// What a shader needs of the pass beyond ports and parameters: descriptors that the program binds, a size for
+// Needs of a shader beyond ports and parameters: descriptors that the program binds, a size for
 // points, a local size.
 #include <algorithm>
 
