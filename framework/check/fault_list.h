@@ -18,6 +18,7 @@ struct Actor {
     QueueIndex queue = 0;
     uint32_t batch_count = 0;  // of its queue, up to and with its own batch; 0: before all frames
     uint32_t scope = 0;        // what drew: its rendering scope, counted over all frames from 1; else 0
+    uint32_t barriers = 0;     // the batches of barriers that its queue had recorded before
 };
 
 class FaultList {

@@ -50,7 +50,7 @@ Scopes scopes_of(const BarrierDecl& barrier) {
 }
 
 AccessRecord::AccessRecord(const Actor& actor, StageMask stages, AccessMask access, bool is_write)
-    : actor_(actor), stages_(stages), access_(access), is_write_(is_write) {}
+    : actor_(actor), stages_(stages), access_(access), is_write_(is_write), followed_(actor.barriers) {}
 
 AccessRecord AccessRecord::transition(const Actor& actor, const Scopes& scopes) {
     AccessRecord record(actor, 0, 0, true);
@@ -78,44 +78,34 @@ bool AccessRecord::ordered_before(StageMask stages) const {
     return true;
 }
 
-bool AccessRecord::already_follows(const Scopes& scopes) const {
-    const StageMask added = scopes.dst_execution;
-    if (available_before(scopes) && (added & ~available_reach_) != 0) return false;
-    if (actor_.transition && (transition_reach_ & scopes.src_execution) != 0 &&
-        (added & ~transition_reach_) != 0)
-        return false;
+void AccessRecord::carry(const StageChain& chain, StageMask available_before) {
+    available_reach_ |= chain.after(available_before);
+    if (actor_.transition) transition_reach_ |= chain.after(transition_reach_);
     for (StageMask rest = stages_; rest != 0; rest &= rest - 1) {
-        const int s = std::countr_zero(rest);
-        const StageMask reach = reach_[static_cast<size_t>(s)];
-        if ((((1u << s) | reach) & scopes.src_execution) != 0 && (added & ~reach) != 0) return false;
+        StageMask& reach = reach_[static_cast<size_t>(std::countr_zero(rest))];
+        reach |= chain.after((rest & -rest) | reach);
     }
-    return true;
 }
 
-void AccessRecord::pass_barriers(std::span<const Scopes> all, std::span<const Scopes> on_memory) {
-    // Most records of a large plan have been through barriers like these before.
-    if (on_memory.empty() &&
-        std::ranges::all_of(all, [&](const Scopes& scopes) { return already_follows(scopes); }))
-        return;
-    const AccessRecord before = *this;
+void AccessRecord::follow(const BarrierLog& log) {
+    if (followed_ >= log.count()) return;
+    carry(log.since(followed_), available_reach_);
+    followed_ = log.count();
+}
+
+void AccessRecord::pass_barriers(const StageChain& all, std::span<const Scopes> on_memory) {
+    const StageMask available_before_all = available_reach_;
     for (const Scopes& scopes : on_memory) {
         if (!is_write_) break;
         const bool flushed = stages_ != 0 && flushed_by(scopes);
         if (flushed) available_reach_ |= scopes.dst_execution;
-        if (!(flushed || before.available_before(scopes)) || !before.ordered_before(scopes)) continue;
+        const bool available = flushed || (available_before_all & scopes.src_execution) != 0;
+        if (!available || !ordered_before(scopes)) continue;
         for (int t = 0; t < stage::kCount; ++t)
             if (has(scopes.dst_memory, t)) visible_[static_cast<size_t>(t)] |= scopes.dst_access;
     }
-    for (const Scopes& scopes : all) {
-        if (before.available_before(scopes)) available_reach_ |= scopes.dst_execution;
-        if (actor_.transition && (before.transition_reach_ & scopes.src_execution))
-            transition_reach_ |= scopes.dst_execution;
-        for (int s = 0; s < stage::kCount; ++s) {
-            const size_t i = static_cast<size_t>(s);
-            if (has(stages_, s) && (((1u << s) | before.reach_[i]) & scopes.src_execution))
-                reach_[i] |= scopes.dst_execution;
-        }
-    }
+    carry(all, available_before_all);
+    ++followed_;
 }
 
 bool AccessRecord::visible_to(StageMask stages, AccessMask access) const {

@@ -8,6 +8,7 @@
 #include <array>
 #include <span>
 
+#include "check/barrier_log.h"
 #include "check/fault_list.h"
 #include "weft/plan.h"
 
@@ -18,12 +19,6 @@ namespace weft::check {
 // Stages that a destination mask stands for: those named and the logically later ones.
 [[nodiscard]] StageMask with_later(StageMask stages);
 
-// One barrier's two halves, stages widened for execution and kept narrow for memory.
-struct Scopes {
-    StageMask src_execution = 0, dst_execution = 0;
-    StageMask src_memory = 0, dst_memory = 0;
-    AccessMask src_access = 0, dst_access = 0;
-};
 [[nodiscard]] Scopes scopes_of(const BarrierDecl& barrier);
 
 // One access, or layout transition, and how far its effects have been carried since.
@@ -34,10 +29,12 @@ class AccessRecord {
     AccessRecord(const Actor& actor, StageMask stages, AccessMask access, bool is_write);
     static AccessRecord transition(const Actor& actor, const Scopes& scopes);
 
-    // Carries one vkCmdPipelineBarrier2: `all` are its barriers, of whatever resource, whose execution parts
-    // hold for everything; `on_memory` those on the memory this access touched. Barriers of one batch do not
-    // chain.
-    void pass_barriers(std::span<const Scopes> all, std::span<const Scopes> on_memory);
+    // Carries one vkCmdPipelineBarrier2: `all` are its barriers, of any resource, because their execution
+    // parts hold for everything; `on_memory` are those on the memory that this access touched.
+    void pass_barriers(const StageChain& all, std::span<const Scopes> on_memory);
+    // Carries the batches of `log`, the log of this access's queue, that were recorded since it was followed
+    // last. None of them is on the memory that this access touched.
+    void follow(const BarrierLog& log);
 
     // Every stage of this access is in, or chained to, the barrier's source.
     [[nodiscard]] bool ordered_before(const Scopes& scopes) const;
@@ -60,13 +57,13 @@ class AccessRecord {
     [[nodiscard]] AccessMask access() const { return access_; }
 
  private:
-    // Carrying `scopes`, which were carried before, changes nothing.
-    [[nodiscard]] bool already_follows(const Scopes& scopes) const;
+    void carry(const StageChain& chain, StageMask available_before);
 
     Actor actor_;
     StageMask stages_ = 0;
     AccessMask access_ = 0;
     bool is_write_ = false;
+    uint32_t followed_ = 0;                         // batches of barriers of its queue
     StageMask available_reach_ = 0;                 // later stages known to come after it was made available
     std::array<StageMask, stage::kCount> reach_{};  // by own stage: later stages known to come after it
     StageMask transition_reach_ = 0;

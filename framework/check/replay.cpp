@@ -75,6 +75,7 @@ Replay::Replay(const FramePlan& plan, FaultList& faults)
     : plan_(plan),
       faults_(faults),
       clock_(plan),
+      logs_(plan.schedule.queues.size()),
       neighbours_(memory_neighbours(plan)),
       rings_(rings_of(plan.graph)) {
     cells_.reserve(plan.graph.resources.size());
@@ -223,8 +224,26 @@ void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state)
         expect_owner(by, use, cell);
         expect_order(by, use, cell, state, false);
         expect_content(by.pass, use, cell, source);
-        cell.reads.emplace_back(by, state.stages, state.access, false);
+        note_read(cell, AccessRecord(by, state.stages, state.access, false));
     }
+}
+
+// A later read by the same stages of the same queue has been through fewer barriers: whatever comes after it
+// comes after the earlier one as well. Two passes are kept, because a pass that goes on to write does not
+// wait for itself.
+void Replay::note_read(Cell& cell, const AccessRecord& record) {
+    const Actor& by = record.actor();
+    const auto alike = [&](const AccessRecord& other) {
+        const Actor& who = other.actor();
+        return other.stages() == record.stages() && who.queue == by.queue && who.scope == by.scope &&
+               who.pass != kNoId;
+    };
+    const auto by_same_pass = [&](const AccessRecord& other) {
+        return alike(other) && other.actor().pass == by.pass && other.actor().frame == by.frame;
+    };
+    if (std::erase_if(cell.reads, by_same_pass) == 0 && std::ranges::count_if(cell.reads, alike) >= 2)
+        cell.reads.erase(std::ranges::find_if(cell.reads, alike));
+    cell.reads.push_back(record);
 }
 
 void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state, bool kept) {

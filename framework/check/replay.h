@@ -36,7 +36,7 @@ struct Cell {
     Content content;
     bool has_write = false;
     AccessRecord write;                      // the last write or transition
-    std::vector<AccessRecord> reads;         // since then
+    std::vector<AccessRecord> reads;         // since then, those that are not implied by later ones
     uint32_t owner = kNoFamily;              // the family that may use it; kNoFamily: the next one to do so
     uint32_t released_to = kNoFamily;        // on its way to that family, and
     Layout released_in = Layout::undefined;  // into that layout
@@ -62,10 +62,15 @@ class Replay {
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
     void carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes);
+    // Carries the record through the barriers of its queue that are not on its memory. To be called before it
+    // is judged.
+    void follow(AccessRecord& record) const { record.follow(logs_[record.actor().queue]); }
+    [[nodiscard]] const BarrierLog& log() const { return logs_[clock_.queue()]; }
     void apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
     void transfer(const BarrierDecl& barrier, PassId before);
 
     void read(const Actor& by, const UseDecl& use, const AccessState& state);
+    static void note_read(Cell& cell, const AccessRecord& record);
     void write(const Actor& by, const UseDecl& use, const AccessState& state, bool kept);
 
     // What other queues did is over when a semaphore says so; what this queue did, when barriers do.
@@ -76,7 +81,7 @@ class Replay {
     [[nodiscard]] bool visible(const AccessRecord& record, const AccessState& state) const;
     [[nodiscard]] bool changes_image(const BarrierDecl& barrier) const;
     [[nodiscard]] Actor actor(PassId pass, bool transition = false) const {
-        return {pass, frame_, transition, clock_.queue(), clock_.batch_count()};
+        return {pass, frame_, transition, clock_.queue(), clock_.batch_count(), 0, log().count()};
     }
     // Drawing is ordered within its rendering scope.
     [[nodiscard]] Actor actor_of_use(PassId pass, uint32_t use) const;
@@ -93,8 +98,7 @@ class Replay {
     void expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint);
     [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const;
     [[nodiscard]] bool anybody_writes(ResourceId resource, const SubresourceRange& range) const;
-    void expect_order(const Actor& by, const UseDecl& use, const Cell& cell, const AccessState& state,
-                      bool writes);
+    void expect_order(const Actor& by, const UseDecl& use, Cell& cell, const AccessState& state, bool writes);
     void expect_owner(const Actor& by, const UseDecl& use, Cell& cell);
     void expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                             const BarrierDecl* transition);
@@ -103,6 +107,7 @@ class Replay {
     const FramePlan& plan_;
     FaultList& faults_;
     BatchClock clock_;
+    std::vector<BarrierLog> logs_;  // by queue
     uint32_t frame_ = 0;
     uint32_t scope_ = 0;                               // counts the rendering scopes of all frames
     std::vector<std::vector<Cell>> cells_;             // by resource

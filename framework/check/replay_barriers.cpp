@@ -1,6 +1,6 @@
 // What barriers do to the replay: what they wait for, what they carry on, which layouts and owners they
 // change.
-#include <algorithm>
+#include <map>
 
 #include "check/replay.h"
 
@@ -92,7 +92,8 @@ void Replay::transfer(const BarrierDecl& barrier, PassId before) {
 void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before) {
     const ResourceDecl& resource = plan_.graph.resources[barrier.resource];
     const Actor by = actor(before, true);
-    const auto expect_over = [&](const AccessRecord& record) {
+    const auto expect_over = [&](AccessRecord& record) {
+        follow(record);
         if (ordered(record, scopes) && flushed(record, scopes)) return;
         faults_.add("C313", resource.loc,
                     faults_.actor_text(by, frame_) + " changes " + faults_.resource_name(barrier.resource) +
@@ -101,7 +102,7 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
                     missing(record, "the barrier's source needs " + stages_text(record.stages()) + " and " +
                                         access_text(record.access() & access::kAllWrites)));
     };
-    for (const Cell& cell : cells_[barrier.resource]) {
+    for (Cell& cell : cells_[barrier.resource]) {
         if (!overlaps(cell.range, barrier.range)) continue;
         if (barrier.src.layout != Layout::undefined && barrier.src.layout != cell.layout)
             faults_.add("C320", resource.loc,
@@ -112,31 +113,40 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
                             " left it in " + layout_text(cell.layout),
                         "the old layout must be the one the range is in, or undefined");
         if (cell.has_write) expect_over(cell.write);
-        for (const AccessRecord& record : cell.reads) expect_over(record);
+        for (AccessRecord& record : cell.reads) expect_over(record);
     }
     if (drops_content(barrier)) expect_free_memory(by, barrier.resource, resource.loc, 0, &barrier);
 }
 
-// Barriers order only what their own queue did.
+// Barriers order only what their own queue did. Only the records on the barriers' memory are carried here;
+// the others follow the log when they are asked.
 void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes) {
+    StageChain all;
+    std::map<ResourceId, std::vector<size_t>> on_resource;  // indices into `batch`
+    for (size_t i = 0; i < batch.size(); ++i) {
+        all.add(scopes[i]);
+        on_resource[batch[i].resource].push_back(i);
+        for (const ResourceId from : batch[i].hand_over_from)
+            if (from != batch[i].resource) on_resource[from].push_back(i);
+    }
     std::vector<Scopes> on_memory;
     const auto pass_through = [&](AccessRecord& record) {
-        if (record.actor().queue == clock_.queue()) record.pass_barriers(scopes, on_memory);
+        if (record.actor().queue != clock_.queue()) return;
+        follow(record);
+        record.pass_barriers(all, on_memory);
     };
-    for (ResourceId id = 0; id < cells_.size(); ++id) {
-        for (Cell& cell : cells_[id]) {
-            if (!cell.has_write && cell.reads.empty()) continue;
+    for (const auto& [resource, indices] : on_resource) {
+        for (Cell& cell : cells_[resource]) {
             on_memory.clear();
-            for (size_t i = 0; i < batch.size(); ++i) {
-                const std::vector<ResourceId>& from = batch[i].hand_over_from;
-                const bool own = batch[i].resource == id && overlaps(batch[i].range, cell.range);
-                if (own || std::find(from.begin(), from.end(), id) != from.end())
+            for (const size_t i : indices)
+                if (batch[i].resource != resource || overlaps(batch[i].range, cell.range))
                     on_memory.push_back(scopes[i]);
-            }
+            if (on_memory.empty()) continue;
             if (cell.has_write) pass_through(cell.write);
             for (AccessRecord& record : cell.reads) pass_through(record);
         }
     }
+    logs_[clock_.queue()].append(all);
 }
 
 }  // namespace weft::check

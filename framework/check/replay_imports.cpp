@@ -19,7 +19,7 @@ void Replay::enter_imports() {
         const AccessState& entry = resource.import->entry;
         const bool pending = (entry.access & access::kAllWrites) != 0;
         // The program comes after all that the first queue did in the frame before.
-        const Actor outside{kNoId, frame_, false, 0, clock_.batches_begun(0)};
+        const Actor outside{kNoId, frame_, false, 0, clock_.batches_begun(0), 0, logs_[0].count()};
         for (Cell& cell : cells_[id]) {
             const AccessRecord record(outside, entry.stages, entry.access, pending);
             cell.reads.clear();

@@ -39,8 +39,9 @@ std::string Replay::missing(const AccessRecord& record, const std::string& barri
            std::to_string(record.actor().queue) + " after that";
 }
 
-void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell, const AccessState& state,
+void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const AccessState& state,
                           bool is_write) {
+    if (cell.has_write) follow(cell.write);
     const bool judged_as_read = is_write && reads(use.access);
     // Called for every subresource of every use: texts are made for faults only.
     const auto who = [&] { return faults_.actor_text(by, frame_); };
@@ -67,7 +68,8 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, const Cell& cell,
             missing(cell.write, "a barrier between them is missing, or its stages or accesses are too weak"));
     }
     if (!is_write) return;
-    for (const AccessRecord& record : cell.reads) {
+    for (AccessRecord& record : cell.reads) {
+        follow(record);
         if (drawn_before(record) || ordered(record, state.stages)) continue;
         faults_.add(
             "C311", use.loc,
@@ -162,7 +164,8 @@ void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc 
         if (std::find(from.begin(), from.end(), owner) != from.end()) return flushed(record, scopes);
         return !record.is_write() || covered(record) || record.available_before(scopes);
     };
-    const auto expect_over = [&](ResourceId owner, const AccessRecord& record) {
+    const auto expect_over = [&](ResourceId owner, AccessRecord& record) {
+        follow(record);
         const bool over = transition ? ordered(record, scopes) && is_flushed(owner, record)
                                      : ordered(record, stages) && flushed(record, stages);
         if (over) return;
@@ -177,9 +180,9 @@ void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc 
                                         " and " + access_text(record.access() & access::kAllWrites)));
     };
     for (const ResourceId owner : neighbours_[resource]) {
-        for (const Cell& cell : cells_[owner]) {
+        for (Cell& cell : cells_[owner]) {
             if (cell.has_write) expect_over(owner, cell.write);
-            for (const AccessRecord& record : cell.reads) expect_over(owner, record);
+            for (AccessRecord& record : cell.reads) expect_over(owner, record);
         }
     }
 }

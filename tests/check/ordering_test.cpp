@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace weft::check {
 namespace {
 
@@ -14,7 +16,9 @@ Scopes scopes(StageMask src, AccessMask src_access, StageMask dst, AccessMask ds
 }
 
 void pass(AccessRecord& record, const Scopes& s, bool on_memory) {
-    record.pass_barriers({&s, 1}, {&s, on_memory ? 1u : 0u});
+    StageChain all;
+    all.add(s);
+    record.pass_barriers(all, {&s, on_memory ? 1u : 0u});
 }
 
 AccessRecord compute_write() {
@@ -80,7 +84,9 @@ TEST(Ordering, BarriersOfOneBatchDoNotChain) {
     AccessRecord record = compute_write();
     const std::array batch{kComputeToFragment,
                            scopes(stage::kFragmentShader, 0, stage::kCopy, access::kTransferRead)};
-    record.pass_barriers(batch, batch);
+    StageChain all;
+    for (const Scopes& barrier : batch) all.add(barrier);
+    record.pass_barriers(all, batch);
     EXPECT_TRUE(record.ordered_before(stage::kFragmentShader));
     EXPECT_FALSE(record.ordered_before(stage::kCopy));
     EXPECT_FALSE(record.visible_to(stage::kCopy, access::kTransferRead));
@@ -124,6 +130,62 @@ TEST(Ordering, ATransitionIsDoneWhenItsDestinationStarts) {
     EXPECT_TRUE(record.ordered_before(stage::kFragmentShader));
     EXPECT_TRUE(record.visible_to(stage::kFragmentShader, access::kSampledRead));
     EXPECT_FALSE(record.ordered_before(stage::kComputeShader));
+}
+
+// What a record answers about every stage.
+std::vector<bool> answers(const AccessRecord& record) {
+    std::vector<bool> all;
+    for (int s = 0; s < stage::kCount; ++s) {
+        all.push_back(record.ordered_before(1u << s));
+        all.push_back(record.available_before(1u << s));
+        all.push_back(record.visible_to(1u << s, access::kSampledRead));
+    }
+    return all;
+}
+
+TEST(Ordering, FollowingALogIsPassingItsBatchesOneByOne) {
+    constexpr unsigned kSeeds = 500;
+    for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        const auto few_stages = [&] {
+            return (1u << (random() % stage::kCount)) | (1u << (random() % stage::kCount));
+        };
+        BarrierLog log;
+        std::vector<AccessRecord> one_by_one, by_log;
+        for (int step = 0; step < 40; ++step) {
+            if (random() % 3 == 0) {
+                Actor by;
+                by.barriers = log.count();
+                const AccessRecord record =
+                    random() % 2 == 0 ? AccessRecord(by, few_stages(), access::kStorageWrite, true)
+                                      : AccessRecord::transition(
+                                            by, scopes(few_stages(), 0, few_stages(), access::kSampledRead));
+                one_by_one.push_back(record);
+                by_log.push_back(record);
+                continue;
+            }
+            StageChain batch;
+            Scopes last;
+            for (size_t i = 0; i <= random() % 3; ++i)
+                batch.add(
+                    last = scopes(few_stages(), access::kStorageWrite, few_stages(), access::kSampledRead));
+            // Now and then a barrier is on the memory of one record.
+            const size_t touched =
+                random() % 2 == 0 && !by_log.empty() ? random() % by_log.size() : by_log.size();
+            for (size_t i = 0; i < by_log.size(); ++i) {
+                one_by_one[i].pass_barriers(batch, {&last, i == touched ? 1u : 0u});
+                if (i != touched) continue;
+                by_log[i].follow(log);
+                by_log[i].pass_barriers(batch, {&last, 1});
+            }
+            log.append(batch);
+        }
+        for (size_t i = 0; i < by_log.size(); ++i) {
+            by_log[i].follow(log);
+            EXPECT_EQ(answers(by_log[i]), answers(one_by_one[i])) << "record " << i;
+        }
+    }
 }
 
 }  // namespace

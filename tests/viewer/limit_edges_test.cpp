@@ -101,6 +101,23 @@ TEST_F(LimitEdges, StepsAreCountedExactly) {
     EXPECT_EQ(run_with(enough).exit_code, 0);
 }
 
+// What costs the checker most within graph.steps: thousands of parts that barriers change one by one, and
+// thousands of passes that read them all.
+TEST_F(LimitEdges, HoldForPlansOfManyParts) {
+    const auto check_graph = [&](const std::string& written, int readers) {
+        scratch_.write("graph.json", R"json({ "version": 1, "imports": { "backbuffer": "output" },
+            "resources": { "x": { "format": "r8", "size": [4, 4], "layers": 2048, "mips": "full" } },
+            "passes": { "show": { "type": "clear", "out": ["backbuffer"] },
+              "write": { "type": "clear", )json" +
+                                         written + R"json( },
+              "read": { "type": "readback", "in": ["x"], "repeat": { "i": "1..)json" +
+                                         std::to_string(readers) + R"json(" } } } })json");
+        EXPECT_EQ(check().exit_code, 0);
+    };
+    check_graph(R"json("out": ["x.layer(i)"], "repeat": { "i": "0..2047" })json", 390);
+    check_graph(R"json("out": ["x"])json", 830);
+}
+
 TEST_F(LimitEdges, HoldWithTheWorstInput) {
     if (!extended()) GTEST_SKIP() << "large files: set WEFT_EXTENDED=1";
     Limits defaults;
