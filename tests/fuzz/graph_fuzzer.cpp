@@ -1,10 +1,12 @@
-// A graph's text through all stages: read, merge, parse, resolve, compile, prove. A plan that the checker
+// A graph through all stages: read with its includes, merge in each tier, parse, resolve, compile, prove. The
+// input is the graph's text; a line "=== NAME" begins an included file of that name. A plan that the checker
 // refuses is as much a find as a crash: the compiler promises sound plans for whatever resolve() lets
 // through.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <sstream>
 
 #include "check/check_plan.h"
@@ -78,15 +80,28 @@ void prove(const ResolvedGraph& graph, const DeviceProfile& profile, uint32_t qu
     std::abort();
 }
 
-void run(const std::string& text) {
-    const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
-    Result<JsonDoc> document = read_json("graph.json", reader);
-    if (!document) return;
-    Result<JsonDoc> merged = merge(std::move(*document));
+using Files = std::map<std::string, std::string>;  // texts by name
+
+constexpr const char* kGraph = "graph.json";
+
+Files split(const std::string& text) {
+    Files files;
+    std::string name = kGraph;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("=== "))
+            name = line.substr(4);
+        else
+            files[name] += line + "\n";
+    }
+    return files;
+}
+
+void run_tier(const JsonDoc& document, const std::string& tier, uint64_t choices) {
+    Result<JsonDoc> merged = merge(document, tier);
     if (!merged) return;
     const Result<GraphDesc> graph = parse(*merged);
     if (!graph) return;
-    const uint64_t choices = hash_of(text);
     const DeviceProfile& profile = profiles()[choices % profiles().size()];
     static const ImportCatalog imports = make_imports();
     static const PassCatalog passes = registered_passes();
@@ -100,6 +115,22 @@ void run(const std::string& text) {
     }
     if (resolved->passes.size() <= kMostPasses)
         prove(*resolved, profile, static_cast<uint32_t>(1 + choices / 8 % 4));
+}
+
+void run(const std::string& text) {
+    const Files files = split(text);
+    const FileReader reader = [&](const std::string& path) {
+        const auto file = files.find(path);
+        return file == files.end() ? std::nullopt : std::optional(file->second);
+    };
+    const Result<JsonDoc> document = read_graph(kGraph, reader);
+    if (!document) {
+        if (std::getenv("WEFT_FUZZ_SAY") != nullptr) std::fputs(to_text(document.errors()).c_str(), stderr);
+        return;
+    }
+    const uint64_t choices = hash_of(text);
+    const std::vector<std::string> tiers = tier_names(*document);
+    run_tier(*document, tiers.empty() ? "" : tiers[choices / 32 % tiers.size()], choices);
 }
 
 }  // namespace
