@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "commands.h"
+#include "graph/diagnostic_text.h"
 #include "graph/plan_explain.h"
 #include "offline_graph.h"
 #include "output.h"
@@ -53,7 +54,7 @@ ExitCode run_explain(const ExplainOptions& options) {
         report(answer.errors());
         return exit_code_for(answer.errors());
     }
-    return print_data(*answer);
+    return print_data(printable(*answer));
 }
 
 }  // namespace weft::viewer

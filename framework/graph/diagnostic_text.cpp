@@ -1,7 +1,6 @@
 #include "graph/diagnostic_text.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "graph/utf8.h"
 
@@ -18,23 +17,6 @@ std::string place(const std::string& file, uint32_t line, uint32_t column) {
 bool steers_a_terminal(uint32_t c) {
     return (c < 0x20 && c != '\n') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E || c == 0x200F ||
            (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
-}
-
-// A file under examination must not be able to end the text early, steer a terminal or make it undecodable.
-std::string printable(std::string_view text) {
-    std::string shown;
-    shown.reserve(text.size());
-    while (!text.empty()) {
-        const Utf8 next = first_code_point(text);
-        const bool good = next.length > 0 && !steers_a_terminal(next.code_point);
-        if (good) {
-            shown += text.substr(0, next.length);
-        } else {
-            shown += '?';
-        }
-        text.remove_prefix(std::max<size_t>(1, next.length));
-    }
-    return shown;
 }
 
 void add_excerpt(const Diagnostic& d, std::vector<TextPiece>& pieces) {
@@ -56,6 +38,22 @@ void add_excerpt(const Diagnostic& d, std::vector<TextPiece>& pieces) {
 }
 
 }  // namespace
+
+std::string printable(std::string_view text) {
+    std::string shown;
+    shown.reserve(text.size());
+    while (!text.empty()) {
+        const Utf8 next = first_code_point(text);
+        const bool good = next.length > 0 && !steers_a_terminal(next.code_point);
+        if (good) {
+            shown += text.substr(0, next.length);
+        } else {
+            shown += '?';
+        }
+        text.remove_prefix(std::max<size_t>(1, next.length));
+    }
+    return shown;
+}
 
 std::vector<TextPiece> text_pieces(const Diagnostic& d) {
     std::vector<TextPiece> pieces{{TextStyle::place, place(d.file, d.line, d.column)},

@@ -1,7 +1,9 @@
-// Purpose: a diagnostic as pieces of text, so that whoever prints it can give each kind a colour of its own.
+// Purpose: text for a terminal: a diagnostic in pieces, so that each kind can get a colour of its own, and
+// words of a file without the characters that steer a terminal.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "weft/result.h"
@@ -10,7 +12,11 @@ namespace weft {
 
 enum class TextStyle : uint8_t { plain, place, severity, code, gutter, caret, label };
 
-// Printable: nothing in it steers a terminal.
+// A '?' stands for each byte that is not UTF-8 and for each character, other than a line feed, that moves the
+// cursor, changes colours or turns the direction of text.
+[[nodiscard]] std::string printable(std::string_view text);
+
+// Printable.
 struct TextPiece {
     TextStyle style = TextStyle::plain;
     std::string text;

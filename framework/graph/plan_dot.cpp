@@ -1,5 +1,6 @@
 #include <string>
 
+#include "graph/diagnostic_text.h"
 #include "graph/plan_dump.h"
 #include "graph/scopes.h"
 
@@ -41,7 +42,7 @@ std::string use_edge(const FramePlan& plan, PassId pass, const UseDecl& use) {
 
 std::string plan_to_dot(const FramePlan& plan) {
     std::string text =
-        "digraph " + quoted(plan.graph.name) + " {\n  rankdir=LR;\n  node [fontname=\"sans\"];\n";
+        "digraph " + quoted(printable(plan.graph.name)) + " {\n  rankdir=LR;\n  node [fontname=\"sans\"];\n";
     for (PassId id = 0; id < plan.graph.passes.size(); ++id) {
         const uint32_t position = plan.schedule.position[id];
         const std::string prefix = position == kNoId ? "" : std::to_string(position) + " ";

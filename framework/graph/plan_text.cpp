@@ -1,5 +1,6 @@
 #include <string>
 
+#include "graph/diagnostic_text.h"
 #include "graph/memory_report.h"
 #include "graph/plan_dump.h"
 #include "graph/plan_names.h"
@@ -159,7 +160,7 @@ class PlanText {
 }  // namespace
 
 std::string plan_to_text(const FramePlan& plan, const DeviceProfile* profile) {
-    return PlanText(plan, profile).write();
+    return printable(PlanText(plan, profile).write());
 }
 
 }  // namespace weft

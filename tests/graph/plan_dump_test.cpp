@@ -82,6 +82,16 @@ TEST(PlanDump, DotGreysWhatIsCulled) {
     EXPECT_EQ(dot.find("label=\"0 base\", color=grey"), std::string::npos);
 }
 
+// A graph's name is any text.
+TEST(PlanDump, NoNameSteersATerminal) {
+    FramePlan plan = compiled(shuffled_frame(0));
+    plan.graph.name = "red \x1b[31m, right to left \u202e";
+    for (const std::string& text : {plan_to_text(plan), plan_to_dot(plan)}) {
+        EXPECT_NE(text.find("red ?[31m, right to left ?"), std::string::npos) << text;
+        EXPECT_EQ(text.find('\x1b'), std::string::npos);
+    }
+}
+
 TEST(PlanDump, TheSamePlanGivesTheSameBytes) {
     const ResolvedGraph graph = random_graph(7);
     const FramePlan a = compile(graph, content_needs(graph), {}),
