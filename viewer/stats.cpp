@@ -39,8 +39,7 @@ Json passes_json(const StatsInput& input) {
                           {"queue", input.plan.schedule.queue[p]},
                           {"gpu_ms", distribution(std::move(times))},
                           {"bytes", port_bytes(graph, pass)},
-                          {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)},
-                          {"limit_ms", nullptr}});
+                          {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)}});
     }
     return passes;
 }

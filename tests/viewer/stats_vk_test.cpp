@@ -29,6 +29,17 @@ TEST(Stats, NameTheTierThatWasAskedFor) {
     EXPECT_TRUE(stats_of({}).at("tier").is_null());
 }
 
+TEST(Stats, HoldOfAPassWhatIsMeasured) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const Json stats = stats_of({});
+    ASSERT_FALSE(stats.at("passes").empty());
+    for (const Json& pass : stats.at("passes")) {
+        std::vector<std::string> keys;
+        for (const auto& item : pass.items()) keys.push_back(item.key());
+        EXPECT_EQ(keys, (std::vector<std::string>{"bytes", "flops", "gpu_ms", "name", "queue"}));
+    }
+}
+
 TEST(Stats, CountBarriersThatAreNeededAndPipelinesThatAreMadeLate) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const Json stats = stats_of({"--frames", "3"});
