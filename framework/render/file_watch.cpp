@@ -27,11 +27,13 @@ bool is_of_a_folder_itself(const inotify_event& event) {
     return (event.mask & IN_ISDIR) != 0 && (event.mask & IN_ATTRIB) != 0;
 }
 
-// A plain file that was just made is empty, and heard of again when it has been written.
+// A plain file that a program has just made is empty; its closing is an event of its own. A file that was
+// linked into its place has its content, and no other event.
 bool is_still_to_come(const inotify_event& event, const fs::path& file) {
     if ((event.mask & IN_CREATE) == 0 || (event.mask & IN_ISDIR) != 0) return false;
     struct stat status {};
-    return lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1;
+    return lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1 &&
+           status.st_size == 0;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <functional>
 #include <future>
 
+#include "file/write_file.h"
 #include "live_folder.h"
 
 namespace weft::test {
@@ -58,6 +59,19 @@ TEST_F(FileWatching, EveryWayOfSavingIsSeen) {
     }));
 }
 
+// A file that was written elsewhere, or under no name, comes whole.
+TEST_F(FileWatching, AFileThatIsLinkedIntoItsPlaceIsSeen) {
+    static_cast<void>(watch({"linked.json"}));
+    folder_.set("draft", "x");
+    EXPECT_TRUE(notices([&] {
+        fs::create_hard_link(folder_.path("draft"), folder_.path("linked.json"));
+        fs::remove(folder_.path("draft"));
+    }));
+    fs::remove(folder_.path("linked.json"));
+    EXPECT_TRUE(notices([] {})) << "the removal";
+    EXPECT_TRUE(notices([&] { EXPECT_TRUE(write_file(folder_.path("linked.json").string(), "x")); }));
+}
+
 TEST_F(FileWatching, OtherFilesDoNotCount) {
     static_cast<void>(watch({"live.json"}));
     EXPECT_TRUE(ignores([&] {
@@ -98,7 +112,8 @@ TEST_F(FileWatching, SavesInARowAreOneChange) {
     EXPECT_TRUE(ignores([] {}));
 }
 
-// On a busy machine there may be pauses between saves that make several changes of them; the last save is seen.
+// On a busy machine there may be pauses between saves that make several changes of them; the last save is
+// seen.
 TEST_F(FileWatching, TheLastOfManySavesIsSeen) {
     static_cast<void>(watch({"live.json"}));
     std::future<int> changes = std::async(std::launch::async, [this] {
