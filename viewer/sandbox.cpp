@@ -1,17 +1,19 @@
 #include "sandbox.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <set>
 
 #include "file/file_target.h"
 #include "output.h"
@@ -58,6 +60,7 @@ class Stage {
     Status add(const std::string& output, OpenRules& rules) {
         const FileTarget target = find_target(output);
         if (target.kind != TargetKind::file) {
+            if (target.descriptor >= 0) descriptors_.insert(target.descriptor);
             if (target.kind == TargetKind::stream) rules.devices.push_back(target.path);
             files_.push_back({target.path, {}});
             return Unit{};
@@ -107,12 +110,28 @@ class Stage {
         return errors;
     }
 
+    // Descriptors that are outputs: /dev/fd/N.
+    [[nodiscard]] const std::set<int>& descriptors() const { return descriptors_; }
+
     // The child is not the one to clean up.
     void forget() { files_.clear(); }
 
  private:
     std::vector<StagedFile> files_;
+    std::set<int> descriptors_;
 };
+
+// Of the files that the program which started this one left open, the child gets the standard streams and
+// `kept`.
+void close_others(const std::set<int>& kept) {
+    unsigned from = STDERR_FILENO + 1;
+    for (const int descriptor : kept) {
+        const auto number = static_cast<unsigned>(descriptor);
+        if (number > from) (void)close_range(from, number - 1, 0);
+        from = std::max(from, number + 1);
+    }
+    (void)close_range(from, ~0u, 0);
+}
 
 constexpr int kForwarded[] = {SIGINT, SIGTERM, SIGHUP};
 
@@ -124,16 +143,27 @@ sigset_t awaited_signals() {
     return set;
 }
 
-// The child's end, as waitpid() tells it. What would end this process ends the child.
-int await(pid_t child, const sigset_t& signals) {
+// Until the child has ended. Signals that would end this process go to the child.
+void await(pid_t child, const sigset_t& signals) {
     for (;;) {
-        int status = 0;
-        const pid_t ended = waitpid(child, &status, WNOHANG);
-        if (ended == child) return status;
+        siginfo_t ended{};
+        if (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) != 0) return;
+        if (ended.si_pid == child) return;
         int signal = 0;
         sigwait(&signals, &signal);
         if (signal != SIGCHLD) kill(child, signal);
     }
+}
+
+// Ends all processes that the child has left behind: the sandbox lets none of them leave the child's group.
+// Returns how the child ended, as waitpid() tells it.
+int end_group(pid_t child) {
+    kill(-child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    while (waitpid(-child, nullptr, 0) > 0) {
+    }
+    return status;
 }
 
 ExitCode conclude(int status, const Stage& stage) {
@@ -175,13 +205,21 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
     sigset_t before;
     pthread_sigmask(SIG_BLOCK, &signals, &before);
     const pid_t parent = getpid();
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
     const pid_t child = fork();
     if (child < 0) {
         report({no_sandbox(std::string("no process can be started: ") + std::strerror(errno), {})});
         return ExitCode::failed;
     }
-    if (child > 0) return conclude(await(child, signals), stage);
+    setpgid(child, child);  // here and in the child: one of them is the first
+    if (child > 0) {
+        await(child, signals);
+        return conclude(end_group(child), stage);
+    }
 
+    // The terminal takes its group for one in the background, which may write all the same.
+    std::signal(SIGTTOU, SIG_IGN);
+    close_others(stage.descriptors());
     stage.rename(needs.outputs);
     stage.forget();
     pthread_sigmask(SIG_SETMASK, &before, nullptr);

@@ -31,7 +31,6 @@ constexpr uint32_t kProcessor = AUDIT_ARCH_AARCH64;
 constexpr uint32_t kProcessor = 0;
 #endif
 
-// Always harmless behind Landlock's rules.
 // Files that Landlock judges, and descriptors.
 constexpr long kFileCalls[] = {SYS_read,
                                SYS_write,
@@ -48,7 +47,6 @@ constexpr long kFileCalls[] = {SYS_read,
                                SYS_close_range,
                                SYS_dup,
                                SYS_dup3,
-                               SYS_fcntl,
                                SYS_flock,
                                SYS_fsync,
                                SYS_fdatasync,
@@ -247,6 +245,12 @@ void add_judged_calls(Filter& filter, int landlock_version) {
     filter.refuse_unless(SYS_sendto, word_of(4), BPF_JEQ, 0);
     filter.refuse_unless(SYS_sendto, upper_word_of(4), BPF_JEQ, 0);
     filter.allow(SYS_sendto);
+    // A descriptor can be told to send signals to any process of the user when something happens to it.
+    for (const uint32_t owner : {F_SETOWN, F_SETOWN_EX, F_SETSIG})
+        filter.refuse_if(SYS_fcntl, word_of(1), BPF_JEQ, owner);
+    filter.allow(SYS_fcntl);
+    for (const uint32_t owner : {FIOSETOWN, SIOCSPGRP})
+        filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, owner);
     // Nothing is typed into the user's terminal.
     constexpr uint32_t kTypeLinux = 0x541C;  // TIOCLINUX
     filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, TIOCSTI);

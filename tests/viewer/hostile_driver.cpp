@@ -39,6 +39,31 @@ bool sends_to_others() {
     return true;
 }
 
+// When something happens to a descriptor, its owner gets a signal.
+bool owns_signals_of(pid_t process) {
+    int pair[2];
+    if (pipe(pair) != 0) return false;
+    const bool done = fcntl(pair[0], F_SETOWN, process) == 0 && fcntl(pair[0], F_SETSIG, SIGCONT) == 0;
+    close(pair[0]);
+    close(pair[1]);
+    return done;
+}
+
+bool writes_to_descriptor(const char* number) {
+    return number != nullptr && write(std::atoi(number), "x", 1) == 1;
+}
+
+// A process that outlives this one and holds none of its files open.
+void leave_behind() {
+    const pid_t child = fork();
+    if (child == 0) {
+        for (int file = 0; file < 16; ++file) close(file);
+        sleep(600);
+        _exit(0);
+    }
+    std::fprintf(stderr, "hostile: left %d behind\n", child);
+}
+
 __attribute__((constructor)) void attack() {
     const char* folder = std::getenv("WEFT_HOSTILE_FOLDER");
     if (folder == nullptr) return;
@@ -54,6 +79,9 @@ __attribute__((constructor)) void attack() {
     say("makes a local socket", connects(AF_UNIX, SOCK_STREAM));
     say("makes a datagram pair", sends_to_others());
     say("signals its parent", kill(getppid(), SIGCONT) == 0);
+    say("owns signals of its parent", owns_signals_of(getppid()));
+    say("writes to a file left open", writes_to_descriptor(std::getenv("WEFT_HOSTILE_DESCRIPTOR")));
+    if (std::getenv("WEFT_HOSTILE_CHILD") != nullptr) leave_behind();
     // Ends with this process, and stops nobody.
     say("traces its parent", ptrace(PTRACE_SEIZE, getppid(), nullptr, nullptr) == 0);
     say("makes memory that runs", mmap(nullptr, 4096, PROT_READ | PROT_WRITE | PROT_EXEC,

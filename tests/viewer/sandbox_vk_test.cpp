@@ -1,9 +1,12 @@
 // --sandbox: what runs inside renders the same picture and reaches nothing else; where the kernel offers no
 // sandbox, nothing runs at all.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/landlock.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include "viewer/program.h"
 
@@ -33,13 +36,18 @@ class Sandbox : public testing::Test {
         if (sandbox) words.emplace_back("--sandbox");
         return words;
     }
-    // With a driver that attacks when it is loaded.
+    // With a driver that attacks when it is loaded. A file is left open for the program.
     [[nodiscard]] RunResult attack(bool sandbox, const Environment& more = {}) const {
+        const int left_open =
+            open((scratch_ / "elsewhere/open.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         Environment environment{{"VK_DRIVER_FILES", scratch_ / "driver.json"},
                                 {"VK_ICD_FILENAMES", scratch_ / "driver.json"},
-                                {"WEFT_HOSTILE_FOLDER", scratch_ / "elsewhere"}};
+                                {"WEFT_HOSTILE_FOLDER", scratch_ / "elsewhere"},
+                                {"WEFT_HOSTILE_DESCRIPTOR", std::to_string(left_open)}};
         environment.insert(environment.end(), more.begin(), more.end());
-        return run_weft(render(scratch_ / "out/frame.png", sandbox), environment);
+        RunResult run = run_weft(render(scratch_ / "out/frame.png", sandbox), environment);
+        close(left_open);
+        return run;
     }
     void expect_only(const std::vector<std::string>& names) const {
         std::vector<std::string> found;
@@ -52,10 +60,11 @@ class Sandbox : public testing::Test {
     ScratchFolder scratch_;
 };
 
-constexpr const char* kAttacks[] = {"reads a file",         "reads /etc/passwd",      "lists the folder",
-                                    "makes a file",         "truncates a file",       "removes a file",
-                                    "changes rights",       "makes a network socket", "makes a local socket",
-                                    "makes a datagram pair"};
+constexpr const char* kAttacks[] = {
+    "reads a file",          "reads /etc/passwd",          "lists the folder",
+    "makes a file",          "truncates a file",           "removes a file",
+    "changes rights",        "makes a network socket",     "makes a local socket",
+    "makes a datagram pair", "owns signals of its parent", "writes to a file left open"};
 
 // Without a sandbox each of these works: the test would see it.
 TEST_F(Sandbox, CodeOutsideReachesEverything) {
@@ -89,6 +98,27 @@ TEST_F(Sandbox, CodeInsideReachesNoFileBesideTheOutput) {
     EXPECT_NE(run.err.find("hostile: makes a file refused"), std::string::npos) << run.text();
     EXPECT_NE(run.err.find("hostile: lists the folder refused"), std::string::npos) << run.text();
     expect_only({"keep.txt"});
+}
+
+TEST_F(Sandbox, NoProcessOutlivesIt) {
+    const RunResult run = attack(true, {{"WEFT_HOSTILE_CHILD", "1"}});
+    const std::string words = "hostile: left ";
+    const size_t at = run.err.find(words);
+    ASSERT_NE(at, std::string::npos) << run.text();
+    const pid_t left = std::stoi(run.err.substr(at + words.size()));
+    ASSERT_GT(left, 1) << run.text();
+    EXPECT_NE(kill(left, 0), 0) << left << " still runs";
+    kill(left, SIGKILL);
+}
+
+// A process substitution of the shell is such an output.
+TEST_F(Sandbox, AnOutputMayBeAnOpenDescriptor) {
+    const int file = open((scratch_ / "elsewhere/plan.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const RunResult plan = run_weft({"plan", WEFT_SOURCE_DIR "/graphs/deferred.json", "--sandbox", "-o",
+                                     "/dev/fd/" + std::to_string(file)});
+    close(file);
+    EXPECT_EQ(plan.exit_code, 0) << plan.text();
+    EXPECT_NE(read_text(scratch_ / "elsewhere/plan.txt").find("plan of deferred"), std::string::npos);
 }
 
 TEST_F(Sandbox, ACrashInsideIsAMessageAndLeavesNothing) {
