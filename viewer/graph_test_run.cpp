@@ -34,8 +34,8 @@ bool is_black(const vk::ReadbackData& output) {
 class TestRun {
  public:
     TestRun(const std::string& file, const CheckOptions& options, const GraphDesc& graph,
-            const GraphTestDesc& test, std::string tier)
-        : graph_(graph), test_(test), tier_(std::move(tier)) {
+            const GraphTestDesc& test, std::string tier, uint64_t& frames_left)
+        : graph_(graph), test_(test), tier_(std::move(tier)), frames_left_(frames_left) {
         options_.graph = file;
         options_.scene = test.scene.empty() ? "builtin:spheres" : test.scene;
         options_.tier = tier_;
@@ -61,6 +61,7 @@ class TestRun {
         if (!check_readbacks(open->session->plan())) return std::move(failed_);
         const Status drawn = test_.swap.empty() ? draw(*open->session) : draw_swapping(*open->session);
         if (!drawn) return drawn.errors();
+        if (has_errors(failed_)) return std::move(failed_);
         check_all(*open->session);
         open->session.reset();
         check_messages(vk::destroy_device(std::move(open->device)));
@@ -96,8 +97,25 @@ class TestRun {
         return false;
     }
 
+    // False: reported. The parser has counted what tests state; the graph's own number is known only here.
+    bool take_frames(uint64_t frames) {
+        if (frames <= frames_left_) {
+            frames_left_ -= frames;
+            return true;
+        }
+        Diagnostic d = graph_.sources.error(test_.loc, "W125",
+                                            "the graph has more than " +
+                                                std::to_string(options_.limits.graph.test_frames) +
+                                                " frames of its own tests");
+        d.tier = tier_;
+        d.help.push_back("give the test fewer \"frames\", " + raise_limit_text("graph.testFrames"));
+        failed_.push_back(std::move(d));
+        return false;
+    }
+
     Status draw(render::Session& session) {
         const uint32_t frames = test_.frames > 0 ? test_.frames : session.frames();
+        if (!take_frames(frames)) return Unit{};
         for (uint32_t i = 0; i < frames; ++i)
             if (Status s = draw_frame(session); !s) return s;
         return Unit{};
@@ -105,6 +123,7 @@ class TestRun {
 
     // As a program does: the next tier is made ready by another thread while frames go on.
     Status draw_swapping(render::Session& session) {
+        if (!take_frames(test_.swap.size() * uint64_t{test_.every})) return Unit{};
         for (size_t i = 0; i < test_.swap.size(); ++i) {
             if (i > 0 || test_.swap[i] != tier_) {
                 if (Status s = swap_to(session, test_.swap[i]); !s) return s;
@@ -266,6 +285,7 @@ class TestRun {
     const GraphDesc& graph_;
     const GraphTestDesc& test_;
     std::string tier_;
+    uint64_t& frames_left_;  // of all runs
     uint64_t frame_ = 0;
     Measured measured_;
     Diagnostics failed_;
@@ -281,12 +301,13 @@ Diagnostics run_graph_tests(const std::string& file, const CheckOptions& options
     const Result<GraphDesc> graph = parse(*merged, options.offline.limits.graph);
     if (!graph) return graph.errors();
     Diagnostics failed;
+    uint64_t frames_left = options.offline.limits.graph.test_frames;
     for (size_t i = 0; i < graph->tests.size(); ++i) {
         const GraphTestDesc& test = graph->tests[i];
         std::vector<std::string> tiers = test.tiers;
         if (!test.swap.empty()) tiers = {test.swap.front()};
         for (const std::string& tier : tiers) {
-            Diagnostics found = TestRun(file, options, *graph, test, tier).run();
+            Diagnostics found = TestRun(file, options, *graph, test, tier, frames_left).run();
             std::fprintf(stderr, "%s: test %zu%s%s%s: %s\n", file.c_str(), i + 1,
                          tier.empty() ? "" : ", tier ", tier.c_str(),
                          test.swap.empty() ? "" : " and on, swapping", has_errors(found) ? "failed" : "ok");

@@ -40,6 +40,8 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.graph.debug_views; }},
     LimitRow{"graph.testRuns", "", "runs of the graph's own tests, each tier counted", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.test_runs; }},
+    LimitRow{"graph.testFrames", "", "frames of all these runs together", 1ull << 32,
+             [](Limits& l) -> uint64_t& { return l.graph.test_frames; }},
     LimitRow{"graph.testBytes", "bytes",
              "memory of one such run: its picture, the frame's resources and what is read back", kMostBytes,
              [](Limits& l) -> uint64_t& { return l.graph.test_bytes; }},

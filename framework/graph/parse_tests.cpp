@@ -181,6 +181,12 @@ GraphTestDesc finished(ParseContext& context, TestDraft draft) {
     return std::move(draft.test);
 }
 
+// Of all its runs. A run without a number draws as many as the graph says, which an expression may decide.
+size_t stated_frames(const GraphTestDesc& test) {
+    return test.swap.empty() ? test.tiers.size() * std::max(1u, test.frames)
+                             : test.swap.size() * size_t{test.every};
+}
+
 constexpr std::array kTestKeys{
     KeyRule<TestDraft>{"tiers", read_test_tiers},
     KeyRule<TestDraft>{"swap", read_swap},
@@ -202,7 +208,7 @@ void list_test_words(std::vector<FormatWords>& lists) {
 
 void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     if (!expect(context, node, JsonKind::array)) return;
-    size_t runs = 0;
+    size_t runs = 0, frames = 0;
     for (size_t i = 0; i < node.items.size() && !context.is_full(); ++i) {
         const PointerScope scope(context, std::to_string(i));
         TestDraft draft{graph, {}, {}, {}, {}, {}, false};
@@ -216,6 +222,10 @@ void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
         if (!context.within(runs, context.limits().test_runs, test.loc,
                             "runs of its own tests, each tier counted", "graph.testRuns",
                             "let fewer tests run on fewer tiers"))
+            return;
+        frames += stated_frames(test);
+        if (!context.within(frames, context.limits().test_frames, test.loc, "frames of its own tests",
+                            "graph.testFrames", "let tests draw fewer frames"))
             return;
     }
 }

@@ -127,6 +127,17 @@ TEST_F(GraphTests, WhatATestNamesMustBeThere) {
         EXPECT_NE(run.err.find(code), std::string::npos) << code << "\n" << run.text();
 }
 
+// The graph's own number of frames is an expression, which only the run knows.
+TEST_F(GraphTests, FramesOfAllRunsAreLimited) {
+    const RunResult run = check("0.5", R"("frames": "10000 + zero", "tests": [
+      { "size": [32, 32], "frames": 2 }, { "size": [32, 32], "params": { "zero": 6383 } } ])");
+    EXPECT_EQ(run.exit_code, 3) << run.text();
+    EXPECT_NE(run.err.find("g.json:11:42: error[W125]: the graph has more than 16384 frames"),
+              std::string::npos)
+        << run.text();
+    EXPECT_NE(run.err.find("raise graph.testFrames"), std::string::npos) << run.text();
+}
+
 // --- debug views
 
 class DebugViews : public GraphTests {

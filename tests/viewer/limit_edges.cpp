@@ -123,6 +123,14 @@ void test_runs(const ScratchFolder& folder, uint64_t count) {
                 "\"tests\": [" + joined(count, [](uint64_t) { return Text("{ \"frames\": 1 }"); }) + "],\n");
 }
 
+void test_frames(const ScratchFolder& folder, uint64_t count) {
+    constexpr uint64_t kEach = 1000;
+    write_graph(folder, "\"tests\": [" + joined((count + kEach - 1) / kEach, [&](uint64_t i) {
+                            return "{ \"frames\": " + std::to_string(std::min(kEach, count - i * kEach)) +
+                                   " }";
+                        }) + "],\n");
+}
+
 // Eight bytes a texel.
 void test_bytes(const ScratchFolder& folder, uint64_t count) {
     const uint64_t width = count >= (1u << 20) ? 8192 : 64;
@@ -219,6 +227,7 @@ constexpr std::array kEdges{
     LimitEdge{"graph.repeatIndices", 3, true, repeat_indices},
     LimitEdge{"graph.debugViews", 10, true, debug_views},
     LimitEdge{"graph.testRuns", 20, true, test_runs},
+    LimitEdge{"graph.testFrames", 20, true, test_frames},
     LimitEdge{"graph.testBytes", 64 * 64 * 8, true, test_bytes},
     LimitEdge{"graph.passes", 40, true, passes},
     LimitEdge{"graph.passPorts", 20, true, pass_ports},

@@ -26,6 +26,7 @@ struct GraphLimits {
     uint64_t repeat_indices = 8;
     uint64_t debug_views = 256;
     uint64_t test_runs = 1024;
+    uint64_t test_frames = 16'384;
     uint64_t test_bytes = 512ull << 20;
     uint64_t passes = 4096;
     uint64_t pass_ports = 256;
