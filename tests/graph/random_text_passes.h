@@ -66,10 +66,14 @@ class RandomTextPasses : public RandomTextFrame {
     void draw() {
         constexpr const char* kShaders[] = {"draw_1.frag", "draw_2.frag"};
         const uint32_t inputs = between(1, 2);
-        add_pass("draw", "fullscreen", kShaders[inputs - 1]).more += chance(10) ? ", \"partial\": true" : "";
+        const bool partial = chance(10);
+        add_pass("draw", "fullscreen", kShaders[inputs - 1]).more += partial ? ", \"partial\": true" : "";
         choose_condition(20);
         read_colors(inputs);
-        write("color", output_of_last_pass());
+        const size_t output = output_of_last_pass();
+        write("color", output);
+        // It counts as changing in place: what overwrites all comes before such passes, never after them.
+        if (partial) model_.values[output].fresh = false;
     }
 
     // One that may be changed. Where its writers depend on a condition, so does whoever changes it.
