@@ -58,6 +58,9 @@ struct Switch {
 constexpr std::array kSwitches{
     Switch{"storageReadWithoutFormat", &DeviceProfile::storage_read_without_format},
     Switch{"descriptorIndexing", &DeviceProfile::descriptor_indexing},
+    Switch{"nonSolidFill", &DeviceProfile::non_solid_fill},
+    Switch{"depthClamp", &DeviceProfile::depth_clamp},
+    Switch{"depthBiasClamp", &DeviceProfile::depth_bias_clamp},
 };
 
 struct CapabilityName {

@@ -100,7 +100,10 @@ void read_bias_number(ParseContext& context, const JsonNode& node, PassDesc& pas
 constexpr std::array kBiasKeys{
     KeyRule<PassDesc>{"constant", read_bias_number<&RasterState::depth_bias_constant>},
     KeyRule<PassDesc>{"slope", read_bias_number<&RasterState::depth_bias_slope>},
-    KeyRule<PassDesc>{"clamp", read_bias_number<&RasterState::depth_bias_clamp>}};
+    KeyRule<PassDesc>{"clamp", [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                          p.state_locs.depth_bias_clamp = n.loc;
+                          read_bias_number<&RasterState::depth_bias_clamp>(c, n, p);
+                      }}};
 
 void read_bias(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_object(context, node, "a depth bias", kBiasKeys, pass);
@@ -196,13 +199,19 @@ constexpr std::array kStateKeys{
                                  PassDesc& p) { read_choice(c, n, kCulls, p.state.cull); }},
     KeyRule<PassDesc>{"frontFace", [](ParseContext& c, const JsonNode& n,
                                       PassDesc& p) { read_choice(c, n, kFrontFaces, p.state.front_face); }},
-    KeyRule<PassDesc>{"fill", [](ParseContext& c, const JsonNode& n,
-                                 PassDesc& p) { read_choice(c, n, kFills, p.state.fill); }},
+    KeyRule<PassDesc>{"fill",
+                      [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                          p.state_locs.fill = n.loc;
+                          read_choice(c, n, kFills, p.state.fill);
+                      }},
     KeyRule<PassDesc>{"topology", [](ParseContext& c, const JsonNode& n,
                                      PassDesc& p) { read_choice(c, n, kTopologies, p.state.topology); }},
     KeyRule<PassDesc>{"depth", read_depth},
-    KeyRule<PassDesc>{"depthClamp", [](ParseContext& c, const JsonNode& n,
-                                       PassDesc& p) { read_bool(c, n, p.state.depth_clamp); }},
+    KeyRule<PassDesc>{"depthClamp",
+                      [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                          p.state_locs.depth_clamp = n.loc;
+                          read_bool(c, n, p.state.depth_clamp);
+                      }},
     KeyRule<PassDesc>{"depthBias", read_bias},
     KeyRule<PassDesc>{"stencil", read_stencil},
     KeyRule<PassDesc>{"blend", skip_blend},

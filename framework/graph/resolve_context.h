@@ -187,6 +187,8 @@ void spread_over_rings(ResolveState& state);
 [[nodiscard]] ResourceId find_role(ResolveState& state, PassId pass, const RefDesc& ref, ResourceId resource,
                                    bool is_output);
 void declare_passes(ResolveState& state);
+void set_state(ResolveState& state, PassId pass);    // the fixed-function one
+void check_state(ResolveState& state, PassId pass);  // against what the device can do
 // The passes that one description stands for: none when `if` is false.
 struct PassInstance {
     std::string name;

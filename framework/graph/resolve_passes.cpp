@@ -38,19 +38,6 @@ void declare_observers(ResolveState& state) {
     }
 }
 
-// The numbers of its state may depend on the indices of its repeat.
-void set_state(ResolveState& state, PassId id) {
-    PassDecl& decl = state.graph.passes[id];
-    const PassDesc& desc = *state.passes[id].desc;
-    decl.state = desc.state;
-    for (const StateNumberDesc& number : desc.state_numbers) {
-        const std::optional<double> value =
-            state.number_here(number.value, "a number in the state of pass " + quoted(desc.name),
-                              number.least, number.most, number.whole);
-        if (value) number.set(decl.state, *value);
-    }
-}
-
 void find_kind(ResolveState& state, PassId id) {
     PassDecl& decl = state.graph.passes[id];
     const auto* built_in = std::ranges::find(kKinds, std::string_view(decl.type), &KindName::name);
@@ -172,6 +159,7 @@ void declare_passes(ResolveState& state) {
         const IndexScope scope(state, id);
         set_state(state, id);
         find_kind(state, id);
+        check_state(state, id);
         find_shader(state, id);
         PassDecl& decl = state.graph.passes[id];
         decl.side_effect = decl.kind == PassKind::readback;

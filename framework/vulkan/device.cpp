@@ -25,7 +25,7 @@ std::vector<Message> destroy_device(std::unique_ptr<Device> device) {
 }
 
 bool Device::hides_uniforms() const {
-    return info_.driver.starts_with("llvmpipe") && optional_.uniform_array_indexing;
+    return info_.compiles_for_uniforms && optional_.uniform_array_indexing;
 }
 
 uint32_t Device::memory_type(uint32_t type_bits, VkMemoryPropertyFlags wanted) const {

@@ -41,6 +41,7 @@ struct DeviceInfo {
     std::string driver;  // "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
     std::string api_version;
     bool is_cpu = false;
+    bool compiles_for_uniforms = false;  // llvmpipe: see opaque_uniforms.h
     std::vector<LayerInfo> layers;     // enabled ones
     std::vector<std::string> missing;  // what Weft needs and it lacks: "dynamicRendering"
     float timestamp_period_ns = 1;
@@ -60,7 +61,7 @@ struct EmbedderDevice {
     // Weft submits to these and no others, from the thread that calls it; nobody else may meanwhile. The
     // first shall draw and compute.
     std::vector<Queue> queues;
-    // What `device` was made with: required_features() at least. No extension is needed.
+    // What `device` was made with: see enable_features(). No extension is needed.
     const FeatureChain* enabled = nullptr;
 };
 

@@ -149,8 +149,12 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
 namespace {
 
 // Vulkan doesn't tell what a device was made with, so the embedder says it.
-std::vector<std::string> missing_in(const EmbedderDevice& own, const std::vector<QueueFamily>& families) {
+std::vector<std::string> missing_in(const EmbedderDevice& own, const DeviceInfo& info,
+                                    const std::vector<QueueFamily>& families) {
     std::vector<std::string> missing = missing_features(*own.enabled);
+    if (info.compiles_for_uniforms && own.enabled->v10().shaderUniformBufferArrayDynamicIndexing != VK_TRUE)
+        missing.emplace_back("shaderUniformBufferArrayDynamicIndexing (" + info.driver +
+                             " compiles shaders again in every frame without it)");
     constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     const uint32_t first = own.queues.empty() ? UINT32_MAX : own.queues.front().family;
     if (first >= families.size() || (families[first].flags & needed) != needed)
@@ -167,7 +171,7 @@ Diagnostic incomplete_error(const std::string& name, const std::vector<std::stri
     error.message = "the device that was made of \"" + name + "\" lacks ";
     for (size_t i = 0; i < missing.size(); ++i) error.message += (i == 0 ? "" : ", ") + missing[i];
     error.help = {
-        "give vkCreateDevice the features that required_features() switches on, and adopt() the same"};
+        "give vkCreateDevice the features that enable_features() switches on, and adopt() the same"};
     return error;
 }
 
@@ -195,7 +199,7 @@ Result<std::unique_ptr<Device>> Device::adopt(const EmbedderDevice& own) {
     const Candidate candidate = describe_device(made.instance_functions_, own.physical);
     if (!candidate.info.missing.empty()) return unsuitable_error(candidate);
     made.families_ = describe_families(made.instance_functions_, own.physical);
-    const std::vector<std::string> missing = missing_in(own, made.families_);
+    const std::vector<std::string> missing = missing_in(own, candidate.info, made.families_);
     if (!missing.empty()) return incomplete_error(candidate.info.name, missing);
     made.device_ = own.device;
     made.functions_ = load_device_functions(made.instance_functions_, own.device);

@@ -46,7 +46,6 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::fillModeNonSolid, &OptionalFeatures::fill_mode_non_solid},
     OptionalFeature<F10>{&F10::depthClamp, &OptionalFeatures::depth_clamp},
     OptionalFeature<F10>{&F10::depthBiasClamp, &OptionalFeatures::depth_bias_clamp},
-    OptionalFeature<F10>{&F10::samplerAnisotropy, &OptionalFeatures::anisotropy},
     OptionalFeature<F10>{&F10::imageCubeArray, &OptionalFeatures::cube_arrays},
     OptionalFeature<F10>{&F10::drawIndirectFirstInstance, &OptionalFeatures::draw_indirect_first_instance},
     OptionalFeature<F10>{&F10::shaderImageGatherExtended, &OptionalFeatures::image_gather_extended},
@@ -55,10 +54,10 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::shaderStorageImageReadWithoutFormat,
                          &OptionalFeatures::storage_read_without_format},
 };
-constexpr std::array kOptional12{
-    OptionalFeature<F12>{&F12::samplerFilterMinmax, &OptionalFeatures::filter_minmax},
-    OptionalFeature<F12>{&F12::drawIndirectCount, &OptionalFeatures::draw_indirect_count},
-};
+
+// Switched on wherever it is offered, and nothing depends on it: an index outside of a storage or uniform buffer
+// stays in the buffer's memory.
+constexpr VkBool32 F10::*kRobustBuffers = &F10::robustBufferAccess;
 
 template <class Table, class Struct>
 void enable(const Table& table, Struct& features) {
@@ -102,8 +101,13 @@ void required_features(FeatureChain& chain) {
 OptionalFeatures enable_optional_features(const FeatureChain& supported, FeatureChain& chain) {
     OptionalFeatures flags;
     enable_present(kOptional10, supported.v10(), chain.v10(), flags);
-    enable_present(kOptional12, supported.v12(), chain.v12(), flags);
+    if (supported.v10().*kRobustBuffers == VK_TRUE) chain.v10().*kRobustBuffers = VK_TRUE;
     return flags;
+}
+
+void enable_features(const FeatureChain& supported, FeatureChain& chain) {
+    required_features(chain);
+    enable_optional_features(supported, chain);
 }
 
 std::vector<std::string> missing_features(const FeatureChain& supported) {

@@ -1,6 +1,6 @@
 // Purpose: the Vulkan features that Weft builds on, as one table: required ones, without which a device is
 // refused, and optional ones, enabled where present and asked for by name before use. An embedder makes its
-// device with required_features(), plus any of the optional ones, and hands both to Device::adopt().
+// device with what enable_features() switches on, and hands both to Device::adopt().
 #pragma once
 
 #include <string>
@@ -15,14 +15,11 @@ struct OptionalFeatures {
     bool fill_mode_non_solid = false;
     bool depth_clamp = false;
     bool depth_bias_clamp = false;
-    bool anisotropy = false;
     bool cube_arrays = false;
     bool image_gather_extended = false;  // textureGather with several offsets, or with one that varies
     bool storage_read_without_format = false;
-    bool filter_minmax = false;
-    bool draw_indirect_count = false;
     bool draw_indirect_first_instance = false;
-    bool uniform_array_indexing = false;
+    bool uniform_array_indexing = false;  // llvmpipe can't do without: see opaque_uniforms.h
 };
 
 // The structs of Vulkan 1.0 to 1.3, linked to each other. Not copyable: the links are addresses.
@@ -53,7 +50,10 @@ class FeatureChain {
     VkPhysicalDeviceVulkan13Features v13_{};
 };
 
-// Switches the required features on in `chain`; others keep what they have, so an embedder can add its own.
+// Switches on in `chain` all that Weft needs, and of what it can use all that `supported` has. Other features keep
+// what they have, so an embedder can add its own.
+void enable_features(const FeatureChain& supported, FeatureChain& chain);
+// The parts of enable_features(): what each device must have.
 void required_features(FeatureChain& chain);
 // Switches on in `chain` every optional feature that `supported` has, and says which.
 OptionalFeatures enable_optional_features(const FeatureChain& supported, FeatureChain& chain);

@@ -101,6 +101,9 @@ void add_queue_families(const InstanceFunctions& fn, VkPhysicalDevice physical, 
 
 void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profile) {
     profile.storage_read_without_format = enabled.storage_read_without_format;
+    profile.non_solid_fill = enabled.fill_mode_non_solid;
+    profile.depth_clamp = enabled.depth_clamp;
+    profile.depth_bias_clamp = enabled.depth_bias_clamp;
     const auto set = [&](ShaderCapabilityMask bit, bool has) {
         profile.shader_capabilities =
             has ? profile.shader_capabilities | bit : profile.shader_capabilities & ~bit;

@@ -1,6 +1,6 @@
 // Purpose: the escape hatch. An embedder that draws beside Weft reaches the Vulkan objects here, and only
 // here; what it does with them it must leave as it found them: layouts, pending accesses, ownership. To bring
-// objects the other way: Device::adopt() and required_features().
+// objects the other way: Device::adopt() and enable_features().
 #pragma once
 
 #include <cstdint>

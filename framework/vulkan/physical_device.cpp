@@ -129,6 +129,7 @@ Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical
     candidate.type = properties.properties.deviceType;
     candidate.info.name = properties.properties.deviceName;
     candidate.info.driver = std::string(driver.driverName) + " " + driver.driverInfo;
+    candidate.info.compiles_for_uniforms = std::string_view(driver.driverName) == "llvmpipe";
     candidate.info.api_version = version_text(properties.properties.apiVersion);
     candidate.info.is_cpu = candidate.type == VK_PHYSICAL_DEVICE_TYPE_CPU;
     candidate.info.timestamp_period_ns = properties.properties.limits.timestampPeriod;

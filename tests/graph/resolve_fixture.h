@@ -35,11 +35,12 @@ inline ImportCatalog fake_imports() {
     return catalog;
 }
 
-// A device that does with each format what its numbers allow.
+// A device that does with each format what its numbers allow, and all that a state may ask for.
 inline DeviceProfile fake_profile() {
     namespace ff = format_feature;
     DeviceProfile profile;
     profile.name = "fake";
+    profile.non_solid_fill = profile.depth_clamp = profile.depth_bias_clamp = true;
     for (const std::string& name : format_names()) {
         const FormatInfo& info = format_info(*format_from_name(name));
         FormatFeatureMask mask = ff::kSampled | ff::kTransferSrc | ff::kTransferDst | ff::kBlitSrc | ff::kBlitDst;

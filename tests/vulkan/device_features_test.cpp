@@ -66,6 +66,28 @@ TEST_F(MadeWith, NothingThatTheGateRefuses) {
     EXPECT_EQ(enabled_.v13().shaderIntegerDotProduct, VK_FALSE);
 }
 
+TEST_F(MadeWith, BuffersThatNoIndexLeaves) {
+    EXPECT_EQ(enabled_.v10().robustBufferAccess, VK_TRUE);
+    const FeatureChain nothing;
+    FeatureChain least;
+    enable_features(nothing, least);
+    EXPECT_EQ(least.v10().robustBufferAccess, VK_FALSE) << "where the device does not offer it";
+}
+
+// Each feature that is on has a use; these have none.
+TEST_F(MadeWith, NothingThatNoGraphCanUse) {
+    const VkPhysicalDeviceFeatures& v10 = enabled_.v10();
+    for (const VkBool32 feature :
+         {v10.samplerAnisotropy, v10.dualSrcBlend, v10.logicOp, v10.multiDrawIndirect, v10.depthBounds,
+          v10.wideLines, v10.largePoints, v10.alphaToOne, v10.sparseBinding, v10.inheritedQueries,
+          v10.pipelineStatisticsQuery, v10.occlusionQueryPrecise, v10.fullDrawIndexUint32})
+        EXPECT_EQ(feature, VK_FALSE);
+    for (const VkBool32 feature :
+         {enabled_.v12().samplerFilterMinmax, enabled_.v12().drawIndirectCount,
+          enabled_.v12().samplerMirrorClampToEdge, enabled_.v12().imagelessFramebuffer})
+        EXPECT_EQ(feature, VK_FALSE);
+}
+
 TEST_F(MadeWith, AllThatTheGateAlwaysAllows) {
     EXPECT_EQ(enabled_.v10().fragmentStoresAndAtomics, VK_TRUE);
     EXPECT_EQ(enabled_.v10().shaderStorageImageExtendedFormats, VK_TRUE);
@@ -83,9 +105,11 @@ TEST_F(MadeWith, WhatTheProfileSaysThatShadersMayUse) {
     EXPECT_EQ(profile.shader_capabilities,
               shader_capability::kImageCubeArray | shader_capability::kImageGatherExtended);
     EXPECT_TRUE(profile.storage_read_without_format);
+    EXPECT_TRUE(profile.non_solid_fill && profile.depth_clamp && profile.depth_bias_clamp);
     add_optional_features({}, profile);
     EXPECT_EQ(profile.shader_capabilities, 0u) << "a device that was made without them";
     EXPECT_FALSE(profile.storage_read_without_format);
+    EXPECT_FALSE(profile.non_solid_fill || profile.depth_clamp || profile.depth_bias_clamp);
 }
 
 }  // namespace

@@ -126,10 +126,16 @@ TEST_F(DeviceVk, memory_types_fit_what_was_asked) {
     EXPECT_EQ(device().memory_type(0, 0), UINT32_MAX);
 }
 
+// What a device has to be made with, and nothing else.
+void enable_least(FeatureChain& enabled) {
+    required_features(enabled);
+    enabled.v10().shaderUniformBufferArrayDynamicIndexing = VK_TRUE;
+}
+
 TEST_F(DeviceVk, an_adopted_device_works_and_is_left_alive) {
     const NativeDevice own = native(device());
     FeatureChain enabled;
-    required_features(enabled);
+    enable_least(enabled);
     {
         Result<std::unique_ptr<Device>> adopted =
             Device::adopt({own.instance, own.physical, own.device, {own.queue}, &enabled});
@@ -149,12 +155,40 @@ TEST_F(DeviceVk, an_adopted_device_works_and_is_left_alive) {
 TEST_F(DeviceVk, an_adopted_device_offers_the_optional_features_it_was_made_with) {
     const NativeDevice own = native(device());
     FeatureChain enabled;
-    required_features(enabled);
+    enable_least(enabled);
     enabled.v10().depthClamp = VK_TRUE;
     const auto adopted = Device::adopt({own.instance, own.physical, own.device, {own.queue}, &enabled});
     ASSERT_TRUE(adopted.ok()) << to_text(adopted.errors());
     EXPECT_TRUE((*adopted)->optional().depth_clamp);
-    EXPECT_FALSE((*adopted)->optional().anisotropy);
+    EXPECT_TRUE((*adopted)->profile().depth_clamp);
+    EXPECT_FALSE((*adopted)->optional().fill_mode_non_solid);
+    EXPECT_FALSE((*adopted)->profile().non_solid_fill);
+}
+
+TEST_F(DeviceVk, an_adopted_device_that_makes_llvmpipe_compile_in_every_frame_is_refused) {
+    const NativeDevice own = native(device());
+    FeatureChain enabled;
+    required_features(enabled);
+    const auto adopted = Device::adopt({own.instance, own.physical, own.device, {own.queue}, &enabled});
+    if (!device().info().driver.starts_with("llvmpipe")) {
+        EXPECT_TRUE(adopted.ok()) << to_text(adopted.errors());
+        return;
+    }
+    ASSERT_FALSE(adopted.ok());
+    EXPECT_EQ(adopted.errors().front().code, "V404");
+    EXPECT_NE(adopted.errors().front().message.find("shaderUniformBufferArrayDynamicIndexing"),
+              std::string::npos);
+    EXPECT_NE(adopted.errors().front().help.front().find("enable_features()"), std::string::npos);
+}
+
+TEST_F(DeviceVk, what_enable_features_switches_on_is_enough) {
+    const NativeDevice own = native(device());
+    FeatureChain supported, enabled;
+    device().instance_fn().vkGetPhysicalDeviceFeatures2(own.physical, &supported.head());
+    enable_features(supported, enabled);
+    const auto adopted = Device::adopt({own.instance, own.physical, own.device, {own.queue}, &enabled});
+    ASSERT_TRUE(adopted.ok()) << to_text(adopted.errors());
+    EXPECT_EQ(profile_to_json((*adopted)->profile()), profile_to_json(device().profile()));
 }
 
 TEST_F(DeviceVk, all_that_an_adopted_device_lacks_is_named) {

@@ -133,7 +133,9 @@ OwnDevice::OwnDevice(bool validate) : instance(make_instance(validate)) {
     queue_info.queueFamilyIndex = family;
     queue_info.queueCount = 1;
     queue_info.pQueuePriorities = &priority;
-    weft::vk::required_features(enabled);  // an engine would add its own
+    weft::vk::FeatureChain supported;
+    vkGetPhysicalDeviceFeatures2(physical, &supported.head());
+    weft::vk::enable_features(supported, enabled);  // an engine would add its own
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
     info.pNext = &enabled.head();
     info.queueCreateInfoCount = 1;

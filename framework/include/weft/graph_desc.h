@@ -152,6 +152,11 @@ struct StateNumberDesc {
     std::function<void(RasterState&, double)> set;
 };
 
+// Where a state asks for what some devices lack.
+struct StateLocs {
+    SourceLoc fill, depth_clamp, depth_bias_clamp;
+};
+
 struct PassDesc {
     std::string name;
     std::string type;
@@ -179,6 +184,7 @@ struct PassDesc {
     std::vector<Expr> threads;         // invocations
     RasterState state;
     std::vector<StateNumberDesc> state_numbers;
+    StateLocs state_locs;
     std::map<std::string, BlendState> blend;                  // by output port; "" = all
     std::map<std::string, ColorDesc> clear_ports;             // by output port
     std::optional<ColorDesc> clear;
