@@ -1,8 +1,12 @@
 // Shaders that hide the values of their uniforms are valid, and have the interface that they had.
 #include "vulkan/opaque_uniforms.h"
 
+#include <map>
+#include <set>
+
 #include "shader/interface_merge.h"
 #include "shader/shader_folder.h"
+#include "shader/spirv_words.h"
 #include "shader/validate_spirv.h"
 
 namespace weft::vk {
@@ -20,6 +24,22 @@ ShaderInterface reflected(const ShaderProgram& program) {
     for (const shader::InterfaceFault& fault : faults)
         EXPECT_NE(fault.message.find("push constant"), std::string::npos) << fault.message;
     return interface;
+}
+
+// First indices into arrays of blocks, in order, and what is added to each in a module that hides uniforms.
+std::vector<uint32_t> first_indices(const ShaderModule& module, bool hidden) {
+    constexpr uint32_t kVariable = 59, kAccessChain = 65, kIAdd = 128, kUniform = 2;
+    std::set<uint32_t> blocks;
+    std::map<uint32_t, uint32_t> summands;  // by sum
+    std::vector<uint32_t> indices;
+    shader::SpirvReader reader(module.spirv);
+    for (shader::SpirvInstruction i; reader.next(i);) {
+        if (i.opcode == kVariable && i.operand(2) == kUniform) blocks.insert(i.operand(1));
+        if (i.opcode == kIAdd) summands[i.operand(1)] = i.operand(2);
+        if (i.opcode == kAccessChain && blocks.contains(i.operand(2)))
+            indices.push_back(hidden ? summands[i.operand(3)] : i.operand(3));
+    }
+    return indices;
 }
 
 class OpaqueUniforms : public ShaderFolder {};
@@ -75,6 +95,9 @@ void main() { for (int i = 0; i < 3; ++i) sums.items[i] = choices[i].first + cho
     const ShaderProgram hidden = with_opaque_uniforms(program);
     EXPECT_NE(hidden.modules[0].spirv, program.modules[0].spirv);
     expect_valid(hidden);
+    const std::vector<uint32_t> indices = first_indices(program.modules[0], false);
+    EXPECT_EQ(indices.size(), 2u);
+    EXPECT_EQ(first_indices(hidden.modules[0], true), indices);
     EXPECT_EQ(reflected(hidden).bindings, program.interface.bindings);
 }
 
