@@ -1,4 +1,4 @@
-// Purpose: what the command line asked for, one struct a command. Filled by main.cpp, read by the commands.
+// Purpose: what the command line asked for, one struct a command. Filled by add_options.h, read by the commands.
 #pragma once
 
 #include <cstdint>
