@@ -6,22 +6,11 @@
 
 #include "graph/quantity_text.h"
 #include "shader/glsl_log.h"
+#include "shader/stage_name.h"
 
 namespace weft::shader {
 
 namespace {
-
-std::string stage_name(ShaderStage stage) {
-    switch (stage) {
-        case ShaderStage::vertex:
-            return "vertex";
-        case ShaderStage::fragment:
-            return "fragment";
-        case ShaderStage::compute:
-            return "compute";
-    }
-    return "";
-}
 
 IncludeAnswer refused(std::string why) {
     return {false, {}, std::move(why)};
@@ -98,7 +87,7 @@ Result<GlslOutcome> StageCompiler::run_worker(ShaderStage stage, const SourceTex
 Diagnostic StageCompiler::stopped(ShaderStage stage, const SourceText& source, uint64_t time_ms) const {
     const auto fault = [&](const std::string& what, std::string help) {
         Diagnostic d =
-            diagnostic_at({&source, 0, 0}, "W207", "compiling the " + stage_name(stage) + " stage " + what);
+            diagnostic_at({&source, 0, 0}, "W207", std::string("compiling the ") + stage_name(stage) + " stage " + what);
         d.help.push_back(std::move(help));
         return d;
     };

@@ -12,6 +12,7 @@
 
 #include "shader/capability_table.h"
 #include "shader/spirv_words.h"
+#include "shader/stage_name.h"
 
 namespace weft::shader {
 namespace {
@@ -22,18 +23,6 @@ constexpr std::array<std::string_view, 2> kExtensions{"SPV_EXT_demote_to_helper_
 constexpr std::array<std::string_view, 2> kInstructionSets{"GLSL.std.450", "NonSemantic.DebugPrintf"};
 
 constexpr const char* kCoreOnly = "use what core GLSL 4.60 offers";
-
-const char* stage_text(ShaderStage stage) {
-    switch (stage) {
-        case ShaderStage::vertex:
-            return "vertex";
-        case ShaderStage::fragment:
-            return "fragment";
-        case ShaderStage::compute:
-            return "compute";
-    }
-    return "";
-}
 
 bool offered(const CapabilityRow& row, const ShaderTarget& target) {
     if (row.capability == SpvCapabilityStorageImageReadWithoutFormat)
@@ -108,7 +97,7 @@ class CapabilityCheck {
         faults_.push_back({"W208",
                            stage_,
                            {},
-                           std::string("the ") + stage_text(stage_) + " stage needs " + what,
+                           std::string("the ") + stage_name(stage_) + " stage needs " + what,
                            std::move(help),
                            std::move(words)});
     }

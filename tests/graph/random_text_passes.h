@@ -120,11 +120,15 @@ class RandomTextPasses : public RandomTextFrame {
         model_.passes.back().in = {input("a", other, model_.passes.back().condition, false)};
         change(v, nullptr, "color");
     }
-    void overwrite() {
-        const size_t v = changeable([&](size_t c) {
+    // A colour that this frame wrote in any case, and that a pass may still change.
+    size_t overwritable_color() {
+        return changeable([&](size_t c) {
             return kind_of(c) == ValueKind::color && model_.values[c].fresh &&
                    model_.values[c].condition == kNone;
         });
+    }
+    void overwrite() {
+        const size_t v = overwritable_color();
         if (v == kNone) return;
         const size_t other = other_color(v);
         if (other == kNone) return;
@@ -135,10 +139,7 @@ class RandomTextPasses : public RandomTextFrame {
 
     // A part of it only: what was there stays beside it.
     void overwrite_part() {
-        const size_t v = changeable([&](size_t c) {
-            return kind_of(c) == ValueKind::color && model_.values[c].fresh &&
-                   model_.values[c].condition == kNone;
-        });
+        const size_t v = overwritable_color();
         if (v == kNone) return;
         const size_t other = other_color(v);
         if (other == kNone) return;

@@ -62,6 +62,12 @@ std::vector<CapabilityShader> all_shaders() {
     return shaders;
 }
 
+void expect_too_large(const Diagnostics& found, uint32_t line) {
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_EQ(found[0].code, "W209");
+    EXPECT_EQ(found[0].line, line);
+}
+
 class ShaderGate : public ShaderFolder {
  protected:
     [[nodiscard]] Result<ShaderProgram> compile_for(const CapabilityShader& shader,
@@ -261,9 +267,7 @@ std::string with(const std::string& declarations, const std::string& body) {
 TEST_F(ShaderGate, SharedMemoryHasALimit) {
     const Diagnostics found =
         refused(with("// here\nshared float s[1 << 28];\n", "s[0] = 1; data.items[0] = 1;"));
-    ASSERT_EQ(found.size(), 1u) << to_text(found);
-    EXPECT_EQ(found[0].code, "W209");
-    EXPECT_EQ(found[0].line, 5u);
+    expect_too_large(found, 5);
     EXPECT_NE(found[0].message.find("1 GiB"), std::string::npos) << found[0].message;
     EXPECT_NE(found[0].help.at(0).find("shader.sharedBytes"), std::string::npos) << found[0].help[0];
     ShaderLimits limits;
@@ -304,9 +308,7 @@ TEST_F(ShaderGate, PrivateMemoryCountsEachCall) {
     EXPECT_TRUE((write("graph/s.comp", with(some, calls.substr(0, calls.find('\n') + 1))),
                  compile("s.comp", ProgramKind::compute).ok()));
     const Diagnostics found = refused(with(some, calls));
-    ASSERT_EQ(found.size(), 1u) << to_text(found);
-    EXPECT_EQ(found[0].code, "W209");
-    EXPECT_EQ(found[0].line, 4u);
+    expect_too_large(found, 4);
 }
 
 TEST_F(ShaderGate, FunctionsThatDoubleThemselvesAreRefused) {

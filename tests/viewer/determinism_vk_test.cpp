@@ -1,10 +1,9 @@
 // The same picture, bit for bit, from run to run and for every number of the driver's threads.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "viewer/program.h"
+#include "viewer/render_stats.h"
 
 namespace weft::test {
 namespace {
@@ -31,17 +30,10 @@ TEST(Determinism, OneHashForEveryRunAndThreadCount) {
 }
 
 std::string picture_of(const std::vector<std::string>& more) {
-    const ScratchFolder folder;
-    std::vector<std::string> arguments{"render",  "builtin:mirror",
-                                       "--graph", WEFT_SOURCE_DIR "/graphs/forward.json",
-                                       "--size",  "64x36",
-                                       "-o",      folder / "a.png",
-                                       "--stats", folder / "stats.json"};
+    std::vector<std::string> arguments{"builtin:mirror", "--graph", WEFT_SOURCE_DIR "/graphs/forward.json",
+                                       "--size", "64x36"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const RunResult run = run_weft(arguments);
-    EXPECT_EQ(run.exit_code, 0) << run.text();
-    if (run.exit_code != 0) return "";
-    return nlohmann::json::parse(read_text(folder / "stats.json")).at("output_sha256");
+    return render_stats(std::move(arguments)).value("output_sha256", std::string());
 }
 
 TEST(Determinism, SeededLightsAreTheSameForTheSameSeed) {

@@ -1,9 +1,7 @@
 // What `weft render --stats` says of the run itself.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
-#include "viewer/program.h"
+#include "viewer/render_stats.h"
 
 namespace weft::test {
 namespace {
@@ -11,16 +9,10 @@ namespace {
 using Json = nlohmann::json;
 
 Json stats_of(const std::vector<std::string>& more) {
-    const ScratchFolder folder;
-    std::vector<std::string> arguments{"render",  "builtin:spheres",
-                                       "--graph", WEFT_SOURCE_DIR "/tests/render/reload/live.json",
-                                       "--size",  "16x16",
-                                       "-o",      folder / "a.png",
-                                       "--stats", folder / "stats.json"};
+    std::vector<std::string> arguments{"builtin:spheres", "--graph",
+                                       WEFT_SOURCE_DIR "/tests/render/reload/live.json", "--size", "16x16"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const RunResult run = run_weft(arguments);
-    EXPECT_EQ(run.exit_code, 0) << run.text();
-    return Json::parse(read_text(folder / "stats.json"));
+    return render_stats(std::move(arguments));
 }
 
 TEST(Stats, NameTheTierThatWasAskedFor) {

@@ -1,0 +1,20 @@
+// Purpose: what messages call a shader stage.
+#pragma once
+
+#include "weft/shader_interface.h"
+
+namespace weft::shader {
+
+[[nodiscard]] constexpr const char* stage_name(ShaderStage stage) {
+    switch (stage) {
+        case ShaderStage::vertex:
+            return "vertex";
+        case ShaderStage::fragment:
+            return "fragment";
+        case ShaderStage::compute:
+            return "compute";
+    }
+    return "";
+}
+
+}  // namespace weft::shader
