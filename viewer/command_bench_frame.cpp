@@ -105,7 +105,7 @@ class Run {
         render_.params = draws_scene ? std::map<std::string, double>{{kLightsParam, lights}}
                                      : std::map<std::string, double>{};
         const float aspect = static_cast<float>(render_.size.width) / static_cast<float>(render_.size.height);
-        Result<scene::Camera> camera = choose_camera(scene, render_.camera, aspect);
+        Result<scene::Camera> camera = choose_camera(scene, {options_.scene, render_.camera, aspect});
         if (!camera) return camera.take_errors();
         render::SessionInput input = session_input(render_, scene, *camera, passes_);
         input.timestamps = true;

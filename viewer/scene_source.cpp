@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -22,6 +23,9 @@ namespace weft::viewer {
 namespace {
 
 constexpr std::string_view kBuiltinPrefix = "builtin:";
+
+// Portraits show as much of a built-in scene from side to side as a picture of this aspect.
+constexpr float kShownAspect = 4.0f / 3.0f;
 
 // Of --camera. Single precision holds nothing of a scene that is farther away.
 constexpr NumberRange kPlace{-1e9, 1e9, "m"};
@@ -111,6 +115,21 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
     return camera;
 }
 
+bool is_inside(const scene::Camera& camera, const scene::Bounds& bounds) {
+    const glm::vec3 eye(camera.transform[3]);
+    return glm::all(glm::greaterThan(eye, bounds.min)) && glm::all(glm::lessThan(eye, bounds.max));
+}
+
+scene::Camera default_camera(const scene::Scene& scene, const CameraChoice& choice) {
+    if (scene.cameras.empty()) return scene::framing_camera(scene, choice.aspect);
+    scene::Camera camera = scene.cameras.front();
+    const bool portrait = choice.aspect < 1 && choice.scene.starts_with(kBuiltinPrefix);
+    if (!portrait || is_inside(camera, world_bounds(scene))) return camera;
+    const float sideways = std::tan(camera.fov_y_rad / 2) * kShownAspect;
+    camera.fov_y_rad = 2 * std::atan(sideways / choice.aspect);
+    return camera;
+}
+
 // Loads with progress on stderr.
 Result<scene::Scene> load_file(const std::string& name, const SceneLimits& limits, Diagnostics& warnings) {
     const auto begin = std::chrono::steady_clock::now();
@@ -158,19 +177,19 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& li
     return scene;
 }
 
-Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string& choice, float aspect) {
-    if (choice.empty())
-        return scene.cameras.empty() ? scene::framing_camera(scene, aspect) : scene.cameras.front();
+Result<scene::Camera> choose_camera(const scene::Scene& scene, const CameraChoice& choice) {
+    const std::string& wanted = choice.camera;
+    if (wanted.empty()) return default_camera(scene, choice);
     const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
-                                    [&](const scene::Camera& camera) { return camera.name == choice; });
+                                    [&](const scene::Camera& camera) { return camera.name == wanted; });
     if (found != scene.cameras.end()) return *found;
-    if (choice.find(',') != std::string::npos) return placed_camera(choice);
+    if (wanted.find(',') != std::string::npos) return placed_camera(wanted);
     std::vector<std::string> names;
     for (const scene::Camera& camera : scene.cameras) names.push_back(camera.name);
     std::string known = "this scene has no cameras of its own: give seven numbers, or leave --camera out";
     for (size_t i = 0; i < names.size(); ++i) known = (i == 0 ? "its cameras are " : known + ", ") + names[i];
-    Diagnostic fault = choice_error("S130", "the scene has no camera \"" + choice + "\"", known);
-    const std::string guess = did_you_mean_text(choice, names);
+    Diagnostic fault = choice_error("S130", "the scene has no camera \"" + wanted + "\"", known);
+    const std::string guess = did_you_mean_text(wanted, names);
     if (!guess.empty()) fault.help.insert(fault.help.begin(), guess);
     return fault;
 }

@@ -29,9 +29,15 @@ struct SceneChoice {
 // A graph that was named as the scene, by a slip.
 [[nodiscard]] Status expect_scene(const std::string& name);
 
-// A camera of the scene by name, seven numbers EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, or, when `choice`
-// is empty, the scene's first camera or one that frames its bounds. `aspect` is width / height.
-[[nodiscard]] Result<scene::Camera> choose_camera(const scene::Scene& scene, const std::string& choice,
-                                                  float aspect);
+struct CameraChoice {
+    std::string scene;   // as in SceneChoice
+    std::string camera;  // a name, seven numbers EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, or empty
+    float aspect = 1;    // of the picture: width / height
+};
+
+// An empty choice is the scene's first camera, or one that frames the scene's bounds. The first camera of a
+// built-in scene shows in a portrait as much from side to side as in a picture of 4:3, unless it stands
+// inside the scene.
+[[nodiscard]] Result<scene::Camera> choose_camera(const scene::Scene& scene, const CameraChoice& choice);
 
 }  // namespace weft::viewer

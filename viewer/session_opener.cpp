@@ -108,7 +108,7 @@ Status SessionOpener::load_scene() {
     if (!scene) return scene.take_errors();
     warn_of_exposure(*scene, options_.exposure_ev.value_or(scene->exposure_ev));
     const float aspect = static_cast<float>(options_.size.width) / static_cast<float>(options_.size.height);
-    Result<scene::Camera> camera = choose_camera(*scene, options_.camera, aspect);
+    Result<scene::Camera> camera = choose_camera(*scene, {options_.scene, options_.camera, aspect});
     if (!camera) return camera.take_errors();
     camera_ = *camera;
     scene_ = std::move(*scene);
