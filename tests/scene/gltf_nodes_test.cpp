@@ -24,6 +24,10 @@ TEST_F(GltfNodes, ComposesTranslationRotationScale) {
     expect_near(apply(scene.instances.at(0).transform, {1, 0, 0}), {1, 4, 3});
     expect_near(scene.bounds_min, {0, 2, 3});
     expect_near(scene.bounds_max, {1, 4, 3});
+    // In one node: scaled first, then turned, then moved.
+    text.members["nodes"] =
+        R"([{"mesh":0,"translation":[1,2,3],"rotation":[0,0,0.70710678,0.70710678],"scale":[2,1,1]}])";
+    expect_near(apply(load(text).instances.at(0).transform, {1, 0, 0}), {1, 4, 3});
 }
 
 TEST_F(GltfNodes, ReadsMatricesByColumn) {
