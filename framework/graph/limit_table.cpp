@@ -89,8 +89,9 @@ constexpr std::array kTable{
              "`shared` variables of a compute stage, before what the device says", 1ull << 30,
              [](Limits& l) -> uint64_t& { return l.shader.shared_bytes; }},
     LimitRow{"shader.privateBytes", "bytes",
-             "variables of one invocation of a stage, those of functions at each call anew", 1ull << 30,
-             [](Limits& l) -> uint64_t& { return l.shader.private_bytes; }},
+             "variables of one invocation of a stage, and arrays that it copies as a whole; those of "
+             "functions at each call anew",
+             1ull << 30, [](Limits& l) -> uint64_t& { return l.shader.private_bytes; }},
     LimitRow{"shader.pushConstantBytes", "bytes", "push constants, before what the device says", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.shader.push_constant_bytes; }},
     LimitRow{"shader.interfaceBytes", "bytes", "inputs of a stage, and its outputs", 1ull << 20,

@@ -98,6 +98,9 @@ class StorageCheck {
             case SpvOpVariable:
                 variable(i);
                 break;
+            case SpvOpLoad:
+                value(type(i.operand(0)));
+                break;
             case SpvOpEntryPoint:
                 entry_ = i.operand(1);
                 break;
@@ -161,6 +164,14 @@ class StorageCheck {
             uint64_t& own = functions_[function_].own_bytes;
             own = plus(own, variables_.back().size.bytes);
         }
+    }
+
+    // An array or a struct that is copied as a whole is a private value of that size on its way.
+    void value(const TypeSize& size) {
+        constexpr uint64_t kMostInRegisters = 64;  // mat4
+        if (size.bytes <= kMostInRegisters) return;
+        uint64_t& own = functions_[function_].own_bytes;
+        own = plus(own, size.bytes);
     }
 
     // The call tree below the entry point, without recursion: a chain of calls is as long as its author

@@ -300,6 +300,18 @@ TEST_F(ShaderGate, PrivateMemoryHasALimit) {
     }
 }
 
+// 300 bytes of text, over which a driver compiles for minutes: it copies each element by itself.
+TEST_F(ShaderGate, AnArrayThatIsCopiedAsAWholeIsPrivateMemory) {
+    const std::string declarations =
+        "struct Big { float a[1 << 16]; };\nbuffer From { Big v; } from;\nbuffer To { Big v; } to;\n";
+    const Diagnostics found = refused(with(declarations, "to.v = from.v;"));
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_EQ(found[0].code, "W209");
+    EXPECT_NE(found[0].message.find("256 KiB"), std::string::npos) << found[0].message;
+    write("graph/s.comp", with(declarations, "to.v.a[data.items[0]] = from.v.a[data.items[1]];"));
+    EXPECT_TRUE(compile("s.comp", ProgramKind::compute).ok());
+}
+
 // Drivers copy a function to each place that calls it, and its arrays with it.
 TEST_F(ShaderGate, PrivateMemoryCountsEachCall) {
     std::string calls;
