@@ -297,6 +297,8 @@ glm::mat4 local_transform(const tinygltf::Node& source) {
     if (source.matrix.size() == 16) {
         glm::mat4 matrix;
         for (size_t i = 0; i < 16; ++i) glm::value_ptr(matrix)[i] = static_cast<float>(source.matrix[i]);
+        // glTF has no other last row (check_matrix()).
+        for (int column = 0; column < 4; ++column) matrix[column][3] = column == 3 ? 1.0f : 0.0f;
         return matrix;
     }
     const glm::vec4 xyzw = vector_or(source.rotation, glm::vec4(0, 0, 0, 1));

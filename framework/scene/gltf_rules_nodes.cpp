@@ -134,11 +134,29 @@ void check_scale(const Fields& node, Report& report) {
                 "give the node a scale above 0, or remove it");
 }
 
+// Column by column. What a translation, a rotation and a scale give has 0, 0, 0, 1 as its last row.
+void check_matrix(const Fields& node, Report& report) {
+    const std::vector<double> m = node.numbers("matrix", 16);
+    if (m.empty()) return;
+    constexpr double kRounding = 1e-4;
+    const double last_row = std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1);
+    if (last_row > kRounding)
+        report.warn("S154", node.pointer_to("matrix"),
+                    "the last row of the matrix is not 0, 0, 0, 1, and is taken as that",
+                    "end each of its four columns in 0, 0, 0 and 1");
+    const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
+                               m[8] * (m[1] * m[6] - m[2] * m[5]);
+    if (determinant == 0)
+        report.warn("S152", node.pointer_to("matrix"),
+                    "the matrix has the determinant 0: the node and what is below it are flat",
+                    "give the node a scale above 0, or remove it");
+}
+
 void check_node(Checker& c, const Fields& node, uint32_t self, std::vector<uint32_t>& parent) {
     node.text("name", Need::optional);
     node.index("mesh", Need::optional, c.sizes["meshes"], "meshes");
     node.index("camera", Need::optional, c.sizes["cameras"], "cameras");
-    node.numbers("matrix", 16);
+    check_matrix(node, c.report);
     node.numbers("translation", 3);
     check_rotation(node, c.report);
     check_scale(node, c.report);

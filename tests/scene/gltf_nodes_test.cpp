@@ -183,6 +183,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Odd{"ZeroRotation", R"([{"mesh":0,"rotation":[0,0,0,0]}])", "S152 /nodes/0/rotation"},
                       Odd{"LongRotation", R"([{"mesh":0,"rotation":[0,0,0,2]}])", "S154 /nodes/0/rotation"},
                       Odd{"ZeroScale", R"([{"mesh":0,"scale":[0,0,0]}])", "S152 /nodes/0/scale"},
+                      Odd{"FlatMatrix", R"([{"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,0,0, 0,0,0,1]}])",
+                          "S152 /nodes/0/matrix"},
+                      Odd{"OddLastRow", R"([{"mesh":0,"matrix":[1,0,0,0.5, 0,1,0,0, 0,0,1,0, 0,0,0,1]}])",
+                          "S154 /nodes/0/matrix"},
                       Odd{"FlatScale", R"([{"mesh":0,"scale":[1,0,1]}])", "S152 /nodes/0/scale"}),
     [](const auto& row) { return std::string(row.param.name); });
 
