@@ -22,7 +22,11 @@ struct FutureFlags {
     const char* command;
     std::span<const FutureFlag> flags;
 };
-constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags}};
+constexpr std::array kFutureViewFlags{
+    FutureFlag{"--sandbox", "pictures that are written from a sandbox while it runs"},
+};
+constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
+                                  FutureFlags{"view", kFutureViewFlags}};
 
 // Parameters are passed to shaders as 32-bit floats.
 constexpr NumberRange kParam{-3.4e38, 3.4e38, ""};
