@@ -186,7 +186,8 @@ class Run {
 }  // namespace
 
 ExitCode run_bench_frame(const FrameBenchOptions& options) {
-    if (const ExitCode code = check_outputs({options.plot}); code != ExitCode::ok) return code;
+    if (const ExitCode code = check_outputs({options.plot}, {options.scene}); code != ExitCode::ok)
+        return code;
     if (const Status scene = expect_scene(options.scene); !scene) return fail_on_device(scene.errors());
     Run run(options);
     const Result<FrameBench> bench = run.measure();

@@ -138,7 +138,9 @@ ExitCode run_compare(const CompareOptions& options) {
         std::fprintf(stderr, "weft: %s\n", fault.c_str());
         return ExitCode::usage;
     }
-    if (const ExitCode code = check_outputs({options.output}); code != ExitCode::ok) return code;
+    if (const ExitCode code = check_outputs({options.output}, {options.reference, options.test});
+        code != ExitCode::ok)
+        return code;
     const Result<Image> a = read_image(options.reference, options.limits.picture),
                         b = read_image(options.test, options.limits.picture);
     Diagnostics errors;

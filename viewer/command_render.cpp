@@ -49,8 +49,8 @@ class RenderProgress {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// Takes away what is ready after a frame: for many frames it would pile up. Of what is read back the last one is kept,
-// times only where somebody wants them.
+// Takes away what is ready after a frame: for many frames it would pile up. Of what is read back the last one
+// is kept, times only where somebody wants them.
 void collect(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
     std::vector<vk::FrameTiming> timings = session.take_timings();
     if (!options.stats.empty()) std::ranges::move(timings, std::back_inserter(outcome.timings));
@@ -140,7 +140,8 @@ ExitCode run_render(const RenderOptions& options) {
         report(kind.errors());
         return ExitCode::usage;
     }
-    if (const ExitCode code = check_outputs({options.output, options.stats}); code != ExitCode::ok)
+    if (const ExitCode code = check_outputs({options.output, options.stats}, inputs_of(options));
+        code != ExitCode::ok)
         return code;
     Result<OpenSession> open = open_session(options);
     if (!open) return fail_on_device(open.errors());

@@ -6,7 +6,8 @@
 namespace weft::viewer {
 
 ExitCode run_schema(const SchemaOptions& options) {
-    if (const ExitCode code = check_outputs({options.output}); code != ExitCode::ok) return code;
+    if (const ExitCode code = check_outputs({options.output}, {options.file}); code != ExitCode::ok)
+        return code;
     std::string text;
     if (options.file.empty()) {
         text = format_schema();

@@ -109,7 +109,8 @@ ExitCode run_view(const ViewOptions& options) {
             return ExitCode::usage;
         }
     }
-    if (const ExitCode code = check_outputs({options.render.output, options.render.stats});
+    if (const ExitCode code =
+            check_outputs({options.render.output, options.render.stats}, inputs_of(options.render));
         code != ExitCode::ok)
         return code;
     // Before there are threads that a signal could end the program through.

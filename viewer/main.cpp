@@ -107,6 +107,7 @@ std::optional<ExitCode> CommandLine::enter_sandbox() {
         RenderOptions& o = render_options;
         const bool is_file = o.env != "sky" && o.env != "none";
         needs = {{folder_of(o.graph), folder_of_scene(o.scene), is_file ? o.env : ""},
+                 inputs_of(o),
                  {&o.output, &o.stats},
                  true};
         o.named_output = o.output;
@@ -116,7 +117,7 @@ std::optional<ExitCode> CommandLine::enter_sandbox() {
         needs.device = check_options.run;
     } else if (plan->parsed() && plan_options.sandbox) {
         PlanOptions& o = plan_options;
-        needs = {{folder_of(o.file), o.offline.profile}, {&o.output}, false};
+        needs = {{folder_of(o.file), o.offline.profile}, {o.file}, {&o.output}, false};
     } else {
         return std::nullopt;
     }

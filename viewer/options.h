@@ -42,6 +42,11 @@ struct RenderOptions {
     Limits limits;
 };
 
+// Files that the command line names to be read. A word like "sky" is a file of that name, too.
+[[nodiscard]] inline std::vector<std::string> inputs_of(const RenderOptions& options) {
+    return {options.scene, options.graph, options.env};
+}
+
 struct ViewOptions {
     RenderOptions render;  // 0 frames: until somebody ends it; its output: empty, no picture
     bool headless = false;

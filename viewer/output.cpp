@@ -4,7 +4,10 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
+#include <span>
 
+#include "file/file_target.h"
 #include "file/write_file.h"
 
 namespace weft::viewer {
@@ -14,6 +17,29 @@ ExitCode outcome(const Status& status, ExitCode code = ExitCode::ok) {
     if (status) return code;
     report(status.errors());
     return exit_code_for(status.errors());
+}
+
+// The plain file that a path leads to; empty: it leads to none. Streams may be shared.
+std::filesystem::path plain_file(const std::string& path) {
+    const FileTarget target = find_target(path);
+    if (path.empty() || target.error != 0 || target.kind != TargetKind::file) return {};
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(target.path, error);
+    return error ? std::filesystem::path() : std::filesystem::weakly_canonical(whole, error);
+}
+
+Status expect_own_file(const std::string& path, std::span<const std::string> others, const char* what) {
+    const std::filesystem::path file = plain_file(path);
+    for (const std::string& other : others) {
+        if (file.empty() || file != plain_file(other)) continue;
+        Diagnostic d;
+        d.code = "X510";
+        d.file = path;
+        d.message = std::string("the file cannot be written: it is ") + what;
+        d.help = {"name another file"};
+        return d;
+    }
+    return Unit{};
 }
 
 }  // namespace
@@ -28,10 +54,15 @@ void prepare_output() {
     if (descriptor > STDERR_FILENO) close(descriptor);
 }
 
-ExitCode check_outputs(std::initializer_list<std::string> paths) {
+ExitCode check_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs) {
     ExitCode code = ExitCode::ok;
-    for (const std::string& path : paths)
-        if (!path.empty()) code = outcome(check_writable(path), code);
+    for (size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].empty()) continue;
+        code = outcome(check_writable(paths[i]), code);
+        code =
+            outcome(expect_own_file(paths[i], inputs, "an input of this command, which would be lost"), code);
+        code = outcome(expect_own_file(paths[i], std::span(paths).first(i), "another output, too"), code);
+    }
     return code;
 }
 

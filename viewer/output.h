@@ -2,9 +2,9 @@
 // to stderr and ends in exit code 1.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "commands.h"
 
@@ -14,8 +14,10 @@ namespace weft::viewer {
 // are reported, and no file can get the number of a standard stream that was closed.
 void prepare_output();
 
-// Says before any work is done which of the paths cannot be written; empty paths are passed over.
-[[nodiscard]] ExitCode check_outputs(std::initializer_list<std::string> paths);
+// Says before any work is done which of the paths cannot be written, and which would replace another of them
+// or one of the files `inputs`. Empty paths are passed over.
+[[nodiscard]] ExitCode check_outputs(const std::vector<std::string>& paths,
+                                     const std::vector<std::string>& inputs);
 
 // To stdout. `code` unless that fails.
 [[nodiscard]] ExitCode print_data(std::string_view data, ExitCode code = ExitCode::ok);

@@ -192,9 +192,11 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
     for (const std::string& path : needs.read)
         if (!path.empty()) rules.read.emplace_back(path);
     Stage stage;
+    std::vector<std::string> outputs;
+    for (const std::string* output : needs.outputs) outputs.push_back(*output);
+    if (const ExitCode code = check_outputs(outputs, needs.inputs); code != ExitCode::ok) return code;
     for (const std::string* output : needs.outputs) {
         if (output->empty()) continue;
-        if (const ExitCode code = check_outputs({*output}); code != ExitCode::ok) return code;
         if (Status s = stage.add(*output, rules); !s) {
             report(s.errors());
             return ExitCode::failed;

@@ -15,6 +15,7 @@ namespace weft::viewer {
 
 struct SandboxNeeds {
     std::vector<std::string> read;      // files, and folders with all below them; empty ones are passed over
+    std::vector<std::string> inputs;    // of these, the files that no output may replace
     std::vector<std::string*> outputs;  // files to write; empty: none
     bool device = false;                // Vulkan
 };

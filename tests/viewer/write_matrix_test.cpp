@@ -219,6 +219,36 @@ TEST(WrittenFirst, WhatCanBeKnownIsSaidBeforeAnythingIsRead) {
 }
 
 // Whether it renders first shows in the time: a million frames take hours.
+TEST(WrittenFirst, NoFileIsWrittenOverAnInputOrAnotherOutput) {
+    const ScratchFolder scratch;
+    const std::string graph =
+        R"({ "version": 1, "imports": { "backbuffer": "output" },
+             "passes": { "end": { "type": "clear", "out": ["backbuffer"] } } })";
+    scratch.write("g.json", graph);
+    scratch.write("a.png", kOld);
+    fs::create_symlink("g.json", scratch / "link.json");
+    const std::vector<std::vector<std::string>> commands{
+        {"plan", scratch / "g.json", "-o", scratch / "g.json"},
+        {"plan", scratch / "g.json", "-o", scratch / "g.json", "--sandbox"},
+        {"plan", scratch / "g.json", "-o", scratch / "link.json"},
+        {"schema", scratch / "g.json", "-o", scratch / "./g.json"},
+        {"compare", scratch / "b.png", scratch / "a.png", "-o", scratch / "a.png"},
+        tiny_render({"-o", scratch / "new.png", "--stats", scratch / "new.png"}),
+        tiny_render({"-o", scratch / "new.png", "--stats", scratch / "new.png", "--sandbox"}),
+        {"render", "--graph", scratch / "g.json", "-o", scratch / "new.png", "--stats", scratch / "g.json"}};
+    for (const std::vector<std::string>& command : commands) {
+        const RunResult run = run_weft(command);
+        EXPECT_EQ(run.exit_code, 1) << run.text();
+        EXPECT_NE(run.err.find("error[X510]: the file cannot be written: it is an"), std::string::npos)
+            << run.text();
+    }
+    EXPECT_EQ(read_text(scratch / "g.json"), graph);
+    EXPECT_EQ(read_text(scratch / "a.png"), kOld);
+    EXPECT_FALSE(fs::exists(scratch / "new.png"));
+    const RunResult shared = run_weft({"plan", kGraph, "-o", "/dev/null"});
+    EXPECT_EQ(shared.exit_code, 0) << shared.text();
+}
+
 TEST(WrittenFirst, AnUnknownExtensionIsRefusedBeforeAFrameIsRendered) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder scratch;
