@@ -52,7 +52,8 @@ void add_near_files(Diagnostic& error) {
     const bool is_graph = error.code == "W002", is_scene = error.code == "S101";
     std::error_code ignored;
     const fs::path path = error.file;
-    if ((!is_graph && !is_scene && error.code != "X530") || error.line > 0 || fs::exists(path, ignored))
+    if ((!is_graph && !is_scene && error.code != "X530") || error.line > 0 ||
+        fs::exists(fs::symlink_status(path, ignored)))
         return;
     std::vector<std::string> near;
     const fs::path folder = path.parent_path();

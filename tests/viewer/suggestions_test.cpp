@@ -1,6 +1,8 @@
 // Whatever name the command line takes: a misspelt one is guessed at.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include <ostream>
 
 #include "viewer/program.h"
@@ -83,6 +85,14 @@ TEST_P(Suggested, ForAMisspeltName) {
 
 INSTANTIATE_TEST_SUITE_P(All, Suggested, testing::ValuesIn(slips()),
                          [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Suggestions, NoFileIsSuggestedForItself) {
+    const ScratchFolder scratch;
+    std::filesystem::create_symlink("nowhere.json", scratch / "link.json");
+    const RunResult run = run_weft({"check", "link.json"}, {}, scratch.path());
+    EXPECT_EQ(run.exit_code, 3) << run.text();
+    EXPECT_EQ(run.err.find("did you mean"), std::string::npos) << run.text();
+}
 
 TEST(Suggestions, OfADeviceAreWordsOfItsName) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
