@@ -1,6 +1,7 @@
 // Light that the air scatters on its way from the sun: what lies between a pixel and the sun on the picture, summed.
 // Mitchell 2007, "Volumetric Light Scattering as a Post-Process", GPU Gems 3.
 #version 460
+#include "half_float.glsl"
 #include "land.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -23,5 +24,5 @@ void main() {
         weights += weight;
     }
     const float near_sun = exp(-2.2 * length((uv - sun_uv) * vec2(float(size.x) / float(size.y), 1.0)));
-    imageStore(shafts, pixel, vec4(sum / weights * near_sun, 1.0));
+    imageStore(shafts, pixel, vec4(nearest_half(sum / weights * near_sun), 1.0));
 }

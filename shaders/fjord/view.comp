@@ -1,6 +1,7 @@
 // Four rays a pixel over land, water and sky at sundown. Output: scene-linear; alpha: how much of the sun's sky is
 // seen, which the shafts of light start from.
 #version 460
+#include "half_float.glsl"
 #include "land.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -147,5 +148,5 @@ void main() {
         weights += weight;
         open += seen.a / float(kRays);
     }
-    imageStore(scene, pixel, vec4(sum / weights, open));
+    imageStore(scene, pixel, vec4(nearest_half(sum / weights), open));
 }
