@@ -11,6 +11,8 @@ namespace {
 
 using image::Image;
 
+constexpr float kRounding = 0.01f;  // of a step, by the conversions to and from floats
+
 struct Range {
     glm::vec3 least{1e9f}, most{-1e9f};
 };
@@ -41,14 +43,11 @@ bool near_edge(const Image& picture, int x, int y) {
 
 DriverDifference compare_drivers(const Image& reference, const Image& test) {
     DriverDifference difference;
-    Image judged = test;
     size_t foreign = 0;
     for (size_t i = 0; i < test.texels.size(); ++i) {
         const int x = static_cast<int>(i % test.width_px), y = static_cast<int>(i / test.width_px);
         const glm::vec3 texel = test.texels[i] * 255.0f;
         const float steps = largest(glm::abs(texel - reference.texels[i] * 255.0f));
-        constexpr float kRounding = 0.01f;  // of a step, by the conversions to and from floats
-        if (steps <= kSameSteps + kRounding) judged.texels[i] = reference.texels[i];
         if (!near_edge(reference, x, y) && !near_edge(test, x, y))
             difference.off_edges_steps = std::max(difference.off_edges_steps, steps);
         const Range around = range_around(reference, x, y, 1);
@@ -56,8 +55,17 @@ DriverDifference compare_drivers(const Image& reference, const Image& test) {
         if (outside > kSameSteps + kRounding) ++foreign;
     }
     difference.edge_share = static_cast<double>(foreign) / static_cast<double>(test.texels.size());
-    difference.mean_flip = image::summarize(image::flip_map(reference, judged)).mean;
+    difference.mean_flip = image::summarize(image::flip_map(reference, test)).mean;
     return difference;
+}
+
+bool is_same_off_edges(const DriverDifference& difference) {
+    return difference.off_edges_steps <= kSameSteps + kRounding;
+}
+
+bool is_within_bounds(const DriverDifference& difference) {
+    return is_same_off_edges(difference) && difference.edge_share <= kMostEdgeShare &&
+           difference.mean_flip <= kMostMeanFlip;
 }
 
 std::string to_text(const DriverDifference& difference) {

@@ -18,9 +18,15 @@ struct DriverDifference {
     float off_edges_steps = 0;
     // The share of texels that show what none of the reference's 3×3 texels around shows, by more than kSameSteps.
     double edge_share = 0;
-    // Mean FLIP of the differences of more than kSameSteps.
     double mean_flip = 0;
 };
+
+// What drivers that draw the same triangles may differ by.
+inline constexpr double kMostEdgeShare = 0.001;
+inline constexpr double kMostMeanFlip = 0.005;
+
+[[nodiscard]] bool is_same_off_edges(const DriverDifference& difference);
+[[nodiscard]] bool is_within_bounds(const DriverDifference& difference);
 
 [[nodiscard]] DriverDifference compare_drivers(const image::Image& reference, const image::Image& test);
 
