@@ -7,23 +7,13 @@
 namespace weft::check {
 namespace {
 
-std::vector<Cell> cells_of(const ResourceDecl& resource) {
-    std::vector<Cell> cells;
-    const SubresourceRange whole = resource.whole();
-    for (AspectMask bit = 1; bit != 0 && bit <= whole.aspects; bit = static_cast<AspectMask>(bit << 1)) {
-        if (!(whole.aspects & bit)) continue;
-        for (uint32_t mip = 0; mip < whole.mips; ++mip)
-            for (uint32_t layer = 0; layer < whole.layers; ++layer) {
-                Cell cell;
-                cell.range = {mip, 1, layer, 1, bit};
-                cells.push_back(std::move(cell));
-            }
-    }
-    return cells;
+bool lies_in(const Placement& inner, const Placement& outer) {
+    return outer.offset_bytes <= inner.offset_bytes &&
+           inner.offset_bytes + inner.size_bytes <= outer.offset_bytes + outer.size_bytes;
 }
 
-std::vector<std::vector<ResourceId>> memory_neighbours(const FramePlan& plan) {
-    std::vector<std::vector<ResourceId>> neighbours(plan.graph.resources.size());
+std::vector<std::vector<Neighbour>> memory_neighbours(const FramePlan& plan) {
+    std::vector<std::vector<Neighbour>> neighbours(plan.graph.resources.size());
     const std::vector<Placement>& all = plan.memory.placements;
     for (size_t i = 0; i < all.size(); ++i) {
         for (size_t j = i + 1; j < all.size(); ++j) {
@@ -31,8 +21,8 @@ std::vector<std::vector<ResourceId>> memory_neighbours(const FramePlan& plan) {
             if (a.heap != b.heap || a.offset_bytes >= b.offset_bytes + b.size_bytes ||
                 b.offset_bytes >= a.offset_bytes + a.size_bytes)
                 continue;
-            neighbours[a.resource].push_back(b.resource);
-            neighbours[b.resource].push_back(a.resource);
+            neighbours[a.resource].push_back({b.resource, lies_in(b, a)});
+            neighbours[b.resource].push_back({a.resource, lies_in(a, b)});
         }
     }
     return neighbours;
@@ -79,7 +69,7 @@ Replay::Replay(const FramePlan& plan, FaultList& faults)
       neighbours_(memory_neighbours(plan)),
       rings_(rings_of(plan.graph)) {
     cells_.reserve(plan.graph.resources.size());
-    for (const ResourceDecl& resource : plan.graph.resources) cells_.push_back(cells_of(resource));
+    for (const ResourceDecl& resource : plan.graph.resources) cells_.emplace_back(resource);
 }
 
 void Replay::run(uint32_t frames) {
@@ -125,7 +115,7 @@ void Replay::prologue() {
 void Replay::rotate_rings() {
     for (const std::vector<ResourceId>& ring : rings_) {
         if (ring.size() < 2) continue;
-        std::vector<Cell> oldest = std::move(cells_[ring.back()]);
+        Cells oldest = std::move(cells_[ring.back()]);
         for (size_t age = ring.size() - 1; age > 0; --age)
             cells_[ring[age]] = std::move(cells_[ring[age - 1]]);
         for (Cell& cell : oldest)
@@ -148,14 +138,14 @@ void Replay::check_boundary() {
     for (const BoundaryState& boundary : plan_.boundary) {
         const ResourceDecl& resource = plan_.graph.resources[boundary.resource];
         if (resource.import || boundary.state.layout == Layout::undefined) continue;
-        for (const Cell& cell : cells_[boundary.resource]) {
-            if (!overlaps(cell.range, boundary.range) || cell.layout == boundary.state.layout) continue;
+        cells_[boundary.resource].each(boundary.range, [&](const Cell& cell) {
+            if (cell.layout == boundary.state.layout) return;
             faults_.add("C350", resource.loc,
                         "a frame finds " + faults_.resource_name(boundary.resource) + range_text(cell.range) +
                             " in " + layout_text(cell.layout) + ", but the plan says " +
                             layout_text(boundary.state.layout),
                         "the prologue or the frame before must leave it there");
-        }
+        });
     }
 }
 
@@ -219,13 +209,13 @@ void Replay::uses(const PassStep& step, bool goes_on) {
 
 void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state) {
     size_t source = 0;
-    for (Cell& cell : cells_[use.resource]) {
-        if (!overlaps(cell.range, use.range)) continue;
+    cells_[use.resource].superseded_by = kNoId;
+    cells_[use.resource].each(use.range, [&](Cell& cell) {
         expect_owner(by, use, cell);
         expect_order(by, use, cell, state, false);
         expect_content(by.pass, use, cell, source);
         note_read(cell, AccessRecord(by, state.stages, state.access, false));
-    }
+    });
 }
 
 // A later read by the same stages of the same queue has been through fewer barriers: whatever comes after it
@@ -250,8 +240,8 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.lifetime == ResourceLifetime::transient)
         expect_free_memory(by, use.resource, use.loc, state.stages, nullptr);
-    for (Cell& cell : cells_[use.resource]) {
-        if (!overlaps(cell.range, use.range)) continue;
+    cells_[use.resource].superseded_by = kNoId;
+    cells_[use.resource].each(use.range, [&](Cell& cell) {
         // Whoever drops a buffer's content needs no ownership from before; an image has its transition for
         // that.
         if (resource.kind == ResourceKind::buffer && !reads(use.access)) cell.owner = family();
@@ -265,7 +255,7 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
         cell.has_write = true;
         cell.write = AccessRecord(by, state.stages, state.access, true);
         cell.content = kept ? Content{Content::Kind::written, by.pass, frame_, kNoId} : Content{};
-    }
+    });
     overwrite_neighbours(by.pass, use.resource);
 }
 

@@ -6,40 +6,17 @@
 #include <vector>
 
 #include "check/batch_clock.h"
+#include "check/cells.h"
 #include "check/fault_list.h"
 #include "check/ordering.h"
 #include "weft/plan.h"
 
 namespace weft::check {
 
-// Whose values a subresource holds.
-struct Content {
-    enum class Kind : uint8_t {
-        undefined,
-        outside,      // an import's
-        initial,      // a persistent resource's first-frame value
-        carried,      // what a persistent resource held at the end of `frame`
-        written,      // by `pass`
-        overwritten,  // by `pass`, through `through`
-    } kind = Kind::undefined;
-    PassId pass = kNoId;
-    uint32_t frame = 0;
-    ResourceId through = kNoId;
-};
-
-inline constexpr uint32_t kNoFamily = UINT32_MAX;
-
-// One mip and layer of one aspect, or a buffer.
-struct Cell {
-    SubresourceRange range;
-    Layout layout = Layout::undefined;
-    Content content;
-    bool has_write = false;
-    AccessRecord write;                      // the last write or transition
-    std::vector<AccessRecord> reads;         // since then, those that are not implied by later ones
-    uint32_t owner = kNoFamily;              // the family that may use it; kNoFamily: the next one to do so
-    uint32_t released_to = kNoFamily;        // on its way to that family, and
-    Layout released_in = Layout::undefined;  // into that layout
+// A resource whose memory overlaps that of another one.
+struct Neighbour {
+    ResourceId resource = kNoId;
+    bool covered = false;  // all of its memory is the other's, too
 };
 
 class Replay {
@@ -103,16 +80,22 @@ class Replay {
     void expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                             const BarrierDecl* transition);
     void overwrite_neighbours(PassId by, ResourceId resource);
+    // For `taker`, which is about to take over memory of `resource`.
+    [[nodiscard]] bool is_superseded(ResourceId resource, ResourceId taker) const {
+        const ResourceId by = cells_[resource].superseded_by;
+        return by != kNoId && by != taker;
+    }
 
     const FramePlan& plan_;
     FaultList& faults_;
     BatchClock clock_;
     std::vector<BarrierLog> logs_;  // by queue
+    uint64_t barrier_batches_ = 0;  // of all queues
     uint32_t frame_ = 0;
-    uint32_t scope_ = 0;                               // counts the rendering scopes of all frames
-    std::vector<std::vector<Cell>> cells_;             // by resource
-    std::vector<std::vector<ResourceId>> neighbours_;  // by resource: whose memory overlaps
-    std::vector<std::vector<ResourceId>> rings_;       // by resource that leads a ring: its roles by age
+    uint32_t scope_ = 0;                              // counts the rendering scopes of all frames
+    std::vector<Cells> cells_;                        // by resource
+    std::vector<std::vector<Neighbour>> neighbours_;  // by resource
+    std::vector<std::vector<ResourceId>> rings_;      // by resource that leads a ring: its roles by age
 };
 
 // The stages and accesses that a use has once the load and store operations of its attachment are counted in.

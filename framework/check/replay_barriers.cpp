@@ -1,6 +1,7 @@
 // What barriers do to the replay: what they wait for, what they carry on, which layouts and owners they
 // change.
 #include <map>
+#include <utility>
 
 #include "check/replay.h"
 
@@ -41,8 +42,8 @@ void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
 }
 
 void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before) {
-    for (Cell& cell : cells_[barrier.resource]) {
-        if (!overlaps(cell.range, barrier.range)) continue;
+    cells_[barrier.resource].superseded_by = kNoId;
+    cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         cell.layout = barrier.dst.layout;
         if (drops_content(barrier)) {
             cell.content = {};
@@ -52,7 +53,7 @@ void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId befo
         cell.has_write = true;
         cell.write = AccessRecord::transition(actor(before, true), scopes);
         cell.reads.clear();
-    }
+    });
     if (drops_content(barrier)) overwrite_neighbours(before, barrier.resource);
 }
 
@@ -67,8 +68,8 @@ void Replay::transfer(const BarrierDecl& barrier, PassId before) {
                     "pass " + faults_.pass_name(before) + " hands " + what +
                         " over between two queue families, but runs on a third",
                     "a transfer is recorded on the queues of its two families");
-    for (Cell& cell : cells_[barrier.resource]) {
-        if (!overlaps(cell.range, barrier.range)) continue;
+    cells_[barrier.resource].superseded_by = kNoId;
+    cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         if (releases) {
             cell.released_to = barrier.dst_family;
             cell.released_in = barrier.dst.layout;
@@ -86,7 +87,7 @@ void Replay::transfer(const BarrierDecl& barrier, PassId before) {
         cell.has_write = true;
         cell.write = AccessRecord::transition(actor(before, true), scopes);
         cell.reads.clear();
-    }
+    });
 }
 
 void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before) {
@@ -102,8 +103,7 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
                     missing(record, "the barrier's source needs " + stages_text(record.stages()) + " and " +
                                         access_text(record.access() & access::kAllWrites)));
     };
-    for (Cell& cell : cells_[barrier.resource]) {
-        if (!overlaps(cell.range, barrier.range)) continue;
+    cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         if (barrier.src.layout != Layout::undefined && barrier.src.layout != cell.layout)
             faults_.add("C320", resource.loc,
                         "the barrier before " + faults_.actor_text({before, frame_}, frame_) + " takes " +
@@ -114,7 +114,7 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
                         "the old layout must be the one the range is in, or undefined");
         if (cell.has_write) expect_over(cell.write);
         for (AccessRecord& record : cell.reads) expect_over(record);
-    }
+    });
     if (drops_content(barrier)) expect_free_memory(by, barrier.resource, resource.loc, 0, &barrier);
 }
 
@@ -135,15 +135,21 @@ void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scop
         follow(record);
         record.pass_barriers(all, on_memory);
     };
+    const auto pass_cell = [&](ResourceId resource, const std::vector<size_t>& indices, Cell& cell) {
+        if (std::exchange(cell.last_batch, barrier_batches_) == barrier_batches_) return;
+        on_memory.clear();
+        for (const size_t i : indices)
+            if (batch[i].resource != resource || overlaps(batch[i].range, cell.range))
+                on_memory.push_back(scopes[i]);
+        if (cell.has_write) pass_through(cell.write);
+        for (AccessRecord& record : cell.reads) pass_through(record);
+    };
+    ++barrier_batches_;
     for (const auto& [resource, indices] : on_resource) {
-        for (Cell& cell : cells_[resource]) {
-            on_memory.clear();
-            for (const size_t i : indices)
-                if (batch[i].resource != resource || overlaps(batch[i].range, cell.range))
-                    on_memory.push_back(scopes[i]);
-            if (on_memory.empty()) continue;
-            if (cell.has_write) pass_through(cell.write);
-            for (AccessRecord& record : cell.reads) pass_through(record);
+        for (const size_t i : indices) {
+            const bool taken_over = batch[i].resource != resource;
+            cells_[resource].each(taken_over ? plan_.graph.resources[resource].whole() : batch[i].range,
+                                  [&](Cell& cell) { pass_cell(resource, indices, cell); });
         }
     }
     logs_[clock_.queue()].append(all);

@@ -179,7 +179,8 @@ void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc 
                                         " needs a barrier whose source is " + stages_text(record.stages()) +
                                         " and " + access_text(record.access() & access::kAllWrites)));
     };
-    for (const ResourceId owner : neighbours_[resource]) {
+    for (const auto& [owner, covered] : neighbours_[resource]) {
+        if (is_superseded(owner, resource)) continue;
         for (Cell& cell : cells_[owner]) {
             if (cell.has_write) expect_over(owner, cell.write);
             for (AccessRecord& record : cell.reads) expect_over(owner, record);
@@ -188,12 +189,14 @@ void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc 
 }
 
 void Replay::overwrite_neighbours(PassId by, ResourceId resource) {
-    for (const ResourceId other : neighbours_[resource]) {
+    for (const auto& [other, covered] : neighbours_[resource]) {
+        if (is_superseded(other, resource)) continue;
         for (Cell& cell : cells_[other]) {
             if (cell.content.kind == Content::Kind::written)
                 cell.content = {Content::Kind::overwritten, by, frame_, resource};
             cell.layout = Layout::undefined;
         }
+        if (covered) cells_[other].superseded_by = resource;
     }
 }
 

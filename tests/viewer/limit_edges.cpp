@@ -159,15 +159,21 @@ void pass_ports(const ScratchFolder& folder, uint64_t count) {
                 "\"p\": { " + clear_of(0, count) + " }");
 }
 
+// Each round writes layers of its own: many writers of one layer would reach graph.steps first.
 void ports(const ScratchFolder& folder, uint64_t count) {
     constexpr uint64_t kEach = 128;
     const uint64_t others = count - 1;  // "show" has one
-    const uint64_t rest = others % kEach;
-    write_graph(
-        folder, "",
-        joined(kEach, [](uint64_t i) { return numbered("r", i) + ": { \"format\": \"r8\", \"size\": 4 }"; }),
-        "\"p\": { " + clear_of(0, kEach) + ", \"repeat\": { \"i\": \"1.." + std::to_string(others / kEach) +
-            "\" } }" + (rest > 0 ? ", \"q\": { " + clear_of(0, rest) + ", \"after\": [\"p\"] }" : ""));
+    const uint64_t rounds = others / kEach, rest = others % kEach;
+    const auto layer = [](uint64_t i) { return "\"r" + std::to_string(i) + ".layer(i)\""; };
+    write_graph(folder, "",
+                joined(kEach,
+                       [&](uint64_t i) {
+                           return numbered("r", i) + ": { \"format\": \"r8\", \"size\": 1, \"layers\": " +
+                                  std::to_string(rounds) + " }";
+                       }),
+                "\"p\": { \"type\": \"clear\", \"out\": [" + joined(kEach, layer) +
+                    "], \"repeat\": { \"i\": \"0.." + std::to_string(rounds - 1) + "\" } }" +
+                    (rest > 0 ? ", \"q\": { " + clear_of(0, rest) + ", \"after\": [\"p\"] }" : ""));
 }
 
 void resources(const ScratchFolder& folder, uint64_t count) {

@@ -118,6 +118,31 @@ TEST_F(LimitEdges, HoldForPlansOfManyParts) {
     check_graph(R"json("out": ["x"])json", 830);
 }
 
+// Thousands of resources that take turns in the same memory, mip by mip.
+TEST_F(LimitEdges, HoldForManyResourcesInOneMemory) {
+    constexpr int kGroups = 1300, kEach = 12;
+    std::string resources, passes;
+    for (int group = 0; group < kGroups; ++group) {
+        std::string names[2];
+        for (int i = 0; i < kEach; ++i) {
+            const std::string name = "r" + std::to_string(group * kEach + i);
+            resources += "\"" + name + R"(": { "format": "r8", "size": 4, "mips": 2 },)" + "\n";
+            for (int mip : {0, 1})
+                names[mip] += (i == 0 ? "\"" : ", \"") + name + ".mip(" + std::to_string(mip) + ")\"";
+        }
+        const std::string number = std::to_string(group);
+        for (int mip : {0, 1})
+            passes += "\"p" + number + "_" + std::to_string(mip) + R"(": { "type": "clear", "out": [)" +
+                      names[mip] + "] },\n";
+        passes += "\"q" + number + R"(": { "type": "readback", "in": ["r)" + std::to_string(group * kEach) +
+                  "\"] },\n";
+    }
+    scratch_.write("graph.json", R"({ "version": 1, "imports": { "backbuffer": "output" }, "resources": { )" +
+                                     resources + R"("last": "r8" }, "passes": { )" + passes +
+                                     R"("show": { "type": "clear", "out": ["backbuffer"] } } })");
+    EXPECT_EQ(check().exit_code, 0);
+}
+
 TEST_F(LimitEdges, HoldWithTheWorstInput) {
     if (!extended()) GTEST_SKIP() << "large files: set WEFT_EXTENDED=1";
     Limits defaults;
