@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+
 #include "add_options.h"
 #include "validators.h"
 

@@ -1,5 +1,7 @@
 #include "add_options.h"
 
+#include <CLI/CLI.hpp>
+
 #include "validators.h"
 
 namespace weft::viewer {

@@ -1,4 +1,5 @@
 // The command line. It only fills the options of a command and returns the command's exit code.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

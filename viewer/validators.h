@@ -8,10 +8,9 @@
 
 #include "numbers.h"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#include <CLI/CLI.hpp>
-#pragma GCC diagnostic pop
+namespace CLI {
+class Validator;
+}
 
 namespace weft::viewer {
 
