@@ -145,11 +145,12 @@ void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scop
         for (AccessRecord& record : cell.reads) pass_through(record);
     };
     ++barrier_batches_;
-    for (const auto& [resource, indices] : on_resource) {
-        for (const size_t i : indices) {
+    for (const auto& entry : on_resource) {
+        const ResourceId resource = entry.first;
+        for (const size_t i : entry.second) {
             const bool taken_over = batch[i].resource != resource;
             cells_[resource].each(taken_over ? plan_.graph.resources[resource].whole() : batch[i].range,
-                                  [&](Cell& cell) { pass_cell(resource, indices, cell); });
+                                  [&](Cell& cell) { pass_cell(resource, entry.second, cell); });
         }
     }
     logs_[clock_.queue()].append(all);
