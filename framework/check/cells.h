@@ -10,7 +10,7 @@
 
 namespace weft::check {
 
-// Whose values a subresource holds.
+// The origin of the values in a subresource.
 struct Content {
     enum class Kind : uint8_t {
         undefined,

@@ -46,7 +46,7 @@ class VersionOrder {
     const UseDecl& use(const CellUse& u) const { return state_.graph.passes[u.pass].uses[u.use]; }
     const PortWork& port(const CellUse& u) const { return state_.passes[u.pass].ports[u.use]; }
 
-    // What the searches of the order cost since the last call.
+    // Counts the steps that searches of the order took since the last call.
     void pay(SourceLoc loc) {
         state_.spend(order_.work() - paid_, loc);
         paid_ = order_.work();

@@ -1,5 +1,5 @@
-// What a graph means is known; what its plan will cost follows from it. Compiling and checking follow every
-// subresource through the accesses to it, the checker over several frames.
+// Estimates the cost of compiling and checking a resolved graph. The compiler and the checker follow each
+// subresource through all accesses to it; the checker does so for several frames.
 #include <algorithm>
 
 #include "graph/resolve_context.h"

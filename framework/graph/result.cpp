@@ -10,7 +10,7 @@ namespace {
 
 // Longer names are not compared: nobody mistypes one letter of so many and wonders which.
 constexpr size_t kMostNameBytes = 64;
-// What one search for near names may cost: so many pairs of letters are compared, then no more names are.
+// The limit of one search for similar names: after so many compared pairs of letters, the search ends.
 constexpr size_t kMostLetterPairs = 1u << 21;
 
 // Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours cost 1

@@ -107,7 +107,7 @@ Image rows_of(const Image& picture, uint32_t first, uint32_t end) {
     return to_display({picture.width_px, end - first, picture.encoding, {at(first), at(end)}});
 }
 
-// What is left of a picture after the eye, and its features.
+// A picture as the eye model of FLIP sees it: filtered colours, and the edges and points in it.
 struct Seen {
     std::vector<glm::vec3> lab;
     Features found;

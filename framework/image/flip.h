@@ -17,7 +17,7 @@ inline constexpr float kPixelsPerDegree = 67;
 [[nodiscard]] Plane flip_map(const Image& reference, const Image& test,
                              float pixels_per_degree = kPixelsPerDegree);
 
-// What flip_map() allocates beside its pictures and the map, at most.
+// The most memory that flip_map() allocates in addition to its pictures and the map.
 [[nodiscard]] uint64_t flip_band_bytes(uint32_t width_px, uint32_t height_px,
                                        float pixels_per_degree = kPixelsPerDegree);
 

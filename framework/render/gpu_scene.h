@@ -45,7 +45,7 @@ class GpuScene final : public vk::DrawSource {
         bool mirrored = false;  // negative determinant: the winding is swapped
         glm::vec3 center{0};    // of its bounds, in the world
     };
-    // What was said last to a command buffer.
+    // The state that was set last in a command buffer.
     struct DrawState {
         uint32_t material = scene::kNone;
         std::optional<bool> mirrored, double_sided;

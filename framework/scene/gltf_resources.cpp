@@ -47,8 +47,8 @@ class Loader {
     }
 
     std::optional<std::vector<uint8_t>> read(const std::string& uri, const std::string& pointer) {
-        // What fits into the one limit may be more than the other one leaves: the file is measured before it
-        // is read.
+        // Two limits hold: the bytes of all files together, and the memory budget. The file's size is
+        // compared with both before the file is read.
         FileBytes file = folder_.read(uri, std::min(bytes_left_, memory_.left_bytes()));
         if (!file.fault) return std::move(file.bytes);
         report_fault(*file.fault, file.message, pointer);

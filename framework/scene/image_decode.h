@@ -14,7 +14,7 @@ namespace weft::scene {
 struct ImageSize {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
-    // What decoding allocates beside the four bytes a pixel of the result.
+    // The memory that the decoder allocates in addition to the result, which has four bytes a pixel.
     uint64_t decoder_bytes = 0;
 
     [[nodiscard]] uint64_t texels() const { return uint64_t{width_px} * height_px; }

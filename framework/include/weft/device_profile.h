@@ -96,7 +96,7 @@ struct DeviceProfile {
     uint64_t buffer_image_granularity_bytes = 64;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
-    // What the state of a pass may ask for: "fill" other than "fill", "depthClamp", a "clamp" of "depthBias".
+    // Optional state of a pass: "fill" other than "fill", "depthClamp", "clamp" of "depthBias".
     bool non_solid_fill = false;
     bool depth_clamp = false;
     bool depth_bias_clamp = false;
