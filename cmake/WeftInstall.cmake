@@ -6,16 +6,7 @@ include(CMakePackageConfigHelpers)
 # Installed, and looked through for shared libraries to carry.
 set(WEFT_PROGRAMS weft weft-shader-worker)
 # All of the framework that embedders link to, as one archive.
-set(WEFT_EMBEDDED_LIBRARIES weft_graph weft_check weft_file weft_glsl weft_shader weft_scene weft_image weft_vulkan weft_render weft_passes)
-# Public headers; what they include comes along.
-set(WEFT_PUBLIC_HEADERS
-  check/check_plan.h check/check_transition.h
-  graph/memory_report.h graph/plan_diff.h graph/plan_dump.h graph/plan_explain.h
-  image/channel_difference.h image/error_summary.h image/flip.h image/heat_map.h
-  render/import_catalog.h render/reloader.h render/session.h render/texels.h
-  scene/builtin_scenes.h scene/image_decode.h scene/load_gltf.h
-  shader/load_graph.h
-  vulkan/device.h vulkan/executor.h vulkan/native.h)
+set(WEFT_EMBEDDED_LIBRARIES weft_graph weft_check weft_file weft_glsl weft_shader weft_load weft_scene weft_image weft_vulkan weft_render weft_passes)
 # Packages whose code is compiled or linked into the programs, beside the shared libraries: their licences come along.
 set(WEFT_LINKED_PACKAGES glslang-dev spirv-tools libtinygltf-dev libstb-dev libglm-dev nlohmann-json3-dev libcli11-dev)
 
@@ -36,11 +27,9 @@ install(DIRECTORY graphs shaders DESTINATION share/weft)
 install(FILES docs/diagnostics.md DESTINATION share/weft/docs)
 install(DIRECTORY framework/profiles/ DESTINATION share/weft/profiles)
 
-# Headers, under include/weft/.
-install(CODE "set(WEFT_SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
-set(WEFT_STAGE_DIR \"${PROJECT_BINARY_DIR}/staged_headers\")
-set(WEFT_PUBLIC_HEADERS \"${WEFT_PUBLIC_HEADERS}\")")
-install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_headers.cmake)
+# The public headers, as they lie.
+install(DIRECTORY framework/include/weft DESTINATION include FILES_MATCHING PATTERN *.h)
+install(DIRECTORY shaders/include/shared DESTINATION include)
 
 # The archive, and how CMake and pkg-config find it and what it needs.
 add_library(weft_embedded STATIC)

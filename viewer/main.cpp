@@ -8,16 +8,17 @@
 #include <sstream>
 #include <string>
 
-#include "add_options.h"
-#include "arguments.h"
-#include "commands.h"
-#include "driver_cache.h"
-#include "files.h"
-#include "memory_reserve.h"
-#include "output.h"
-#include "sandbox.h"
-#include "usage_hint.h"
-#include "validators.h"
+#include "viewer/commands/commands.h"
+#include "viewer/files/files.h"
+#include "viewer/options/add_options.h"
+#include "viewer/options/arguments.h"
+#include "viewer/options/usage_hint.h"
+#include "viewer/options/validators.h"
+#include "viewer/output/output.h"
+#include "viewer/output/report.h"
+#include "viewer/process/driver_cache.h"
+#include "viewer/process/memory_reserve.h"
+#include "viewer/sandbox/sandbox.h"
 
 namespace weft::viewer {
 namespace {

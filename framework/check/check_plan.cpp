@@ -1,4 +1,4 @@
-#include "check/check_plan.h"
+#include "weft/check/check_plan.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "check/check_transition.h"
+#include "weft/check/check_transition.h"
 
 #include <algorithm>
 #include <string>

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/check_plan.h"
+#include "weft/check/check_plan.h"
 
 namespace weft {
 namespace {

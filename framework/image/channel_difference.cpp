@@ -1,4 +1,4 @@
-#include "image/channel_difference.h"
+#include "weft/image/channel_difference.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "image/error_summary.h"
+#include "weft/image/error_summary.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "image/flip.h"
+#include "weft/image/flip.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "image/image.h"
+#include "weft/image/image.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "image/image.h"
+#include "weft/image/image.h"
 
 namespace weft::image {
 

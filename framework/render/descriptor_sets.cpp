@@ -1,6 +1,6 @@
 #include "render/descriptor_sets.h"
 
-#include "vulkan/vk_result.h"
+#include "vulkan/device/vk_result.h"
 
 namespace weft::render {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/light_check.h"
+#include "scene/model/light_check.h"
 
 namespace weft::render {
 namespace {

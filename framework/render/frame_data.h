@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "scene/scene.h"
 #include "shared/frame.glsl"
 #include "shared/instance.glsl"
 #include "shared/light.glsl"
 #include "shared/light_function.glsl"
 #include "shared/material.glsl"
+#include "weft/scene/scene.h"
 
 namespace weft::render {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "vulkan/vk_result.h"
+#include "vulkan/device/vk_result.h"
 
 namespace weft::render {
 namespace {

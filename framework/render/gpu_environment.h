@@ -1,9 +1,9 @@
 // Purpose: what surrounds a scene as a texture with mips; a black texel where there is no environment.
 #pragma once
 
-#include "scene/environment.h"
-#include "vulkan/handle.h"
-#include "vulkan/memory.h"
+#include "weft/scene/environment.h"
+#include "weft/vulkan/handle.h"
+#include "weft/vulkan/memory.h"
 
 namespace weft::render {
 

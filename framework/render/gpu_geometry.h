@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "scene/scene.h"
-#include "vulkan/memory.h"
+#include "weft/scene/scene.h"
+#include "weft/vulkan/memory.h"
 
 namespace weft::render {
 

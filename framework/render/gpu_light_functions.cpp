@@ -1,8 +1,8 @@
 #include "render/gpu_light_functions.h"
 
 #include "render/frame_data.h"
-#include "scene/light_pictures.h"
-#include "vulkan/vk_result.h"
+#include "scene/pictures/light_pictures.h"
+#include "vulkan/device/vk_result.h"
 
 namespace weft::render {
 namespace {

@@ -2,9 +2,9 @@
 // one of each, unused, where there are none.
 #pragma once
 
-#include "scene/scene.h"
-#include "vulkan/handle.h"
-#include "vulkan/memory.h"
+#include "weft/scene/scene.h"
+#include "weft/vulkan/handle.h"
+#include "weft/vulkan/memory.h"
 
 namespace weft::render {
 

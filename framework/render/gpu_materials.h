@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "render/descriptor_sets.h"
-#include "scene/scene.h"
-#include "vulkan/memory.h"
+#include "weft/scene/scene.h"
+#include "weft/vulkan/memory.h"
 
 namespace weft::render {
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <numeric>
 
-#include "render/import_catalog.h"
 #include "render/scene_bindings.h"
 #include "shared/draw_command.glsl"
+#include "weft/render/import_catalog.h"
 
 namespace weft::render {
 namespace {

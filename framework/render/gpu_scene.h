@@ -12,7 +12,7 @@
 #include "render/gpu_frame.h"
 #include "render/gpu_geometry.h"
 #include "render/gpu_materials.h"
-#include "vulkan/draw_source.h"
+#include "weft/vulkan/draw_source.h"
 
 namespace weft::render {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "render/import_catalog.h"
 #include "shared/light.glsl"
+#include "weft/render/import_catalog.h"
 
 namespace weft::render {
 namespace {

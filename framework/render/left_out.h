@@ -1,9 +1,9 @@
 // Purpose: says what of a scene a graph does not show.
 #pragma once
 
-#include "scene/scene.h"
 #include "weft/plan.h"
 #include "weft/result.h"
+#include "weft/scene/scene.h"
 
 namespace weft::render {
 

@@ -1,4 +1,4 @@
-#include "render/prepared.h"
+#include "weft/render/prepared.h"
 
 #include <algorithm>
 

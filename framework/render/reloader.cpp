@@ -1,4 +1,4 @@
-#include "render/reloader.h"
+#include "weft/render/reloader.h"
 
 namespace weft::render {
 namespace {

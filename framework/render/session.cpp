@@ -1,16 +1,16 @@
-#include "render/session.h"
+#include "weft/render/session.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "load/shader_memory.h"
 #include "render/frame_data.h"
 #include "render/gpu_scene.h"
-#include "render/import_catalog.h"
 #include "render/jitter.h"
 #include "render/left_out.h"
-#include "scene/light_check.h"
-#include "shader/shader_memory.h"
+#include "scene/model/light_check.h"
 #include "weft/light_list.h"
+#include "weft/render/import_catalog.h"
 
 namespace weft::render {
 namespace {

@@ -1,13 +1,13 @@
 // How a session's graph is made ready, and how one takes over from another.
-#include "check/check_plan.h"
-#include "check/check_transition.h"
-#include "graph/memory_report.h"
+#include "load/shader_memory.h"
 #include "render/frame_data.h"
 #include "render/gpu_scene.h"
-#include "render/import_catalog.h"
-#include "render/session.h"
-#include "shader/shader_memory.h"
+#include "weft/check/check_plan.h"
+#include "weft/check/check_transition.h"
 #include "weft/compile.h"
+#include "weft/render/import_catalog.h"
+#include "weft/render/session.h"
+#include "weft/report/memory_report.h"
 
 namespace weft::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/texels.h"
+#include "weft/render/texels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <glm/gtc/packing.hpp>
 #include <string_view>
 
-#include "scene/mip_chain.h"
+#include "scene/pictures/mip_chain.h"
 
 namespace weft::render {
 namespace {

@@ -1,18 +1,18 @@
-#include "shader/compile_shader.h"
+#include "weft/shader/compile_shader.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "shader/glsl_compile.h"
-#include "shader/interface_merge.h"
-#include "shader/link_stages.h"
-#include "shader/local_size.h"
-#include "shader/shader_cache.h"
-#include "shader/shader_memory.h"
-#include "shader/shader_sources.h"
-#include "shader/spirv_gate.h"
-#include "shader/validate_spirv.h"
+#include "load/shader_memory.h"
+#include "shader/compile/glsl_compile.h"
+#include "shader/compile/shader_cache.h"
+#include "shader/compile/shader_sources.h"
+#include "shader/gate/spirv_gate.h"
+#include "shader/gate/validate_spirv.h"
+#include "shader/reflect/interface_merge.h"
+#include "shader/reflect/link_stages.h"
+#include "shader/reflect/local_size.h"
 
 namespace weft {
 

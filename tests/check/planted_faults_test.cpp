@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "../graph/resolve_fixture.h"
-#include "check/check_plan.h"
 #include "check/needed_barriers.h"
+#include "tests/graph/resolve/resolve_fixture.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
 
 namespace weft::test {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "../graph/graph_builder.h"
-#include "check/check_plan.h"
+#include "tests/graph/samples/graph_builder.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
 
 namespace weft::test {

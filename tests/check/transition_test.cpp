@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "check/check_plan.h"
-#include "check/check_transition.h"
+#include "weft/check/check_plan.h"
+#include "weft/check/check_transition.h"
 #include "weft/compile.h"
 
 namespace weft::test {

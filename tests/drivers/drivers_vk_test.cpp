@@ -1,16 +1,17 @@
-// The shipped graphs on other Vulkan drivers than the packaged one, under the newest validation layer: no message, and
-// pictures that differ as little as drivers may. tests/drivers/fetch.sh puts drivers and layer below build/drivers.
+// The shipped graphs on other Vulkan drivers than the packaged one, under the newest validation layer: no
+// message, and pictures that differ as little as drivers may. tests/drivers/fetch.sh puts drivers and layer
+// below build/drivers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "drivers/edge_mask.h"
-#include "drivers/snapped_graphs.h"
-#include "golden/golden_views.h"
-#include "scene/image_decode.h"
-#include "viewer/program.h"
+#include "tests/drivers/edge_mask.h"
+#include "tests/drivers/snapped_graphs.h"
+#include "tests/golden/golden_views.h"
+#include "tests/viewer/program.h"
+#include "weft/scene/image_decode.h"
 
 namespace weft::test {
 namespace {
@@ -122,9 +123,11 @@ class Drivers : public testing::TestWithParam<Driver> {
 TEST_P(Drivers, SayNothingOfTheShippedGraphs) {
     for (const GoldenView& view : golden_views()) {
         SCOPED_TRACE(view.name());
-        std::vector<std::string> words{"render", "builtin:" + view.scene, "--graph",
-                                       (kGraphs / (view.graph + ".json")).string(), "--camera", view.camera,
-                                       "--size", "160x90", "-o", scratch_ / "now.png"};
+        std::vector<std::string> words{"render",   "builtin:" + view.scene,
+                                       "--graph",  (kGraphs / (view.graph + ".json")).string(),
+                                       "--camera", view.camera,
+                                       "--size",   "160x90",
+                                       "-o",       scratch_ / "now.png"};
         words.insert(words.end(), view.options.begin(), view.options.end());
         expect_silence(words);
     }
@@ -140,9 +143,8 @@ TEST_P(Drivers, SayNothingAtAnySize) {
 
 // Otherwise nothing said that the layer listens.
 TEST_P(Drivers, NameABarrierThatIsLeftOut) {
-    const RunResult result =
-        run({"render", "builtin:spheres", "--validate", "--size", "64x36", "--frames", "2", "-o",
-             scratch_ / "a.png", "--test-drop-barriers", "lighting"});
+    const RunResult result = run({"render", "builtin:spheres", "--validate", "--size", "64x36", "--frames",
+                                  "2", "-o", scratch_ / "a.png", "--test-drop-barriers", "lighting"});
     EXPECT_EQ(result.exit_code, 5) << result.text();
     EXPECT_NE(result.err.find("pass lighting"), std::string::npos) << result.text();
 }

@@ -1,10 +1,10 @@
-#include "drivers/edge_mask.h"
+#include "tests/drivers/edge_mask.h"
 
 #include <algorithm>
 #include <sstream>
 
-#include "image/error_summary.h"
-#include "image/flip.h"
+#include "weft/image/error_summary.h"
+#include "weft/image/flip.h"
 
 namespace weft::test {
 namespace {

@@ -1,11 +1,11 @@
-// Purpose: how far two drivers' pictures of one view differ, where edges are apart from the rest. Drivers may cover a
-// texel at the edge of a triangle or not, and then it shows what a texel beside it shows; elsewhere only rounding
-// differs. Shapes: two display pictures of one size. Units: steps are 1/255 of a channel.
+// Purpose: how far two drivers' pictures of one view differ, where edges are apart from the rest. Drivers may
+// cover a texel at the edge of a triangle or not, and then it shows what a texel beside it shows; elsewhere
+// only rounding differs. Shapes: two display pictures of one size. Units: steps are 1/255 of a channel.
 #pragma once
 
 #include <string>
 
-#include "image/image.h"
+#include "weft/image/image.h"
 
 namespace weft::test {
 
@@ -13,10 +13,11 @@ namespace weft::test {
 inline constexpr float kSameSteps = 2;
 
 struct DriverDifference {
-    // The largest difference off the edges. Near an edge: the 5×5 texels around span more than twice kSameSteps in a
-    // channel of either picture.
+    // The largest difference off the edges. Near an edge: the 5×5 texels around span more than twice
+    // kSameSteps in a channel of either picture.
     float off_edges_steps = 0;
-    // The share of texels that show what none of the reference's 3×3 texels around shows, by more than kSameSteps.
+    // The share of texels that show what none of the reference's 3×3 texels around shows, by more than
+    // kSameSteps.
     double edge_share = 0;
     double mean_flip = 0;
 };

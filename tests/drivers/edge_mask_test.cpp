@@ -1,5 +1,5 @@
 // The mask that tests on other drivers compare through: it lets an edge move by a texel, and nothing else.
-#include "drivers/edge_mask.h"
+#include "tests/drivers/edge_mask.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,8 @@ TEST(EdgeMask, AShadeTooDarkIsSeenOffEdges) {
 
 TEST(EdgeMask, AnEdgeMayMoveByOneTexelAndNotByTwo) {
     EXPECT_EQ(compare_drivers(two_halves(32), two_halves(33)).edge_share, 0);
-    EXPECT_GT(compare_drivers(two_halves(32), two_halves(33)).mean_flip, 0.005) << "all along it: FLIP sees it";
+    EXPECT_GT(compare_drivers(two_halves(32), two_halves(33)).mean_flip, 0.005)
+        << "all along it: FLIP sees it";
     EXPECT_GT(compare_drivers(two_halves(32), two_halves(34)).edge_share, 0.01);
 }
 

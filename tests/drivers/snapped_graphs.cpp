@@ -1,4 +1,4 @@
-#include "drivers/snapped_graphs.h"
+#include "tests/drivers/snapped_graphs.h"
 
 #include <fstream>
 #include <sstream>
@@ -19,7 +19,8 @@ constexpr const char* kOnGrid = R"(
     }
 )";
 
-// A fragment's value is positive when a corner of its triangle is beyond the picture or before the near plane.
+// A fragment's value is positive when a corner of its triangle is beyond the picture or before the near
+// plane.
 constexpr const char* kMarkBeyond = R"(
     if (any(greaterThan(abs(unsnapped.xy), vec2(unsnapped.w))) || unsnapped.z > unsnapped.w) beyond_picture = 1.0;
 )";

@@ -1,4 +1,4 @@
-#include "fitting_shaders.h"
+#include "tests/fuzz/fitting_shaders.h"
 
 #include <algorithm>
 

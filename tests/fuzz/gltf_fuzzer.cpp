@@ -1,8 +1,8 @@
 // Bytes as a .gltf or a .glb (its first four bytes tell), with no other file in reach.
 #include <cstdlib>
 
-#include "fuzzed_file.h"
-#include "scene/load_gltf.h"
+#include "tests/fuzz/fuzzed_file.h"
+#include "weft/scene/load_gltf.h"
 
 namespace {
 

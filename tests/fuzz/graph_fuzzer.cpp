@@ -9,9 +9,12 @@
 #include <map>
 #include <sstream>
 
-#include "check/check_plan.h"
-#include "fitting_shaders.h"
-#include "graph/stages.h"
+#include "graph/parse/parse.h"
+#include "graph/resolve/resolve.h"
+#include "graph/syntax/merge.h"
+#include "graph/syntax/read_graph.h"
+#include "tests/fuzz/fitting_shaders.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
 #include "weft/registry.h"
 

@@ -2,12 +2,12 @@
 #include <cstdlib>
 #include <span>
 
-#include "fuzzed_file.h"
-#include "image_reader.h"
-#include "scene/image_decode.h"
-#include "scene/light_pictures.h"
-#include "scene/load_environment.h"
-#include "scene/mip_chain.h"
+#include "scene/pictures/light_pictures.h"
+#include "scene/pictures/load_environment.h"
+#include "scene/pictures/mip_chain.h"
+#include "tests/fuzz/fuzzed_file.h"
+#include "viewer/pictures/image_reader.h"
+#include "weft/scene/image_decode.h"
 
 namespace {
 

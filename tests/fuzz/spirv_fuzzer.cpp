@@ -6,11 +6,11 @@
 #include <random>
 #include <vector>
 
-#include "shader/capability_table.h"
-#include "shader/interface_merge.h"
-#include "shader/spirv_gate.h"
-#include "shader/spirv_words.h"
-#include "shader/validate_spirv.h"
+#include "shader/gate/capability_table.h"
+#include "shader/gate/spirv_gate.h"
+#include "shader/gate/spirv_words.h"
+#include "shader/gate/validate_spirv.h"
+#include "shader/reflect/interface_merge.h"
 
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
 

@@ -1,4 +1,4 @@
-#include "golden/golden_views.h"
+#include "tests/golden/golden_views.h"
 
 #include <fstream>
 #include <sstream>
@@ -16,9 +16,9 @@ std::filesystem::path GoldenView::picture() const {
 
 std::vector<std::string> GoldenView::render(const std::filesystem::path& graph_file,
                                             const std::filesystem::path& picture) const {
-    std::vector<std::string> words{"render",  "builtin:" + scene, "--graph", graph_file.string(),
-                                   "--camera", camera,            "--size",  "320x180",
-                                   "-o",       picture.string(),  "--stats", picture.string() + ".json"};
+    std::vector<std::string> words{
+        "render", "builtin:" + scene, "--graph", graph_file.string(), "--camera", camera,
+        "--size", "320x180",          "-o",      picture.string(),    "--stats",  picture.string() + ".json"};
     words.insert(words.end(), options.begin(), options.end());
     return words;
 }

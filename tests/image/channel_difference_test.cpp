@@ -1,12 +1,12 @@
 // PSNR and the largest difference against values made by hand.
-#include "image/channel_difference.h"
+#include "weft/image/channel_difference.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "image/pictures.h"
+#include "tests/image/pictures.h"
 
 namespace weft::image::test {
 namespace {

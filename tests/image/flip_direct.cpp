@@ -1,4 +1,4 @@
-#include "image/flip_direct.h"
+#include "tests/image/flip_direct.h"
 
 #include <algorithm>
 #include <cmath>

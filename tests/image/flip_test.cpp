@@ -1,16 +1,16 @@
 // FLIP: closed forms where there are any, and a second implementation where there are none.
-#include "image/flip.h"
+#include "weft/image/flip.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "image/error_summary.h"
-#include "image/flip_direct.h"
 #include "image/flip_kernels.h"
 #include "image/opponent_color.h"
-#include "image/pictures.h"
+#include "tests/image/flip_direct.h"
+#include "tests/image/pictures.h"
+#include "weft/image/error_summary.h"
 
 namespace weft::image::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "image/heat_map.h"
+#include "weft/image/heat_map.h"
 
 #include <gtest/gtest.h>
 

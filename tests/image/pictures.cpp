@@ -1,4 +1,4 @@
-#include "image/pictures.h"
+#include "tests/image/pictures.h"
 
 #include <random>
 

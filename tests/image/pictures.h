@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "image/image.h"
+#include "weft/image/image.h"
 
 namespace weft::image::test {
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Preprocesses every source of weft_graph, weft_check, weft_null and weft_shader with a first include directory whose
+# Preprocesses every source of weft_graph, weft_check, weft_null, weft_shader and weft_load with a first include directory whose
 # vulkan/vulkan.h and volk.h are #error: what they include is all that is asked. The C++ pass of docs/writing-a-pass.md
 # is compiled so, that the page stays true.
 #   no_vulkan_headers.sh COMPILER SOURCE_ROOT SCRATCH_FOLDER
@@ -32,8 +32,8 @@ awk -v into="$scratch/docs" '
 
 "$compiler" "${flags[@]}" -I"$scratch/docs/passes" -fsyntax-only "$scratch"/docs/passes/*/*.cpp
 
-sources=("$root"/framework/graph/*.cpp "$root"/framework/check/*.cpp "$root"/framework/null/*.cpp
-  "$root"/framework/shader/*.cpp "$root"/framework/shader/worker/*.cpp)
+mapfile -t sources < <(cd "$root" && find framework/{graph,check,null,shader,load} -name '*.cpp' | sort)
+cd "$root"
 printf '%s\0' "${sources[@]}" |
   xargs -0 -P "$(nproc)" -n 1 "$compiler" "${flags[@]}" -E -o /dev/null
 echo "${#sources[@]} sources and the page's do without Vulkan headers"

@@ -1,12 +1,12 @@
-#include "mutant_judge.h"
+#include "tests/null/mutant_judge.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <iostream>
 
-#include "check/check_plan.h"
 #include "null/null_executor.h"
+#include "weft/check/check_plan.h"
 
 namespace weft::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "plan_mutants.h"
+#include "tests/null/plan_mutants.h"
 
 namespace weft::test {
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "graph/graph_builder.h"
-#include "graph/naive_plan.h"
+#include "tests/graph/compile/naive_plan.h"
+#include "tests/graph/samples/graph_builder.h"
 #include "weft/compile.h"
 
 namespace weft::test {

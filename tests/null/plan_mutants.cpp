@@ -1,4 +1,4 @@
-#include "plan_mutants.h"
+#include "tests/null/plan_mutants.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // What the null executor breaks, the checker catches.
 #include <gtest/gtest.h>
 
-#include "check/check_plan.h"
-#include "mutant_judge.h"
-#include "profile_plans.h"
+#include "tests/null/mutant_judge.h"
+#include "tests/null/profile_plans.h"
+#include "weft/check/check_plan.h"
 
 namespace weft::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "profile_plans.h"
+#include "tests/null/profile_plans.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "graph/random_graph.h"
-#include "graph/random_text.h"
+#include "tests/graph/samples/random_graph.h"
+#include "tests/graph/samples/random_text.h"
 #include "weft/compile.h"
 
 namespace weft::test {

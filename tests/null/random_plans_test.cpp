@@ -4,12 +4,12 @@
 #include <iostream>
 #include <map>
 
-#include "check/check_plan.h"
-#include "graph/naive_plan.h"
-#include "graph/random_graph.h"
-#include "graph/random_graph_coverage.h"
 #include "null/null_executor.h"
-#include "profile_plans.h"
+#include "tests/graph/compile/naive_plan.h"
+#include "tests/graph/samples/random_graph.h"
+#include "tests/graph/samples/random_graph_coverage.h"
+#include "tests/null/profile_plans.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
 
 namespace weft::test {

@@ -8,13 +8,13 @@
 #include <iostream>
 #include <sstream>
 
-#include "check/check_plan.h"
-#include "mutant_judge.h"
 #include "null/null_executor.h"
-#include "render/import_catalog.h"
-#include "shader/load_graph.h"
+#include "tests/null/mutant_judge.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
+#include "weft/load/load_graph.h"
 #include "weft/registry.h"
+#include "weft/render/import_catalog.h"
 
 namespace weft::test {
 namespace {

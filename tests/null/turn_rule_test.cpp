@@ -8,9 +8,9 @@
 #include <map>
 #include <random>
 
-#include "check/check_plan.h"
-#include "graph/resolve_fixture.h"
 #include "null/null_executor.h"
+#include "tests/graph/resolve/resolve_fixture.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
 
 namespace weft::test {

@@ -2,9 +2,9 @@
 // the null executor and by the checker.
 #include <gtest/gtest.h>
 
-#include "check/check_plan.h"
-#include "graph/random_graph.h"
 #include "null/null_executor.h"
+#include "tests/graph/samples/random_graph.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
 
 namespace weft::test {

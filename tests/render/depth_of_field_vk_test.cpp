@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effects_fixture.h"
-#include "reference_brdf.h"
+#include "tests/render/effects_fixture.h"
+#include "tests/render/shading/reference_brdf.h"
 
 namespace weft::test {
 namespace {

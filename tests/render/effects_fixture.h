@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "session_fixture.h"
+#include "tests/render/session_fixture.h"
 
 namespace weft::test {
 

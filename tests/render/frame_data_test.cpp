@@ -7,9 +7,9 @@
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "render/import_catalog.h"
-#include "render/texels.h"
-#include "scene/environment.h"
+#include "weft/render/import_catalog.h"
+#include "weft/render/texels.h"
+#include "weft/scene/environment.h"
 
 namespace weft::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "graph_mutants.h"
+#include "tests/render/graph_mutants.h"
 
 #include <algorithm>
 #include <array>

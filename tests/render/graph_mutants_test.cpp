@@ -8,15 +8,16 @@
 #include <fstream>
 #include <sstream>
 
-#include "check/check_plan.h"
-#include "graph/memory_report.h"
-#include "graph/stages.h"
-#include "graph_mutants.h"
-#include "render/import_catalog.h"
-#include "shader/load_graph.h"
-#include "shader/shader_memory.h"
+#include "graph/syntax/merge.h"
+#include "graph/syntax/read_graph.h"
+#include "load/shader_memory.h"
+#include "tests/render/graph_mutants.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
+#include "weft/load/load_graph.h"
 #include "weft/registry.h"
+#include "weft/render/import_catalog.h"
+#include "weft/report/memory_report.h"
 
 namespace weft::test {
 namespace {

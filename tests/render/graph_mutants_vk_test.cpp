@@ -2,8 +2,8 @@
 // them.
 #include <cstdlib>
 
-#include "graph_mutants.h"
-#include "session_fixture.h"
+#include "tests/render/graph_mutants.h"
+#include "tests/render/session_fixture.h"
 
 namespace weft::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/import_catalog.h"
+#include "weft/render/import_catalog.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include <map>
 #include <sstream>
 
-#include "render/session.h"
-#include "render/texels.h"
-#include "scene/builtin_scenes.h"
 #include "weft/registry.h"
+#include "weft/render/session.h"
+#include "weft/render/texels.h"
+#include "weft/scene/builtin_scenes.h"
 
 namespace weft::test {
 

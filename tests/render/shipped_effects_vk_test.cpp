@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "effects_fixture.h"
+#include "tests/render/effects_fixture.h"
 
 namespace weft::test {
 namespace {

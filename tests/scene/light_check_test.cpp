@@ -1,5 +1,5 @@
 // Whatever numbers a program puts into a light, what is drawn of it is finite; and it is told.
-#include "scene/light_check.h"
+#include "scene/model/light_check.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include "scene/light_pictures.h"
+#include "scene/pictures/light_pictures.h"
 
 namespace weft::scene {
 namespace {

@@ -1,4 +1,4 @@
-#include "scene/measured_child.h"
+#include "tests/scene/measured_child.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -8,9 +8,9 @@
 #include <functional>
 #include <ostream>
 
-#include "scene/gltf_fixture.h"
-#include "scene/measured_child.h"
-#include "viewer/bit_png.h"
+#include "tests/scene/gltf/gltf_fixture.h"
+#include "tests/scene/measured_child.h"
+#include "tests/viewer/pictures/bit_png.h"
 
 namespace weft::scene::test {
 namespace {

@@ -1,6 +1,6 @@
 // The schema knows the keys that the parser knows, and no others. Reads graphs/weft.schema.json, which
 // another test compares with what `weft schema` prints.
-#include "graph/format_words.h"
+#include "graph/parse/format_words.h"
 
 #include <gtest/gtest.h>
 

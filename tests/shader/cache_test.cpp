@@ -3,11 +3,11 @@
 
 #include <iterator>
 
-#include "shader/interface_merge.h"
-#include "shader/sealed_file.h"
-#include "shader/shader_cache.h"
-#include "shader/validate_spirv.h"
-#include "shader_folder.h"
+#include "shader/compile/sealed_file.h"
+#include "shader/compile/shader_cache.h"
+#include "shader/gate/validate_spirv.h"
+#include "shader/reflect/interface_merge.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft {
 namespace {

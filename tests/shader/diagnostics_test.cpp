@@ -1,7 +1,7 @@
 // Faults a shader author can make: each names the file and line it is in, and a remedy.
 #include <gtest/gtest.h>
 
-#include "shader_folder.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft {
 namespace {

@@ -1,7 +1,7 @@
 // What reflection says about each kind of declaration.
 #include <gtest/gtest.h>
 
-#include "shader_folder.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "shader/reflect_stage.h"
-#include "shader_folder.h"
+#include "shader/reflect/reflect_stage.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft {
 namespace {

@@ -1,8 +1,8 @@
 // What is kept between loads, and what a load looked at.
-#include "shader/shader_memory.h"
+#include "load/shader_memory.h"
 
-#include "shader/glsl_compile.h"
-#include "shader_folder.h"
+#include "shader/compile/glsl_compile.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft {
 namespace {

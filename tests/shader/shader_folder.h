@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "shader/compile_shader.h"
+#include "weft/shader/compile_shader.h"
 
 namespace weft {
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <set>
 
-#include "shader/compile_shader.h"
-#include "shader_folder.h"
+#include "tests/shader/shader_folder.h"
+#include "weft/shader/compile_shader.h"
 
 namespace weft {
 namespace {
@@ -36,7 +36,8 @@ std::vector<Shipped> shipped(const fs::path& folder) {
     return found;
 }
 
-// Programs with the header in each stage where it makes sense, which is every one unless it names what only one has.
+// Programs with the header in each stage where it makes sense, which is every one unless it names what only
+// one has.
 std::vector<const char*> programs_of(const std::string& header) {
     const auto names = [&header](const char* word) { return header.find(word) != std::string::npos; };
     if (names("gl_Position")) return {"vertices"};

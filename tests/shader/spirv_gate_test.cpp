@@ -1,7 +1,7 @@
 // One small shader for each capability of SPIR-V that glslang can emit, in tests/shader/capabilities/. The
 // file is named after the capability; its first line says what becomes of it, and "// here" marks the line
 // that the error must name. Then: what shaders may take up of memory.
-#include "shader/spirv_gate.h"
+#include "shader/gate/spirv_gate.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <map>
 #include <sstream>
 
-#include "shader/capability_table.h"
-#include "shader/glsl_run.h"
-#include "shader/spirv_words.h"
-#include "shader_folder.h"
+#include "shader/compile/glsl_run.h"
+#include "shader/gate/capability_table.h"
+#include "shader/gate/spirv_words.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft {
 namespace {

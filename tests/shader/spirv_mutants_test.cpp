@@ -7,9 +7,9 @@
 #include <iterator>
 #include <random>
 
-#include "shader/interface_merge.h"
-#include "shader/validate_spirv.h"
-#include "shader_folder.h"
+#include "shader/gate/validate_spirv.h"
+#include "shader/reflect/interface_merge.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft {
 namespace {

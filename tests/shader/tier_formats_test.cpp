@@ -1,7 +1,7 @@
 // Formats that all tiers share, and how often a graph of several tiers is loaded to find them.
-#include "shader/load_graph.h"
-#include "shader/shader_memory.h"
-#include "shader_folder.h"
+#include "load/shader_memory.h"
+#include "tests/shader/shader_folder.h"
+#include "weft/load/load_graph.h"
 
 namespace weft {
 namespace {

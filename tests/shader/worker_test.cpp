@@ -11,8 +11,8 @@
 #include <fstream>
 #include <thread>
 
-#include "shader/glsl_compile.h"
-#include "shader_folder.h"
+#include "shader/compile/glsl_compile.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft {
 namespace {

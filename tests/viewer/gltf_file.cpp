@@ -1,4 +1,4 @@
-#include "viewer/gltf_file.h"
+#include "tests/viewer/gltf_file.h"
 
 #include <array>
 #include <cassert>

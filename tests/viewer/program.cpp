@@ -1,4 +1,4 @@
-#include "viewer/program.h"
+#include "tests/viewer/program.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -49,8 +49,8 @@ void limit_time(unsigned most_cpu_s) {
 
 std::string RunResult::text() const {
     std::ostringstream text;
-    text << "exit code " << exit_code << " after " << cpu_s << " s of processor time, " << max_rss_bytes / 1048576
-         << " MiB at most\n--- stdout\n"
+    text << "exit code " << exit_code << " after " << cpu_s << " s of processor time, "
+         << max_rss_bytes / 1048576 << " MiB at most\n--- stdout\n"
          << out.substr(0, 4000) << "\n--- stderr\n"
          << err.substr(0, 8000);
     return text.str();

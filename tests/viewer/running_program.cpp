@@ -1,4 +1,4 @@
-#include "viewer/running_program.h"
+#include "tests/viewer/running_program.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/program.h"
+#include "tests/viewer/program.h"
 
 namespace weft::test {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "vulkan/executor_fixture.h"
+#include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
 namespace {

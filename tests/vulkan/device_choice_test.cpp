@@ -5,10 +5,10 @@
 #include <map>
 #include <thread>
 
-#include "vulkan/device_features.h"
-#include "vulkan/instance.h"
-#include "vulkan/physical_device.h"
-#include "vulkan/scoped_environment.h"
+#include "tests/vulkan/scoped_environment.h"
+#include "vulkan/device/instance.h"
+#include "vulkan/device/physical_device.h"
+#include "weft/vulkan/device_features.h"
 
 namespace weft::vk {
 namespace {

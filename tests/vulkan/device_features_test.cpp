@@ -1,12 +1,12 @@
 // The device is made with what the SPIR-V gate lets shaders use (framework/shader/capability_table.cpp), and
 // with nothing for shaders that the gate refuses.
-#include "vulkan/device_features.h"
+#include "weft/vulkan/device_features.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "vulkan/physical_device.h"
+#include "vulkan/device/physical_device.h"
 
 namespace weft::vk {
 namespace {

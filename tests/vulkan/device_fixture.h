@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "vulkan/device.h"
+#include "weft/vulkan/device.h"
 
 namespace weft::vk {
 

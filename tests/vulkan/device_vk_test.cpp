@@ -1,5 +1,5 @@
 // A device comes up, hears its validation layer, describes itself, and can be an embedder's.
-#include "vulkan/device.h"
+#include "weft/vulkan/device.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "vulkan/device_fixture.h"
-#include "vulkan/memory.h"
-#include "vulkan/native.h"
-#include "vulkan/one_shot.h"
+#include "tests/vulkan/device_fixture.h"
+#include "vulkan/device/one_shot.h"
+#include "weft/vulkan/memory.h"
+#include "weft/vulkan/native.h"
 
 namespace weft::vk {
 namespace {

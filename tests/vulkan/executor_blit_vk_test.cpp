@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vulkan/executor_fixture.h"
+#include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
 namespace {

@@ -1,8 +1,8 @@
 // What can go wrong with an executor comes back as a diagnostic that names the pass or import, and leaks
 // nothing.
-#include "vulkan/executor_fixture.h"
-#include "vulkan/one_shot.h"
-#include "vulkan/triangle_source.h"
+#include "tests/vulkan/executor_fixture.h"
+#include "tests/vulkan/triangle_source.h"
+#include "vulkan/device/one_shot.h"
 
 namespace weft::vk {
 namespace {

@@ -1,4 +1,4 @@
-#include "vulkan/executor_fixture.h"
+#include "tests/vulkan/executor_fixture.h"
 
 #include <stdlib.h>  // mkdtemp
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "graph/graph_builder.h"
-#include "shader/compile_shader.h"
-#include "vulkan/device_fixture.h"
-#include "vulkan/executor.h"
+#include "tests/graph/samples/graph_builder.h"
+#include "tests/vulkan/device_fixture.h"
 #include "weft/compile.h"
+#include "weft/shader/compile_shader.h"
+#include "weft/vulkan/executor.h"
 
 namespace weft::vk {
 

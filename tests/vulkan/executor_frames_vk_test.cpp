@@ -2,7 +2,7 @@
 // is lost.
 #include <algorithm>
 
-#include "vulkan/executor_fixture.h"
+#include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
 namespace {

@@ -2,9 +2,9 @@
 // hold before anybody wrote them.
 #include <string>
 
-#include "check/check_plan.h"
-#include "vulkan/executor_fixture.h"
-#include "vulkan/make_ring.h"
+#include "tests/vulkan/executor_fixture.h"
+#include "tests/vulkan/make_ring.h"
+#include "weft/check/check_plan.h"
 
 namespace weft::vk {
 namespace {

@@ -1,5 +1,5 @@
 // What the host gives a frame reaches that frame and no other, however many are in flight.
-#include "vulkan/executor_fixture.h"
+#include "tests/vulkan/executor_fixture.h"
 #include "weft/pass.h"
 
 namespace weft::vk {

@@ -1,6 +1,6 @@
 // Dispatches and draws whose sizes an earlier pass of the same frame has computed.
-#include "vulkan/executor_fixture.h"
-#include "vulkan/triangle_source.h"
+#include "tests/vulkan/executor_fixture.h"
+#include "tests/vulkan/triangle_source.h"
 
 namespace weft::vk {
 namespace {

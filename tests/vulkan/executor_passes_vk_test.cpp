@@ -1,5 +1,5 @@
 // Every kind of pass does what it says, byte by byte, and the validation layers have nothing to say about it.
-#include "vulkan/executor_fixture.h"
+#include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
 namespace {

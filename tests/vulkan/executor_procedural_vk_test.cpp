@@ -1,5 +1,5 @@
 // Draws without a list: vertices that only their index tells apart, and instances drawn in order.
-#include "vulkan/executor_fixture.h"
+#include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
 namespace {

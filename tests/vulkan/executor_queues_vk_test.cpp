@@ -1,8 +1,8 @@
 // Batches on several logical queues: what they wait for and signal, and what happens when one of them fails.
 #include <algorithm>
 
-#include "vulkan/executor_fixture.h"
-#include "vulkan/one_shot.h"
+#include "tests/vulkan/executor_fixture.h"
+#include "vulkan/device/one_shot.h"
 
 namespace weft::vk {
 namespace {

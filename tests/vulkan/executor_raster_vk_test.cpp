@@ -1,7 +1,7 @@
 // Raster passes: pipelines for every variant, vertex streams and sets by what the shader declares, state as
 // data.
-#include "vulkan/executor_fixture.h"
-#include "vulkan/triangle_source.h"
+#include "tests/vulkan/executor_fixture.h"
+#include "tests/vulkan/triangle_source.h"
 
 namespace weft::vk {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vulkan/executor_fixture.h"
-#include "vulkan/triangle_source.h"
+#include "tests/vulkan/executor_fixture.h"
+#include "tests/vulkan/triangle_source.h"
 
 namespace weft::vk {
 namespace {

@@ -2,10 +2,10 @@
 // its last pass says.
 #include <cmath>
 
-#include "check/check_plan.h"
-#include "graph/naive_plan.h"
-#include "vulkan/executor_fixture.h"
-#include "vulkan/triangle_source.h"
+#include "tests/graph/compile/naive_plan.h"
+#include "tests/vulkan/executor_fixture.h"
+#include "tests/vulkan/triangle_source.h"
+#include "weft/check/check_plan.h"
 
 namespace weft::vk {
 namespace {

@@ -1,4 +1,4 @@
-#include "vulkan/make_ring.h"
+#include "tests/vulkan/make_ring.h"
 
 #include <cassert>
 

@@ -1,5 +1,5 @@
 // Buffers and images hold what was uploaded, and every failure is a typed error that leaks nothing.
-#include "vulkan/memory.h"
+#include "weft/vulkan/memory.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cstring>
 #include <numeric>
 
-#include "vulkan/device_fixture.h"
-#include "vulkan/one_shot.h"
-#include "vulkan/to_vk.h"
+#include "tests/vulkan/device_fixture.h"
+#include "vulkan/device/one_shot.h"
+#include "vulkan/device/to_vk.h"
 
 namespace weft::vk {
 namespace {

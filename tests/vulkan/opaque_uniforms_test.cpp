@@ -1,13 +1,13 @@
 // Shaders that hide the values of their uniforms are valid, and have the interface that they had.
-#include "vulkan/opaque_uniforms.h"
+#include "vulkan/pipelines/opaque_uniforms.h"
 
 #include <map>
 #include <set>
 
-#include "shader/interface_merge.h"
-#include "shader/shader_folder.h"
-#include "shader/spirv_words.h"
-#include "shader/validate_spirv.h"
+#include "shader/gate/spirv_words.h"
+#include "shader/gate/validate_spirv.h"
+#include "shader/reflect/interface_merge.h"
+#include "tests/shader/shader_folder.h"
 
 namespace weft::vk {
 namespace {
@@ -47,12 +47,13 @@ class OpaqueUniforms : public ShaderFolder {};
 TEST_F(OpaqueUniforms, LeaveShippedShadersValid) {
     const std::filesystem::path folder = std::filesystem::path(WEFT_SOURCE_DIR) / "shaders";
     const ShaderRoots roots{{folder}, folder / "include", {}};
-    const std::pair<const char*, ProgramKind> shaders[]{{"forward", ProgramKind::raster},
-                                                        {"gbuffer", ProgramKind::raster},
-                                                        {"lighting/deferred_light.comp", ProgramKind::compute},
-                                                        {"light_tiles/tiles.comp", ProgramKind::compute},
-                                                        {"taa/resolve.comp", ProgramKind::compute},
-                                                        {"tonemap/tonemap.frag", ProgramKind::fullscreen}};
+    const std::pair<const char*, ProgramKind> shaders[]{
+        {"forward", ProgramKind::raster},
+        {"gbuffer", ProgramKind::raster},
+        {"lighting/deferred_light.comp", ProgramKind::compute},
+        {"light_tiles/tiles.comp", ProgramKind::compute},
+        {"taa/resolve.comp", ProgramKind::compute},
+        {"tonemap/tonemap.frag", ProgramKind::fullscreen}};
     for (const auto& [reference, kind] : shaders) {
         const Result<ShaderProgram> program = compile_shader(reference, kind, roots);
         ASSERT_TRUE(program) << to_text(program.errors());
@@ -115,7 +116,8 @@ void main() { sums.items[0] = 1u; }
 TEST_F(OpaqueUniforms, LeaveProgramsThatTakeABlockAsOneValue) {
     ShaderProgram program;
     program.modules.push_back(
-        {ShaderStage::compute, {0x07230203, 0x10600, 0, 9, 0, 4u << 16 | 59, 6, 7, 2, 4u << 16 | 61, 5, 8, 7}});
+        {ShaderStage::compute,
+         {0x07230203, 0x10600, 0, 9, 0, 4u << 16 | 59, 6, 7, 2, 4u << 16 | 61, 5, 8, 7}});
     EXPECT_FALSE(can_hide_uniforms(program.modules[0].spirv));
     EXPECT_EQ(with_opaque_uniforms(program).modules[0].spirv, program.modules[0].spirv);
 }

@@ -1,12 +1,12 @@
-#include "vulkan/plan_runner.h"
+#include "tests/vulkan/plan_runner.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <span>
 
-#include "shader/compile_shader.h"
-#include "vulkan/one_shot.h"
+#include "vulkan/device/one_shot.h"
+#include "weft/shader/compile_shader.h"
 
 namespace weft::vk {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "vulkan/executor.h"
+#include "weft/vulkan/executor.h"
 
 namespace weft::vk {
 

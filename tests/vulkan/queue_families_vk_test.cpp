@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <set>
 
-#include "check/check_plan.h"
-#include "graph/naive_plan.h"
-#include "graph/random_graph.h"
-#include "vulkan/executor_fixture.h"
-#include "vulkan/plan_runner.h"
-#include "vulkan/scoped_environment.h"
+#include "tests/graph/compile/naive_plan.h"
+#include "tests/graph/samples/random_graph.h"
+#include "tests/vulkan/executor_fixture.h"
+#include "tests/vulkan/plan_runner.h"
+#include "tests/vulkan/scoped_environment.h"
+#include "weft/check/check_plan.h"
 
 namespace weft::vk {
 namespace {

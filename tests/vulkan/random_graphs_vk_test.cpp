@@ -5,12 +5,12 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "check/check_plan.h"
-#include "graph/naive_plan.h"
-#include "graph/random_graph.h"
-#include "graph/random_graph_coverage.h"
-#include "vulkan/device_fixture.h"
-#include "vulkan/plan_runner.h"
+#include "tests/graph/compile/naive_plan.h"
+#include "tests/graph/samples/random_graph.h"
+#include "tests/graph/samples/random_graph_coverage.h"
+#include "tests/vulkan/device_fixture.h"
+#include "tests/vulkan/plan_runner.h"
+#include "weft/check/check_plan.h"
 #include "weft/compile.h"
 
 namespace weft::vk {

@@ -1,5 +1,5 @@
 // The tables between Weft's enumerations and Vulkan's are total, and one to one where they must be.
-#include "vulkan/to_vk.h"
+#include "vulkan/device/to_vk.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "vulkan/triangle_source.h"
+#include "tests/vulkan/triangle_source.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "vulkan/to_vk.h"
+#include "vulkan/device/to_vk.h"
 
 namespace weft::vk {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "vulkan/draw_source.h"
-#include "vulkan/handle.h"
-#include "vulkan/memory.h"
+#include "weft/vulkan/draw_source.h"
+#include "weft/vulkan/handle.h"
+#include "weft/vulkan/memory.h"
 
 namespace weft::vk {
 
@@ -19,7 +19,8 @@ class TriangleSource final : public DrawSource {
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
-    // Indirectly, a list has two draws; the indices are those of the triangle, then those of its mirror image.
+    // Indirectly, a list has two draws; the indices are those of the triangle, then those of its mirror
+    // image.
     void record(const DrawContext& context) const override;
 
     // Streams 0: "position" (two floats), 1: "weight" (one float). Variants "plain" and "tinted" (TINT is

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string_view>
 
-#include "shader/glsl_run.h"
+#include "shader/compile/glsl_run.h"
 #include "shader/worker/protocol.h"
 
 namespace weft::shader {
@@ -45,8 +45,8 @@ bool set_limit(int resource, uint64_t soft, uint64_t hard) {
     return setrlimit(static_cast<__rlimit_resource_t>(resource), &limit) == 0;
 }
 
-// For the next stage, beyond what earlier ones took. A soft limit: only it can be raised again, up to the hard limit
-// that the process was started with.
+// For the next stage, beyond what earlier ones took. A soft limit: only it can be raised again, up to the
+// hard limit that the process was started with.
 bool limit_cpu_time(const WorkerLimits& limits) {
     rusage used{};
     rlimit limit{};

@@ -1,6 +1,6 @@
 #include "shader/worker/protocol.h"
 
-#include "shader/payload.h"
+#include "shader/compile/payload.h"
 
 namespace weft::shader {
 

@@ -1,4 +1,4 @@
-#include "code_counter.h"
+#include "tests/render/code_counter/code_counter.h"
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -35,11 +35,12 @@ Count& count() {
     return in_file != nullptr ? *in_file : in_memory;
 }
 
-// The driver loads LLVM for itself alone: it is found among the libraries that the caller needs. Two drivers in one
-// process have one each.
+// The driver loads LLVM for itself alone: it is found among the libraries that the caller needs. Two drivers
+// in one process have one each.
 MakeModule find_real(void* caller) {
     Dl_info driver{};
-    void* library = dladdr(caller, &driver) == 0 ? nullptr : dlopen(driver.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+    void* library =
+        dladdr(caller, &driver) == 0 ? nullptr : dlopen(driver.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
     void* function = library == nullptr ? nullptr : dlsym(library, kFunction);
     if (function == nullptr) {
         std::fprintf(stderr, "code counter: no LLVM to call\n");

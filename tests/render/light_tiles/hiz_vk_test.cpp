@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "session_fixture.h"
+#include "tests/render/session_fixture.h"
 
 namespace weft::test {
 namespace {

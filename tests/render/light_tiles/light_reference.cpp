@@ -1,4 +1,4 @@
-#include "light_tiles/light_reference.h"
+#include "tests/render/light_tiles/light_reference.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "light_tiles/tile_fixture.h"
-#include "scene/seeded_lights.h"
+#include "scene/builtin/seeded_lights.h"
+#include "tests/render/light_tiles/tile_fixture.h"
 
 namespace weft::test {
 namespace {

@@ -3,7 +3,7 @@
 // slice.
 #include <random>
 
-#include "light_tiles/tile_fixture.h"
+#include "tests/render/light_tiles/tile_fixture.h"
 
 namespace weft::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "light_tiles/light_reference.h"
-#include "session_fixture.h"
+#include "tests/render/light_tiles/light_reference.h"
+#include "tests/render/session_fixture.h"
 
 namespace weft::test {
 

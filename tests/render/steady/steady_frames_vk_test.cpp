@@ -1,11 +1,11 @@
-// Frame after frame costs the same: nothing is compiled once a graph draws, no object stays, and memory does not grow.
-// Without validation layers, which grow by themselves.
+// Frame after frame costs the same: nothing is compiled once a graph draws, no object stays, and memory does
+// not grow. Without validation layers, which grow by themselves.
 #include <nlohmann/json.hpp>
 
-#include "code_counter/code_counter.h"
-#include "object_counter.h"
-#include "session_fixture.h"
-#include "vulkan/scoped_environment.h"
+#include "tests/render/code_counter/code_counter.h"
+#include "tests/render/session/object_counter.h"
+#include "tests/render/session_fixture.h"
+#include "tests/vulkan/scoped_environment.h"
 
 namespace weft::test {
 namespace {
@@ -14,8 +14,9 @@ namespace fs = std::filesystem;
 
 constexpr Extent3D kSize{64, 36, 1};
 constexpr double kStep_s = 1.0 / 60;
-constexpr uint32_t kFirstFrames = 3;   // that may compile
-constexpr uint32_t kSteadyFrames = 9;  // with the first ones longer than every history, and than a round of jitter
+constexpr uint32_t kFirstFrames = 3;  // that may compile
+constexpr uint32_t kSteadyFrames =
+    9;  // with the first ones longer than every history, and than a round of jitter
 constexpr int64_t kMiB = 1 << 20;
 
 bool extended() {
@@ -91,7 +92,8 @@ class Steady : public SessionTest {
     double time_s_ = 0;
 };
 
-// llvmpipe draws on the calling thread: how much of its buffers is touched doesn't depend on how busy the machine is.
+// llvmpipe draws on the calling thread: how much of its buffers is touched doesn't depend on how busy the
+// machine is.
 class SteadyMemory : public Steady {
     const vk::ScopedEnvironment one_thread_{"LP_NUM_THREADS", "0"};
 };

@@ -1,4 +1,4 @@
-#include "dispatch.h"
+#include "tests/vulkan/mock_families/dispatch.h"
 
 #include <map>
 #include <memory>

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "dispatch.h"
+#include "tests/vulkan/mock_families/dispatch.h"
 
 namespace weft::mock_families {
 namespace {

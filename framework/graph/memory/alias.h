@@ -1,0 +1,16 @@
+// Purpose: a place in a heap for each transient resource. Resources that are not alive together may share
+// bytes.
+#pragma once
+
+#include <cstdint>
+
+#include "weft/compile.h"
+#include "weft/declaration.h"
+#include "weft/plan.h"
+
+namespace weft {
+
+[[nodiscard]] MemoryPlan alias(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order,
+                               const Lifetimes& spans, const MemoryNeeds& needs, uint64_t granularity_bytes);
+
+}  // namespace weft

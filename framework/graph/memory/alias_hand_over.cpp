@@ -1,0 +1,80 @@
+#include "graph/memory/alias_hand_over.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <tuple>
+
+namespace weft {
+namespace {
+
+struct Owner {
+    ResourceId resource = kNoId;
+    uint32_t frame = 0;
+};
+
+// The last owner of every byte of one heap. A new owner clips the ranges that it covers.
+class OwnerMap {
+ public:
+    // Appends the owners of [begin, end) to `old_owners` and puts `owner` in their place.
+    void take(uint64_t begin, uint64_t end, Owner owner, std::vector<Owner>& old_owners) {
+        cut(begin);
+        cut(end);
+        auto it = ranges_.lower_bound(begin);
+        while (it != ranges_.end() && it->first < end) {
+            old_owners.push_back(it->second.owner);
+            it = ranges_.erase(it);
+        }
+        ranges_.emplace(begin, Range{end, owner});
+    }
+
+ private:
+    struct Range {
+        uint64_t end = 0;
+        Owner owner;
+    };
+
+    void cut(uint64_t at) {
+        auto it = ranges_.lower_bound(at);
+        if (it == ranges_.begin()) return;
+        it = std::prev(it);
+        if (it->second.end <= at) return;
+        const Range upper = it->second;
+        it->second.end = at;
+        ranges_.emplace(at, upper);
+    }
+
+    std::map<uint64_t, Range> ranges_;  // by begin
+};
+
+bool before(const HandOver& a, const HandOver& b) {
+    return std::tie(a.to, a.from, a.wrap) < std::tie(b.to, b.from, b.wrap);
+}
+
+}  // namespace
+
+std::vector<HandOver> hand_overs(const std::vector<Placement>& placements, const Lifetimes& spans) {
+    std::vector<Placement> by_time = placements;
+    std::sort(by_time.begin(), by_time.end(), [&](const Placement& a, const Placement& b) {
+        return std::tie(spans.spans[a.resource].first, a.resource) <
+               std::tie(spans.spans[b.resource].first, b.resource);
+    });
+    std::map<uint32_t, OwnerMap> heaps;
+    std::vector<HandOver> result;
+    std::vector<Owner> old_owners;
+    for (uint32_t frame = 0; frame < 2; ++frame) {
+        for (const Placement& p : by_time) {
+            old_owners.clear();
+            heaps[p.heap].take(p.offset_bytes, p.offset_bytes + p.size_bytes, {p.resource, frame},
+                               old_owners);
+            if (frame == 0) continue;
+            for (const Owner& owner : old_owners)
+                result.push_back({owner.resource, p.resource, owner.frame == 0});
+        }
+    }
+    std::sort(result.begin(), result.end(), before);
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+}  // namespace weft

@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "weft/limits.h"
+#include "weft/syntax/json_doc.h"
+
+namespace weft {
+namespace {
+
+constexpr uint64_t kMostBytes = 1ull << 40;
+constexpr uint64_t kMostItems = 1ull << 24;
+constexpr uint64_t kMostDepth = 512;  // of recursive readers
+constexpr uint64_t kMostSide_px = 1ull << 16;
+constexpr uint64_t kMostTime_ms = 3'600'000;
+
+constexpr std::array kTable{
+    LimitRow{"graph.jsonBytes", "bytes", "a graph file", 1ull << 28,
+             [](Limits& l) -> uint64_t& { return l.graph.json_bytes; }},
+    LimitRow{"graph.jsonDepth", "", "nesting of objects and arrays", kMostDepth,
+             [](Limits& l) -> uint64_t& { return l.graph.json_depth; }},
+    LimitRow{"graph.jsonValues", "", "values of all files, counted once more for each tier", kMostItems,
+             [](Limits& l) -> uint64_t& { return l.graph.json_values; }},
+    LimitRow{"graph.stringBytes", "bytes", "a string or key", 1ull << 20,
+             [](Limits& l) -> uint64_t& { return l.graph.string_bytes; }},
+    LimitRow{"graph.nameBytes", "bytes", "a name of anything", 1ull << 12,
+             [](Limits& l) -> uint64_t& { return l.graph.name_bytes; }},
+    LimitRow{"graph.includeFiles", "", "files that a graph includes, each counted once", 1ull << 10,
+             [](Limits& l) -> uint64_t& { return l.graph.include_files; }},
+    LimitRow{"graph.tiers", "", "tiers", 1ull << 10, [](Limits& l) -> uint64_t& { return l.graph.tiers; }},
+    LimitRow{"graph.constants", "", "parameters, constants and sizes together", 1ull << 20,
+             [](Limits& l) -> uint64_t& { return l.graph.constants; }},
+    LimitRow{"graph.expressionParts", "", "numbers, names and operators of all expressions together",
+             kMostItems, [](Limits& l) -> uint64_t& { return l.graph.expression_parts; }},
+    LimitRow{"graph.repeatIndices", "", "indices of a `repeat`", 64,
+             [](Limits& l) -> uint64_t& { return l.graph.repeat_indices; }},
+    LimitRow{"graph.debugViews", "", "debug views", 1ull << 16,
+             [](Limits& l) -> uint64_t& { return l.graph.debug_views; }},
+    LimitRow{"graph.testRuns", "", "runs of the graph's own tests, each tier counted", 1ull << 20,
+             [](Limits& l) -> uint64_t& { return l.graph.test_runs; }},
+    LimitRow{"graph.testFrames", "", "frames of all these runs together", 1ull << 32,
+             [](Limits& l) -> uint64_t& { return l.graph.test_frames; }},
+    LimitRow{"graph.testBytes", "bytes",
+             "memory of one such run: its picture, the frame's resources and what is read back", kMostBytes,
+             [](Limits& l) -> uint64_t& { return l.graph.test_bytes; }},
+    LimitRow{"graph.passes", "", "passes after `repeat`", 1ull << 20,
+             [](Limits& l) -> uint64_t& { return l.graph.passes; }},
+    LimitRow{"graph.passPorts", "", "ports of a pass", 1ull << 16,
+             [](Limits& l) -> uint64_t& { return l.graph.pass_ports; }},
+    LimitRow{"graph.ports", "", "ports of all these passes", kMostItems,
+             [](Limits& l) -> uint64_t& { return l.graph.ports; }},
+    LimitRow{
+        "graph.steps", "",
+        "steps of finding out what the graph means: expressions, ranges and orders, of all tiers together",
+        1ull << 40, [](Limits& l) -> uint64_t& { return l.graph.steps; }},
+    LimitRow{"graph.resources", "", "resources, each copy of a history counted", 1ull << 20,
+             [](Limits& l) -> uint64_t& { return l.graph.resources; }},
+    LimitRow{"graph.imageSidePx", "px", "a side of an image, before what the device says", kMostSide_px,
+             [](Limits& l) -> uint64_t& { return l.graph.image_side_px; }},
+    LimitRow{"graph.mips", "", "mips of an image", 17, [](Limits& l) -> uint64_t& { return l.graph.mips; }},
+    LimitRow{"graph.layers", "", "layers of an image, before what the device says", kMostSide_px,
+             [](Limits& l) -> uint64_t& { return l.graph.layers; }},
+    LimitRow{"graph.transientBytes", "bytes",
+             "one resource, and all memory that the frame's resources are placed in", kMostBytes,
+             [](Limits& l) -> uint64_t& { return l.graph.transient_bytes; }},
+    LimitRow{"shader.fileBytes", "bytes", "a shader file", 1ull << 28,
+             [](Limits& l) -> uint64_t& { return l.shader.file_bytes; }},
+    LimitRow{"shader.textBytes", "bytes", "all files of a shader together", 1ull << 30,
+             [](Limits& l) -> uint64_t& { return l.shader.text_bytes; }},
+    LimitRow{"shader.files", "", "files of a shader", kMostItems,
+             [](Limits& l) -> uint64_t& { return l.shader.files; }},
+    LimitRow{"shader.includes", "", "includes followed in one stage", kMostItems,
+             [](Limits& l) -> uint64_t& { return l.shader.includes; }},
+    LimitRow{"shader.includeDepth", "", "nesting of includes", kMostDepth,
+             [](Limits& l) -> uint64_t& { return l.shader.include_depth; }},
+    LimitRow{"shader.workerBytes", "bytes", "address space of the compiler's process", kMostBytes,
+             [](Limits& l) -> uint64_t& { return l.shader.worker_bytes; }},
+    LimitRow{"shader.stageMs", "ms", "compiling one stage, in processor time", kMostTime_ms,
+             [](Limits& l) -> uint64_t& { return l.shader.stage_ms; }},
+    LimitRow{"shader.graphMs", "ms", "compiling all stages of a graph, in processor time", kMostTime_ms,
+             [](Limits& l) -> uint64_t& { return l.shader.graph_ms; }},
+    LimitRow{"shader.spirvBytes", "bytes", "a compiled stage", 1ull << 28,
+             [](Limits& l) -> uint64_t& { return l.shader.spirv_bytes; }},
+    LimitRow{"shader.inlinedBytes", "bytes", "a compiled stage with each call replaced by what it calls",
+             1ull << 32, [](Limits& l) -> uint64_t& { return l.shader.inlined_bytes; }},
+    LimitRow{"shader.sharedBytes", "bytes",
+             "`shared` variables of a compute stage, before what the device says", 1ull << 30,
+             [](Limits& l) -> uint64_t& { return l.shader.shared_bytes; }},
+    LimitRow{"shader.privateBytes", "bytes",
+             "variables of one invocation of a stage, and arrays that it copies as a whole; those of "
+             "functions at each call anew",
+             1ull << 30, [](Limits& l) -> uint64_t& { return l.shader.private_bytes; }},
+    LimitRow{"shader.pushConstantBytes", "bytes", "push constants, before what the device says", 1ull << 20,
+             [](Limits& l) -> uint64_t& { return l.shader.push_constant_bytes; }},
+    LimitRow{"shader.interfaceBytes", "bytes", "inputs of a stage, and its outputs", 1ull << 20,
+             [](Limits& l) -> uint64_t& { return l.shader.interface_bytes; }},
+    LimitRow{"scene.jsonBytes", "bytes", "the JSON of a glTF", 1ull << 32,
+             [](Limits& l) -> uint64_t& { return l.scene.json_bytes; }},
+    LimitRow{"scene.jsonValues", "", "values in it", 1ull << 28,
+             [](Limits& l) -> uint64_t& { return l.scene.json_values; }},
+    LimitRow{"scene.jsonDepth", "", "nesting of objects and arrays in it", kMostDepth,
+             [](Limits& l) -> uint64_t& { return l.scene.json_depth; }},
+    LimitRow{"scene.resourceBytes", "bytes", "buffers and encoded images together", kMostBytes,
+             [](Limits& l) -> uint64_t& { return l.scene.resource_bytes; }},
+    LimitRow{"scene.arrayItems", "", "each array: nodes, accessors, buffer views, meshes", 1ull << 28,
+             [](Limits& l) -> uint64_t& { return l.scene.array_items; }},
+    LimitRow{"scene.materials", "", "materials, textures and images, each", kMostItems,
+             [](Limits& l) -> uint64_t& { return l.scene.materials; }},
+    LimitRow{"scene.nodeDepth", "", "nesting of nodes", kMostItems,
+             [](Limits& l) -> uint64_t& { return l.scene.node_depth; }},
+    LimitRow{"scene.instances", "", "meshes placed by nodes", 1ull << 28,
+             [](Limits& l) -> uint64_t& { return l.scene.instances; }},
+    LimitRow{"scene.vertices", "", "vertices of all meshes, and values of all sparse accessors", 1ull << 31,
+             [](Limits& l) -> uint64_t& { return l.scene.vertices; }},
+    LimitRow{"scene.triangles", "", "triangles of all meshes", 1ull << 31,
+             [](Limits& l) -> uint64_t& { return l.scene.triangles; }},
+    LimitRow{"scene.imageSidePx", "px", "a side of a texture", kMostSide_px,
+             [](Limits& l) -> uint64_t& { return l.scene.image_side_px; }},
+    LimitRow{"scene.memoryBytes", "bytes",
+             "all memory that a scene takes: files, meshes, textures with mips, loading, its copy on the GPU",
+             kMostBytes, [](Limits& l) -> uint64_t& { return l.scene.memory_bytes; }},
+    LimitRow{"picture.fileBytes", "bytes", "a picture that `weft compare` reads", kMostBytes,
+             [](Limits& l) -> uint64_t& { return l.picture.file_bytes; }},
+    LimitRow{"picture.sidePx", "px", "a side of it", kMostSide_px,
+             [](Limits& l) -> uint64_t& { return l.picture.side_px; }},
+    LimitRow{"picture.memoryBytes", "bytes", "all memory that comparing two pictures takes", kMostBytes,
+             [](Limits& l) -> uint64_t& { return l.picture.memory_bytes; }},
+};
+
+const LimitRow* find_row(const std::string& name) {
+    const auto* row = std::ranges::find(kTable, std::string_view(name), &LimitRow::name);
+    return row == kTable.end() ? nullptr : row;
+}
+
+Diagnostic fault(const JsonDoc& document, SourceLoc loc, const std::string& pointer, std::string message) {
+    Diagnostic d = document.sources.error(loc, "X560", std::move(message));
+    d.pointer = pointer;
+    return d;
+}
+
+Diagnostic unknown_name(const JsonDoc& document, const JsonMember& member) {
+    Diagnostic d =
+        fault(document, member.key_loc, "/" + member.key, "there is no limit \"" + member.key + "\"");
+    std::vector<std::string> names;
+    std::string list;
+    for (const LimitRow& row : kTable) {
+        names.emplace_back(row.name);
+        list += (list.empty() ? "" : ", ") + names.back();
+    }
+    if (const std::string near = did_you_mean_text(member.key, names); !near.empty()) d.help.push_back(near);
+    d.help.push_back("limits are " + list);
+    return d;
+}
+
+void read_limit(const JsonDoc& document, const JsonMember& member, Limits& limits, Diagnostics& errors) {
+    const LimitRow* row = find_row(member.key);
+    if (row == nullptr) {
+        errors.push_back(unknown_name(document, member));
+        return;
+    }
+    const JsonNode& value = member.value;
+    const bool whole = value.kind == JsonKind::number && value.number == std::floor(value.number);
+    if (whole && value.number >= 1 && value.number <= static_cast<double>(row->most)) {
+        row->of(limits) = static_cast<uint64_t>(value.number);
+        return;
+    }
+    const std::string found =
+        value.kind == JsonKind::number ? value.string : std::string(json_kind_name(value.kind));
+    const std::string unit = *row->unit == 0 ? "" : std::string(" ") + row->unit;
+    errors.push_back(fault(document, value.loc, "/" + member.key,
+                           "limit \"" + member.key + "\" is " + found + ", wanted a whole number of 1 to " +
+                               std::to_string(row->most) + unit));
+    errors.back().help.push_back("the default is " + std::to_string(row->of(limits)) + unit);
+}
+
+}  // namespace
+
+std::span<const LimitRow> limit_table() {
+    return kTable;
+}
+
+Result<Limits> read_limits(const std::string& path, const FileReader& reader) {
+    Result<JsonDoc> document = read_json(path, reader);
+    if (!document) return document.take_errors();
+    if (document->root.kind != JsonKind::object) {
+        Diagnostic d = fault(*document, document->root.loc, "",
+                             std::string("found ") + json_kind_name(document->root.kind) +
+                                 ", wanted an object of limits by name");
+        d.help.emplace_back("for example { \"graph.passes\": 8192 }");
+        return d;
+    }
+    Limits limits;
+    Diagnostics errors;
+    for (const JsonMember& member : document->root.members) read_limit(*document, member, limits, errors);
+    if (!errors.empty()) return errors;
+    return limits;
+}
+
+std::string raise_limit_text(const std::string& name) {
+    return "or raise " + name + " with --limits";
+}
+
+}  // namespace weft

@@ -1,0 +1,151 @@
+#include <cassert>
+#include <cmath>
+
+#include "graph/parse/expression.h"
+
+namespace weft {
+namespace {
+
+// An operation's outcome: a value, or what is wrong with its operands.
+struct Outcome {
+    ExprValue value;
+    const char* fault = nullptr;
+    const char* help = nullptr;
+};
+
+using NumberFunction = double (*)(double, double);
+
+NumberFunction number_function(ExprOp op) {
+    switch (op) {
+        case ExprOp::add:
+            return [](double a, double b) { return a + b; };
+        case ExprOp::sub:
+            return [](double a, double b) { return a - b; };
+        case ExprOp::mul:
+            return [](double a, double b) { return a * b; };
+        case ExprOp::div:
+            return [](double a, double b) { return a / b; };
+        case ExprOp::mod:
+            return [](double a, double b) { return a - b * std::floor(a / b); };
+        case ExprOp::min:
+            return [](double a, double b) { return a < b ? a : b; };
+        case ExprOp::max:
+            return [](double a, double b) { return a > b ? a : b; };
+        case ExprOp::negate:
+            return [](double a, double) { return -a; };
+        case ExprOp::ceil:
+            return [](double a, double) { return std::ceil(a); };
+        case ExprOp::floor:
+            return [](double a, double) { return std::floor(a); };
+        case ExprOp::log2:
+            return [](double a, double) { return std::log2(a); };
+        default:
+            return nullptr;
+    }
+}
+
+bool is_binary(ExprOp op) {
+    return op == ExprOp::add || op == ExprOp::sub || op == ExprOp::mul || op == ExprOp::div ||
+           op == ExprOp::mod || op == ExprOp::min || op == ExprOp::max || op == ExprOp::make_size;
+}
+
+bool is_operand(ExprOp op) {
+    return op == ExprOp::number || op == ExprOp::name || op == ExprOp::mips_of;
+}
+
+const char* operand_fault(ExprOp op, const ExprValue& a, const ExprValue& b) {
+    if ((op == ExprOp::div || op == ExprOp::mod) && (b.x == 0 || b.y == 0)) return "division by zero";
+    if (op == ExprOp::log2 && (a.x <= 0 || a.y <= 0)) return "log2 of a number that is not positive";
+    if (op == ExprOp::make_size && (a.is_size || b.is_size))
+        return "a part of [width, height] is itself a size";
+    if ((op == ExprOp::select_x || op == ExprOp::select_y) && !a.is_size)
+        return "a number has no .x and .y: only sizes have";
+    return nullptr;
+}
+
+const char* operand_help(ExprOp op) {
+    if (op == ExprOp::div || op == ExprOp::mod)
+        return "keep the divisor above zero, for example with max(…, 1)";
+    if (op == ExprOp::log2) return "keep its argument above zero, for example with max(…, 1)";
+    if (op == ExprOp::make_size) return "write .x or .y behind it";
+    return "leave the selection out";
+}
+
+Outcome apply(ExprOp op, const ExprValue& a, const ExprValue& b) {
+    if (const char* fault = operand_fault(op, a, b)) return {{}, fault, operand_help(op)};
+    if (op == ExprOp::make_size) return {size_value(a.x, b.x)};
+    if (op == ExprOp::select_x) return {number_value(a.x)};
+    if (op == ExprOp::select_y) return {number_value(a.y)};
+    const NumberFunction f = number_function(op);
+    assert(f != nullptr);
+    return {{f(a.x, b.x), f(a.y, b.y), a.is_size || b.is_size}};
+}
+
+Diagnostic unknown(const ExprNode& node, const ExprNames& names, const SourceMap& sources) {
+    const bool image = node.op == ExprOp::mips_of;
+    Diagnostic error = sources.error(
+        node.loc, "W107",
+        std::string(image ? "unknown image \"" : "unknown name \"") + node.name + "\" in an expression");
+    const std::vector<std::string> known = image ? names.known_resources() : names.known_names();
+    const std::string near = did_you_mean_text(node.name, known);
+    error.help.push_back(!near.empty() ? near
+                         : image       ? "mips() takes the name of an image in \"resources\" or \"imports\""
+                                 : "names are those of \"params\", \"consts\" and \"sizes\", and \"output\"");
+    return error;
+}
+
+std::optional<ExprValue> operand(const ExprNode& node, const ExprNames& names) {
+    if (node.op == ExprOp::number) return number_value(node.number);
+    if (node.op == ExprOp::name) return names.value(node.name);
+    const std::optional<uint32_t> mips = names.mips(node.name);
+    if (!mips) return std::nullopt;
+    return number_value(*mips);
+}
+
+ExprValue pop(std::vector<ExprValue>& stack) {
+    assert(!stack.empty());
+    const ExprValue top = stack.back();
+    stack.pop_back();
+    return top;
+}
+
+Diagnostics unknown_names(const Expr& expression, const ExprNames& names, const SourceMap& sources) {
+    Diagnostics errors;
+    for (const ExprNode& node : expression.postfix)
+        if (is_operand(node.op) && !operand(node, names)) errors.push_back(unknown(node, names, sources));
+    return errors;
+}
+
+}  // namespace
+
+Result<ExprValue> evaluate(const Expr& expression, const ExprNames& names, const SourceMap& sources) {
+    assert(!expression.empty());
+    Diagnostics errors = unknown_names(expression, names, sources);
+    if (!errors.empty()) return errors;
+    std::vector<ExprValue> stack;
+    for (const ExprNode& node : expression.postfix) {
+        if (is_operand(node.op)) {
+            stack.push_back(*operand(node, names));
+            continue;
+        }
+        const ExprValue second = is_binary(node.op) ? pop(stack) : ExprValue{};
+        const Outcome outcome = apply(node.op, pop(stack), second);
+        if (outcome.fault != nullptr) {
+            Diagnostic error = sources.error(node.loc, "W106", outcome.fault);
+            error.help.emplace_back(outcome.help);
+            return error;
+        }
+        stack.push_back(outcome.value);
+    }
+    assert(stack.size() == 1);
+    const ExprValue value = stack.back();
+    if (!std::isfinite(value.x) || !std::isfinite(value.y)) {
+        Diagnostic error =
+            sources.error(expression.loc, "W106", "\"" + expression.text + "\" is too large to be a number");
+        error.help.emplace_back("check its factors");
+        return error;
+    }
+    return value;
+}
+
+}  // namespace weft

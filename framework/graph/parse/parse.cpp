@@ -1,0 +1,203 @@
+#include <map>
+
+#include "graph/parse/expression.h"
+#include "graph/parse/parse.h"
+#include "graph/parse/parse_context.h"
+
+namespace weft {
+namespace {
+
+constexpr int64_t kFormatVersion = 1;
+constexpr int64_t kMaxJitter = 64;
+
+const std::vector<std::string>& import_kinds() {
+    static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube", "output"};
+    return kinds;
+}
+
+void read_version(ParseContext& context, const JsonNode& node, GraphDesc&) {
+    double version = 0;
+    if (!read_number(context, node, version) || version == static_cast<double>(kFormatVersion)) return;
+    context.error(node.loc, "W109", "version " + node.string + " of the graph format is not known",
+                  "this program reads version 1");
+}
+
+void read_import_kind(ParseContext& context, const JsonNode& node, ImportDesc& import) {
+    if (!read_string(context, node, import.kind)) return;
+    for (const std::string& kind : import_kinds())
+        if (kind == import.kind) return;
+    Diagnostic& error = context.error(node.loc, "W118", "unknown kind of import \"" + import.kind + "\"");
+    const std::string near = did_you_mean_text(import.kind, import_kinds());
+    if (!near.empty()) error.help.push_back(near);
+    error.help.push_back("kinds are " + quoted_list(import_kinds()));
+}
+
+constexpr std::array kImportKeys{KeyRule<ImportDesc>{"kind", read_import_kind}};
+
+void read_imports(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "an import", [&](const JsonMember& member) {
+        ImportDesc import{member.key, {}, member.key_loc};
+        if (!read_object(context, member.value, "an import", kImportKeys, import)) return;
+        if (member.value.find("kind") == nullptr)
+            missing_key(context, member.key_loc, "an import", "kind",
+                        "kinds are " + quoted_list(import_kinds()));
+        graph.imports.emplace(member.key, std::move(import));
+    });
+}
+
+void read_consts(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "a constant", [&](const JsonMember& member) {
+        if (!check_value_count(context, graph, member.key_loc)) return;
+        Expr value;
+        if (read_expression(context, member.value, value)) graph.consts.emplace(member.key, std::move(value));
+    });
+}
+
+void read_sizes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "a size", [&](const JsonMember& member) {
+        if (!check_value_count(context, graph, member.key_loc)) return;
+        Expr size;
+        if (read_size(context, member.value, size)) graph.sizes.emplace(member.key, std::move(size));
+    });
+}
+
+void read_frames(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    int64_t frames = 1;
+    if (node.kind == JsonKind::number && !read_integer(context, node, 1, kMaxFrames, frames)) return;
+    read_expression(context, node, graph.frames);
+}
+
+void read_jitter(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    int64_t jitter = 0;
+    if (read_integer(context, node, 0, kMaxJitter, jitter)) graph.jitter = static_cast<uint32_t>(jitter);
+}
+
+void read_text(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_string(context, node, graph.name);
+}
+
+// What a patch may change: all but what the file says of itself.
+void skip_object(ParseContext& context, const JsonNode& node, TierDesc&) {
+    expect(context, node, JsonKind::object);
+}
+
+void skip_value(ParseContext&, const JsonNode&, TierDesc&) {}
+
+constexpr std::array kPatchKeys{
+    KeyRule<TierDesc>{"imports", skip_object},   KeyRule<TierDesc>{"consts", skip_object},
+    KeyRule<TierDesc>{"params", skip_object},    KeyRule<TierDesc>{"sizes", skip_object},
+    KeyRule<TierDesc>{"resources", skip_object}, KeyRule<TierDesc>{"passes", skip_object},
+    KeyRule<TierDesc>{"debug", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
+    KeyRule<TierDesc>{"frames", skip_value}};
+
+// Its sections are read where they have been merged: in the tier's own graph.
+void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {
+    read_object(context, node, "a patch", kPatchKeys, tier);
+}
+
+constexpr std::array kTierKeys{KeyRule<TierDesc>{"set", skip_object},
+                               KeyRule<TierDesc>{"patch", check_patch}};
+
+void read_tiers(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "a tier", [&](const JsonMember& member) {
+        TierDesc tier{member.key, member.key_loc};
+        if (read_object(context, member.value, "a tier", kTierKeys, tier))
+            graph.tiers.push_back(std::move(tier));
+    });
+}
+
+// read_graph() has been there.
+void skip_include(ParseContext&, const JsonNode&, GraphDesc&) {}
+
+// They name what the other sections declare: read last.
+void skip_tests(ParseContext&, const JsonNode&, GraphDesc&) {}
+
+// For editors only; any string will do.
+void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
+    expect(context, node, JsonKind::string);
+}
+
+constexpr std::array kTopKeys{
+    KeyRule<GraphDesc>{"$schema", skip_schema},  KeyRule<GraphDesc>{"version", read_version},
+    KeyRule<GraphDesc>{"name", read_text},       KeyRule<GraphDesc>{"imports", read_imports},
+    KeyRule<GraphDesc>{"consts", read_consts},   KeyRule<GraphDesc>{"params", parse_params},
+    KeyRule<GraphDesc>{"sizes", read_sizes},     KeyRule<GraphDesc>{"resources", parse_resources},
+    KeyRule<GraphDesc>{"passes", parse_passes},  KeyRule<GraphDesc>{"frames", read_frames},
+    KeyRule<GraphDesc>{"include", skip_include}, KeyRule<GraphDesc>{"tiers", read_tiers},
+    KeyRule<GraphDesc>{"debug", parse_debug},    KeyRule<GraphDesc>{"tests", skip_tests},
+    KeyRule<GraphDesc>{"jitter", read_jitter},
+};
+
+// Names of these sections are used side by side, so each must be unique among all of them.
+void check_shared_names(ParseContext& context, const JsonNode& root,
+                        std::span<const std::string_view> sections, bool in_expressions) {
+    std::map<std::string, SourceLoc> first;
+    for (const std::string_view section : sections) {
+        const JsonNode* node = root.find(section);
+        if (node == nullptr) continue;
+        const PointerScope section_scope(context, section);
+        for (const JsonMember& member : node->members) {
+            const PointerScope scope(context, member.key);
+            if (in_expressions && is_reserved_word(member.key))
+                context.error(member.key_loc, "W109",
+                              "\"" + member.key + "\" has a meaning of its own in expressions",
+                              "choose another name");
+            const auto [it, is_new] = first.emplace(member.key, member.key_loc);
+            if (is_new) continue;
+            Diagnostic& error =
+                context.error(member.key_loc, "W109", "the name \"" + member.key + "\" is taken");
+            error.help.emplace_back("choose another: references could not tell the two apart");
+            error.notes.push_back({error.file, it->second.line, it->second.column, "first used here"});
+        }
+    }
+}
+
+// "graphs/deferred.json" → "deferred"
+std::string stem(const std::string& path) {
+    const size_t slash = path.find_last_of('/');
+    const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+    return file.substr(0, file.find('.'));
+}
+
+}  // namespace
+
+void list_graph_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "graph", kTopKeys);
+    list_keys(lists, "import", kImportKeys);
+    lists.push_back({"importKind", false, import_kinds()});
+    list_keys(lists, "tier", kTierKeys);
+    list_keys(lists, "patch", kPatchKeys);
+}
+
+bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc) {
+    return context.within(graph.consts.size() + graph.params.size() + graph.sizes.size() + 1,
+                          context.limits().constants, loc, "parameters, constants and sizes",
+                          "graph.constants", "leave out those that nothing uses");
+}
+
+Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits) {
+    static constexpr std::array<std::string_view, 3> kExpressionNames{"consts", "params", "sizes"};
+    static constexpr std::array<std::string_view, 2> kReferenceNames{"imports", "resources"};
+    GraphDesc graph;
+    graph.sources = document.sources;
+    if (!graph.sources.files.empty()) graph.name = stem(graph.sources.files.front().path);
+    ParseContext context(document.sources, limits);
+    const JsonNode& root = document.root;
+    if (read_object(context, root, "a graph", kTopKeys, graph)) {
+        if (root.find("version") == nullptr)
+            missing_key(context, root.loc, "a graph", "version", "write \"version\": 1 first");
+        if (root.find("passes") == nullptr)
+            missing_key(context, root.loc, "a graph", "passes", "write \"passes\": { … }");
+        check_shared_names(context, root, kExpressionNames, true);
+        check_indices(context, graph);
+        check_shared_names(context, root, kReferenceNames, false);
+        if (const JsonNode* tests = root.find("tests")) {
+            const PointerScope scope(context, "tests");
+            parse_tests(context, *tests, graph);
+        }
+    }
+    if (context.has_errors()) return context.take_errors();
+    return graph;
+}
+
+}  // namespace weft

@@ -1,0 +1,13 @@
+// Purpose: JSON to what the author asked for.
+#pragma once
+
+#include "weft/graph_desc.h"
+#include "weft/limits.h"
+#include "weft/result.h"
+#include "weft/syntax/json_doc.h"
+
+namespace weft {
+
+[[nodiscard]] Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits = {});
+
+}  // namespace weft

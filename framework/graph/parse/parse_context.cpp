@@ -1,0 +1,323 @@
+#include "graph/parse/parse_context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "graph/parse/expression.h"
+#include "graph/parse/reference.h"
+
+namespace weft {
+namespace {
+
+constexpr size_t kShortList = 16;
+// More names than this say no more.
+constexpr size_t kMostListed = 64;
+
+}  // namespace
+
+Diagnostic& ParseContext::error(SourceLoc loc, std::string code, std::string message) {
+    if (is_full()) return dropped_ = Diagnostic{};
+    add({sources_.error(loc, std::move(code), std::move(message))});
+    return errors_.back();
+}
+
+void ParseContext::error(SourceLoc loc, std::string code, std::string message, std::string help) {
+    error(loc, std::move(code), std::move(message)).help.push_back(std::move(help));
+}
+
+void ParseContext::add(Diagnostics errors) {
+    for (Diagnostic& one : errors) {
+        if (is_full()) return;
+        one.pointer = pointer();
+        if (one.source_line.size() > kMaxExcerptBytes) one.source_line.clear();
+        errors_.push_back(std::move(one));
+    }
+}
+
+bool ParseContext::within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what,
+                          const char* limit_name, const std::string& help) {
+    if (count <= limit) return true;
+    if (is_full()) return false;
+    error(loc, "W125", "the graph has more than " + std::to_string(limit) + " " + what,
+          help + ", " + raise_limit_text(limit_name));
+    is_over_limit_ = true;
+    return false;
+}
+
+bool ParseContext::count_parts(const Expr& expression) {
+    parts_ += expression.postfix.size();
+    return within(parts_, limits_.expression_parts, expression.loc, "parts of expressions",
+                  "graph.expressionParts", "give what is written often a name in \"consts\" or \"sizes\"");
+}
+
+bool ParseContext::count_parts(const RefDesc& ref) {
+    for (const std::optional<Expr>* part : {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last})
+        if (*part && !count_parts(**part)) return false;
+    return true;
+}
+
+Diagnostics ParseContext::take_errors() {
+    if (errors_.size() >= kMaxErrors) errors_.back().help.emplace_back("only the first 100 errors are shown");
+    const std::string& main = sources_.files.empty() ? std::string() : sources_.files.front().path;
+    std::stable_sort(errors_.begin(), errors_.end(), [&](const Diagnostic& a, const Diagnostic& b) {
+        const bool a_included = a.file != main, b_included = b.file != main;
+        return std::tie(a_included, a.file, a.line, a.column) <
+               std::tie(b_included, b.file, b.line, b.column);
+    });
+    return std::move(errors_);
+}
+
+// RFC 6901
+std::string ParseContext::pointer() const {
+    std::string text;
+    for (const std::string& key : path_) {
+        text += '/';
+        for (const char c : key) {
+            if (c == '~')
+                text += "~0";
+            else if (c == '/')
+                text += "~1";
+            else
+                text += c;
+        }
+    }
+    return text;
+}
+
+void wrong_type(ParseContext& context, const JsonNode& node, std::string_view wanted) {
+    Diagnostic& error =
+        context.error(node.loc, "W102",
+                      std::string("found ") + json_kind_name(node.kind) + ", wanted " + std::string(wanted));
+    if (node.kind == JsonKind::string &&
+        wanted.find(json_kind_name(JsonKind::number)) != std::string_view::npos)
+        error.help.emplace_back("write the number without quotes");
+    else if (node.kind == JsonKind::string && wanted == json_kind_name(JsonKind::boolean))
+        error.help.emplace_back("write true or false without quotes");
+    else if (wanted == json_kind_name(JsonKind::object))
+        error.help.emplace_back("write { … } here");
+    else if (wanted == json_kind_name(JsonKind::array))
+        error.help.emplace_back("write [ … ] here");
+    else
+        error.help.emplace_back("write a value of that kind here");
+}
+
+bool expect(ParseContext& context, const JsonNode& node, JsonKind wanted) {
+    if (node.kind == wanted) return true;
+    wrong_type(context, node, json_kind_name(wanted));
+    return false;
+}
+
+bool read_string(ParseContext& context, const JsonNode& node, std::string& out) {
+    if (!expect(context, node, JsonKind::string)) return false;
+    if (node.string.empty()) {
+        context.error(node.loc, "W109", "the string is empty", "write something, or leave the key out");
+        return false;
+    }
+    out = node.string;
+    return true;
+}
+
+bool read_bool(ParseContext& context, const JsonNode& node, bool& out) {
+    if (!expect(context, node, JsonKind::boolean)) return false;
+    out = node.boolean;
+    return true;
+}
+
+bool read_number(ParseContext& context, const JsonNode& node, double& out) {
+    if (!expect(context, node, JsonKind::number)) return false;
+    out = node.number;
+    return true;
+}
+
+bool read_float(ParseContext& context, const JsonNode& node, float& out) {
+    double number = 0;
+    if (!read_number(context, node, number)) return false;
+    if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max())) {
+        context.error(node.loc, "W109", "the number is out of range", "single precision ends at 3.4e38");
+        return false;
+    }
+    out = static_cast<float>(number);
+    return true;
+}
+
+bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int64_t max, int64_t& out) {
+    double number = 0;
+    if (!read_number(context, node, number)) return false;
+    if (number != std::floor(number) || number < static_cast<double>(min) ||
+        number > static_cast<double>(max)) {
+        context.error(node.loc, "W109", "found " + node.string + ", wanted a whole number",
+                      "it may be " + std::to_string(min) + " to " + std::to_string(max));
+        return false;
+    }
+    out = static_cast<int64_t>(number);
+    return true;
+}
+
+bool read_byte(ParseContext& context, const JsonNode& node, uint8_t& out) {
+    int64_t value = 0;
+    if (!read_integer(context, node, 0, 255, value)) return false;
+    out = static_cast<uint8_t>(value);
+    return true;
+}
+
+bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out) {
+    if (!expect(context, node, JsonKind::array)) return false;
+    if (node.items.size() != out.size()) {
+        context.error(
+            node.loc, "W109",
+            "found " + std::to_string(node.items.size()) + " values, wanted " + std::to_string(out.size()),
+            "write " + std::to_string(out.size()) + " numbers");
+        return false;
+    }
+    bool good = true;
+    for (size_t i = 0; i < out.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        good = read_number(context, node.items[i], out[i]) && good;
+    }
+    return good;
+}
+
+bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
+    if (node.kind == JsonKind::number) {
+        out = number_expression(node.number, node.loc);
+        return context.count_parts(out);
+    }
+    if (node.kind != JsonKind::string) {
+        wrong_type(context, node, "a number or an expression in a string");
+        return false;
+    }
+    Result<Expr> parsed = parse_expression({node.string, node.loc}, context.sources());
+    if (!parsed) {
+        context.add(parsed.take_errors());
+        return false;
+    }
+    if (!context.count_parts(*parsed)) return false;
+    out = std::move(*parsed);
+    return true;
+}
+
+namespace {
+
+// A channel that is a number must be one that a channel can hold.
+bool read_channel(ParseContext& context, const JsonNode& node, Expr& out) {
+    float number = 0;
+    if (node.kind == JsonKind::number && !read_float(context, node, number)) return false;
+    return read_expression(context, node, out);
+}
+
+}  // namespace
+
+void read_color(ParseContext& context, const JsonNode& node, std::optional<ColorDesc>& out) {
+    ColorDesc color;
+    const bool one = node.kind == JsonKind::number || node.kind == JsonKind::string;
+    if (one) {
+        if (!read_channel(context, node, color.channels[0])) return;
+        color.channels.fill(color.channels[0]);
+        out = color;
+        return;
+    }
+    if (node.kind != JsonKind::array) return wrong_type(context, node, "a number or four numbers");
+    if (node.items.size() != color.channels.size())
+        return context.error(node.loc, "W109",
+                             "found " + std::to_string(node.items.size()) + " values, wanted 4",
+                             "write 4 numbers");
+    bool good = true;
+    for (size_t i = 0; i < color.channels.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        good = read_channel(context, node.items[i], color.channels[i]) && good;
+    }
+    if (good) out = color;
+}
+
+bool read_size(ParseContext& context, const JsonNode& node, Expr& out) {
+    if (node.kind != JsonKind::array) return read_expression(context, node, out);
+    if (node.items.size() != 2) {
+        context.error(node.loc, "W109", "found " + std::to_string(node.items.size()) + " values, wanted two",
+                      "a size is [width, height]");
+        return false;
+    }
+    Expr width, height;
+    const bool has_width = read_expression(context, node.items[0], width);
+    if (!read_expression(context, node.items[1], height) || !has_width) return false;
+    out = size_expression(width, height, node.loc);
+    return true;
+}
+
+void read_names(ParseContext& context, const JsonNode& node, std::vector<std::string>& names,
+                std::vector<SourceLoc>& locs) {
+    if (!expect(context, node, JsonKind::array)) return;
+    for (size_t i = 0; i < node.items.size() && !context.is_full(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        std::string name;
+        if (!read_string(context, node.items[i], name)) continue;
+        names.push_back(std::move(name));
+        locs.push_back(node.items[i].loc);
+    }
+}
+
+bool check_identifier(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc) {
+    if (name.size() > context.limits().name_bytes) {
+        context.error(loc, "W004",
+                      "the name of " + std::string(what) + " has " + std::to_string(name.size()) +
+                          " bytes, more than " + std::to_string(context.limits().name_bytes),
+                      "choose a shorter one, " + raise_limit_text("graph.nameBytes"));
+        return false;
+    }
+    if (is_identifier(name)) return true;
+    context.error(loc, "W109", "\"" + name + "\" cannot be the name of " + std::string(what),
+                  "names are made of letters, digits and _, and do not begin with a digit");
+    return false;
+}
+
+bool read_reference(ParseContext& context, const JsonNode& node, RefDesc& out) {
+    if (!expect(context, node, JsonKind::string)) return false;
+    Result<RefDesc> ref = parse_reference({node.string, node.loc}, context.sources());
+    if (!ref) {
+        context.add(ref.take_errors());
+        return false;
+    }
+    out = std::move(*ref);
+    return context.count_parts(out);
+}
+
+std::string quoted_list(const std::vector<std::string>& names) {
+    const size_t shown = names.size() > kMostListed ? kMostListed : names.size();
+    std::string text;
+    for (size_t i = 0; i < shown; ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+        text += "\"" + names[i] + "\"";
+    }
+    if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
+    return text;
+}
+
+void unknown_key(ParseContext& context, const JsonMember& member, std::string_view what,
+                 const std::vector<std::string>& allowed) {
+    Diagnostic& error =
+        context.error(member.key_loc, "W101", "unknown key \"" + member.key + "\" in " + std::string(what));
+    const std::string near = did_you_mean_text(member.key, allowed);
+    if (!near.empty()) error.help.push_back(near);
+    if (allowed.size() <= kShortList)
+        error.help.push_back(allowed.empty() ? "no keys are allowed here"
+                                             : "keys are " + quoted_list(allowed));
+    else if (near.empty())
+        error.help.emplace_back("remove it, or move it to where it belongs");
+}
+
+void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, std::string_view key,
+                 std::string help) {
+    context.error(loc, "W108", std::string(what) + " needs the key \"" + std::string(key) + "\"",
+                  std::move(help));
+}
+
+void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
+                const std::vector<std::string>& allowed) {
+    Diagnostic& error = context.error(node.loc, "W109", "\"" + found + "\" is not among the allowed values");
+    const std::string near = did_you_mean_text(found, allowed);
+    if (!near.empty()) error.help.push_back(near);
+    error.help.push_back("values are " + quoted_list(allowed));
+}
+
+}  // namespace weft

@@ -1,0 +1,234 @@
+// Purpose: what all parts of the parser share: where errors go, and readers for single values. Internal to
+// weft_graph. A reader that finds the wrong thing reports it and leaves its target alone, so that parsing
+// goes on and finds the other faults too. Errors: W101 unknown key, W102 wrong type, W108 missing key, W109
+// bad value.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "graph/parse/format_words.h"
+#include "weft/graph_desc.h"
+#include "weft/result.h"
+#include "weft/syntax/json_doc.h"
+
+namespace weft {
+
+class ParseContext {
+ public:
+    static constexpr size_t kMaxErrors = 100;
+
+    explicit ParseContext(const SourceMap& sources, const GraphLimits& limits = {})
+        : sources_(sources), limits_(limits) {}
+
+    // The reference lives until the next error. Beyond a limit errors are dropped.
+    Diagnostic& error(SourceLoc loc, std::string code, std::string message);
+    void error(SourceLoc loc, std::string code, std::string message, std::string help);
+    void add(Diagnostics errors);
+    [[nodiscard]] const SourceMap& sources() const { return sources_; }
+    [[nodiscard]] const GraphLimits& limits() const { return limits_; }
+    // False: `count` is over `limit`, which is reported (W125), and parsing ends. `what`: "tiers".
+    bool within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what, const char* limit_name,
+                const std::string& help);
+    // Counts the parts of an expression or reference that was read; false: over the limit, reported.
+    bool count_parts(const Expr& expression);
+    bool count_parts(const RefDesc& ref);
+    // So many faults, or so much of something, that looking for more would only cost time.
+    [[nodiscard]] bool is_full() const { return is_over_limit_ || errors_.size() >= kMaxErrors; }
+    [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
+    [[nodiscard]] Diagnostics take_errors();  // in the order of the file
+
+    void push(std::string_view key) { path_.emplace_back(key); }
+    void pop() { path_.pop_back(); }
+
+ private:
+    [[nodiscard]] std::string pointer() const;
+
+    const SourceMap& sources_;
+    const GraphLimits limits_;
+    size_t parts_ = 0;
+    bool is_over_limit_ = false;
+    Diagnostics errors_;
+    Diagnostic dropped_;
+    std::vector<std::string> path_;
+};
+
+// Names one more level of the JSON pointer while it lives.
+class PointerScope {
+ public:
+    PointerScope(ParseContext& context, std::string_view key) : context_(context) { context_.push(key); }
+    ~PointerScope() { context_.pop(); }
+    PointerScope(const PointerScope&) = delete;
+    PointerScope& operator=(const PointerScope&) = delete;
+
+ private:
+    ParseContext& context_;
+};
+
+template <class T>
+struct KeyRule {
+    std::string_view key;
+    void (*read)(ParseContext&, const JsonNode&, T&);
+};
+template <class E>
+struct Choice {
+    std::string_view name;
+    E value;
+};
+
+// --- single values
+// ---------------------------------------------------------------------------------------------
+void wrong_type(ParseContext& context, const JsonNode& node, std::string_view wanted);
+bool expect(ParseContext& context, const JsonNode& node, JsonKind wanted);
+bool read_string(ParseContext& context, const JsonNode& node, std::string& out);
+bool read_bool(ParseContext& context, const JsonNode& node, bool& out);
+bool read_number(ParseContext& context, const JsonNode& node, double& out);
+bool read_float(ParseContext& context, const JsonNode& node, float& out);
+bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int64_t max, int64_t& out);
+bool read_byte(ParseContext& context, const JsonNode& node, uint8_t& out);
+// An array of `count` numbers.
+bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out);
+// A number or an expression in a string.
+bool read_expression(ParseContext& context, const JsonNode& node, Expr& out);
+// One for all four channels, or four of them.
+void read_color(ParseContext& context, const JsonNode& node, std::optional<ColorDesc>& out);
+// The same, or true and false for 1 and 0.
+bool read_switch(ParseContext& context, const JsonNode& node, Expr& out);
+// A size or number: an expression, a number, or [width, height] of them.
+bool read_size(ParseContext& context, const JsonNode& node, Expr& out);
+// An array of names, and where each was written.
+void read_names(ParseContext& context, const JsonNode& node, std::vector<std::string>& names,
+                std::vector<SourceLoc>& locs);
+bool check_identifier(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc);
+// A reference in a string.
+bool read_reference(ParseContext& context, const JsonNode& node, RefDesc& out);
+
+void unknown_key(ParseContext& context, const JsonMember& member, std::string_view what,
+                 const std::vector<std::string>& allowed);
+void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, std::string_view key,
+                 std::string help);
+void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
+                const std::vector<std::string>& allowed);
+// "a", "b" and "c"; of a long list the first ones
+[[nodiscard]] std::string quoted_list(const std::vector<std::string>& names);
+
+// --- composed values
+// -------------------------------------------------------------------------------------------
+template <class E>
+bool find_choice(std::span<const Choice<E>> choices, std::string_view name, E& out) {
+    for (const Choice<E>& choice : choices) {
+        if (choice.name != name) continue;
+        out = choice.value;
+        return true;
+    }
+    return false;
+}
+
+template <class E>
+std::vector<std::string> choice_names(std::span<const Choice<E>> choices) {
+    std::vector<std::string> names;
+    for (const Choice<E>& choice : choices) names.emplace_back(choice.name);
+    return names;
+}
+
+template <class E, size_t N>
+bool read_choice(ParseContext& context, const JsonNode& node, const std::array<Choice<E>, N>& choices,
+                 E& out) {
+    const std::span<const Choice<E>> span(choices);
+    if (!expect(context, node, JsonKind::string)) return false;
+    if (find_choice(span, node.string, out)) return true;
+    bad_choice(context, node, node.string, choice_names(span));
+    return false;
+}
+
+// Reads the keys of an object by table; all others are errors. `what` names the thing: "a resource".
+template <class T, size_t N>
+bool read_object(ParseContext& context, const JsonNode& node, std::string_view what,
+                 const std::array<KeyRule<T>, N>& rules, T& out) {
+    if (!expect(context, node, JsonKind::object)) return false;
+    for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
+        const PointerScope scope(context, member.key);
+        const KeyRule<T>* found = nullptr;
+        for (const KeyRule<T>& rule : rules)
+            if (rule.key == member.key) found = &rule;
+        if (found != nullptr) {
+            found->read(context, member.value, out);
+            continue;
+        }
+        std::vector<std::string> allowed;
+        for (const KeyRule<T>& rule : rules) allowed.emplace_back(rule.key);
+        unknown_key(context, member, what, allowed);
+    }
+    return true;
+}
+
+// What a table holds, for format_words().
+template <class T, size_t N>
+void list_keys(std::vector<FormatWords>& lists, std::string place, const std::array<KeyRule<T>, N>& rules) {
+    FormatWords& list = lists.emplace_back(FormatWords{std::move(place), true, {}});
+    for (const KeyRule<T>& rule : rules) list.words.emplace_back(rule.key);
+}
+
+template <class E, size_t N>
+void list_choices(std::vector<FormatWords>& lists, std::string place,
+                  const std::array<Choice<E>, N>& choices) {
+    lists.push_back({std::move(place), false, choice_names(std::span<const Choice<E>>(choices))});
+}
+
+// Calls read(member) for each entry of a map from names to things.
+template <class F>
+void read_named(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
+    if (!expect(context, node, JsonKind::object)) return;
+    for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
+        const PointerScope scope(context, member.key);
+        if (check_identifier(context, what, member.key, member.key_loc)) read(member);
+    }
+}
+
+// --- the parts of a graph
+// --------------------------------------------------------------------------------------
+void parse_params(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+// Reads graph.tiers, graph.params, graph.imports and graph.resources.
+void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
+// The constants, parameters and sizes read so far are no more than the limit allows; false: reported.
+bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc);
+// The indices of repeats against each other and everything else that expressions may name.
+void check_indices(ParseContext& context, const GraphDesc& graph);
+void parse_pass_params(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass);
+// The colour attachments' blending and write masks, of which either may be absent. Reads pass.out.
+void parse_blend(ParseContext& context, const JsonNode* blend, const JsonNode* write_mask, PassDesc& pass);
+
+// --- the words of each part
+// -------------------------------------------------------------------------------------
+void list_graph_words(std::vector<FormatWords>& lists);
+void list_param_words(std::vector<FormatWords>& lists);
+void list_resource_words(std::vector<FormatWords>& lists);
+void list_pass_words(std::vector<FormatWords>& lists);
+void list_port_words(std::vector<FormatWords>& lists);
+void list_state_words(std::vector<FormatWords>& lists);
+void list_blend_words(std::vector<FormatWords>& lists);
+void list_debug_words(std::vector<FormatWords>& lists);
+void list_test_words(std::vector<FormatWords>& lists);
+
+}  // namespace weft

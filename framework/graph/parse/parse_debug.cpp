@@ -1,0 +1,71 @@
+// Ways to look at resources: "Normals": { "show": "normal", "decode": "octahedral" }.
+#include <algorithm>
+
+#include "graph/parse/debug_view.h"
+#include "graph/parse/parse_context.h"
+
+namespace weft {
+namespace {
+
+void read_show(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
+    read_reference(context, node, view.show);
+}
+
+void read_decode(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
+    if (!read_string(context, node, view.decode)) return;
+    const std::vector<std::string> known = debug_decoders();
+    if (std::ranges::find(known, view.decode) == known.end()) bad_choice(context, node, view.decode, known);
+}
+
+void read_view_shader(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
+    read_string(context, node, view.shader);
+    if (!view.decode.empty())
+        context.error(node.loc, "W109", "a view has a \"decode\" or a \"shader\", not both",
+                      "remove one of the two");
+}
+
+void read_range(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
+    if (!expect(context, node, JsonKind::array)) return;
+    if (node.items.size() != 2)
+        return context.error(node.loc, "W109",
+                             "found " + std::to_string(node.items.size()) + " values, wanted two",
+                             "write [what is black, what is white]");
+    std::array<Expr, 2> range;
+    bool good = true;
+    for (size_t i = 0; i < range.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        good = read_expression(context, node.items[i], range[i]) && good;
+    }
+    if (good) view.range = std::move(range);
+}
+
+constexpr std::array kViewKeys{
+    KeyRule<DebugViewDesc>{"show", read_show}, KeyRule<DebugViewDesc>{"decode", read_decode},
+    KeyRule<DebugViewDesc>{"shader", read_view_shader}, KeyRule<DebugViewDesc>{"range", read_range}};
+
+}  // namespace
+
+void list_debug_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "debugView", kViewKeys);
+}
+
+void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    if (!expect(context, node, JsonKind::object)) return;
+    for (const JsonMember& member : node.members) {
+        if (context.is_full()) return;
+        if (!context.within(graph.debug.size() + 1, context.limits().debug_views, member.key_loc,
+                            "debug views", "graph.debugViews", "leave some out"))
+            return;
+        const PointerScope scope(context, member.key);
+        DebugViewDesc view;
+        view.name = member.key;
+        view.loc = member.key_loc;
+        if (!read_object(context, member.value, "a debug view", kViewKeys, view)) continue;
+        if (member.value.find("show") == nullptr)
+            missing_key(context, member.key_loc, "a debug view", "show",
+                        "say which resource: \"show\": \"hdr\"");
+        graph.debug.emplace(member.key, std::move(view));
+    }
+}
+
+}  // namespace weft

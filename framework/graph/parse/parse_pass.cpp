@@ -1,0 +1,357 @@
+#include <algorithm>
+
+#include "graph/parse/expression.h"
+#include "graph/parse/parse_context.h"
+
+namespace weft {
+namespace {
+
+// Which pass types have a key.
+using TypeMask = uint32_t;
+constexpr TypeMask kCompute = 1;
+constexpr TypeMask kFullscreen = 2;
+constexpr TypeMask kRaster = 4;
+constexpr TypeMask kClear = 8;
+constexpr TypeMask kCopy = 16;
+constexpr TypeMask kReadback = 32;
+constexpr TypeMask kCustom = 64;  // pass types written in C++
+constexpr TypeMask kBlit = 128;
+constexpr TypeMask kTransfer = kCopy | kBlit;
+constexpr TypeMask kAll = 255;
+constexpr TypeMask kDrawing = kFullscreen | kRaster;
+constexpr TypeMask kShaded = kCompute | kDrawing;
+
+constexpr std::array kBuiltinTypes{
+    Choice<TypeMask>{"compute", kCompute},   Choice<TypeMask>{"fullscreen", kFullscreen},
+    Choice<TypeMask>{"raster", kRaster},     Choice<TypeMask>{"clear", kClear},
+    Choice<TypeMask>{"copy", kCopy},         Choice<TypeMask>{"blit", kBlit},
+    Choice<TypeMask>{"readback", kReadback},
+};
+constexpr std::array kQueues{Choice<QueueKind>{"graphics", QueueKind::graphics},
+                             Choice<QueueKind>{"async", QueueKind::compute},
+                             Choice<QueueKind>{"transfer", QueueKind::transfer}};
+
+void read_type(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_string(context, node, pass.type);
+}
+
+void read_queue(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_choice(context, node, kQueues, pass.queue);
+}
+
+void read_shader(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    pass.shader_loc = node.loc;
+    read_string(context, node, pass.shader);
+}
+
+void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    const auto is_of_a_count = [](const JsonMember& member) {
+        const std::vector<std::string> counts{"vertices", "instances"};
+        return std::ranges::find(counts, member.key) != counts.end() ||
+               !did_you_mean(member.key, counts).empty();
+    };
+    if (node.kind == JsonKind::object && std::ranges::any_of(node.members, is_of_a_count))
+        return parse_procedural_draws(context, node, pass);
+    if (node.kind == JsonKind::object) return parse_indirect_draws(context, node, pass);
+    read_names(context, node, pass.draws, pass.draw_locs);
+}
+
+// "camera", or a name and a number in brackets: "sun(i)".
+void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    pass.view_loc = node.loc;
+    if (!read_string(context, node, pass.view)) return;
+    const size_t open = pass.view.find('(');
+    if (open == std::string::npos) return;
+    const LocatedText text{node.string, node.loc};
+    size_t end = open + 1;
+    Result<Expr> number = parse_expression_at(text, end, context.sources());
+    if (!number) return context.add(number.take_errors());
+    if (!context.count_parts(*number)) return;
+    if (text.text.substr(end) != ")")
+        return context.error(text.at(end, 1), "W106", "the number of a view does not end with ')'",
+                             "write the view as \"" + pass.view.substr(0, open) + "(i)\"");
+    pass.view.resize(open);
+    pass.view_number = std::move(*number);
+}
+
+// One expression (a size counts for x and y), or two or three.
+void read_counts(ParseContext& context, const JsonNode& node, std::vector<Expr>& out) {
+    if (node.kind != JsonKind::array) {
+        read_expression(context, node, out.emplace_back());
+        return;
+    }
+    if (node.items.empty() || node.items.size() > 3)
+        return context.error(node.loc, "W109",
+                             "found " + std::to_string(node.items.size()) + " values, wanted 1 to 3",
+                             "write [x, y, z]");
+    for (size_t i = 0; i < node.items.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        read_expression(context, node.items[i], out.emplace_back());
+    }
+}
+
+void read_groups(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    if (node.kind == JsonKind::object) return parse_indirect(context, node, pass);
+    read_counts(context, node, pass.groups);
+}
+
+void read_threads(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_counts(context, node, pass.threads);
+}
+
+void read_clear(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_color(context, node, pass.clear);
+}
+
+void read_covers(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_bool(context, node, pass.covers);
+}
+
+void read_partial(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_bool(context, node, pass.partial);
+}
+
+void read_per_frame(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    pass.per_frame_loc = node.loc;
+    read_switch(context, node, pass.per_frame);
+}
+
+void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_names(context, node, pass.after, pass.after_locs);
+}
+
+constexpr std::array kCostKeys{KeyRule<PassDesc>{
+    "flops", [](ParseContext& c, const JsonNode& n, PassDesc& p) { read_expression(c, n, p.flops); }}};
+
+void read_cost(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_object(context, node, "a cost", kCostKeys, pass);
+}
+
+void read_if(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_switch(context, node, pass.condition);
+}
+
+struct PassKey {
+    std::string_view key;
+    TypeMask types;
+    void (*read)(ParseContext&, const JsonNode&, PassDesc&);
+};
+// Ports come first: the state names outputs.
+constexpr std::array kPassKeys{
+    PassKey{"type", kAll, read_type},
+    PassKey{"queue", kAll, read_queue},
+    PassKey{"shader", kShaded, read_shader},
+    PassKey{"in", kShaded | kTransfer | kReadback | kCustom, parse_inputs},
+    PassKey{"out", kAll & ~kReadback, parse_outputs},
+    PassKey{"depth", kDrawing, parse_depth},
+    PassKey{"resolve", kDrawing, parse_resolves},
+    PassKey{"draws", kRaster, read_draws},
+    PassKey{"view", kShaded, read_view},
+    PassKey{"params", kShaded | kCustom, parse_pass_params},
+    PassKey{"constants", kShaded, parse_constants},
+    PassKey{"if", kAll, read_if},
+    PassKey{"repeat", kAll, parse_repeat},
+    PassKey{"perFrame", kAll & ~kReadback, read_per_frame},
+    PassKey{"groups", kCompute, read_groups},
+    PassKey{"threads", kCompute, read_threads},
+    PassKey{"state", kDrawing, parse_state},
+    PassKey{"clear", kDrawing | kClear, read_clear},
+    PassKey{"covers", kDrawing, read_covers},
+    PassKey{"partial", kShaded | kTransfer | kCustom, read_partial},
+    PassKey{"after", kAll, read_after},
+    PassKey{"cost", kShaded | kCustom, read_cost},
+};
+
+struct RequiredKey {
+    std::string_view key;
+    TypeMask types;
+    const char* help;
+};
+constexpr std::array kRequiredKeys{
+    RequiredKey{"shader", kShaded, "name the shader, for example \"shader\": \"light.comp\""},
+    RequiredKey{"draws", kRaster, "list the draw lists, for example \"draws\": [\"opaque\"]"},
+    RequiredKey{"in", kTransfer | kReadback, "say what is read, for example \"in\": [\"hdr\"]"},
+    RequiredKey{"out", kClear | kTransfer, "say what is written, for example \"out\": [\"hdr\"]"},
+};
+
+std::string types_text(TypeMask types) {
+    std::vector<std::string> names;
+    for (const Choice<TypeMask>& type : kBuiltinTypes)
+        if ((types & type.value) != 0) names.emplace_back(type.name);
+    return quoted_list(names);
+}
+
+std::string article(const std::string& type) {
+    return "a \"" + type + "\" pass";
+}
+
+const PassKey* find_key(std::string_view key) {
+    const auto it =
+        std::find_if(kPassKeys.begin(), kPassKeys.end(), [&](const PassKey& k) { return k.key == key; });
+    return it == kPassKeys.end() ? nullptr : it;
+}
+
+// Where a tier or an including file means to change a pass, a misspelt name makes a new one without a type.
+void missing_type(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
+    std::vector<std::string> others;
+    for (const JsonMember& other : passes.members)
+        if (other.value.find("type") != nullptr) others.push_back(other.key);
+    std::string near = did_you_mean_text(member.key, others);
+    missing_key(context, member.key_loc, "a pass", "type",
+                near.empty() ? "types are " + types_text(kAll) + ", or one written in C++" : std::move(near));
+}
+
+// The pass's type, or all of them where it is unknown or absent: then no key is called out of place.
+TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
+    const JsonNode* type = member.value.find("type");
+    if (type == nullptr) {
+        missing_type(context, member, passes);
+        return kAll;
+    }
+    if (type->kind != JsonKind::string || type->string.empty()) return kAll;
+    TypeMask mask = kCustom;
+    if (find_choice(std::span<const Choice<TypeMask>>(kBuiltinTypes), type->string, mask)) return mask;
+    // A type that isn't built in may still be one in C++, which resolve() knows; but those have no shaders
+    // and the like.
+    for (const JsonMember& entry : member.value.members) {
+        const PassKey* key = find_key(entry.key);
+        if (key == nullptr || (key->types & kCustom) != 0) continue;
+        const PointerScope scope(context, "type");
+        Diagnostic& error = context.error(
+            type->loc, "W115", "unknown pass type \"" + type->string + "\" with \"" + entry.key + "\"");
+        const std::string near =
+            did_you_mean_text(type->string, choice_names(std::span<const Choice<TypeMask>>(kBuiltinTypes)));
+        error.help.push_back(near.empty() ? "built-in types are " + types_text(kAll) : near);
+        return kAll;
+    }
+    return kCustom;
+}
+
+std::vector<std::string> keys_of(TypeMask types) {
+    std::vector<std::string> keys;
+    for (const PassKey& key : kPassKeys)
+        if ((key.types & types) != 0) keys.emplace_back(key.key);
+    return keys;
+}
+
+void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, const std::string& type) {
+    const std::vector<std::string> allowed = keys_of(mask);
+    for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
+        const PointerScope scope(context, member.key);
+        const PassKey* key = find_key(member.key);
+        if (key == nullptr)
+            unknown_key(context, member, mask == kAll ? "a pass" : article(type), allowed);
+        else if ((key->types & mask) == 0)
+            context.error(member.key_loc, "W101", article(type) + " has no use for \"" + member.key + "\"",
+                          "\"" + member.key + "\" belongs to passes of type " + types_text(key->types));
+    }
+}
+
+// A misspelt key was reported as unknown: then the right one isn't missing for another reason.
+bool is_misspelt(const JsonNode& pass, std::string_view key) {
+    return std::any_of(pass.members.begin(), pass.members.end(), [&](const JsonMember& member) {
+        return find_key(member.key) == nullptr && !did_you_mean(member.key, {std::string(key)}).empty();
+    });
+}
+
+void check_required(ParseContext& context, const JsonMember& member, TypeMask mask) {
+    for (const RequiredKey& required : kRequiredKeys)
+        if ((required.types & mask) == mask && member.value.find(required.key) == nullptr &&
+            !is_misspelt(member.value, required.key))
+            missing_key(context, member.key_loc, article(member.value.find("type")->string), required.key,
+                        required.help);
+}
+
+void check_dispatch(ParseContext& context, const JsonNode& node) {
+    const JsonNode* threads = node.find("threads");
+    if (threads == nullptr || node.find("groups") == nullptr) return;
+    const PointerScope scope(context, "threads");
+    context.error(threads->loc, "W109", "a pass has \"groups\" or \"threads\", not both",
+                  "remove one of the two");
+}
+
+// A depth attachment without a word about the test means the usual one (reversed Z) where there is geometry.
+void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& pass) {
+    const JsonNode* state = member.value.find("state");
+    const JsonNode* depth = state == nullptr ? nullptr : state->find("depth");
+    if (!pass.depth && depth != nullptr && pass.state.depth_test) {
+        const PointerScope scope(context, "state");
+        const PointerScope key(context, "depth");
+        context.error(depth->loc, "W109", "the pass tests depth but has no depth attachment",
+                      "add \"depth\": \"name of the depth image\" to the pass");
+    }
+    if (!pass.depth || depth != nullptr) return;
+    if (pass.type == "fullscreen")
+        return missing_key(context, member.key_loc,
+                           "the \"state\" of a fullscreen pass with a depth attachment", "depth",
+                           "say which test is meant, for example \"state\": { \"depth\": \"equal\" }");
+    pass.state.depth_test = true;
+    pass.state.depth_write = true;
+    pass.state.depth_compare = CompareOp::greater;
+}
+
+void check_procedural(ParseContext& context, const JsonNode& node, const PassDesc& pass) {
+    if (pass.vertices.empty() || pass.state.cull != CullMode::material) return;
+    const JsonNode* cull = node.find("state")->find("cull");
+    const PointerScope scope(context, "state"), key(context, "cull");
+    context.error(cull->loc, "W109", "draws without a list have no material that says what is culled",
+                  "write \"none\", \"front\" or \"back\"");
+}
+
+void check_port_names(ParseContext& context, const PassDesc& pass) {
+    for (const PortDesc& port : pass.in)
+        if (pass.indirect && port.port == "indirect")
+            context.error(port.loc, "W109", "what the pass runs is read from a port called \"indirect\"",
+                          "give the input another name: { \"name\": \"" + port.ref.text + "\" }");
+    for (const PortDesc& port : pass.out)
+        if (pass.depth && port.port == "depth")
+            context.error(port.loc, "W109", "the pass has a depth attachment and an output called \"depth\"",
+                          "give the output another name: { \"name\": \"" + port.ref.text + "\" }");
+}
+
+void read_pass(ParseContext& context, const JsonMember& member, const JsonNode& passes, PassDesc& pass) {
+    const TypeMask mask = type_mask(context, member, passes);
+    const JsonNode* type = member.value.find("type");
+    check_keys(context, member.value, mask, type == nullptr ? "" : type->string);
+    if (mask != kAll) check_required(context, member, mask);
+    for (const PassKey& key : kPassKeys) {
+        const JsonNode* value = member.value.find(key.key);
+        if (value == nullptr || (key.types & mask) == 0) continue;
+        const PointerScope scope(context, key.key);
+        key.read(context, *value, pass);
+    }
+    check_dispatch(context, member.value);
+    check_procedural(context, member.value, pass);
+    check_port_names(context, pass);
+    if ((mask & kDrawing) == mask) complete_depth(context, member, pass);
+}
+
+}  // namespace
+
+void list_pass_words(std::vector<FormatWords>& lists) {
+    lists.push_back({"anyPass", true, keys_of(kAll)});
+    lists.push_back({"customPass", true, keys_of(kCustom), {"type"}, "anyPass"});
+    for (const Choice<TypeMask>& type : kBuiltinTypes) {
+        FormatWords& list = lists.emplace_back(
+            FormatWords{std::string(type.name) + "Pass", true, keys_of(type.value), {"type"}, "anyPass"});
+        for (const RequiredKey& key : kRequiredKeys)
+            if ((key.types & type.value) != 0) list.required.emplace_back(key.key);
+    }
+    list_choices(lists, "builtinType", kBuiltinTypes);
+    list_choices(lists, "queue", kQueues);
+    list_keys(lists, "cost", kCostKeys);
+}
+
+void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "a pass", [&](const JsonMember& member) {
+        if (!expect(context, member.value, JsonKind::object)) return;
+        PassDesc pass;
+        pass.name = member.key;
+        pass.loc = member.key_loc;
+        read_pass(context, member, node, pass);
+        graph.passes.emplace(member.key, std::move(pass));
+    });
+}
+
+}  // namespace weft

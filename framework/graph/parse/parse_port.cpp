@@ -1,0 +1,246 @@
+#include <algorithm>
+
+#include "graph/parse/parse_context.h"
+#include "graph/parse/reference.h"
+
+namespace weft {
+namespace {
+
+struct PortDraft {
+    PortDesc port;
+    std::optional<ColorDesc> clear;
+    bool has_ref = false;
+};
+
+constexpr std::array kFilters{Choice<SamplerFilter>{"nearest", SamplerFilter::nearest},
+                              Choice<SamplerFilter>{"linear", SamplerFilter::linear}};
+constexpr std::array kWraps{
+    Choice<SamplerWrap>{"clamp", SamplerWrap::clamp}, Choice<SamplerWrap>{"repeat", SamplerWrap::repeat},
+    Choice<SamplerWrap>{"mirror", SamplerWrap::mirror}, Choice<SamplerWrap>{"border", SamplerWrap::border}};
+constexpr std::array kCompares{Choice<bool>{"none", false}, Choice<bool>{"greater_equal", true}};
+
+constexpr std::array kSamplerKeys{
+    KeyRule<SamplerDecl>{"filter", [](ParseContext& c, const JsonNode& n,
+                                      SamplerDecl& s) { read_choice(c, n, kFilters, s.filter); }},
+    KeyRule<SamplerDecl>{"mipFilter", [](ParseContext& c, const JsonNode& n,
+                                         SamplerDecl& s) { read_choice(c, n, kFilters, s.mip_filter); }},
+    KeyRule<SamplerDecl>{"wrap", [](ParseContext& c, const JsonNode& n,
+                                    SamplerDecl& s) { read_choice(c, n, kWraps, s.wrap); }},
+    KeyRule<SamplerDecl>{"compare",
+                         [](ParseContext& c, const JsonNode& n, SamplerDecl& s) {
+                             read_choice(c, n, kCompares, s.compare_greater_equal);
+                         }},
+};
+
+void read_ref(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    draft.has_ref = true;
+    read_reference(context, node, draft.port.ref);
+}
+
+void read_else(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    RefDesc ref;
+    if (read_reference(context, node, ref)) draft.port.otherwise = std::move(ref);
+}
+
+void read_optional(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    read_bool(context, node, draft.port.optional);
+}
+
+void read_sampler(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    read_object(context, node, "a sampler", kSamplerKeys, draft.port.sampler.emplace());
+}
+
+void read_clear(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    read_color(context, node, draft.clear);
+}
+
+constexpr std::array kInputKeys{KeyRule<PortDraft>{"ref", read_ref}, KeyRule<PortDraft>{"else", read_else},
+                                KeyRule<PortDraft>{"optional", read_optional},
+                                KeyRule<PortDraft>{"sampler", read_sampler}};
+constexpr std::array kOutputKeys{KeyRule<PortDraft>{"ref", read_ref},
+                                 KeyRule<PortDraft>{"clear", read_clear}};
+
+constexpr std::array kGroupsKeys{KeyRule<PortDraft>{"indirect", read_ref}};
+
+struct DrawsDraft {
+    PortDraft commands;
+    std::string list;
+    SourceLoc list_loc;
+};
+constexpr std::array kDrawsKeys{
+    KeyRule<DrawsDraft>{"list",
+                        [](ParseContext& c, const JsonNode& n, DrawsDraft& d) {
+                            d.list_loc = n.loc;
+                            read_string(c, n, d.list);
+                        }},
+    KeyRule<DrawsDraft>{
+        "indirect", [](ParseContext& c, const JsonNode& n, DrawsDraft& d) { read_ref(c, n, d.commands); }}};
+
+constexpr std::array kVerticesKeys{
+    KeyRule<PassDesc>{"vertices", [](ParseContext& c, const JsonNode& n,
+                                     PassDesc& p) { read_expression(c, n, p.vertices); }},
+    KeyRule<PassDesc>{"instances", [](ParseContext& c, const JsonNode& n, PassDesc& p) {
+                          read_expression(c, n, p.instances);
+                      }}};
+
+template <size_t N>
+PortDraft read_port(ParseContext& context, const JsonNode& node, std::string name, SourceLoc loc,
+                    std::string_view what, const std::array<KeyRule<PortDraft>, N>& keys) {
+    PortDraft draft;
+    draft.port.port = std::move(name);
+    draft.port.loc = loc;
+    if (node.kind != JsonKind::object)
+        wrong_type(context, node, "a reference in a string");
+    else if (read_object(context, node, what, keys, draft) && !draft.has_ref)
+        missing_key(context, loc, what, "ref", "say which resource: {\"ref\": \"name\"}");
+    return draft;
+}
+
+// A bare reference that is no good names no good port either; that is one fault, not two.
+bool is_port_map(ParseContext& context, const JsonNode& node) {
+    if (node.kind == JsonKind::object) return true;
+    if (node.kind != JsonKind::array) {
+        wrong_type(context, node, "a list of references or an object of ports");
+        return false;
+    }
+    for (size_t i = 0; i < node.items.size() && !context.is_full(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        expect(context, node.items[i], JsonKind::string);
+    }
+    return false;
+}
+
+// Inputs, outputs and resolve targets are counted each.
+bool check_port_count(ParseContext& context, size_t count, SourceLoc loc) {
+    return context.within(count, context.limits().pass_ports, loc, "ports of one kind in a pass",
+                          "graph.passPorts", "let one image with layers serve for many");
+}
+
+bool named_by_reference(const JsonMember& member) {
+    const JsonNode* ref = member.value.find("ref");
+    return ref != nullptr && ref->loc.line == member.key_loc.line && ref->loc.column == member.key_loc.column;
+}
+
+template <class F>
+void read_ports(ParseContext& context, const JsonNode& node, F read) {
+    if (!is_port_map(context, node)) return;
+    size_t count = 0;
+    for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
+        if (!check_port_count(context, ++count, member.key_loc)) return;
+        const PointerScope scope(context, member.key);
+        if (named_by_reference(member) || check_identifier(context, "a port", member.key, member.key_loc))
+            read(member);
+    }
+}
+
+}  // namespace
+
+void list_port_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "input", kInputKeys);
+    list_keys(lists, "output", kOutputKeys);
+    list_keys(lists, "sampler", kSamplerKeys);
+    list_choices(lists, "filter", kFilters);
+    list_choices(lists, "wrap", kWraps);
+    list_choices(lists, "samplerCompare", kCompares);
+    list_keys(lists, "indirectGroups", kGroupsKeys);
+    list_keys(lists, "indirectDraws", kDrawsKeys);
+    list_keys(lists, "proceduralDraws", kVerticesKeys);
+}
+
+void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_ports(context, node, [&](const JsonMember& member) {
+        PortDraft draft =
+            read_port(context, member.value, member.key, member.key_loc, "an input", kInputKeys);
+        pass.in.push_back(std::move(draft.port));
+    });
+}
+
+void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_ports(context, node, [&](const JsonMember& member) {
+        PortDraft draft =
+            read_port(context, member.value, member.key, member.key_loc, "an output", kOutputKeys);
+        if (draft.clear) pass.clear_ports.emplace(member.key, *draft.clear);
+        pass.out.push_back(std::move(draft.port));
+    });
+}
+
+// {"hdr": "hdrMs"}: output hdrMs, averaged, goes to hdr.
+void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    if (!expect(context, node, JsonKind::object)) return;
+    std::vector<std::string> outputs;
+    for (const PortDesc& port : pass.out) outputs.push_back(port.port);
+    size_t count = 0;
+    for (const JsonMember& member : node.members) {
+        if (context.is_full() || !check_port_count(context, ++count, member.key_loc)) break;
+        const PointerScope scope(context, member.key);
+        Result<RefDesc> ref = parse_reference({member.key, member.key_loc}, context.sources());
+        if (!ref) {
+            context.add(ref.take_errors());
+            continue;
+        }
+        if (!context.count_parts(*ref)) return;
+        ResolveDesc resolve;
+        resolve.target.port = ref->name;
+        resolve.target.loc = member.key_loc;
+        resolve.target.ref = std::move(*ref);
+        resolve.output_loc = member.value.loc;
+        if (!read_string(context, member.value, resolve.output)) continue;
+        if (pass.depth && resolve.output == "depth") {
+            context.error(member.value.loc, "W109", "depth can't be resolved",
+                          "sample it in another pass, as a sampler2DMS, and write what you need of it");
+            continue;
+        }
+        if (std::find(outputs.begin(), outputs.end(), resolve.output) == outputs.end())
+            bad_choice(context, member.value, resolve.output, outputs);
+        else
+            pass.resolves.push_back(std::move(resolve));
+    }
+}
+
+// {"indirect": "args"}
+void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    PortDraft draft;
+    draft.port.port = "indirect";
+    draft.port.loc = node.loc;
+    if (!read_object(context, node, "the size of a dispatch", kGroupsKeys, draft)) return;
+    if (node.members.empty())
+        missing_key(context, node.loc, "the size of a dispatch", "indirect",
+                    "name the buffer that holds it: { \"indirect\": \"args\" }");
+    pass.indirect = std::move(draft.port);
+}
+
+// {"list": "opaque", "indirect": "commands"}
+void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    DrawsDraft draft;
+    draft.commands.port.port = "indirect";
+    draft.commands.port.loc = node.loc;
+    if (!read_object(context, node, "a list drawn indirectly", kDrawsKeys, draft)) return;
+    for (const auto& [key, help] :
+         {std::pair{"list", "name the draw list: { \"list\": \"opaque\", \"indirect\": \"commands\" }"},
+          std::pair{"indirect", "name the buffer of draw commands, or write \"draws\": [\"opaque\"]"}})
+        if (node.find(key) == nullptr && node.members.size() < 2)  // else it is misspelt
+            missing_key(context, node.loc, "a list drawn indirectly", key, help);
+    if (!draft.list.empty()) {
+        pass.draws.push_back(std::move(draft.list));
+        pass.draw_locs.push_back(draft.list_loc);
+    }
+    if (draft.commands.has_ref) pass.indirect = std::move(draft.commands.port);
+}
+
+// {"vertices": 36, "instances": "maxLights"}
+void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    constexpr std::string_view kWhat = "draws without a list";
+    if (!read_object(context, node, kWhat, kVerticesKeys, pass)) return;
+    const auto is_known = [](const JsonMember& member) { return member.key == "instances"; };
+    if (std::ranges::all_of(node.members, is_known))  // else it is misspelt, or there
+        missing_key(context, node.loc, kWhat, "vertices", "say how many: { \"vertices\": 3 }");
+}
+
+void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    PortDraft draft = read_port(context, node, "depth", node.loc, "a depth attachment", kOutputKeys);
+    if (draft.clear) pass.clear_ports.emplace("depth", *draft.clear);
+    pass.depth = std::move(draft.port);
+}
+
+}  // namespace weft

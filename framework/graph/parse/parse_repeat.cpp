@@ -1,0 +1,101 @@
+// "repeat": { "i": "1..mips(hiz)-1", "j": "3..0 by -1" }: the outermost index first.
+#include "graph/parse/expression.h"
+#include "graph/parse/parse_context.h"
+
+namespace weft {
+namespace {
+
+constexpr const char* kRangeHelp =
+    "a range is \"a..b\", both ends included and empty if a > b, or \"a..b by -1\" to count down";
+
+class RangeParser {
+ public:
+    RangeParser(ParseContext& context, const JsonNode& node)
+        : context_(context), text_{node.string, node.loc} {}
+
+    bool parse(RepeatDesc& repeat) {
+        if (!expression(repeat.first) || !accept("..", "\"..\"") || !expression(repeat.last)) return false;
+        skip_spaces();
+        if (position_ == text_.text.size()) return true;
+        if (!accept("by ", "\"by\" or the end") || !expression(repeat.step)) return false;
+        skip_spaces();
+        return position_ == text_.text.size() || fail("the end");
+    }
+
+ private:
+    void skip_spaces() {
+        while (position_ < text_.text.size() && text_.text[position_] == ' ') ++position_;
+    }
+    bool expression(Expr& out) {
+        Result<Expr> parsed = parse_expression_at(text_, position_, context_.sources());
+        if (!parsed) {
+            context_.add(parsed.take_errors());
+            return false;
+        }
+        out = std::move(*parsed);
+        return context_.count_parts(out);
+    }
+    bool accept(std::string_view word, const std::string& wanted) {
+        skip_spaces();
+        if (text_.text.substr(position_, word.size()) != word) return fail(wanted);
+        position_ += word.size();
+        return true;
+    }
+    bool fail(const std::string& wanted) {
+        const std::string found = position_ >= text_.text.size()
+                                      ? "the range ends"
+                                      : std::string("found '") + text_.text[position_] + "'";
+        context_.error(text_.at(position_, 1), "W106", found + " where " + wanted + " was wanted",
+                       kRangeHelp);
+        return false;
+    }
+
+    ParseContext& context_;
+    LocatedText text_;
+    size_t position_ = 0;
+};
+
+const char* meaning_of(const GraphDesc& graph, const std::string& name) {
+    if (graph.consts.contains(name)) return "a constant";
+    if (graph.params.contains(name)) return "a parameter";
+    if (graph.sizes.contains(name)) return "a size";
+    return is_reserved_word(name) ? "a word of the expression language" : nullptr;
+}
+
+}  // namespace
+
+void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    if (node.kind == JsonKind::object && node.members.empty())
+        return context.error(node.loc, "W109", "a repeat without an index",
+                             "name one: \"repeat\": { \"i\": \"0..3\" }, or remove the key");
+    read_named(context, node, "an index", [&](const JsonMember& member) {
+        if (!context.within(pass.repeat.size() + 1, context.limits().repeat_indices, member.key_loc,
+                            "indices in a repeat", "graph.repeatIndices",
+                            "let one index count what several do"))
+            return;
+        RepeatDesc repeat;
+        repeat.index = member.key;
+        repeat.loc = member.key_loc;
+        repeat.range_loc = member.value.loc;
+        if (member.value.kind != JsonKind::string)
+            return wrong_type(context, member.value, "a range in a string");
+        if (RangeParser(context, member.value).parse(repeat)) pass.repeat.push_back(std::move(repeat));
+    });
+}
+
+void check_indices(ParseContext& context, const GraphDesc& graph) {
+    const PointerScope section(context, "passes");
+    for (const auto& [name, pass] : graph.passes) {
+        const PointerScope pass_scope(context, name);
+        const PointerScope key_scope(context, "repeat");
+        for (const RepeatDesc& repeat : pass.repeat) {
+            const PointerScope scope(context, repeat.index);
+            const char* meaning = meaning_of(graph, repeat.index);
+            if (meaning == nullptr) continue;
+            context.error(repeat.loc, "W109", "the index \"" + repeat.index + "\" is already " + meaning,
+                          "choose another name");
+        }
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,233 @@
+#include <algorithm>
+
+#include "graph/diagnostics/located_text.h"
+#include "graph/parse/parse_context.h"
+#include "graph/parse/reference.h"
+#include "weft/format.h"
+
+namespace weft {
+namespace {
+
+// "normal: rg16_snorm|rgba16f": the first that the device can do.
+void read_formats(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    std::string text;
+    if (!read_string(context, node, text)) return;
+    size_t begin = 0;
+    while (begin <= text.size()) {
+        const size_t end = std::min(text.find('|', begin), text.size());
+        const std::string name = text.substr(begin, end - begin);
+        resource.formats.push_back(name);
+        if (!format_from_name(name)) {
+            const SourceLoc loc = LocatedText{node.string, node.loc}.at(begin, name.size());
+            const std::string near = did_you_mean_text(name, format_names());
+            context.error(loc, "W116", "unknown format \"" + name + "\"",
+                          near.empty() ? "formats are " + quoted_list(format_names()) : near);
+        }
+        begin = end + 1;
+    }
+}
+
+void read_mips(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    resource.full_mips = node.kind == JsonKind::string && node.string == "full";
+    if (!resource.full_mips) read_expression(context, node, resource.mips);
+}
+
+constexpr std::array kKinds{
+    Choice<ImageKind>{"2d", ImageKind::d2}, Choice<ImageKind>{"array", ImageKind::d2_array},
+    Choice<ImageKind>{"cube", ImageKind::cube}, Choice<ImageKind>{"cubeArray", ImageKind::cube_array},
+    Choice<ImageKind>{"3d", ImageKind::d3}};
+
+void read_kind(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    read_choice(context, node, kKinds, resource.image_kind);
+}
+
+// Six square faces; the side is the size.
+void read_cube(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    if (read_expression(context, node, resource.size)) resource.image_kind = ImageKind::cube;
+}
+
+// A whole number that is written as one is checked here; what an expression gives, resolve() checks.
+bool read_count(ParseContext& context, const JsonNode& node, int64_t least, int64_t most, Expr& out) {
+    int64_t number = 0;
+    if (node.kind == JsonKind::number && !read_integer(context, node, least, most, number)) return false;
+    return read_expression(context, node, out);
+}
+
+void read_samples(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    if (node.kind == JsonKind::number && node.number != 1 && node.number != 2 && node.number != 4 &&
+        node.number != 8)
+        return context.error(node.loc, "W109", "found " + node.string + " samples", "write 1, 2, 4 or 8");
+    read_expression(context, node, resource.samples);
+}
+
+void read_layers(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    read_expression(context, node, resource.layers);
+}
+
+constexpr std::array kOnResizes{Choice<OnResize>{"clear", OnResize::clear},
+                                Choice<OnResize>{"resample", OnResize::resample},
+                                Choice<OnResize>{"refill", OnResize::refill}};
+
+void read_history(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    read_count(context, node, 0, kMaxHistory, resource.history);
+}
+
+void read_keep(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    if (node.kind == JsonKind::boolean) {
+        resource.keep = node.boolean ? KeepMode::frames : KeepMode::none;
+    } else if (node.kind != JsonKind::string) {
+        wrong_type(context, node, "true, false or \"shared\"");
+    } else if (node.string == "shared") {
+        resource.keep = KeepMode::shared;
+    } else {
+        bad_choice(context, node, node.string, {"shared"});
+    }
+}
+
+void read_element(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    resource.is_buffer = true;
+    if (read_string(context, node, resource.element))
+        check_identifier(context, "an element type", resource.element, node.loc);
+}
+
+constexpr std::array kResourceKeys{
+    KeyRule<ResourceDesc>{"format", read_formats},
+    KeyRule<ResourceDesc>{
+        "size", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_size(c, n, r.size); }},
+    KeyRule<ResourceDesc>{"mips", read_mips},
+    KeyRule<ResourceDesc>{"layers", read_layers},
+    KeyRule<ResourceDesc>{"depth", read_layers},
+    KeyRule<ResourceDesc>{"kind", read_kind},
+    KeyRule<ResourceDesc>{"cube", read_cube},
+    KeyRule<ResourceDesc>{"samples", read_samples},
+    KeyRule<ResourceDesc>{"buffer", read_element},
+    KeyRule<ResourceDesc>{
+        "count", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_expression(c, n, r.count); }},
+    KeyRule<ResourceDesc>{
+        "clear", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_color(c, n, r.clear); }},
+    KeyRule<ResourceDesc>{"preExposed", [](ParseContext& c, const JsonNode& n,
+                                           ResourceDesc& r) { read_bool(c, n, r.pre_exposed); }},
+    KeyRule<ResourceDesc>{"history", read_history},
+    KeyRule<ResourceDesc>{"keep", read_keep},
+    KeyRule<ResourceDesc>{"firstFrame", [](ParseContext& c, const JsonNode& n,
+                                           ResourceDesc& r) { read_color(c, n, r.first_frame); }},
+    KeyRule<ResourceDesc>{"onResize", [](ParseContext& c, const JsonNode& n,
+                                         ResourceDesc& r) { read_choice(c, n, kOnResizes, r.on_resize); }},
+};
+
+void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
+            std::span<const std::string_view> keys) {
+    for (const JsonMember& member : node.members) {
+        for (const std::string_view key : keys) {
+            if (member.key != key) continue;
+            const PointerScope scope(context, key);
+            context.error(member.key_loc, "W101", std::string(what) + " has no \"" + member.key + "\"",
+                          "remove it: \"count\" belongs to buffers, \"format\", \"size\" and what describes "
+                          "texels to images");
+        }
+    }
+}
+
+constexpr std::array<std::string_view, 10> kImageKeys{"format", "size", "mips",    "layers", "depth",
+                                                      "kind",   "cube", "samples", "clear",  "preExposed"};
+constexpr std::array<std::string_view, 1> kBufferKeys{"count"};
+
+std::vector<std::string> keys_but(std::span<const std::string_view> others) {
+    std::vector<std::string> keys;
+    for (const KeyRule<ResourceDesc>& rule : kResourceKeys)
+        if (std::ranges::find(others, rule.key) == others.end()) keys.emplace_back(rule.key);
+    return keys;
+}
+
+void check_kind(ParseContext& context, const JsonMember& member) {
+    const JsonNode& node = member.value;
+    if (node.find("buffer") != nullptr) {
+        refuse(context, node, "a buffer", kImageKeys);
+        if (node.find("count") == nullptr)
+            missing_key(context, member.key_loc, "a buffer", "count", "say how many elements it holds");
+        return;
+    }
+    refuse(context, node, "an image", kBufferKeys);
+    if (node.find("format") == nullptr)
+        missing_key(context, member.key_loc, "a resource", "format",
+                    "an image needs \"format\", a buffer \"buffer\" and \"count\"");
+}
+
+const char* help_for_layers(ImageKind kind) {
+    if (kind == ImageKind::d3) return "a 3D image has a \"depth\" instead";
+    if (kind == ImageKind::cube) return "cubes have their six faces; several are \"kind\": \"cubeArray\"";
+    return "write \"kind\": \"array\", or leave the kind out";
+}
+
+// Which keys go with which kind of image.
+void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
+        const PointerScope scope(context, key);
+        context.error(node.find(key)->loc, "W109", message, help);
+    };
+    const auto has = [&](std::string_view key) { return node.find(key) != nullptr; };
+    for (const std::string_view key : {"size", "kind"})
+        if (has("cube") && has(key))
+            complain(key, "\"cube\" already says the " + std::string(key),
+                     "remove it, or write \"kind\": \"cube\" with a size");
+    if (!has("kind") && !has("cube") && has("layers")) resource.image_kind = ImageKind::d2_array;
+    const ImageKind kind = resource.image_kind;
+    const bool layered = kind == ImageKind::d2_array || kind == ImageKind::cube_array;
+    if (has("layers") && !layered)
+        complain("layers", "this kind of image has no layers", help_for_layers(kind));
+    if (has("depth") && kind != ImageKind::d3)
+        complain("depth", "only 3D images have a depth", "write \"kind\": \"3d\" too");
+    const JsonNode* samples = node.find("samples");
+    if (samples == nullptr || samples->number == 1) return;
+    if (kind != ImageKind::d2 && kind != ImageKind::d2_array)
+        complain("samples", "cubes and 3D images can't be multisampled", "use a 2D image or an array");
+    if (has("mips"))
+        complain("mips", "multisampled images have one mip",
+                 "remove \"mips\", or resolve into an image with mips");
+}
+
+// What a resource means to later frames.
+void check_persistence(ParseContext& context, const JsonNode& node, const ResourceDesc& resource) {
+    const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
+        const PointerScope scope(context, key);
+        context.error(node.find(key)->loc, "W109", message, help);
+    };
+    const JsonNode* history = node.find("history");
+    if (history != nullptr && history->number != 0 && resource.keep != KeepMode::none)
+        complain(
+            "keep", "a resource has \"history\" or \"keep\", not both",
+            "\"history\" makes a new copy each frame, \"keep\" goes on with the one there is: remove one");
+    const bool lasting = resource.keep != KeepMode::none || history != nullptr;
+    for (const std::string_view key : {"firstFrame", "onResize"})
+        if (!lasting && node.find(key) != nullptr)
+            complain(key, "\"" + std::string(key) + "\" has no meaning for what lives within one frame",
+                     "add \"history\": 1 (last frame's content too) or \"keep\": true, or remove it");
+    if (resource.is_buffer && resource.on_resize == OnResize::resample)
+        complain("onResize", "a buffer can't be resampled", "choose \"clear\" or \"refill\"");
+}
+
+}  // namespace
+
+void list_resource_words(std::vector<FormatWords>& lists) {
+    list_keys(lists, "resource", kResourceKeys);
+    static constexpr std::array<std::string_view, 2> kNotOfImages{"buffer", "count"};
+    lists.push_back({"imageResource", true, keys_but(kNotOfImages), {"format"}, "resource"});
+    lists.push_back({"bufferResource", true, keys_but(kImageKeys), {"buffer", "count"}, "resource"});
+    list_choices(lists, "imageKind", kKinds);
+    list_choices(lists, "onResize", kOnResizes);
+}
+
+void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "a resource", [&](const JsonMember& member) {
+        ResourceDesc resource;
+        resource.name = member.key;
+        resource.loc = member.key_loc;
+        if (!read_object(context, member.value, "a resource", kResourceKeys, resource)) return;
+        check_kind(context, member);
+        settle_kind(context, member.value, resource);
+        check_persistence(context, member.value, resource);
+        graph.resources.emplace(member.key, std::move(resource));
+    });
+}
+
+}  // namespace weft

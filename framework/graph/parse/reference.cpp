@@ -1,0 +1,154 @@
+#include "graph/parse/reference.h"
+
+#include <cctype>
+#include <charconv>
+#include <optional>
+
+#include "graph/parse/expression.h"
+
+namespace weft {
+namespace {
+
+bool is_word_char(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+class ReferenceParser {
+ public:
+    ReferenceParser(const LocatedText& text, const SourceMap& sources) : text_(text), sources_(sources) {}
+
+    Result<RefDesc> parse() {
+        ref_.text = std::string(text_.text);
+        ref_.loc = text_.literal;
+        if (!identifier(ref_.name, "the name of a resource")) return std::move(*error_);
+        while (position_ < text_.text.size())
+            if (!part()) return std::move(*error_);
+        return ref_;
+    }
+
+ private:
+    bool fail(size_t offset, size_t length, const std::string& message, const std::string& help = {}) {
+        if (error_) return false;
+        error_ = sources_.error(text_.at(offset, length), "W106", message);
+        error_->help.push_back(
+            help.empty() ? "a reference is name@pass[-N].mip(e).layer(e).depth; all but the name are optional"
+                         : help);
+        return false;
+    }
+    bool fail_at(size_t offset, const std::string& wanted) {
+        if (offset >= text_.text.size())
+            return fail(offset, 1, "the reference ends where " + wanted + " was wanted");
+        return fail(offset, 1,
+                    std::string("found '") + text_.text[offset] + "' where " + wanted + " was wanted");
+    }
+    [[nodiscard]] char peek() const { return position_ < text_.text.size() ? text_.text[position_] : '\0'; }
+    bool expect(char c) {
+        if (peek() != c) return fail_at(position_, std::string("'") + c + "'");
+        ++position_;
+        return true;
+    }
+    void skip_spaces() {
+        while (peek() == ' ') ++position_;
+    }
+    std::string word() {
+        const size_t begin = position_;
+        while (is_word_char(peek())) ++position_;
+        return std::string(text_.text.substr(begin, position_ - begin));
+    }
+    bool identifier(std::string& out, const std::string& wanted) {
+        const size_t begin = position_;
+        out = word();
+        if (!is_identifier(out)) return fail_at(begin, wanted);
+        return true;
+    }
+
+    bool part() {
+        switch (peek()) {
+            case '@':
+                return pin();
+            case '[':
+                return history();
+            case '.':
+                return selector();
+            default:
+                return fail_at(position_, "'@', '[', '.' or the end");
+        }
+    }
+
+    bool pin() {
+        if (!ref_.pass.empty()) return fail(position_, 1, "the reference names two passes");
+        ++position_;
+        return identifier(ref_.pass, "the name of a pass");
+    }
+
+    bool history() {
+        const size_t begin = position_++;
+        if (ref_.history != 0) return fail(begin, 1, "the reference goes back in time twice");
+        const std::string help = "[-1] is what the resource held at the end of the last frame";
+        if (peek() != '-') return fail(begin, 1, "an earlier frame is written [-1], [-2], …", help);
+        ++position_;
+        const size_t digits = position_;
+        const std::string number = word();
+        const auto parsed = std::from_chars(number.data(), number.data() + number.size(), ref_.history);
+        if (parsed.ec != std::errc{} || parsed.ptr != number.data() + number.size() || ref_.history == 0 ||
+            ref_.history > kMaxHistory)
+            return fail(digits, number.size(), "an earlier frame is 1 to 16 frames back", help);
+        return expect(']');
+    }
+
+    bool selector() {
+        const size_t begin = ++position_;
+        const std::string name = word();
+        if (name == "mip") return range(begin, name, ref_.mip_first, ref_.mip_last);
+        if (name == "layer") return range(begin, name, ref_.layer_first, ref_.layer_last);
+        if (name == "depth" || name == "stencil") {
+            if (ref_.aspects != 0) return fail(begin, name.size(), "the reference selects two aspects");
+            ref_.aspects = name == "depth" ? aspect::kDepth : aspect::kStencil;
+            return true;
+        }
+        if (name.empty()) return fail_at(begin, "mip, layer, depth or stencil");
+        const std::string near = did_you_mean_text(name, {"mip", "layer", "depth", "stencil"});
+        return fail(begin, name.size(), "unknown selector \"." + name + "\"",
+                    near.empty() ? "selectors are .mip(e), .layer(e), .depth and .stencil" : near);
+    }
+
+    bool range(size_t begin, const std::string& name, std::optional<Expr>& first, std::optional<Expr>& last) {
+        if (first) return fail(begin, name.size(), "the reference has two ." + name + "()");
+        if (!expect('(') || !expression(first)) return false;
+        skip_spaces();
+        if (text_.text.substr(position_, 2) == "..") {
+            position_ += 2;
+            if (!expression(last)) return false;
+            skip_spaces();
+        }
+        return expect(')');
+    }
+
+    bool expression(std::optional<Expr>& out) {
+        Result<Expr> parsed = parse_expression_at(text_, position_, sources_);
+        if (!parsed) {
+            error_ = parsed.take_errors().front();
+            return false;
+        }
+        out = std::move(*parsed);
+        return true;
+    }
+
+    const LocatedText& text_;
+    const SourceMap& sources_;
+    size_t position_ = 0;
+    RefDesc ref_;
+    std::optional<Diagnostic> error_;
+};
+
+}  // namespace
+
+Result<RefDesc> parse_reference(const LocatedText& text, const SourceMap& sources) {
+    return ReferenceParser(text, sources).parse();
+}
+
+std::string reference_name(std::string_view text) {
+    return std::string(text.substr(0, text.find_first_of("@[.")));
+}
+
+}  // namespace weft

@@ -1,0 +1,23 @@
+// Purpose: the one grammar by which graphs, tests and the command line point at a resource:
+//   name [@pass] [[-N]] [.mip(e) | .mip(a..b)] [.layer(e) | .layer(a..b)] [.depth | .stencil]
+// The parts after the name come in any order, each at most once.
+// Errors: W106, at the character where the reference stops making sense.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "graph/diagnostics/located_text.h"
+#include "weft/graph_desc.h"
+#include "weft/result.h"
+
+namespace weft {
+
+inline constexpr uint32_t kMaxHistory = 16;
+
+[[nodiscard]] Result<RefDesc> parse_reference(const LocatedText& text, const SourceMap& sources);
+
+// The resource's name alone ("hiz" of "hiz@build.mip(0)"): what a port written as a bare reference is called.
+[[nodiscard]] std::string reference_name(std::string_view text);
+
+}  // namespace weft

@@ -1,0 +1,39 @@
+// What of a plan decides which hash.
+#include <string>
+
+#include "graph/plan/field_hash.h"
+#include "graph/plan/plan_cache.h"
+#include "weft/compile.h"
+
+namespace weft {
+
+std::string plan_hash(const FramePlan& plan) {
+    return hashed([&](HashVisitor& visitor) { visit_fields(visitor, plan); });
+}
+
+std::string structure_hash(FramePlan plan) {
+    for (PassDecl& pass : plan.graph.passes) {
+        for (ParamWrite& write : pass.params) write.value = {};
+        for (SpecValue& value : pass.spec_values) value.bits = 0;
+        for (NamedValue& value : pass.custom_params) value.value = 0;
+        for (AttachmentDecl& color : pass.colors) color.blend = {};
+        if (pass.depth) pass.depth->blend = {};
+        pass.state = {};
+        pass.flops = 0;
+    }
+    for (GraphParam& param : plan.graph.params) param = {param.name};
+    return plan_hash(plan);
+}
+
+std::string compile_hash(const ResolvedGraph& graph, const MemoryNeeds& needs,
+                         const CompileOptions& options) {
+    return hashed([&](HashVisitor& visitor) {
+        visit_fields(visitor, graph);
+        visitor("needs", needs);
+        visitor("keepAllPasses", options.keep_all_passes);
+        visitor("granularityBytes", options.granularity_bytes);
+        visitor("queues", options.queues);
+    });
+}
+
+}  // namespace weft

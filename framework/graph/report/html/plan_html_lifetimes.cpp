@@ -1,0 +1,181 @@
+// A row for each resource: when it lives, and what each pass does to it.
+#include <algorithm>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/plan/plan_names.h"
+#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/plan_page_sizes.h"
+#include "graph/report/plan_words.h"
+#include "weft/report/memory_report.h"
+
+namespace weft {
+namespace {
+
+constexpr int32_t kRow_px = 26;
+constexpr int32_t kCell_px = 18;
+
+struct Row {
+    ResourceId resource = kNoId;
+    uint32_t first = 0;
+    uint32_t last = 0;
+    bool unread = false;
+};
+
+// Transients by first use, then what is kept, then imports.
+std::vector<Row> make_rows(const PlanPage& page) {
+    const FramePlan& plan = *page.plan;
+    std::vector<Row> rows;
+    const auto end = static_cast<uint32_t>(plan.schedule.order.size()) - 1;
+    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+        if (!plan.live.live_resources[id]) continue;
+        const LifetimeSpan& span = plan.lifetimes.spans[id];
+        const bool frame = plan.graph.resources[id].lifetime != ResourceLifetime::transient;
+        if (!frame && span.first > span.last) continue;
+        const bool unread = has_no_reader(page, id);
+        rows.push_back(frame ? Row{id, 0, end, unread} : Row{id, span.first, span.last, unread});
+    }
+    std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
+        const ResourceLifetime x = plan.graph.resources[a.resource].lifetime,
+                               y = plan.graph.resources[b.resource].lifetime;
+        return x != y ? x < y : a.first < b.first;
+    });
+    return rows;
+}
+
+class LifetimeDrawing {
+ public:
+    LifetimeDrawing(const PlanPage& page, Markup& out)
+        : page_(page),
+          plan_(*page.plan),
+          out_(out),
+          rows_(make_rows(page)),
+          top_px_(heading_height_px(page)) {}
+
+    [[nodiscard]] bool shows_unread() const {
+        return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.unread; });
+    }
+
+    void draw() {
+        const int32_t height_px = top_px_ + static_cast<int32_t>(rows_.size()) * kRow_px + 6;
+        out_.open("div", {{"class", "chart"}});
+        write_labels();
+        open_drawing(out_, "Lifetimes of resources", page_.columns.width_px, height_px);
+        write_heading(page_, out_);
+        write_guides(page_, top_px_, height_px, out_);
+        for (size_t row = 0; row < rows_.size(); ++row)
+            draw_row(rows_[row], top_px_ + static_cast<int32_t>(row) * kRow_px);
+        close_drawing(out_);
+        out_.close();
+    }
+
+ private:
+    void write_labels() {
+        out_.open("ol",
+                  {{"class", "labels rows"}, {"style", "padding-top:" + std::to_string(top_px_) + "px"}});
+        for (const Row& row : rows_) {
+            const ResourceDecl& resource = plan_.graph.resources[row.resource];
+            const uint64_t bytes = placed_bytes(plan_, row.resource);
+            const std::string size =
+                bytes > 0 ? bytes_text(bytes) : std::string(enum_name(resource.lifetime));
+            out_.open("li");
+            open_item(out_, row.unread ? "row unread" : "row", resource_keys(page_, row.resource),
+                      resource.name + ", " + size + (row.unread ? ", no reader" : ""));
+            out_.leaf("b", {}, resource.name);
+            out_.leaf("small", {}, row.unread ? "no reader" : size);
+            out_.close();
+            out_.close();
+        }
+        out_.close();
+        out_.line();
+    }
+
+    void draw_row(const Row& row, int32_t y_px) {
+        const ResourceDecl& resource = plan_.graph.resources[row.resource];
+        const bool frame = resource.lifetime != ResourceLifetime::transient;
+        const PageColumn &first = page_.columns.passes[row.first], &last = page_.columns.passes[row.last];
+        const int32_t left_px = frame ? 2 : first.box_left_px,
+                      right_px = frame ? page_.columns.width_px - 2 : last.box_left_px + last.box_width_px;
+        const std::string text =
+            frame ? std::string(enum_name(resource.lifetime)) + ", lives longer than a frame"
+                  : "lives from " + pass_at(plan_, row.first) + " to " + pass_at(plan_, row.last);
+        const std::string style =
+            std::string("life") + (frame ? " long" : "") + (row.unread ? " unread" : "");
+        open_item(out_, style, resource_keys(page_, row.resource),
+                  resource.name + " " + text + (row.unread ? ", no reader: no pass that runs reads it" : ""));
+        out_.empty("rect", {{"class", "hit"},
+                            {"x", left_px},
+                            {"y", y_px + 2},
+                            {"width", right_px - left_px},
+                            {"height", kRow_px - 4}});
+        // A frame around all of one that nobody reads: its writer may be all there is of it.
+        const int32_t bar_px = row.unread ? kRow_px - 4 : 8, over_px = row.unread && !frame ? 3 : 0;
+        out_.empty("rect", {{"class", "bar"},
+                            {"x", left_px - over_px},
+                            {"y", y_px + (kRow_px - bar_px) / 2},
+                            {"width", right_px - left_px + 2 * over_px},
+                            {"height", bar_px},
+                            {"rx", 4}});
+        out_.close();
+        for (const PassId pass : page_.users[row.resource])
+            if (plan_.live.live_passes[pass]) draw_cell(row.resource, pass, y_px);
+        out_.line();
+    }
+
+    void draw_cell(ResourceId resource, PassId pass, int32_t y_px) {
+        const PageColumn& column = page_.columns.passes[plan_.schedule.position[pass]];
+        bool reading = false, writing = false;
+        std::string label = plan_.graph.passes[pass].name;
+        for (const UseDecl& use : plan_.graph.passes[pass].uses) {
+            if (use.resource != resource) continue;
+            reading = reading || reads(use.access);
+            writing = writing || writes(use.access);
+            std::string part = part_words(plan_, resource, use.range);
+            part.erase(std::remove(part.begin(), part.end(), '"'), part.end());
+            label += std::string(label == plan_.graph.passes[pass].name ? " " : ", ") +
+                     does_words(use.access) + " " + part + " (" + use.port + ": " + access_name(use.access) +
+                     ")";
+        }
+        const char* style = reading && writing ? "cell both" : writing ? "cell write" : "cell read";
+        open_item(out_, style, resource_key(resource) + " " + pass_key(pass), label);
+        const int32_t top_px = y_px + (kRow_px - kCell_px) / 2;
+        out_.empty("rect", {{"class", "mark"},
+                            {"x", column.box_left_px},
+                            {"y", top_px},
+                            {"width", column.box_width_px},
+                            {"height", kCell_px},
+                            {"rx", 3}});
+        out_.leaf("text",
+                  {{"class", "mid"}, {"x", column.box_left_px + column.box_width_px / 2}, {"y", top_px + 13}},
+                  reading && writing ? "RW"
+                  : writing          ? "W"
+                                     : "R");
+        out_.close();
+    }
+
+    const PlanPage& page_;
+    const FramePlan& plan_;
+    Markup& out_;
+    std::vector<Row> rows_;
+    int32_t top_px_;
+};
+
+}  // namespace
+
+void write_lifetimes(const PlanPage& page, Markup& out) {
+    std::vector<std::pair<const char*, const char*>> legend{{"cell write", "W writes"},
+                                                            {"cell read", "R reads"},
+                                                            {"cell both", "RW both, in place"},
+                                                            {"life", "alive, and untouched"},
+                                                            {"life long", "lives longer than a frame"}};
+    if (open_column_panel(page, out, "lifetimes", "Lifetimes",
+                          "From the first pass that uses a resource to the last, and what each does to it. "
+                          "What is kept or imported lives on.")) {
+        LifetimeDrawing drawing(page, out);
+        drawing.draw();
+        if (drawing.shows_unread()) legend.emplace_back("life unread", "written, and never read");
+    }
+    write_legend(out, legend);
+    out.close();
+}
+
+}  // namespace weft

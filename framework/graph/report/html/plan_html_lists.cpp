@@ -1,0 +1,112 @@
+// What the drawings don't show: resources that outlive the frame, and passes that don't run.
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/plan/plan_names.h"
+#include "graph/report/html/plan_html_parts.h"
+#include "weft/report/memory_report.h"
+
+namespace weft {
+namespace {
+
+void open_table(Markup& out, const std::vector<const char*>& columns) {
+    out.open("div", {{"class", "scroll"}});
+    out.open("table");
+    out.open("thead");
+    out.open("tr");
+    for (const char* column : columns) out.leaf("th", {{"scope", "col"}}, column);
+    out.close();
+    out.close();
+    out.open("tbody");
+    out.line();
+}
+
+void close_table(Markup& out) {
+    for (int i = 0; i < 3; ++i) out.close();
+    out.line();
+}
+
+std::string shape_text(const ResourceDecl& r) {
+    if (r.kind == ResourceKind::buffer) return "buffer, " + bytes_text(r.size_bytes);
+    return std::string(format_info(r.format).name) + ", " + std::to_string(r.extent.width) + " \xC3\x97 " +
+           std::to_string(r.extent.height);
+}
+
+std::string lasts_text(const FramePlan& plan, ResourceId id) {
+    const ResourceDecl& r = plan.graph.resources[id];
+    if (!plan.live.live_resources[id]) return "unused: no pass that runs touches it";
+    if (r.lifetime == ResourceLifetime::imported)
+        return r.import ? std::string("imported: enters as ") + layout_text(r.import->entry.layout) +
+                              ", leaves as " + layout_text(r.import->exit.layout)
+                        : "imported";
+    if (r.age > 0)
+        return "what " + plan.graph.resources[r.ring].name + " held " + count_text(r.age, "frame") + " ago";
+    return r.history > 0 ? "keeps " + count_text(r.history, "earlier frame")
+                         : "keeps its content from frame to frame";
+}
+
+void write_kept_row(const PlanPage& page, ResourceId id, Markup& out) {
+    const ResourceDecl& r = page.plan->graph.resources[id];
+    const uint64_t bytes = placed_bytes(*page.plan, id);
+    const std::string lasts = lasts_text(*page.plan, id);
+    out.open("tr");
+    out.open("th", {{"scope", "row"}});
+    open_item(out, "cellname", resource_keys(page, id), r.name + ": " + lasts);
+    out.text(r.name);
+    out.close();
+    out.close();
+    out.leaf("td", {}, shape_text(r));
+    out.leaf("td", {{"class", "number"}}, bytes > 0 ? bytes_text(bytes) : "\xE2\x80\x93");
+    out.leaf("td", {}, lasts);
+    out.close();
+    out.line();
+}
+
+}  // namespace
+
+void write_kept(const PlanPage& page, Markup& out) {
+    const FramePlan& plan = *page.plan;
+    open_panel(out, "kept", "Kept and imported",
+               "Resources that outlive the frame, and those that nobody uses.");
+    std::vector<ResourceId> ids;
+    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id)
+        if (plan.graph.resources[id].lifetime != ResourceLifetime::transient || !plan.live.live_resources[id])
+            ids.push_back(id);
+    if (ids.empty()) {
+        out.leaf("p", {{"class", "none"}}, "There are none.");
+    } else {
+        open_table(out, {"resource", "what", "memory", "how long"});
+        for (const ResourceId id : ids) write_kept_row(page, id, out);
+        close_table(out);
+    }
+    out.close();
+}
+
+void write_culled(const PlanPage& page, Markup& out) {
+    const FramePlan& plan = *page.plan;
+    open_panel(out, "culled", "Culled",
+               "Passes that don't run, because nothing that is shown depends on them.");
+    if (plan.schedule.order.size() == plan.graph.passes.size()) {
+        out.leaf("p", {{"class", "none"}}, "Every pass runs.");
+        out.close();
+        return;
+    }
+    open_table(out, {"pass", "type", "why"});
+    for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) {
+        if (plan.live.live_passes[pass]) continue;
+        const PassDecl& decl = plan.graph.passes[pass];
+        out.open("tr");
+        out.open("th", {{"scope", "row"}});
+        open_item(out, "cellname", pass_keys(page, pass),
+                  decl.name + " is culled: " + plan.live.details[pass]);
+        out.text(decl.name);
+        out.close();
+        out.close();
+        out.leaf("td", {}, decl.type);
+        out.leaf("td", {}, plan.live.details[pass]);
+        out.close();
+        out.line();
+    }
+    close_table(out);
+    out.close();
+}
+
+}  // namespace weft

@@ -1,0 +1,204 @@
+// Barriers, waits, submissions and edges in words.
+#include <algorithm>
+
+#include "graph/plan/plan_names.h"
+#include "graph/report/html/plan_html_articles.h"
+#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/plan_explain_parts.h"
+#include "graph/report/plan_words.h"
+
+namespace weft {
+namespace {
+
+// The passes that a barrier waits for: the one it names, or all that touched what it is about.
+std::vector<PassId> waited_for(const PlanPage& page, const BarrierItem& item) {
+    const BarrierDecl& barrier = *item.barrier;
+    if (barrier.from != kNoId) return {barrier.from};
+    if (item.place == BarrierPlace::prologue || barrier.reason == BarrierReason::acquire_import) return {};
+    std::vector<ResourceId> owners = barrier.hand_over_from;
+    if (owners.empty()) owners.push_back(barrier.resource);
+    std::vector<PassId> passes;
+    for (const ResourceId owner : owners)
+        for (const PassId pass : page.users[owner])
+            if (page.plan->live.live_passes[pass] && waits_for(*page.plan, barrier, pass))
+                passes.push_back(pass);
+    std::sort(passes.begin(), passes.end());
+    passes.erase(std::unique(passes.begin(), passes.end()), passes.end());
+    return passes;
+}
+
+bool of_frame_before(const PlanPage& page, const BarrierItem& item, PassId pass) {
+    const uint32_t position = page.plan->schedule.position[pass];
+    return item.barrier->from_previous_frame ||
+           (item.position != kNoId && item.place == BarrierPlace::before_pass && position >= item.position);
+}
+
+void write_waited_for(const PlanPage& page, const BarrierItem& item, Markup& out) {
+    const std::vector<PassId> passes = waited_for(page, item);
+    std::vector<ArticleLink> links;
+    for (const PassId pass : passes) {
+        std::string more = of_frame_before(page, item, pass) ? "of the frame before" : "";
+        for (const UseDecl* use : uses_waited_for(*page.plan, *item.barrier, pass))
+            more += (more.empty() ? "" : ", ") + use_words(*page.plan, *use);
+        links.push_back({pass_key(pass), page.plan->graph.passes[pass].name, more});
+    }
+    write_links(out, "Waits for", links);
+    if (!passes.empty()) return;
+    if (item.barrier->reason == BarrierReason::acquire_import)
+        out.leaf("p", {}, "It waits for what used the import before the frame.");
+    if (item.place == BarrierPlace::prologue)
+        out.leaf("p", {}, "It is recorded once, before the first frame.");
+}
+
+// The uses of a barrier's resource by a pass, as far as they overlap; empty when none does.
+std::string uses_of(const FramePlan& plan, const BarrierDecl& barrier, PassId pass, bool& writing) {
+    std::string text;
+    for (const UseDecl& use : plan.graph.passes[pass].uses) {
+        if (use.resource != barrier.resource || !overlaps(use.range, barrier.range)) continue;
+        text += (text.empty() ? "" : ", ") + use_words(plan, use);
+        writing = writing || writes(use.access);
+    }
+    return text;
+}
+
+// The pass behind the barrier; of one that stands after its pass, those that find its work done: all up to
+// the next writer.
+void write_on_behalf_of(const PlanPage& page, const BarrierItem& item, Markup& out) {
+    if (item.position == kNoId) return;
+    const FramePlan& plan = *page.plan;
+    const bool before = item.place == BarrierPlace::before_pass;
+    std::vector<ArticleLink> links;
+    bool writing = false;
+    for (uint32_t p = before ? item.position : item.position + 1; p < plan.schedule.order.size() && !writing;
+         ++p) {
+        const PassId pass = plan.schedule.order[p];
+        const std::string uses = uses_of(plan, *item.barrier, pass, writing);
+        if (before || !uses.empty()) links.push_back({pass_key(pass), plan.graph.passes[pass].name, uses});
+        if (before) break;
+    }
+    write_links(out, before ? "In front of" : "For", links);
+}
+
+std::string spaced(std::string text) {
+    for (char& c : text) c = c == '_' ? ' ' : c == '|' ? ',' : c;
+    for (size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 2))
+        text.insert(at + 1, " ");
+    return text;
+}
+
+void write_row(Markup& out, const char* what, const std::string& from, const std::string& to) {
+    out.open("tr", {{"class", from == to ? "same" : "changes"}});
+    out.leaf("th", {{"scope", "row"}}, what);
+    out.leaf("td", {}, from);
+    out.leaf("td", {}, to);
+    out.close();
+}
+
+void write_states(const FramePlan& plan, const BarrierDecl& b, Markup& out) {
+    out.open("table", {{"class", "states"}});
+    out.open("tr");
+    for (const char* heading : {"", "from", "to"}) out.leaf("th", {{"scope", "col"}}, heading);
+    out.close();
+    write_row(out, "stages", spaced(stages_text(b.src.stages)), spaced(stages_text(b.dst.stages)));
+    write_row(out, "access", spaced(access_text(b.src.access)), spaced(access_text(b.dst.access)));
+    if (plan.graph.resources[b.resource].kind == ResourceKind::image)
+        write_row(out, "layout", spaced(layout_text(b.src.layout)), spaced(layout_text(b.dst.layout)));
+    if (b.src_family != b.dst_family)
+        write_row(out, "family", std::to_string(b.src_family), std::to_string(b.dst_family));
+    out.close();
+}
+
+std::string edge_words(const PlanPage& page, const EdgeItem& edge, ResourceId resource) {
+    const std::string from = pass_words(*page.plan, edge.from), to = pass_words(*page.plan, edge.to);
+    const std::string what = resource == kNoId ? "" : resource_words(*page.plan, resource);
+    if (edge.history) return to + " reads " + what + " as " + from + " left it in an earlier frame.";
+    switch (edge.kind) {
+        case EdgeKind::raw:
+            return to + " reads what " + from + " wrote to " + what + ".";
+        case EdgeKind::war:
+            return to + " overwrites what " + from + " read of " + what + ".";
+        case EdgeKind::waw:
+            return to + " overwrites what " + from + " wrote to " + what + ".";
+        case EdgeKind::after:
+            return to + " says that it comes after " + from + ".";
+    }
+    return "";
+}
+
+}  // namespace
+
+void write_barrier_article(const PlanPage& page, size_t barrier, Markup& out) {
+    const FramePlan& plan = *page.plan;
+    const BarrierItem& item = page.barriers[barrier];
+    const BarrierDecl& b = *item.barrier;
+    open_article(out, barrier_key(barrier), barrier_label(page, barrier), "");
+    out.leaf("p", {{"class", "why"}}, std::string("Reason: ") + reason_words(b.reason) + ".");
+    write_links(out, "On",
+                {{resource_key(b.resource), plan.graph.resources[b.resource].name,
+                  b.range == plan.graph.resources[b.resource].whole() ? "all of it" : range_text(b.range)}});
+    std::vector<ArticleLink> owners;
+    for (const ResourceId id : b.hand_over_from)
+        owners.push_back({resource_key(id), plan.graph.resources[id].name,
+                          id == b.resource ? "of the frame before: it shares its memory with nobody"
+                                           : "held this memory"});
+    write_links(out, "Takes over from", owners);
+    write_waited_for(page, item, out);
+    write_on_behalf_of(page, item, out);
+    write_states(plan, b, out);
+    out.close();
+    out.line();
+}
+
+void write_wait_article(const PlanPage& page, size_t wait, Markup& out) {
+    const FramePlan& plan = *page.plan;
+    const WaitItem& item = page.waits[wait];
+    open_article(out, wait_key(wait), wait_label(page, wait), "a semaphore");
+    out.leaf("p", {},
+             "Before it begins, " + batch_words(plan, plan.submissions.batches[item.batch]) +
+                 " waits until " + batch_words(plan, plan.submissions.batches[item.wait->batch]) +
+                 " is over" +
+                 (item.wait->previous_frame ? ", of the frame before. The first frame does not wait." : "."));
+    write_sentences(out, cause_words(plan, item.wait->dependency));
+    write_links(
+        out, "Submissions",
+        {{batch_key(item.wait->batch), "submission " + std::to_string(item.wait->batch), "is waited for"},
+         {batch_key(item.batch), "submission " + std::to_string(item.batch), "waits"}});
+    out.close();
+    out.line();
+}
+
+void write_batch_article(const PlanPage& page, size_t batch, Markup& out) {
+    const FramePlan& plan = *page.plan;
+    const Batch& decl = plan.submissions.batches[batch];
+    open_article(out, batch_key(batch), "submission " + std::to_string(batch),
+                 "queue " + std::to_string(decl.queue) + ", " + std::to_string(decl.positions.size()) +
+                     " pass" + (decl.positions.size() == 1 ? "" : "es"));
+    std::vector<ArticleLink> passes, waits;
+    for (const uint32_t position : decl.positions)
+        passes.push_back({pass_key(plan.schedule.order[position]), pass_at(plan, position), ""});
+    for (size_t w = 0; w < page.waits.size(); ++w)
+        if (page.waits[w].batch == batch || page.waits[w].wait->batch == batch)
+            waits.push_back({wait_key(w), wait_label(page, w), ""});
+    write_links(out, "Passes", passes);
+    write_links(out, "Waits", waits);
+    if (decl.epilogue)
+        out.leaf("p", {}, "At its end imports go into the states that they leave the frame in.");
+    out.close();
+    out.line();
+}
+
+void write_edge_article(const PlanPage& page, size_t edge, Markup& out) {
+    const EdgeItem& item = page.edges[edge];
+    const auto& passes = page.plan->graph.passes;
+    open_article(out, edge_key(edge), passes[item.from].name + " to " + passes[item.to].name, "");
+    if (item.resources.empty()) out.leaf("p", {}, edge_words(page, item, kNoId));
+    for (const ResourceId id : item.resources) out.leaf("p", {}, edge_words(page, item, id));
+    std::vector<ArticleLink> links;
+    for (const ResourceId id : item.resources)
+        links.push_back({resource_key(id), page.plan->graph.resources[id].name, ""});
+    write_links(out, "Resources", links);
+    out.close();
+    out.line();
+}
+
+}  // namespace weft

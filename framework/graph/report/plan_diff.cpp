@@ -1,0 +1,168 @@
+#include "weft/report/plan_diff.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/report/plan_facts.h"
+#include "weft/declaration.h"
+
+namespace weft {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Facts = std::vector<std::string>;
+
+Facts missing_in(const Facts& other, const Facts& facts) {
+    Facts found;
+    for (const std::string& fact : facts)
+        if (std::find(other.begin(), other.end(), fact) == other.end()) found.push_back(fact);
+    return found;
+}
+
+// `items` are sorted by name. `facts` is called with a plan and an index.
+template <class T, class F>
+NamesDiff diff_names(const FramePlan& from, const std::vector<T>& old_items, const FramePlan& to,
+                     const std::vector<T>& new_items, F facts) {
+    NamesDiff diff;
+    uint32_t i = 0, j = 0;
+    while (i < old_items.size() || j < new_items.size()) {
+        const bool only_old =
+            j == new_items.size() || (i < old_items.size() && old_items[i].name < new_items[j].name);
+        const bool only_new = !only_old && (i == old_items.size() || new_items[j].name < old_items[i].name);
+        if (only_old) {
+            diff.removed.push_back(old_items[i++].name);
+        } else if (only_new) {
+            diff.added.push_back(new_items[j++].name);
+        } else {
+            const Facts before = facts(from, i), after = facts(to, j);
+            FactsChange change{old_items[i].name, missing_in(after, before), missing_in(before, after)};
+            if (!change.gone.empty() || !change.come.empty()) diff.changed.push_back(std::move(change));
+            ++i, ++j;
+        }
+    }
+    return diff;
+}
+
+// All but the longest run of passes that kept their order: patience sorting.
+std::vector<PassMove> moved_passes(const FramePlan& from, const FramePlan& to) {
+    std::vector<PassMove> common;  // in the old order
+    for (uint32_t p = 0; p < from.schedule.order.size(); ++p) {
+        const PassDecl* other = find_pass(to.graph, from.graph.passes[from.schedule.order[p]].name);
+        if (other == nullptr) continue;
+        const uint32_t position = to.schedule.position[static_cast<size_t>(other - to.graph.passes.data())];
+        if (position != kNoId) common.push_back({other->name, p, position});
+    }
+    std::vector<size_t> ends, previous(common.size(), SIZE_MAX);  // of runs by length: their last pass
+    for (size_t i = 0; i < common.size(); ++i) {
+        const auto it =
+            std::lower_bound(ends.begin(), ends.end(), common[i].to,
+                             [&](size_t end, uint32_t wanted) { return common[end].to < wanted; });
+        if (it != ends.begin()) previous[i] = *std::prev(it);
+        if (it == ends.end())
+            ends.push_back(i);
+        else
+            *it = i;
+    }
+    std::vector<uint8_t> kept(common.size(), 0);
+    for (size_t i = ends.empty() ? SIZE_MAX : ends.back(); i != SIZE_MAX; i = previous[i]) kept[i] = 1;
+    std::vector<PassMove> moved;
+    for (size_t i = 0; i < common.size(); ++i)
+        if (!kept[i]) moved.push_back(common[i]);
+    return moved;
+}
+
+std::vector<CountChange> count_changes(const FramePlan& a, const FramePlan& b) {
+    const MemoryPlan &m = a.memory, &n = b.memory;
+    return {{"passes", a.schedule.order.size(), b.schedule.order.size()},
+            {"barriers", a.barriers.emitted, b.barriers.emitted},
+            {"submissions", a.submissions.batches.size(), b.submissions.batches.size()},
+            {"waits", a.submissions.dependencies.size(), b.submissions.dependencies.size()},
+            {"heap_bytes", m.heap_bytes, n.heap_bytes},
+            {"peak_live_bytes", m.peak_live_bytes, n.peak_live_bytes},
+            {"sum_bytes", m.sum_bytes, n.sum_bytes},
+            {"persistent_bytes", m.persistent_bytes, n.persistent_bytes}};
+}
+
+bool ends_with_bytes(const std::string& name) {
+    return name.ends_with("_bytes");
+}
+
+std::string headline(const PlanDiff& diff) {
+    std::string text;
+    for (const CountChange& c : diff.counts) {
+        if (c.from == c.to) continue;
+        const uint64_t change = std::max(c.from, c.to) - std::min(c.from, c.to);
+        text += text.empty() ? "" : ", ";
+        if (ends_with_bytes(c.name)) {
+            std::string what = c.name.substr(0, c.name.size() - std::string("_bytes").size());
+            std::replace(what.begin(), what.end(), '_', ' ');
+            text += bytes_change_text(c.from, c.to) + " " + what;
+        } else {
+            text += (c.to < c.from ? "-" : "+") + std::to_string(change) + " " +
+                    (change != 1               ? c.name
+                     : c.name.ends_with("ses") ? c.name.substr(0, c.name.size() - 2)
+                                               : c.name.substr(0, c.name.size() - 1));
+        }
+    }
+    return text.empty() ? "the same cost" : text;
+}
+
+void names_text(const char* title, const NamesDiff& diff, std::string& text) {
+    if (diff.added.empty() && diff.removed.empty() && diff.changed.empty()) return;
+    text.append("\n").append(title).append("\n");
+    for (const std::string& name : diff.added) text += "  + " + name + "\n";
+    for (const std::string& name : diff.removed) text += "  - " + name + "\n";
+    for (const FactsChange& change : diff.changed) {
+        text += "  ~ " + change.name + "\n";
+        for (const std::string& fact : change.gone) text += "      - " + fact + "\n";
+        for (const std::string& fact : change.come) text += "      + " + fact + "\n";
+    }
+}
+
+Json names_json(const NamesDiff& diff) {
+    Json changed = Json::array();
+    for (const FactsChange& c : diff.changed)
+        changed.push_back({{"name", c.name}, {"gone", c.gone}, {"come", c.come}});
+    return {{"added", diff.added}, {"removed", diff.removed}, {"changed", changed}};
+}
+
+}  // namespace
+
+PlanDiff diff_plans(const FramePlan& from, const FramePlan& to) {
+    PlanDiff diff;
+    diff.same = from.hash == to.hash;
+    diff.counts = count_changes(from, to);
+    diff.passes = diff_names(from, from.graph.passes, to, to.graph.passes, pass_facts);
+    diff.resources = diff_names(from, from.graph.resources, to, to.graph.resources, resource_facts);
+    diff.moved = moved_passes(from, to);
+    return diff;
+}
+
+std::string plan_diff_to_text(const PlanDiff& diff) {
+    if (diff.same) return "the same plan\n";
+    std::string text = headline(diff) + "\n";
+    names_text("passes", diff.passes, text);
+    names_text("resources", diff.resources, text);
+    if (!diff.moved.empty()) text += "\norder\n";
+    for (const PassMove& move : diff.moved)
+        text += "  " + move.name + ": position " + std::to_string(move.from) + " -> " +
+                std::to_string(move.to) + "\n";
+    return text;
+}
+
+std::string plan_diff_to_json(const PlanDiff& diff) {
+    Json counts = Json::object(), moved = Json::array();
+    for (const CountChange& c : diff.counts) counts[c.name] = {{"from", c.from}, {"to", c.to}};
+    for (const PassMove& move : diff.moved)
+        moved.push_back({{"name", move.name}, {"from", move.from}, {"to", move.to}});
+    const Json json{{"same", diff.same},
+                    {"counts", counts},
+                    {"passes", names_json(diff.passes)},
+                    {"resources", names_json(diff.resources)},
+                    {"moved", moved}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace weft

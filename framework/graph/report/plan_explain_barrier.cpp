@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <vector>
+
+#include "graph/report/plan_explain_parts.h"
+#include "graph/report/plan_words.h"
+#include "graph/sync/scopes.h"
+#include "weft/report/plan_explain.h"
+
+namespace weft {
+
+const char* reason_words(BarrierReason reason) {
+    switch (reason) {
+        case BarrierReason::raw:
+            return "a read after a write";
+        case BarrierReason::war:
+            return "a write after a read";
+        case BarrierReason::waw:
+            return "a write after a write";
+        case BarrierReason::layout:
+            return "the image has to change its layout";
+        case BarrierReason::hand_over:
+            return "memory changes its owner";
+        case BarrierReason::acquire_import:
+            return "an import enters the frame";
+        case BarrierReason::release_import:
+            return "an import leaves the frame";
+        case BarrierReason::release_queue:
+            return "a queue family gives the image away";
+        case BarrierReason::acquire_queue:
+            return "a queue family takes the image over";
+        case BarrierReason::prologue:
+            return "first-frame values";
+    }
+    return "";
+}
+
+std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& b, PassId pass) {
+    std::vector<const UseDecl*> found;
+    for (const UseDecl& use : plan.graph.passes[pass].uses) {
+        const bool same = use.resource == b.resource && overlaps(use.range, b.range);
+        const bool owner = std::find(b.hand_over_from.begin(), b.hand_over_from.end(), use.resource) !=
+                           b.hand_over_from.end();
+        if (b.hand_over_from.empty() ? same : owner) found.push_back(&use);
+    }
+    return found;
+}
+
+bool waits_for(const FramePlan& plan, const BarrierDecl& b, PassId pass) {
+    if (b.from != kNoId) return b.from == pass;
+    const std::vector<const UseDecl*> uses = uses_waited_for(plan, b, pass);
+    return std::any_of(uses.begin(), uses.end(),
+                       [&](const UseDecl* use) { return (use->state.stages & b.src.stages) != 0; });
+}
+
+namespace {
+
+class BarrierAnswer {
+ public:
+    BarrierAnswer(const FramePlan& plan, PassId first, PassId second)
+        : plan_(plan),
+          first_(first),
+          second_(second),
+          from_(plan.schedule.position[first]),
+          to_(plan.schedule.position[second]) {}
+
+    std::string text() {
+        for (const BarrierDecl& b : plan_.barriers.steps[to_].barriers)
+            if (waits_for(plan_, b, first_)) add(b, second_);
+        if (from_ < to_)
+            for (const BarrierDecl& b : plan_.barriers.steps[from_].after)
+                if (used_by_second(b)) add(b, kNoId);
+        if (!text_.empty()) return text_;
+        return "There is no barrier between " + pass_words(plan_, first_) + " and " +
+               pass_words(plan_, second_) + ".\n" + why_none();
+    }
+
+ private:
+    bool used_by_second(const BarrierDecl& b) const {
+        const std::vector<UseDecl>& uses = plan_.graph.passes[second_].uses;
+        return std::any_of(uses.begin(), uses.end(), [&](const UseDecl& use) {
+            return use.resource == b.resource && overlaps(use.range, b.range);
+        });
+    }
+
+    // `before` is kNoId for what is recorded right after the first pass.
+    void add(const BarrierDecl& b, PassId before) {
+        const bool image = plan_.graph.resources[b.resource].kind == ResourceKind::image;
+        text_ += part_words(plan_, b.resource, b.range) + ": a barrier " +
+                 (before == kNoId
+                      ? "right after " + pass_words(plan_, first_)
+                      : "before " + pass_words(plan_, before) + " waits for " + pass_words(plan_, first_)) +
+                 (b.from_previous_frame || from_ >= to_ ? " of the frame before" : "") +
+                 ".\n  Reason: " + reason_words(b.reason) + ".\n";
+        for (const UseDecl* use : uses_waited_for(plan_, b, first_))
+            text_ += "  first   " + use_words(plan_, *use) + ".\n";
+        for (const UseDecl& use : plan_.graph.passes[second_].uses)
+            if (use.resource == b.resource && overlaps(use.range, b.range))
+                text_ += "  second  " + use_words(plan_, use) + ".\n";
+        text_ += "  from    " + state_words(b.src, image) + "\n  to      " + state_words(b.dst, image) + "\n";
+        if (b.src_family != b.dst_family)
+            text_ += "  from queue family " + std::to_string(b.src_family) + " to " +
+                     std::to_string(b.dst_family) + "\n";
+    }
+
+    std::string why_none() const {
+        std::string text;
+        bool shared = false;
+        for (const UseDecl& a : plan_.graph.passes[first_].uses)
+            for (const UseDecl& b : plan_.graph.passes[second_].uses) {
+                if (a.resource != b.resource || !overlaps(a.range, b.range)) continue;
+                shared = true;
+                text += why_none_on(a, b);
+            }
+        if (!shared) text = "  They use nothing in common, and neither takes over the other's memory.\n";
+        if (from_ > to_)
+            text += "  The second runs first: " + position_words(plan_, to_) + " comes before " +
+                    position_words(plan_, from_) + ".\n";
+        return text;
+    }
+
+    // Every pass after the first one, up to the second, goes on in the same rendering scope.
+    bool in_one_scope() const {
+        PassId pass = second_;
+        while (pass != first_ && pass != kNoId) pass = continued_pass(plan_, plan_.schedule.position[pass]);
+        return pass == first_;
+    }
+
+    std::string why_none_on(const UseDecl& a, const UseDecl& b) const {
+        const std::string part = part_words(plan_, a.resource, a.range);
+        if (first_ != second_ && in_one_scope() && writes(a.access) && writes(b.access))
+            return "  " + part +
+                   ": both draw to it in one rendering scope, in which the rasteriser keeps their order.\n";
+        if (!writes(a.access) && !writes(b.access) && a.state.layout == b.state.layout)
+            return "  " + part + ": both only read it, in the same layout.\n";
+        if (plan_.schedule.queue[from_] != plan_.schedule.queue[to_])
+            return "  " + part + ": they run on queues " + std::to_string(plan_.schedule.queue[from_]) +
+                   " and " + std::to_string(plan_.schedule.queue[to_]) +
+                   ", which wait for each other by semaphores: `weft explain FILE wait " +
+                   plan_.graph.passes[second_].name + "`.\n";
+        for (uint32_t p = from_ + 1; p < to_ && from_ < to_; ++p)
+            for (const BarrierDecl& between : plan_.barriers.steps[p].barriers)
+                if (between.resource == a.resource && overlaps(between.range, a.range) &&
+                    overlaps(between.range, b.range) && waits_for(plan_, between, first_))
+                    return "  " + part + ": " + through_words(p, between, b);
+        return "  " + part + ": the first " + does_words(a.access) + " it, the second " +
+               does_words(b.access) +
+               " it; what the first left is waited for in the next frame, or by an order that other passes "
+               "give.\n";
+    }
+
+    // What the barrier before the pass at `position` has to do with what the second pass needs.
+    std::string through_words(uint32_t position, const BarrierDecl& barrier, const UseDecl& b) const {
+        const PassId through = plan_.schedule.order[position];
+        const std::string waited =
+            "the barrier before " + pass_words(plan_, through) + " has waited for it already";
+        for (const UseDecl& use : plan_.graph.passes[through].uses)
+            if (use.resource == barrier.resource && overlaps(use.range, b.range) && writes(use.access))
+                return waited + "; that pass writes it too, so that the second waits for that one.\n";
+        const bool visible = (b.state.stages & ~barrier.dst.stages) == 0 &&
+                             (b.state.access & ~barrier.dst.access) == 0 &&
+                             b.state.layout == barrier.dst.layout;
+        return waited + (visible ? ", and made it visible to the second as well.\n"
+                                 : ", and the second waits for that pass.\n");
+    }
+
+    const FramePlan& plan_;
+    PassId first_, second_;
+    uint32_t from_, to_;
+    std::string text_;
+};
+
+}  // namespace
+
+Result<std::string> explain_barrier(const FramePlan& plan, const std::string& first,
+                                    const std::string& second) {
+    Result<PassId> a = named_pass(plan, first), b = named_pass(plan, second);
+    Diagnostics errors;
+    for (Result<PassId>* pass : {&a, &b})
+        if (!*pass) errors.insert(errors.end(), pass->errors().begin(), pass->errors().end());
+    if (!errors.empty()) return errors;
+    for (const PassId pass : {*a, *b})
+        if (!plan.live.live_passes[pass])
+            return "There is no barrier: " + pass_words(plan, pass) +
+                   " is culled: " + plan.live.details[pass] + ".\n";
+    return BarrierAnswer(plan, *a, *b).text();
+}
+
+}  // namespace weft

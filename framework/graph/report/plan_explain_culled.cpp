@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <vector>
+
+#include "graph/report/plan_words.h"
+#include "weft/report/plan_explain.h"
+
+namespace weft {
+namespace {
+
+// `reader` needs `pass`: it sees through `use` what the pass wrote, in this frame or an earlier one.
+struct Need {
+    PassId reader = kNoId;
+    const UseDecl* use = nullptr;
+};
+
+bool writes_ring(const FramePlan& plan, PassId pass, ResourceId ring) {
+    const std::vector<UseDecl>& uses = plan.graph.passes[pass].uses;
+    return ring != kNoId && std::any_of(uses.begin(), uses.end(), [&](const UseDecl& use) {
+               return writes(use.access) && plan.graph.resources[use.resource].ring == ring;
+           });
+}
+
+bool sees(const FramePlan& plan, const UseDecl& use, PassId pass) {
+    const ResourceId ring = plan.graph.resources[use.resource].ring;
+    return std::any_of(use.sources.begin(), use.sources.end(), [&](const VersionSource& source) {
+        return source.producer == kNoId ? writes_ring(plan, pass, ring) : source.producer == pass;
+    });
+}
+
+std::vector<Need> needs_of(const FramePlan& plan, PassId pass) {
+    std::vector<Need> needs;
+    for (PassId reader = 0; reader < plan.graph.passes.size(); ++reader) {
+        if (reader == pass) continue;
+        for (const UseDecl& use : plan.graph.passes[reader].uses)
+            if (sees(plan, use, pass)) needs.push_back({reader, &use});
+    }
+    return needs;
+}
+
+const UseDecl* output_write(const FramePlan& plan, PassId pass) {
+    if (plan.graph.output == kNoId) return nullptr;
+    for (const UseDecl& use : plan.graph.passes[pass].uses)
+        if (use.resource == plan.graph.output && writes(use.access)) return &use;
+    return nullptr;
+}
+
+std::string root_words(const FramePlan& plan, PassId pass) {
+    if (const UseDecl* use = output_write(plan, pass)) return use_words(plan, *use) + ", the output";
+    return plan.graph.passes[pass].side_effect ? "it has a side effect, so that it always runs" : "";
+}
+
+// One way from a live pass to something that must run: the readers on it.
+std::vector<Need> way_to_root(const FramePlan& plan, PassId pass) {
+    std::vector<Need> way;
+    std::vector<uint8_t> seen(plan.graph.passes.size(), 0);
+    while (root_words(plan, pass).empty()) {
+        seen[pass] = 1;
+        const std::vector<Need> needs = needs_of(plan, pass);
+        const auto next = std::find_if(needs.begin(), needs.end(), [&](const Need& need) {
+            return plan.live.live_passes[need.reader] && !seen[need.reader];
+        });
+        if (next == needs.end()) break;
+        way.push_back(*next);
+        pass = next->reader;
+    }
+    return way;
+}
+
+std::string live_words(const FramePlan& plan, PassId pass) {
+    std::string text = pass_words(plan, pass) + " is not culled: it runs at position " +
+                       std::to_string(plan.schedule.position[pass]) + ".\n";
+    if (const std::string root = root_words(plan, pass); !root.empty()) text += "  " + root + ".\n";
+    for (const Need& need : needs_of(plan, pass))
+        if (plan.live.live_passes[need.reader])
+            text += "  " + pass_words(plan, need.reader) + " needs it: " + use_words(plan, *need.use) + ".\n";
+    const std::vector<Need> way = way_to_root(plan, pass);
+    if (way.empty()) return text;
+    const PassId end = way.back().reader;
+    text += "  In the end it is there for " + pass_words(plan, end) + ": " + root_words(plan, end) + ".\n";
+    return text;
+}
+
+std::string culled_words(const FramePlan& plan, PassId pass) {
+    std::string text = pass_words(plan, pass) + " is culled: " + plan.live.details[pass] + ".\n";
+    for (const UseDecl& use : plan.graph.passes[pass].uses)
+        if (writes(use.access)) text += "  " + use_words(plan, use) + ".\n";
+    for (const Need& need : needs_of(plan, pass))
+        text += "  " + pass_words(plan, need.reader) +
+                " would read it, but is culled as well: " + plan.live.details[need.reader] + ".\n";
+    return text;
+}
+
+}  // namespace
+
+Result<std::string> explain_culled(const FramePlan& plan, const std::string& name) {
+    Result<std::vector<PassId>> passes = named_passes(plan, name);
+    if (!passes) return passes.take_errors();
+    std::string text;
+    for (const PassId pass : *passes)
+        text += plan.live.live_passes[pass] ? live_words(plan, pass) : culled_words(plan, pass);
+    return text;
+}
+
+}  // namespace weft

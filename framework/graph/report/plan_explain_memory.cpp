@@ -1,0 +1,171 @@
+// Questions about resources: do two of them share memory, and what is one of them.
+#include <algorithm>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/plan/plan_names.h"
+#include "graph/report/plan_explain_parts.h"
+#include "graph/report/plan_words.h"
+#include "weft/report/plan_explain.h"
+
+namespace weft {
+namespace {
+
+const Placement* placement_of(const FramePlan& plan, ResourceId resource) {
+    const auto it = std::find_if(plan.memory.placements.begin(), plan.memory.placements.end(),
+                                 [resource](const Placement& p) { return p.resource == resource; });
+    return it == plan.memory.placements.end() ? nullptr : &*it;
+}
+
+std::string lifetime_words(const FramePlan& plan, ResourceId resource) {
+    const LifetimeSpan& span = plan.lifetimes.spans[resource];
+    return "from " + position_words(plan, span.first) + " to " + position_words(plan, span.last);
+}
+
+std::string bytes_words(const Placement& p) {
+    return "bytes " + std::to_string(p.offset_bytes) + " to " +
+           std::to_string(p.offset_bytes + p.size_bytes - 1) + " of heap " + std::to_string(p.heap);
+}
+
+bool overlap_in_memory(const Placement& a, const Placement& b) {
+    return a.heap == b.heap && a.offset_bytes < b.offset_bytes + b.size_bytes &&
+           b.offset_bytes < a.offset_bytes + a.size_bytes;
+}
+
+// Why a resource shares memory with nobody at all; empty when it might.
+std::string alone_words(const FramePlan& plan, ResourceId resource) {
+    const std::string name = resource_words(plan, resource);
+    if (!plan.live.live_resources[resource]) return name + " takes no memory: no pass that runs uses it.\n";
+    if (plan.graph.resources[resource].lifetime == ResourceLifetime::imported)
+        return name + " is an import: its memory belongs to somebody else.\n";
+    if (plan.graph.resources[resource].lifetime == ResourceLifetime::persistent)
+        return name + " keeps its content from frame to frame, so that its memory is never shared.\n";
+    return placement_of(plan, resource) == nullptr ? name + " needs no memory.\n" : "";
+}
+
+}  // namespace
+
+std::string hand_over_words(const FramePlan& plan, ResourceId a, ResourceId b) {
+    std::string text;
+    for (const HandOver& h : plan.memory.hand_overs)
+        if ((h.from == a && h.to == b) || (h.from == b && h.to == a))
+            text += "  " + resource_words(plan, h.to) + " takes it over from " +
+                    resource_words(plan, h.from) + (h.wrap ? " of the frame before" : "") + ", at " +
+                    position_words(plan, plan.lifetimes.spans[h.to].first) + ".\n";
+    return text.empty() ? "  A third resource holds the memory in between.\n" : text;
+}
+
+namespace {
+
+std::string overlap_words(const FramePlan& plan, ResourceId a, ResourceId b) {
+    const LifetimeSpan &s = plan.lifetimes.spans[a], &t = plan.lifetimes.spans[b];
+    const uint32_t first = std::max(s.first, t.first), last = std::min(s.last, t.last);
+    if (first <= last)
+        return "  Both are alive from " + position_words(plan, first) + " to " + position_words(plan, last) +
+               ".\n";
+    if (plan.schedule.queues.size() > 1 &&
+        (s.queues.size() > 1 || t.queues.size() > 1 || s.queues.front().queue != t.queues.front().queue))
+        return "  They are used on several queues: memory is shared there only where one is proved to be "
+               "over "
+               "before the other begins. If it is, packing has kept them apart.\n";
+    return "  Their lifetimes would allow it; the packing that needed least memory has put them side by "
+           "side.\n";
+}
+
+std::string heap_words(const FramePlan& plan, const Placement& a, const Placement& b) {
+    const HeapPlan &x = plan.memory.heaps[a.heap], &y = plan.memory.heaps[b.heap];
+    if (x.buffers != y.buffers)
+        return "  Buffers and images live in heaps of their own, because pages of this device's granularity "
+               "would "
+               "waste more than sharing saves.\n";
+    return x.type_bits != y.type_bits ? "  They may not live in the same types of memory.\n"
+                                      : "  They live in different heaps.\n";
+}
+
+std::string shape_words(const ResourceDecl& r) {
+    if (r.kind == ResourceKind::buffer)
+        return "a buffer of " + bytes_text(r.size_bytes) +
+               (r.stride_bytes > 0 ? ", stride " + std::to_string(r.stride_bytes) : "");
+    std::string text = "an image, " + std::string(format_info(r.format).name) + ", " +
+                       std::to_string(r.extent.width) + "x" + std::to_string(r.extent.height);
+    if (r.extent.depth > 1) text += "x" + std::to_string(r.extent.depth);
+    if (r.mips > 1) text += ", " + count_text(r.mips, "mip");
+    if (r.layers > 1) text += ", " + count_text(r.layers, "layer");
+    if (r.samples > 1) text += ", " + count_text(r.samples, "sample");
+    return text + " (" + enum_name(r.image_kind) + ")";
+}
+
+std::string ring_words(const FramePlan& plan, const ResourceDecl& r) {
+    if (r.lifetime != ResourceLifetime::persistent) return "";
+    if (r.age > 0)
+        return "  It is what " + resource_words(plan, r.ring) + " held " + count_text(r.age, "frame") +
+               " ago.\n";
+    return r.history > 0
+               ? "  It keeps " + count_text(r.history, "earlier frame") + " in memory of their own.\n"
+               : "  It keeps its content from frame to frame.\n";
+}
+
+std::string memory_words(const FramePlan& plan, ResourceId id) {
+    const Placement* own = placement_of(plan, id);
+    if (own == nullptr) return "  " + alone_words(plan, id);
+    std::string text = "  It takes " + bytes_text(own->size_bytes) + ": " + bytes_words(*own) + ".\n";
+    if (plan.lifetimes.spans[id].first > plan.lifetimes.spans[id].last) return text;
+    text += "  It lives " + lifetime_words(plan, id) + ".\n";
+    std::string others;
+    for (const Placement& p : plan.memory.placements)
+        if (p.resource != id && overlap_in_memory(p, *own))
+            others += (others.empty() ? "" : ", ") + resource_words(plan, p.resource);
+    return text +
+           (others.empty() ? "  Nobody shares that memory.\n" : "  It shares memory with " + others + ".\n");
+}
+
+std::string users_words(const FramePlan& plan, ResourceId id) {
+    std::string text;
+    for (const bool live : {true, false})
+        for (uint32_t i = 0; i < plan.graph.passes.size(); ++i) {
+            const PassId pass = live && i < plan.schedule.order.size() ? plan.schedule.order[i] : i;
+            if ((live && i >= plan.schedule.order.size()) || (!live && plan.live.live_passes[pass])) continue;
+            for (const UseDecl& use : plan.graph.passes[pass].uses)
+                if (use.resource == id)
+                    text += "  " +
+                            (live ? position_words(plan, i)
+                                  : "culled, \"" + plan.graph.passes[pass].name + "\"") +
+                            ": " + use_words(plan, use) + " (" + access_name(use.access) + ").\n";
+        }
+    return text.empty() ? "  No pass uses it.\n" : text;
+}
+
+}  // namespace
+
+Result<std::string> explain_alias(const FramePlan& plan, const std::string& first,
+                                  const std::string& second) {
+    Result<ResourceId> a = named_resource(plan, first), b = named_resource(plan, second);
+    Diagnostics errors;
+    for (Result<ResourceId>* resource : {&a, &b})
+        if (!*resource) errors.insert(errors.end(), resource->errors().begin(), resource->errors().end());
+    if (!errors.empty()) return errors;
+    if (const std::string alone = alone_words(plan, *a) + (*a == *b ? "" : alone_words(plan, *b));
+        !alone.empty())
+        return "They share no memory.\n  " + alone;
+    const Placement &p = *placement_of(plan, *a), &q = *placement_of(plan, *b);
+    const std::string where = "  " + resource_words(plan, *a) + " has " + bytes_words(p) + " and lives " +
+                              lifetime_words(plan, *a) + ".\n  " + resource_words(plan, *b) + " has " +
+                              bytes_words(q) + " and lives " + lifetime_words(plan, *b) + ".\n";
+    if (*a == *b) return "They are one and the same.\n" + where;
+    if (overlap_in_memory(p, q)) return "They share memory.\n" + where + hand_over_words(plan, *a, *b);
+    return "They share no memory.\n" + where +
+           (p.heap != q.heap ? heap_words(plan, p, q) : overlap_words(plan, *a, *b));
+}
+
+Result<std::string> explain_resource(const FramePlan& plan, const std::string& name) {
+    Result<std::vector<ResourceId>> resources = named_resources(plan, name);
+    if (!resources) return resources.take_errors();
+    std::string text;
+    for (const ResourceId id : *resources) {
+        const ResourceDecl& r = plan.graph.resources[id];
+        text += resource_words(plan, id) + " is " + shape_words(r) + ", " + enum_name(r.lifetime) + ".\n" +
+                ring_words(plan, r) + memory_words(plan, id) + users_words(plan, id);
+    }
+    return text;
+}
+
+}  // namespace weft

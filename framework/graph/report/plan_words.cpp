@@ -1,0 +1,112 @@
+#include "graph/report/plan_words.h"
+
+#include <algorithm>
+
+namespace weft {
+namespace {
+
+std::string quoted(const std::string& name) {
+    return "\"" + name + "\"";
+}
+
+std::string place(const FramePlan& plan, const SourceLoc& loc) {
+    return loc.file < plan.graph.sources.files.size() ? " (" + plan.graph.sources.describe(loc) + ")" : "";
+}
+
+// The rounds of a repeat of that name.
+template <class T>
+std::vector<uint32_t> rounds_of(const std::vector<T>& items, const std::string& name) {
+    std::vector<uint32_t> rounds;
+    for (uint32_t i = 0; i < items.size(); ++i)
+        if (items[i].name.starts_with(name + "#")) rounds.push_back(i);
+    return rounds;
+}
+
+template <class T>
+std::string name_one_of(const std::vector<T>& items, const std::vector<uint32_t>& rounds) {
+    constexpr size_t kMost = 8;
+    std::string text;
+    for (size_t i = 0; i < std::min(rounds.size(), kMost); ++i)
+        text += (i > 0 ? ", " : "") + quoted(items[rounds[i]].name);
+    if (rounds.size() > kMost) text += " … " + quoted(items[rounds.back()].name);
+    return "it is repeated: name one of " + text;
+}
+
+template <class T>
+Result<uint32_t> find_named(const FramePlan& plan, const std::vector<T>& items, const T* found,
+                            const std::string& name, const char* what, const char* code) {
+    if (found != nullptr) return static_cast<uint32_t>(found - items.data());
+    std::vector<std::string> known;
+    for (const T& item : items) known.push_back(item.name);
+    Diagnostic d;
+    d.code = code;
+    d.file = plan.graph.sources.files.empty() ? "" : plan.graph.sources.files.front().path;
+    d.message = "the plan has no " + std::string(what) + " \"" + name + "\"";
+    if (const std::vector<uint32_t> rounds = rounds_of(items, name); !rounds.empty()) {
+        d.help = {name_one_of(items, rounds)};
+        return d;
+    }
+    const std::string guess = did_you_mean_text(name, known);
+    d.help = {guess.empty() ? "`weft plan` lists what there is" : guess};
+    return d;
+}
+
+}  // namespace
+
+std::string pass_words(const FramePlan& plan, PassId pass) {
+    return quoted(plan.graph.passes[pass].name) + place(plan, plan.graph.passes[pass].loc);
+}
+
+std::string resource_words(const FramePlan& plan, ResourceId resource) {
+    return quoted(plan.graph.resources[resource].name) + place(plan, plan.graph.resources[resource].loc);
+}
+
+std::string part_words(const FramePlan& plan, ResourceId resource, const SubresourceRange& range) {
+    const ResourceDecl& decl = plan.graph.resources[resource];
+    return quoted(decl.name + (range == decl.whole() ? "" : range_text(range)));
+}
+
+const char* does_words(Access access) {
+    return !writes(access) ? "reads" : reads(access) ? "reads and writes" : "writes";
+}
+
+std::string use_words(const FramePlan& plan, const UseDecl& use) {
+    return "port " + quoted(use.port) + place(plan, use.loc) + " " + does_words(use.access) + " " +
+           part_words(plan, use.resource, use.range);
+}
+
+std::string position_words(const FramePlan& plan, uint32_t position) {
+    if (position >= plan.schedule.order.size()) return "the end of the frame";
+    return std::to_string(position) + " " + quoted(plan.graph.passes[plan.schedule.order[position]].name);
+}
+
+std::string state_words(const AccessState& state, bool image) {
+    std::string text = stages_text(state.stages) + " " + access_text(state.access);
+    if (image) text += " " + layout_text(state.layout);
+    return text;
+}
+
+Result<PassId> named_pass(const FramePlan& plan, const std::string& name) {
+    return find_named(plan, plan.graph.passes, find_pass(plan.graph, name), name, "pass", "W104");
+}
+
+Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name) {
+    return find_named(plan, plan.graph.resources, find_resource(plan.graph, name), name, "resource", "W103");
+}
+
+Result<std::vector<PassId>> named_passes(const FramePlan& plan, const std::string& name) {
+    Result<PassId> one = named_pass(plan, name);
+    if (one) return std::vector<PassId>{*one};
+    if (std::vector<PassId> rounds = rounds_of(plan.graph.passes, name); !rounds.empty()) return rounds;
+    return one.take_errors();
+}
+
+Result<std::vector<ResourceId>> named_resources(const FramePlan& plan, const std::string& name) {
+    Result<ResourceId> one = named_resource(plan, name);
+    if (one) return std::vector<ResourceId>{*one};
+    if (std::vector<ResourceId> rounds = rounds_of(plan.graph.resources, name); !rounds.empty())
+        return rounds;
+    return one.take_errors();
+}
+
+}  // namespace weft

@@ -1,0 +1,38 @@
+// Purpose: what the author asked for, with every name, size, format and version resolved.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "weft/declaration.h"
+#include "weft/device_profile.h"
+#include "weft/graph_desc.h"
+#include "weft/imports.h"
+#include "weft/limits.h"
+#include "weft/pass.h"
+#include "weft/result.h"
+#include "weft/shader_interface.h"
+
+namespace weft {
+
+struct ResolveInput {
+    const GraphDesc& graph;
+    const PassCatalog& passes;
+    const ShaderCatalog& shaders;
+    const ImportCatalog& imports;
+    const DeviceProfile& profile;
+    std::map<std::string, double> params;  // overrides, by name
+    Extent3D output_extent{1280, 720, 1};
+    std::vector<std::string> observed;  // references ("name@pass.mip(e)") that must be produced as well
+    GraphLimits limits = {};
+    // For images with alternatives, by name: so many of the first alternatives are not to be used, though the
+    // device supports them.
+    std::map<std::string, size_t> skipped_formats = {};
+};
+// W120: values that parameters may not have, defaults among them, and names that the graph does not declare.
+[[nodiscard]] Diagnostics param_faults(const GraphDesc& graph, const std::map<std::string, double>& params);
+// Warnings are added to `warnings`.
+[[nodiscard]] Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings);
+
+}  // namespace weft

@@ -1,0 +1,51 @@
+// Purpose: what is known of the order of passes while versions are being resolved. Private to resolve_*.cpp.
+// An arc says that `to` runs after `from`, and why, so that a cycle can be told as a story.
+#pragma once
+
+#include <vector>
+
+#include "graph/resolve/resolve_context.h"
+
+namespace weft {
+
+struct OrderArc {
+    PassId from = kNoId;
+    PassId to = kNoId;
+    EdgeKind kind = EdgeKind::raw;
+    ResourceId resource = kNoId;
+    SourceLoc loc;
+    bool pinnable = false;  // `to` reads a resource of several writers without saying which version
+};
+
+class PassOrder {
+ public:
+    explicit PassOrder(size_t pass_count)
+        : out_(pass_count), position_(pass_count, 0), stamp_(pass_count, 0) {}
+
+    void add(const OrderArc& arc);
+    // Finds positions; false when there is a cycle. Everything below needs a successful call after the last
+    // add().
+    [[nodiscard]] bool sort();
+    [[nodiscard]] uint32_t position(PassId pass) const { return position_[pass]; }
+    [[nodiscard]] bool reaches(PassId from, PassId to);
+    // By pass: 1 where it runs after `from`.
+    [[nodiscard]] std::vector<uint8_t> reached_from(PassId from) const;
+
+    // Arcs looked at so far.
+    [[nodiscard]] uint64_t work() const { return work_; }
+    [[nodiscard]] const std::vector<OrderArc>& arcs() const { return arcs_; }
+    [[nodiscard]] const std::vector<std::vector<uint32_t>>& arcs_out() const { return out_; }
+
+ private:
+    std::vector<OrderArc> arcs_;
+    std::vector<std::vector<uint32_t>> out_;  // by pass: indices into arcs_
+    std::vector<uint32_t> position_;
+    std::vector<uint32_t> stamp_;
+    uint32_t search_ = 0;
+    mutable uint64_t work_ = 0;
+};
+
+// W150 for every knot of passes that wait for each other.
+void report_cycles(ResolveState& state, const PassOrder& order);
+
+}  // namespace weft

@@ -1,0 +1,72 @@
+// Load and store operations from what is known statically: who reads a version, and whether its first write
+// covers.
+#include <algorithm>
+#include <tuple>
+
+#include "graph/schedule/attachment_ops.h"
+
+namespace weft {
+namespace {
+
+struct Written {
+    PassId producer;
+    ResourceId resource;
+    SubresourceRange range;
+    bool operator<(const Written& other) const {
+        return std::tie(producer, resource) < std::tie(other.producer, other.resource);
+    }
+};
+
+// Everything that a live pass reads from another, sorted by producer and resource.
+std::vector<Written> versions_read(const ResolvedGraph& graph, const LiveGraph& live) {
+    std::vector<Written> versions;
+    for (PassId id = 0; id < graph.passes.size(); ++id) {
+        if (!live.live_passes[id]) continue;
+        for (const UseDecl& use : graph.passes[id].uses)
+            for (const VersionSource& source : use.sources)
+                if (source.producer != kNoId)
+                    versions.push_back({source.producer, use.resource, source.range});
+    }
+    std::stable_sort(versions.begin(), versions.end());
+    return versions;
+}
+
+bool is_read(const std::vector<Written>& versions, const Written& version) {
+    const auto [first, last] = std::equal_range(versions.begin(), versions.end(), version);
+    return std::any_of(first, last, [&](const Written& v) { return overlaps(v.range, version.range); });
+}
+
+LoadOp load_op(const UseDecl& use, const AttachmentDecl& attachment) {
+    const bool first_write = use.access == Access::color_write || use.access == Access::depth_write;
+    if (!first_write) return LoadOp::load;
+    return attachment.covers ? LoadOp::dont_care : LoadOp::clear;
+}
+
+StoreOp store_op(const ResolvedGraph& graph, PassId pass, const UseDecl& use,
+                 const std::vector<Written>& versions) {
+    if (!writes(use.access)) return StoreOp::none;
+    if (graph.resources[use.resource].lifetime != ResourceLifetime::transient) return StoreOp::store;
+    return is_read(versions, {pass, use.resource, use.range}) ? StoreOp::store : StoreOp::dont_care;
+}
+
+}  // namespace
+
+std::vector<std::vector<AttachmentOps>> attachment_ops(const ResolvedGraph& graph, const LiveGraph& live,
+                                                       const Schedule& order) {
+    const std::vector<Written> versions = versions_read(graph, live);
+    std::vector<std::vector<AttachmentOps>> result(order.order.size());
+    for (uint32_t position = 0; position < order.order.size(); ++position) {
+        const PassId id = order.order[position];
+        const PassDecl& pass = graph.passes[id];
+        const auto add = [&](const AttachmentDecl& attachment) {
+            const UseDecl& use = pass.uses[attachment.use];
+            result[position].push_back(
+                {attachment.use, load_op(use, attachment), store_op(graph, id, use, versions)});
+        };
+        for (const AttachmentDecl& color : pass.colors) add(color);
+        if (pass.depth) add(*pass.depth);
+    }
+    return result;
+}
+
+}  // namespace weft

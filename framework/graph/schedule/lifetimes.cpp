@@ -1,0 +1,36 @@
+#include <algorithm>
+
+#include "graph/schedule/lifetimes.h"
+
+namespace weft {
+namespace {
+
+void add_to_queue(LifetimeSpan& span, QueueIndex queue, uint32_t position) {
+    const auto own = std::find_if(span.queues.begin(), span.queues.end(),
+                                  [queue](const QueueSpan& s) { return s.queue == queue; });
+    if (own == span.queues.end())
+        span.queues.push_back({queue, position, position});
+    else
+        own->last = position;
+}
+
+}  // namespace
+
+Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order) {
+    Lifetimes result;
+    result.spans.resize(graph.resources.size());
+    for (uint32_t position = 0; position < order.order.size(); ++position) {
+        for (const UseDecl& use : graph.passes[order.order[position]].uses) {
+            const bool counts = live.live_resources[use.resource] &&
+                                graph.resources[use.resource].lifetime == ResourceLifetime::transient;
+            if (!counts) continue;
+            LifetimeSpan& span = result.spans[use.resource];
+            if (span.first > span.last) span.first = position;
+            span.last = position;
+            add_to_queue(span, order.queue[position], position);
+        }
+    }
+    return result;
+}
+
+}  // namespace weft

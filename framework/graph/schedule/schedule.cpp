@@ -1,0 +1,50 @@
+// Chooses an order out of a portfolio: least peak-live memory first, then fewest barrier batches. Program
+// order is always a candidate and wins ties, so that the choice is never worse than what the author wrote.
+#include <cassert>
+#include <tuple>
+#include <utility>
+
+#include "graph/schedule/queue_assign.h"
+#include "graph/schedule/schedule.h"
+#include "graph/schedule/schedule_candidates.h"
+
+namespace weft {
+namespace {
+
+struct NamedOrder {
+    const char* name;
+    std::vector<PassId> order;
+};
+
+bool better(const ScheduleCandidate& a, const ScheduleCandidate& b) {
+    return std::tie(a.peak_live_bytes, a.barrier_batches, a.queue_switches) <
+           std::tie(b.peak_live_bytes, b.barrier_batches, b.queue_switches);
+}
+
+}  // namespace
+
+Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
+                  const std::vector<LogicalQueue>& queues) {
+    const ScheduleProblem problem = schedule_problem(graph, live, needs);
+    NamedOrder candidates[] = {{"program", program_order(problem)},
+                               {"forward", forward_greedy_order(problem)},
+                               {"backward", backward_greedy_order(problem)}};
+    Schedule result;
+    size_t best = 0;
+    for (size_t i = 0; i < std::size(candidates); ++i) {
+        const std::vector<PassId>& order = candidates[i].order;
+        assert(order.size() == candidates[0].order.size() && "edges are acyclic");
+        result.candidates.push_back(
+            {candidates[i].name, peak_live_bytes(problem, order), barrier_batches(problem, order), 0});
+        if (better(result.candidates[i], result.candidates[best])) best = i;
+    }
+    result.chosen = candidates[best].name;
+    result.order = std::move(candidates[best].order);
+    result.position.assign(graph.passes.size(), kNoId);
+    for (uint32_t p = 0; p < result.order.size(); ++p) result.position[result.order[p]] = p;
+    result.queues = queues;
+    result.queue = assign_queues(graph, result.order, queues);
+    return result;
+}
+
+}  // namespace weft

@@ -1,0 +1,182 @@
+#include "graph/schedule/schedule_candidates.h"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+namespace weft {
+namespace {
+
+// The graph as seen from one end. Lifetimes are symmetric: walking backwards, a last use allocates and a
+// first frees.
+struct Walk {
+    const ScheduleProblem& problem;
+    const IndexRows& next;
+    const IndexRows& previous;
+    std::vector<uint32_t> rank;
+};
+
+std::vector<uint32_t> row_sizes(const IndexRows& rows) {
+    std::vector<uint32_t> sizes(rows.offsets.size() - 1);
+    for (uint32_t row = 0; row < sizes.size(); ++row) sizes[row] = rows.offsets[row + 1] - rows.offsets[row];
+    return sizes;
+}
+
+// Greedy list scheduling. A pass's score only ever falls (others allocate what it needs; it becomes the last
+// user), so each fall pushes a fresh entry and stale ones are skipped when they surface.
+class Greedy {
+ public:
+    explicit Greedy(const Walk& walk)
+        : walk_(walk),
+          waiting_(row_sizes(walk.previous)),
+          users_left_(row_sizes(walk.problem.users)),
+          user_sum_(walk.problem.size_bytes.size(), 0),
+          score_(waiting_.size(), 0),
+          ready_(waiting_.size(), 0) {
+        const ScheduleProblem& problem = walk.problem;
+        for (uint32_t resource = 0; resource < user_sum_.size(); ++resource)
+            for (const uint32_t* pass = problem.users.begin(resource); pass != problem.users.end(resource);
+                 ++pass)
+                user_sum_[resource] += *pass;
+        for (PassId pass = 0; pass < score_.size(); ++pass)
+            for (const uint32_t* r = problem.resources.begin(pass); r != problem.resources.end(pass); ++r)
+                if (users_left_[*r] > 1) score_[pass] += static_cast<int64_t>(problem.size_bytes[*r]);
+    }
+
+    std::vector<PassId> run() {
+        for (PassId pass = 0; pass < waiting_.size(); ++pass)
+            if (waiting_[pass] == 0 && !ready_[pass]) make_ready(pass);
+        while (!heap_.empty()) {
+            const auto [score, rank, pass] = heap_.top();
+            heap_.pop();
+            if (ready_[pass] != 1 || score != score_[pass]) continue;
+            take(pass);
+        }
+        return std::move(order_);
+    }
+
+ private:
+    using Entry = std::tuple<int64_t, uint32_t, PassId>;
+
+    void push(PassId pass) { heap_.emplace(score_[pass], walk_.rank[pass], pass); }
+
+    void make_ready(PassId first) {
+        std::vector<PassId> fresh{first};
+        while (!fresh.empty()) {
+            const PassId pass = fresh.back();
+            fresh.pop_back();
+            ready_[pass] = 1;
+            if (walk_.problem.live[pass]) {
+                push(pass);
+                continue;
+            }
+            for (const uint32_t* n = walk_.next.begin(pass); n != walk_.next.end(pass); ++n)
+                if (--waiting_[*n] == 0) fresh.push_back(*n);
+        }
+    }
+
+    void fall(PassId pass, uint64_t bytes) {
+        score_[pass] -= static_cast<int64_t>(bytes);
+        if (ready_[pass] == 1) push(pass);
+    }
+
+    void take(PassId pass) {
+        ready_[pass] = 2;
+        order_.push_back(pass);
+        const ScheduleProblem& problem = walk_.problem;
+        for (const uint32_t* r = problem.resources.begin(pass); r != problem.resources.end(pass); ++r) {
+            const uint32_t users = problem.users.offsets[*r + 1] - problem.users.offsets[*r];
+            const uint64_t bytes = problem.size_bytes[*r];
+            if (users_left_[*r] == users)
+                for (const uint32_t* user = problem.users.begin(*r); user != problem.users.end(*r); ++user)
+                    if (*user != pass) fall(*user, bytes);
+            user_sum_[*r] -= pass;
+            if (--users_left_[*r] == 1) fall(static_cast<PassId>(user_sum_[*r]), bytes);
+        }
+        for (const uint32_t* n = walk_.next.begin(pass); n != walk_.next.end(pass); ++n)
+            if (--waiting_[*n] == 0) make_ready(*n);
+    }
+
+    const Walk& walk_;
+    std::vector<uint32_t> waiting_;     // by pass: predecessors not taken yet
+    std::vector<uint32_t> users_left_;  // by resource
+    std::vector<uint64_t> user_sum_;    // by resource: sum of the ids of those users; of the last one, its id
+    std::vector<int64_t> score_;        // by pass: bytes allocated less bytes freed
+    std::vector<uint8_t> ready_;        // by pass: 0 waiting, 1 in the heap, 2 taken
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
+    std::vector<PassId> order_;
+};
+
+}  // namespace
+
+std::vector<PassId> program_order(const ScheduleProblem& problem) {
+    using Entry = std::pair<uint32_t, PassId>;
+    std::vector<uint32_t> waiting = row_sizes(problem.predecessors);
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
+    for (PassId pass = 0; pass < waiting.size(); ++pass)
+        if (waiting[pass] == 0) heap.emplace(problem.rank[pass], pass);
+    std::vector<PassId> order;
+    while (!heap.empty()) {
+        const PassId pass = heap.top().second;
+        heap.pop();
+        if (problem.live[pass]) order.push_back(pass);
+        for (const uint32_t* n = problem.successors.begin(pass); n != problem.successors.end(pass); ++n)
+            if (--waiting[*n] == 0) heap.emplace(problem.rank[*n], *n);
+    }
+    return order;
+}
+
+std::vector<PassId> forward_greedy_order(const ScheduleProblem& problem) {
+    const Walk walk{problem, problem.successors, problem.predecessors, problem.rank};
+    return Greedy(walk).run();
+}
+
+std::vector<PassId> backward_greedy_order(const ScheduleProblem& problem) {
+    Walk walk{problem, problem.predecessors, problem.successors, problem.rank};
+    for (uint32_t& rank : walk.rank) rank = static_cast<uint32_t>(walk.rank.size()) - 1 - rank;
+    std::vector<PassId> order = Greedy(walk).run();
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+uint64_t peak_live_bytes(const ScheduleProblem& problem, const std::vector<PassId>& order) {
+    std::vector<uint32_t> left = row_sizes(problem.users);
+    uint64_t bytes = 0, peak = 0;
+    for (const PassId pass : order) {
+        uint64_t freed = 0;
+        for (const uint32_t* r = problem.resources.begin(pass); r != problem.resources.end(pass); ++r) {
+            if (left[*r] == problem.users.offsets[*r + 1] - problem.users.offsets[*r])
+                bytes += problem.size_bytes[*r];
+            if (--left[*r] == 0) freed += problem.size_bytes[*r];
+        }
+        peak = std::max(peak, bytes);
+        bytes -= freed;
+    }
+    return peak;
+}
+
+uint32_t barrier_batches(const ScheduleProblem& problem, const std::vector<PassId>& order) {
+    std::vector<uint32_t> position(problem.live.size(), 0);
+    std::vector<uint8_t> touched(problem.size_bytes.size(), 0);
+    uint32_t batches = 0, last_batch = 0;
+    for (uint32_t p = 0; p < order.size(); ++p) {
+        const PassId pass = order[p];
+        position[pass] = p;
+        bool needed = false;
+        for (const uint32_t* r = problem.resources.begin(pass); r != problem.resources.end(pass); ++r) {
+            needed = needed || !touched[*r];
+            touched[*r] = 1;
+        }
+        for (const uint32_t* n = problem.predecessors.begin(pass); n != problem.predecessors.end(pass); ++n)
+            needed = needed || (problem.live[*n] && position[*n] >= last_batch);
+        if (!needed) continue;
+        ++batches;
+        last_batch = p;
+    }
+    return batches;
+}
+
+}  // namespace weft

@@ -1,0 +1,184 @@
+// Synchronisation, resource by resource. The frame repeats, so the memory that a transient takes over may
+// have been left by the frame before; what a resource leaves behind does not depend on what it found, so that
+// one walk over the frame serves both frames of the unroll: first every history, then the hand-overs between
+// them.
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "graph/schedule/written_whole.h"
+#include "graph/sync/barriers.h"
+
+namespace weft {
+namespace {
+
+// All that these stages may write.
+AccessMask writes_of(StageMask stages) {
+    constexpr StageMask kShaders = stage::kComputeShader | stage::kVertexShader | stage::kFragmentShader;
+    constexpr StageMask kTransfers = stage::kCopy | stage::kBlit | stage::kResolve | stage::kClear;
+    constexpr StageMask kTests = stage::kEarlyFragmentTests | stage::kLateFragmentTests;
+    AccessMask mask = access::kNone;
+    if (stages & kShaders) mask |= access::kStorageWrite;
+    if (stages & kTransfers) mask |= access::kTransferWrite;
+    if (stages & kTests) mask |= access::kDepthStencilWrite;
+    if (stages & stage::kColorOutput) mask |= access::kColorWrite;
+    return mask;
+}
+
+struct HandOverRows {
+    const std::vector<HandOver>& all;
+
+    // Those into `to`. Every transient in use has at least one, from itself if from nobody else.
+    [[nodiscard]] std::vector<HandOver> into(ResourceId to) const {
+        const auto first = std::lower_bound(all.begin(), all.end(), to,
+                                            [](const HandOver& h, ResourceId id) { return h.to < id; });
+        const auto last = std::find_if(first, all.end(), [to](const HandOver& h) { return h.to != to; });
+        if (first == last) return {{to, to, true}};
+        return {first, last};
+    }
+};
+
+// Whose last users a hand-over names besides those of the owners just before. Where an owner wrote only parts
+// of itself, what earlier owners did to the rest was waited for when it took over. That order is a chain
+// through barriers on other resources, which the validation layer of Vulkan 1.3.239 doesn't follow; nor does
+// it see that a buffer overwrites an image, or an image a buffer.
+class EarlierOwners {
+ public:
+    EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const HandOverRows& rows)
+        : graph_(graph), rows_(rows), whole_(written_whole(graph, order)) {}
+
+    [[nodiscard]] std::vector<ResourceId> of(ResourceId to, const std::vector<HandOver>& owners) const {
+        std::vector<ResourceId> found, left;
+        const auto look_behind = [&](ResourceId owner) {
+            const bool hides = whole_[owner] && graph_.resources[owner].kind == graph_.resources[to].kind;
+            if (!hides) left.push_back(owner);
+        };
+        for (const HandOver& owner : owners) look_behind(owner.from);
+        while (!left.empty()) {
+            const ResourceId owner = left.back();
+            left.pop_back();
+            for (const HandOver& before : rows_.into(owner)) {
+                if (std::find(found.begin(), found.end(), before.from) != found.end()) continue;
+                found.push_back(before.from);
+                look_behind(before.from);
+            }
+        }
+        return found;
+    }
+
+ private:
+    const ResolvedGraph& graph_;
+    const HandOverRows& rows_;
+    std::vector<uint8_t> whole_;
+};
+
+// What an owner's last users on this queue did.
+void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) {
+    for (const LastUse& last : owner.last_uses) {
+        if (last.queue != queue) continue;
+        src.stages |= last.stages;
+        src.access |= writes_of(last.stages);
+    }
+}
+
+// Waits for whoever used the memory last: by a barrier on the same queue, by a semaphore on another. Within a
+// frame memory is shared only where the order of the queues is known already.
+void take_over(const SyncTable& sync, const std::vector<HandOver>& owners, QueueIndex queue,
+               PlacedBarrier& placed, std::vector<QueueDependency>& dependencies) {
+    BarrierDecl& barrier = placed.barrier;
+    barrier.from_previous_frame = true;
+    bool first = true, elsewhere = false;
+    for (const HandOver& owner : owners) {
+        for (const LastUse& last : sync.histories[owner.from].last_uses) {
+            barrier.from = first || barrier.from == last.pass ? last.pass : kNoId;
+            first = false;
+            if (last.queue != queue) {
+                elsewhere = true;
+                if (owner.wrap)
+                    dependencies.push_back({last.position, placed.position, true, barrier.resource});
+                continue;
+            }
+            barrier.src.stages |= last.stages;
+            barrier.src.access |= last.writes;
+        }
+        barrier.from_previous_frame = barrier.from_previous_frame && owner.wrap;
+        if (barrier.hand_over_from.empty() || barrier.hand_over_from.back() != owner.from)
+            barrier.hand_over_from.push_back(owner.from);
+    }
+    if (elsewhere) barrier.src.stages |= barrier.dst.stages;
+}
+
+void put(PlacedBarrier placed, const Schedule& order, BarrierPlan& plan) {
+    if (placed.position == kEpiloguePosition) {
+        plan.epilogue.push_back(std::move(placed.barrier));
+        return;
+    }
+    PassStep& step = plan.steps[placed.position];
+    if (!placed.after) placed.barrier.to = order.order[placed.position];
+    (placed.after ? step.after : step.barriers).push_back(std::move(placed.barrier));
+}
+
+// Every copy of a persistent resource: out of undefined, cleared, into the state that the first frame
+// expects.
+void add_to_prologue(const ResolvedGraph& graph, ResourceId id, const ResourceHistory& history,
+                     ProloguePlan& prologue) {
+    constexpr AccessMask kHostAccess = access::kHostRead | access::kHostWrite;
+    const ResourceDecl& resource = graph.resources[id];
+    const bool image = resource.kind == ResourceKind::image;
+    const AccessState cleared =
+        access_state(Access::clear_write, 0, image ? resource.aspects : aspect::kNone);
+    BarrierDecl barrier;
+    barrier.resource = id;
+    barrier.reason = BarrierReason::prologue;
+    barrier.range = resource.whole();
+    barrier.dst = cleared;
+    if (image) prologue.before.push_back(barrier);
+    prologue.cleared.push_back(id);
+    barrier.src = cleared;
+    for (const BoundaryState& entry : history.entry) {
+        barrier.range = entry.range;
+        barrier.dst = {stage::kAll & ~stage::kHost, access::kAll & ~kHostAccess, entry.state.layout};
+        prologue.after.push_back(barrier);
+    }
+}
+
+uint32_t count_emitted(const BarrierPlan& plan) {
+    size_t count = plan.epilogue.size();
+    for (const PassStep& step : plan.steps) count += step.barriers.size() + step.after.size();
+    return static_cast<uint32_t>(count);
+}
+
+}  // namespace
+
+BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
+                     const MemoryPlan& memory, std::vector<std::vector<AttachmentOps>> attachments,
+                     std::vector<QueueDependency>& dependencies) {
+    BarrierPlan plan;
+    plan.concurrent = sync.concurrent;
+    plan.steps.resize(order.order.size());
+    for (uint32_t position = 0; position < order.order.size(); ++position) {
+        plan.steps[position].pass = order.order[position];
+        plan.steps[position].attachments = std::move(attachments[position]);
+        plan.steps[position].continues_scope = sync.scopes[position] != kNoId;
+    }
+    const HandOverRows rows{memory.hand_overs};
+    const EarlierOwners earlier(graph, order, rows);
+    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+        const std::vector<HandOver> owners = rows.into(id);
+        for (PlacedBarrier placed : sync.histories[id].barriers) {
+            placed.barrier.resource = id;
+            if (placed.barrier.reason == BarrierReason::hand_over) {
+                const QueueIndex queue = order.queue[placed.position];
+                take_over(sync, owners, queue, placed, dependencies);
+                for (const ResourceId before : earlier.of(id, owners))
+                    wait_for(sync.histories[before], queue, placed.barrier.src);
+            }
+            put(std::move(placed), order, plan);
+        }
+        if (!sync.histories[id].entry.empty()) add_to_prologue(graph, id, sync.histories[id], plan.prologue);
+    }
+    plan.emitted = count_emitted(plan);
+    return plan;
+}
+
+}  // namespace weft

@@ -1,0 +1,118 @@
+#include "graph/sync/queue_clocks.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace weft {
+namespace {
+
+void merge_clock(QueueClock& clock, const QueueClock& other) {
+    for (size_t q = 0; q < clock.size(); ++q) clock[q] = std::max(clock[q], other[q]);
+}
+
+// A walk over points in time: positions of one frame after the other.
+class ClockWalk {
+ public:
+    ClockWalk(size_t point_count, size_t queue_count)
+        : clocks_(point_count, QueueClock(queue_count, 0)), last_(queue_count, kNoId) {}
+
+    // The point follows whatever its queue did last.
+    void enter(uint32_t point, QueueIndex queue) {
+        if (last_[queue] != kNoId) {
+            clocks_[point] = clocks_[last_[queue]];
+            clocks_[point][queue] = last_[queue] + 1;
+        }
+        last_[queue] = point;
+    }
+    [[nodiscard]] bool knows(uint32_t point, uint32_t other, QueueIndex queue) const {
+        return clocks_[point][queue] > other;
+    }
+    void follow(uint32_t point, uint32_t other, QueueIndex queue) {
+        merge_clock(clocks_[point], clocks_[other]);
+        clocks_[point][queue] = std::max(clocks_[point][queue], other + 1);
+    }
+    [[nodiscard]] std::vector<QueueClock> take() { return std::move(clocks_); }
+
+ private:
+    std::vector<QueueClock> clocks_;
+    std::vector<uint32_t> last_;  // by queue
+};
+
+// Two frames, one behind the other. The second has a frame before it: what it waits for is what every frame
+// waits for.
+class WaitFinder {
+ public:
+    WaitFinder(const std::vector<QueueIndex>& queue, size_t queue_count,
+               const std::vector<QueueDependency>& dependencies)
+        : queue_(queue),
+          stride_(static_cast<uint32_t>(queue.size())),
+          into_(queue.size()),
+          walk_(2 * queue.size(), queue_count) {
+        for (const QueueDependency& d : dependencies) into_[d.to].push_back(d);
+    }
+
+    std::vector<Wait> find() {
+        for (uint32_t frame = 0; frame < 2; ++frame)
+            for (uint32_t position = 0; position < stride_; ++position) visit(frame, position);
+        return std::move(waits_);
+    }
+
+ private:
+    [[nodiscard]] uint32_t point_of(const QueueDependency& d, uint32_t frame) const {
+        return (d.previous_frame ? frame - 1 : frame) * stride_ + d.from;
+    }
+
+    void visit(uint32_t frame, uint32_t position) {
+        const uint32_t point = frame * stride_ + position;
+        walk_.enter(point, queue_[position]);
+        std::vector<QueueDependency> wanted;
+        for (const QueueDependency& d : into_[position])
+            if ((frame > 0 || !d.previous_frame) && !walk_.knows(point, point_of(d, frame), queue_[d.from]))
+                wanted.push_back(d);
+        const auto implied = [&](const QueueDependency& d) {
+            return std::any_of(wanted.begin(), wanted.end(), [&](const QueueDependency& by) {
+                const uint32_t a = point_of(by, frame), b = point_of(d, frame);
+                if (queue_[by.from] == queue_[d.from]) return a > b;
+                return walk_.knows(a, b, queue_[d.from]);
+            });
+        };
+        std::vector<QueueDependency> kept;
+        std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(kept),
+                     [&](const QueueDependency& d) { return !implied(d); });
+        for (const QueueDependency& d : kept) {
+            // Several resources may ask for the same wait; the first of them stands for all.
+            if (walk_.knows(point, point_of(d, frame), queue_[d.from])) continue;
+            walk_.follow(point, point_of(d, frame), queue_[d.from]);
+            if (frame == 1) waits_.push_back({position, d});
+        }
+    }
+
+    const std::vector<QueueIndex>& queue_;
+    uint32_t stride_;
+    std::vector<std::vector<QueueDependency>> into_;
+    ClockWalk walk_;
+    std::vector<Wait> waits_;
+};
+
+}  // namespace
+
+std::vector<QueueClock> frame_clocks(const std::vector<QueueIndex>& queue, size_t queue_count,
+                                     const std::vector<QueueDependency>& dependencies) {
+    std::vector<std::vector<uint32_t>> followed(queue.size());
+    for (const QueueDependency& d : dependencies)
+        if (!d.previous_frame && d.to < queue.size()) followed[d.to].push_back(d.from);
+    ClockWalk walk(queue.size(), queue_count);
+    for (uint32_t position = 0; position < queue.size(); ++position) {
+        walk.enter(position, queue[position]);
+        for (const uint32_t from : followed[position]) walk.follow(position, from, queue[from]);
+    }
+    return walk.take();
+}
+
+std::vector<Wait> minimal_waits(const std::vector<QueueIndex>& queue, size_t queue_count,
+                                const std::vector<QueueDependency>& dependencies) {
+    return WaitFinder(queue, queue_count, dependencies).find();
+}
+
+}  // namespace weft

@@ -1,0 +1,109 @@
+#include "graph/sync/scopes.h"
+
+#include <algorithm>
+
+namespace weft {
+namespace {
+
+bool draws(const PassDecl& pass) {
+    // What draws elsewhere every frame has no attachments that a plan could compare.
+    return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.turns == 0;
+}
+
+// Colours by location, then depth.
+std::vector<const AttachmentDecl*> attachments_of(const PassDecl& pass) {
+    std::vector<const AttachmentDecl*> all;
+    for (const AttachmentDecl& color : pass.colors) all.push_back(&color);
+    if (pass.depth) all.push_back(&*pass.depth);
+    return all;
+}
+
+// The second pass goes on where the first one left this attachment. What the first one writes, the last one
+// has to store.
+bool goes_on(const PassDecl& first, const AttachmentDecl& a, const PassDecl& second,
+             const AttachmentDecl& b) {
+    const UseDecl &before = first.uses[a.use], &after = second.uses[b.use];
+    return a.location == b.location && a.resolve_use == kNoId && b.resolve_use == kNoId &&
+           before.resource == after.resource && before.range == after.range &&
+           before.state.layout == after.state.layout && reads(after.access) &&
+           writes(before.access) == writes(after.access);
+}
+
+bool is_attachment(const PassDecl& pass, uint32_t use) {
+    const std::vector<const AttachmentDecl*> all = attachments_of(pass);
+    return std::any_of(all.begin(), all.end(), [use](const AttachmentDecl* a) { return a->use == use; });
+}
+
+// Looks, other than by drawing, at what the scope draws to: only drawing is ordered inside a scope.
+bool uses_what_it_draws(const PassDecl& pass) {
+    for (const AttachmentDecl* attachment : attachments_of(pass)) {
+        const UseDecl& drawn = pass.uses[attachment->use];
+        for (uint32_t u = 0; u < pass.uses.size(); ++u) {
+            const UseDecl& use = pass.uses[u];
+            if (is_attachment(pass, u) || use.resource != drawn.resource || !overlaps(use.range, drawn.range))
+                continue;
+            if (writes(use.access) || writes(drawn.access)) return true;
+        }
+    }
+    return false;
+}
+
+bool continues(const PassDecl& first, const PassDecl& second, const std::vector<AttachmentOps>& second_ops) {
+    if (!draws(first) || !draws(second) || first.render_extent != second.render_extent) return false;
+    if (first.colors.size() != second.colors.size() || first.depth.has_value() != second.depth.has_value())
+        return false;
+    const std::vector<const AttachmentDecl*> before = attachments_of(first), after = attachments_of(second);
+    if (after.empty()) return false;
+    for (size_t i = 0; i < after.size(); ++i)
+        if (!goes_on(first, *before[i], second, *after[i])) return false;
+    const bool loads = std::all_of(second_ops.begin(), second_ops.end(),
+                                   [](const AttachmentOps& ops) { return ops.load == LoadOp::load; });
+    return loads && !uses_what_it_draws(first) && !uses_what_it_draws(second);
+}
+
+}  // namespace
+
+ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
+                       const std::vector<std::vector<AttachmentOps>>& attachments) {
+    ScopeTable scopes(order.order.size(), kNoId);
+    std::vector<uint32_t> last(order.queues.size(), kNoId);
+    for (uint32_t position = 0; position < scopes.size(); ++position) {
+        uint32_t& before = last[order.queue[position]];
+        if (before != kNoId && continues(graph.passes[order.order[before]],
+                                         graph.passes[order.order[position]], attachments[position]))
+            scopes[position] = before;
+        before = position;
+    }
+    return scopes;
+}
+
+ScopeTable undivided(ScopeTable scopes, const std::vector<ResourceHistory>& histories) {
+    std::vector<uint8_t> ends(scopes.size(), 0);  // by position: barriers follow
+    for (const ResourceHistory& history : histories) {
+        for (const PlacedBarrier& placed : history.barriers) {
+            if (placed.position == kEpiloguePosition) continue;
+            if (placed.after)
+                ends[placed.position] = 1;
+            else
+                scopes[placed.position] = kNoId;
+        }
+    }
+    for (uint32_t& before : scopes)
+        if (before != kNoId && ends[before] != 0) before = kNoId;
+    return scopes;
+}
+
+ScopeTable within_batches(ScopeTable scopes, const SubmissionPlan& submissions) {
+    for (const Batch& batch : submissions.batches)
+        if (!batch.positions.empty()) scopes[batch.positions.front()] = kNoId;
+    return scopes;
+}
+
+PassId continued_pass(const FramePlan& plan, uint32_t position) {
+    if (!plan.barriers.steps[position].continues_scope) return kNoId;
+    for (uint32_t before = position; before-- > 0;)
+        if (plan.schedule.queue[before] == plan.schedule.queue[position]) return plan.schedule.order[before];
+    return kNoId;
+}
+
+}  // namespace weft

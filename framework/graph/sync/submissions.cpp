@@ -1,0 +1,73 @@
+// Cuts each queue's passes into batches: before every pass that waits for another queue, and after every pass
+// that another queue waits for.
+#include <algorithm>
+#include <set>
+
+#include "graph/sync/queue_clocks.h"
+#include "graph/sync/submissions.h"
+
+namespace weft {
+namespace {
+
+constexpr uint32_t kNoBatch = UINT32_MAX;
+
+// The end of the frame, where imports go into their exit states, counts as a position behind the last one, on
+// queue 0.
+class Batches {
+ public:
+    Batches(const Schedule& order, const std::vector<Wait>& waits) : order_(order), waits_(waits) {
+        for (const Wait& wait : waits) {
+            waiting_.insert(wait.position);
+            awaited_.insert(wait.dependency.from);
+        }
+        open_.assign(order.queues.size(), kNoBatch);
+        batch_of_.assign(order.order.size() + 1, kNoBatch);
+    }
+
+    std::vector<Batch> make() {
+        const auto end = static_cast<uint32_t>(order_.order.size());
+        for (uint32_t position = 0; position < end; ++position) {
+            Batch& batch = batch_for(position, order_.queue[position]);
+            batch.positions.push_back(position);
+        }
+        batch_for(end, 0).epilogue = true;
+        for (uint32_t i = 0; i < waits_.size(); ++i) {
+            const QueueDependency& d = waits_[i].dependency;
+            batches_[batch_of_[waits_[i].position]].waits.push_back({batch_of_[d.from], d.previous_frame, i});
+        }
+        return std::move(batches_);
+    }
+
+ private:
+    Batch& batch_for(uint32_t position, QueueIndex queue) {
+        if (open_[queue] == kNoBatch || waiting_.contains(position)) {
+            open_[queue] = static_cast<uint32_t>(batches_.size());
+            batches_.emplace_back().queue = queue;
+        }
+        batch_of_[position] = open_[queue];
+        Batch& batch = batches_[open_[queue]];
+        if (awaited_.contains(position)) open_[queue] = kNoBatch;
+        return batch;
+    }
+
+    const Schedule& order_;
+    const std::vector<Wait>& waits_;
+    std::set<uint32_t> waiting_, awaited_;
+    std::vector<uint32_t> open_;      // by queue
+    std::vector<uint32_t> batch_of_;  // by position
+    std::vector<Batch> batches_;      // in the order in which they begin
+};
+
+}  // namespace
+
+SubmissionPlan submissions(const Schedule& order, const std::vector<QueueDependency>& dependencies) {
+    std::vector<QueueIndex> queue = order.queue;
+    queue.push_back(0);
+    const std::vector<Wait> waits = minimal_waits(queue, order.queues.size(), dependencies);
+    SubmissionPlan plan;
+    for (const Wait& wait : waits) plan.dependencies.push_back(wait.dependency);
+    plan.batches = Batches(order, waits).make();
+    return plan;
+}
+
+}  // namespace weft

@@ -1,0 +1,80 @@
+// The histories of all resources, and what queues have to wait for because of them.
+#include <algorithm>
+#include <utility>
+
+#include "graph/sync/queue_clocks.h"
+#include "graph/sync/synchronize.h"
+#include "graph/sync/touches.h"
+
+namespace weft {
+namespace {
+
+// By resource: the roles of its ring by age. Empty where another role leads.
+std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
+    std::vector<std::vector<ResourceId>> rings(graph.resources.size());
+    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+        const ResourceDecl& resource = graph.resources[id];
+        std::vector<ResourceId>& ring = rings[resource.ring == kNoId ? id : resource.ring];
+        ring.resize(std::max<size_t>(ring.size(), resource.age + size_t{1}), kNoId);
+        ring[resource.age] = id;
+    }
+    return rings;
+}
+
+void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
+                     std::vector<QueueDependency>& dependencies) {
+    for (const EdgeDecl& edge : graph.edges) {
+        const uint32_t from = order.position[edge.from], to = order.position[edge.to];
+        if (edge.kind != EdgeKind::after || from == kNoId || to == kNoId) continue;
+        if (order.queue[from] != order.queue[to]) dependencies.push_back({from, to, false, kNoId});
+    }
+}
+
+SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order,
+                      const std::vector<std::vector<AttachmentOps>>& attachments, ScopeTable scopes) {
+    const TouchTable touches = collect_touches(graph, order, attachments, scopes);
+    const std::vector<std::vector<ResourceId>> rings = rings_of(graph);
+    SyncTable table;
+    table.scopes = std::move(scopes);
+    table.histories.resize(graph.resources.size());
+    table.concurrent.assign(graph.resources.size(), 0);
+    for (const std::vector<ResourceId>& ring : rings) {
+        HistoryInput input;
+        input.order = &order;
+        bool touched = false;
+        for (const ResourceId id : ring) {
+            input.roles.push_back({&graph.resources[id], &touches[id]});
+            touched = touched || !touches[id].empty();
+        }
+        if (!touched) continue;
+        input.resource = ring.front();
+        RingHistory history = resource_history(input);
+        for (size_t age = 0; age < ring.size(); ++age) {
+            table.histories[ring[age]] = std::move(history.roles[age]);
+            table.concurrent[ring[age]] = history.concurrent ? 1 : 0;
+        }
+        table.dependencies.insert(table.dependencies.end(), history.dependencies.begin(),
+                                  history.dependencies.end());
+    }
+    add_after_edges(graph, order, table.dependencies);
+    return table;
+}
+
+}  // namespace
+
+SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
+                      const std::vector<std::vector<AttachmentOps>>& attachments, ScopeTable candidates) {
+    for (;;) {
+        SyncTable table = with_scopes(graph, order, attachments, candidates);
+        candidates = undivided(table.scopes, table.histories);
+        // A pass that falls out needs barriers after all, but no other pass does.
+        if (candidates == table.scopes) return table;
+    }
+}
+
+Schedule add_clocks(Schedule order, const std::vector<QueueDependency>& dependencies) {
+    order.clocks = frame_clocks(order.queue, order.queues.size(), dependencies);
+    return order;
+}
+
+}  // namespace weft

@@ -1,0 +1,213 @@
+// Shorthand becomes objects, then files and the tier are laid over each other. Anything of an unexpected kind
+// is left as it is: parse() says what was wanted.
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "graph/parse/parse_context.h"
+#include "graph/parse/reference.h"
+#include "graph/syntax/json_patch.h"
+#include "graph/syntax/merge.h"
+
+namespace weft {
+namespace {
+
+JsonNode* find(JsonNode& node, std::string_view key) {
+    const auto it = std::find_if(node.members.begin(), node.members.end(),
+                                 [&](const JsonMember& member) { return member.key == key; });
+    return it == node.members.end() ? nullptr : &it->value;
+}
+
+// value → {key: value}, standing where the value stood.
+void wrap(JsonNode& node, std::string_view key) {
+    JsonNode object;
+    object.kind = JsonKind::object;
+    object.loc = node.loc;
+    object.members.push_back({std::string(key), node.loc, std::move(node)});
+    node = std::move(object);
+}
+
+void wrap_strings(JsonNode* node, std::string_view key) {
+    if (node == nullptr) return;
+    for (JsonMember& member : node->members)
+        if (member.value.kind == JsonKind::string) wrap(member.value, key);
+}
+
+void wrap_params(JsonNode* node) {
+    if (node == nullptr) return;
+    for (JsonMember& member : node->members)
+        if (member.value.kind == JsonKind::number || member.value.kind == JsonKind::boolean)
+            wrap(member.value, "default");
+}
+
+Diagnostic duplicate_port(const JsonMember& port, SourceLoc first, const SourceMap& sources) {
+    Diagnostic error = sources.error(port.key_loc, "W003", "two ports would be called \"" + port.key + "\"");
+    error.help.emplace_back("name the ports: {\"a\": \"" + port.value.string + "\", \"b\": …}");
+    const std::string file = error.file;
+    error.notes.push_back({file, first.line, first.column, "the first is here"});
+    return error;
+}
+
+// ["a", "b.mip(0)"] → {"a": "a", "b": "b.mip(0)"}: a port written as a bare reference is called like its
+// resource.
+void name_ports(JsonNode& list, const SourceMap& sources, Diagnostics& errors) {
+    const auto is_string = [](const JsonNode& item) { return item.kind == JsonKind::string; };
+    if (!std::all_of(list.items.begin(), list.items.end(), is_string)) return;
+    std::map<std::string, SourceLoc> first;
+    JsonNode object;
+    object.kind = JsonKind::object;
+    object.loc = list.loc;
+    for (JsonNode& item : list.items) {
+        JsonMember member{reference_name(item.string), item.loc, std::move(item)};
+        const auto [it, is_new] = first.emplace(member.key, member.key_loc);
+        if (is_new)
+            object.members.push_back(std::move(member));
+        else
+            errors.push_back(duplicate_port(member, it->second, sources));
+    }
+    list = std::move(object);
+}
+
+// The ports of one pass.
+void expand_pass(JsonNode& pass, const SourceMap& sources, Diagnostics& errors) {
+    for (const std::string_view side : {"in", "out"}) {
+        JsonNode* ports = find(pass, side);
+        if (ports == nullptr) continue;
+        if (ports->kind == JsonKind::array) name_ports(*ports, sources, errors);
+        wrap_strings(ports, "ref");
+    }
+    JsonNode* depth = find(pass, "depth");
+    if (depth != nullptr && depth->kind == JsonKind::string) wrap(*depth, "ref");
+}
+
+void expand_sections(JsonNode& root, const SourceMap& sources, Diagnostics& errors) {
+    wrap_strings(find(root, "imports"), "kind");
+    wrap_strings(find(root, "resources"), "format");
+    wrap_strings(find(root, "debug"), "show");
+    wrap_params(find(root, "params"));
+    if (JsonNode* passes = find(root, "passes"))
+        for (JsonMember& pass : passes->members) expand_pass(pass.value, sources, errors);
+}
+
+void expand(JsonNode& root, const SourceMap& sources, Diagnostics& errors) {
+    expand_sections(root, sources, errors);
+    JsonNode* tiers = find(root, "tiers");
+    if (tiers == nullptr) return;
+    for (JsonMember& tier : tiers->members)
+        if (JsonNode* patch = find(tier.value, "patch")) expand_sections(*patch, sources, errors);
+}
+
+// What a file says of itself is not the including one's.
+JsonNode without_own_keys(JsonNode root) {
+    std::erase_if(root.members, [](const JsonMember& member) {
+        return member.key == "name" || member.key == "$schema" || member.key == "include";
+    });
+    return root;
+}
+
+void merge_files(JsonDoc& document, PatchLog& log) {
+    if (document.included.empty()) return;
+    JsonNode merged = without_own_keys(std::move(document.included.front().root));
+    for (size_t i = 1; i < document.included.size(); ++i)
+        apply_patch(merged, without_own_keys(std::move(document.included[i].root)),
+                    NullMeaning::remove_outside_tiers, log);
+    const SourceLoc loc = document.root.loc;
+    apply_patch(merged, std::move(document.root), NullMeaning::remove_outside_tiers, log);
+    document.root = std::move(merged);
+    document.root.loc = loc;
+    document.included.clear();
+}
+
+Diagnostic unknown_tier(const JsonDoc& document, const std::string& name) {
+    const std::vector<std::string> names = tier_names(document);
+    const JsonNode* tiers = document.root.find("tiers");
+    const SourceLoc loc = tiers != nullptr ? tiers->loc : document.root.loc;
+    Diagnostic d = document.sources.error(loc, "W129", "there is no tier \"" + name + "\"");
+    const std::string near = did_you_mean_text(name, names);
+    if (!near.empty()) d.help.push_back(near);
+    d.help.push_back(names.empty() ? "the graph has no tiers: leave the name out"
+                                   : "tiers are " + quoted_list(names));
+    return d;
+}
+
+// "set": a parameter's default is another one in this tier.
+void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
+    JsonNode* params = find(root, "params");
+    for (const JsonMember& value : values.members) {
+        JsonNode* param = params != nullptr ? find(*params, value.key) : nullptr;
+        JsonNode* fallback = param != nullptr ? find(*param, "default") : nullptr;
+        if (fallback != nullptr) {
+            apply_patch(*fallback, value.value, NullMeaning::remove, log);
+            continue;
+        }
+        std::vector<std::string> names;
+        if (params != nullptr)
+            for (const JsonMember& member : params->members) names.push_back(member.key);
+        Diagnostic& d = log.errors.emplace_back(log.sources.error(
+            value.key_loc, "W131", "the tier sets \"" + value.key + "\", which is no parameter"));
+        const std::string near = did_you_mean_text(value.key, names);
+        d.help.push_back(!near.empty()   ? near
+                         : names.empty() ? "declare it in \"params\" first"
+                                         : "parameters are " + quoted_list(names) +
+                                               "; anything else is changed by a \"patch\"");
+    }
+}
+
+// The others are faults, which parse() reports where they are written.
+JsonNode known_sections(JsonNode patch) {
+    static constexpr std::array<std::string_view, 9> kSections{
+        "imports", "consts", "params", "sizes", "resources", "passes", "debug", "frames", "jitter"};
+    std::erase_if(patch.members, [](const JsonMember& member) {
+        return std::ranges::find(kSections, member.key) == kSections.end();
+    });
+    return patch;
+}
+
+void merge_tier(JsonDoc& document, const std::string& name, PatchLog& log) {
+    JsonNode* tiers = find(document.root, "tiers");
+    const JsonNode* tier = tiers != nullptr ? tiers->find(name) : nullptr;
+    if (tier == nullptr) {
+        log.errors.push_back(unknown_tier(document, name));
+        return;
+    }
+    const JsonNode* patch = tier->find("patch");
+    const JsonNode* values = tier->find("set");
+    const JsonNode set_values = values != nullptr ? *values : JsonNode{};
+    if (patch != nullptr && patch->kind == JsonKind::object)
+        apply_patch(document.root, known_sections(*patch), NullMeaning::remove, log);
+    set_params(document.root, set_values, log);
+}
+
+}  // namespace
+
+std::vector<std::string> tier_names(const JsonDoc& document) {
+    std::vector<std::string> names;
+    const auto gather = [&](const JsonNode& root) {
+        const JsonNode* tiers = root.find("tiers");
+        if (tiers == nullptr) return;
+        for (const JsonMember& tier : tiers->members)
+            if (std::ranges::find(names, tier.key) == names.end() && tier.value.kind == JsonKind::object)
+                names.push_back(tier.key);
+    };
+    for (const IncludedJson& included : document.included) gather(included.root);
+    gather(document.root);
+    // Those that an including file takes away.
+    const JsonNode* last = document.root.find("tiers");
+    std::erase_if(names, [&](const std::string& name) {
+        const JsonNode* tier = last != nullptr ? last->find(name) : nullptr;
+        return tier != nullptr && tier->kind == JsonKind::null;
+    });
+    return names;
+}
+
+Result<JsonDoc> merge(JsonDoc document, const std::string& tier) {
+    PatchLog log{document.sources, {}};
+    for (IncludedJson& included : document.included) expand(included.root, document.sources, log.errors);
+    expand(document.root, document.sources, log.errors);
+    merge_files(document, log);
+    if (!tier.empty()) merge_tier(document, tier, log);
+    if (!log.errors.empty()) return std::move(log.errors);
+    return document;
+}
+
+}  // namespace weft

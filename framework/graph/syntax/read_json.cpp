@@ -1,0 +1,307 @@
+#include <algorithm>
+#include <numeric>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/syntax/json_scan.h"
+#include "weft/syntax/json_doc.h"
+
+namespace weft {
+namespace {
+
+constexpr size_t kMaxDuplicatesReported = 50;
+
+bool begins_number(char c) {
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+}
+bool begins_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool begins_value(char c) {
+    return c == '"' || c == '{' || c == '[' || begins_number(c) || begins_word(c);
+}
+
+// Recursive descent, so its depth is limited. A syntax fault ends it; duplicate keys are collected on the
+// way.
+class JsonReader {
+ public:
+    JsonReader(std::string_view text, uint32_t file, const GraphLimits& limits)
+        : cursor_(text, file), limits_(limits) {}
+
+    bool read(JsonNode& root) {
+        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+        if (cursor_.starts_with(kByteOrderMark)) cursor_.advance(kByteOrderMark.size());
+        if (!blank()) return false;
+        if (cursor_.at_end()) return syntax(cursor_.here(), "the file is empty", "a graph begins with '{'");
+        if (!value(root) || !blank()) return false;
+        if (cursor_.at_end()) return true;
+        return syntax(cursor_.here(),
+                      "found '" + printable(cursor_.peek()) + "' behind the end of the document",
+                      "remove it, or look for a brace too many before it");
+    }
+    std::vector<JsonFault> take_faults() { return std::move(faults_); }
+
+ private:
+    bool fail(JsonFault fault) {
+        faults_.push_back(std::move(fault));
+        return false;
+    }
+    bool fail(std::optional<JsonFault> fault) { return fail(std::move(*fault)); }
+    bool syntax(SourceLoc loc, std::string message, std::string help) {
+        return fail(JsonFault{"W001", loc, std::move(message), std::move(help), std::nullopt, {}});
+    }
+    bool over(SourceLoc loc, std::string message, const std::string& help, const std::string& limit) {
+        return fail(JsonFault{
+            "W004", loc, std::move(message), help + ", " + raise_limit_text(limit), std::nullopt, {}});
+    }
+    bool blank() {
+        auto fault = skip_blank(cursor_);
+        return !fault || fail(std::move(fault));
+    }
+
+    bool value(JsonNode& node) {
+        node.loc = cursor_.here();
+        if (++values_ > limits_.json_values)
+            return over(node.loc,
+                        "the file holds more than " + std::to_string(limits_.json_values) + " values",
+                        "split it into smaller graphs", "graph.jsonValues");
+        const char c = cursor_.peek();
+        if (c == '{') return nested(node, '}');
+        if (c == '[') return nested(node, ']');
+        if (c == '"') {
+            node.kind = JsonKind::string;
+            if (!string(node.string)) return false;
+            node.loc.length = static_cast<uint32_t>(length_since(node.loc));
+            return true;
+        }
+        if (begins_number(c)) {
+            node.kind = JsonKind::number;
+            if (auto fault = scan_number(cursor_, node.number, node.string)) return fail(std::move(fault));
+            node.loc.length = static_cast<uint32_t>(node.string.size());
+            return true;
+        }
+        if (begins_word(c)) return word(node);
+        if (c == '\'')
+            return syntax(node.loc, "found a single quote", "strings are written with double quotes");
+        return syntax(node.loc, "found '" + printable(c) + "' where a value was wanted",
+                      "write a value here");
+    }
+
+    [[nodiscard]] size_t length_since(const SourceLoc& begin) const {
+        return cursor_.here().column - begin.column;
+    }
+
+    bool string(std::string& out) {
+        const SourceLoc loc = cursor_.here();
+        auto fault = scan_string(cursor_, out);
+        if (fault) return fail(std::move(fault));
+        if (out.size() <= limits_.string_bytes) return true;
+        return over(loc,
+                    "the string has " + std::to_string(out.size()) + " bytes, more than " +
+                        std::to_string(limits_.string_bytes),
+                    "look for a missing quote", "graph.stringBytes");
+    }
+
+    bool word(JsonNode& node) {
+        const size_t begin = cursor_.position();
+        while (begins_word(cursor_.peek()) || (cursor_.peek() >= '0' && cursor_.peek() <= '9'))
+            cursor_.advance();
+        const std::string spelling(cursor_.from(begin));
+        node.loc.length = static_cast<uint32_t>(spelling.size());
+        node.kind = spelling == "null" ? JsonKind::null : JsonKind::boolean;
+        node.boolean = spelling == "true";
+        if (spelling == "null" || spelling == "true" || spelling == "false") return true;
+        const std::string near = did_you_mean_text(spelling, {"true", "false", "null"});
+        return syntax(node.loc, "found " + spelling + " where a value was wanted",
+                      near.empty() ? "put text in double quotes" : near);
+    }
+
+    bool nested(JsonNode& node, char close) {
+        node.kind = close == '}' ? JsonKind::object : JsonKind::array;
+        if (++depth_ > limits_.json_depth)
+            return over(
+                node.loc,
+                "objects and arrays are nested more than " + std::to_string(limits_.json_depth) + " deep",
+                "no graph needs this: look for a missing bracket", "graph.jsonDepth");
+        cursor_.advance();
+        for (;;) {
+            if (!blank()) return false;
+            if (cursor_.peek() == close) break;
+            if (cursor_.at_end()) return truncated(node, close);
+            const bool read = close == '}' ? member(node) : value(node.items.emplace_back());
+            if (!read || !separator(node, close)) return false;
+        }
+        cursor_.advance();
+        --depth_;
+        report_duplicates(node);
+        return true;
+    }
+
+    bool member(JsonNode& node) {
+        const SourceLoc loc = cursor_.here();
+        const char c = cursor_.peek();
+        if (c == ']') return mismatch(node, '}');
+        if (c == '\'') return syntax(loc, "found a single quote", "keys are written with double quotes");
+        if (begins_word(c)) return syntax(loc, "found a key without quotes", "put the key in double quotes");
+        if (c != '"')
+            return syntax(loc, "found '" + printable(c) + "' where a key was wanted",
+                          c == ',' ? "remove one of the two commas" : "write \"key\": value");
+        JsonMember& entry = node.members.emplace_back();
+        entry.key_loc = loc;
+        if (!string(entry.key)) return false;
+        entry.key_loc.length = static_cast<uint32_t>(length_since(loc));
+        if (!blank()) return false;
+        if (cursor_.at_end()) return truncated(node, '}');
+        if (cursor_.peek() != ':')
+            return syntax(cursor_.here(), "found '" + printable(cursor_.peek()) + "' where ':' was wanted",
+                          "put a ':' between the key \"" + entry.key + "\" and its value");
+        cursor_.advance();
+        if (!blank()) return false;
+        if (cursor_.at_end()) return truncated(node, '}');
+        return value(entry.value);
+    }
+
+    // What stands between two values: a comma, which may also stand behind the last.
+    bool separator(const JsonNode& node, char close) {
+        const SourceLoc end_of_value = cursor_.here();
+        if (!blank()) return false;
+        const char c = cursor_.peek();
+        if (c == close) return true;
+        if (c == ',') {
+            cursor_.advance();
+            return true;
+        }
+        if (cursor_.at_end()) return truncated(node, close);
+        if (c == '}' || c == ']') return mismatch(node, close);
+        if (begins_value(c))
+            return syntax(end_of_value, "a comma is missing between two values", "add a comma here");
+        return syntax(cursor_.here(), "found '" + printable(c) + "' where ',' or '" + close + "' was wanted",
+                      "add a comma, or close the " + opening(node));
+    }
+
+    static std::string opening(const JsonNode& node) {
+        return std::string(node.kind == JsonKind::object ? "brace" : "bracket") + " opened at line " +
+               std::to_string(node.loc.line);
+    }
+    bool unclosed(const JsonNode& node, std::string message, char close) {
+        return fail(JsonFault{"W001", cursor_.here(), std::move(message),
+                              "close the " + opening(node) + " with '" + close + "'", node.loc,
+                              "opened here"});
+    }
+    bool truncated(const JsonNode& node, char close) {
+        return unclosed(
+            node, std::string("the file ends inside ") + (close == '}' ? "an object" : "an array"), close);
+    }
+    bool mismatch(const JsonNode& node, char close) {
+        return unclosed(node, std::string("found '") + cursor_.peek() + "' where '" + close + "' was wanted",
+                        close);
+    }
+
+    void report_duplicates(const JsonNode& node) {
+        std::vector<size_t> order(node.members.size());
+        std::iota(order.begin(), order.end(), size_t{0});
+        const auto key = [&](size_t i) -> const std::string& { return node.members[i].key; };
+        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return key(a) < key(b); });
+        for (size_t i = 1, first = 0; i < order.size(); ++i) {
+            if (key(order[i]) != key(order[first])) {
+                first = i;
+            } else if (++duplicates_ <= kMaxDuplicatesReported) {
+                const JsonMember& again = node.members[order[i]];
+                faults_.push_back({"W003", again.key_loc, "the key \"" + again.key + "\" is here twice",
+                                   "remove one of the two, or give it another name",
+                                   node.members[order[first]].key_loc, "first written here"});
+            }
+        }
+    }
+
+    JsonCursor cursor_;
+    const GraphLimits& limits_;
+    size_t depth_ = 0;
+    size_t values_ = 0;
+    size_t duplicates_ = 0;
+    std::vector<JsonFault> faults_;
+};
+
+Diagnostic to_diagnostic(const JsonFault& fault, const SourceMap& sources) {
+    Diagnostic error = sources.error(fault.loc, fault.code, fault.message);
+    if (error.source_line.size() > kMaxExcerptBytes) error.source_line.clear();
+    error.help.push_back(fault.help);
+    if (fault.note_loc)
+        error.notes.push_back({error.file, fault.note_loc->line, fault.note_loc->column, fault.note});
+    return error;
+}
+
+Diagnostic file_error(const std::string& path, std::string code, std::string message, std::string help) {
+    Diagnostic error;
+    error.code = std::move(code);
+    error.message = std::move(message);
+    error.file = path;
+    error.help.push_back(std::move(help));
+    return error;
+}
+
+}  // namespace
+
+const JsonNode* JsonNode::find(std::string_view key) const {
+    const auto it =
+        std::find_if(members.begin(), members.end(), [&](const JsonMember& m) { return m.key == key; });
+    return it == members.end() ? nullptr : &it->value;
+}
+
+const char* json_kind_name(JsonKind kind) {
+    switch (kind) {
+        case JsonKind::null:
+            return "null";
+        case JsonKind::boolean:
+            return "true or false";
+        case JsonKind::number:
+            return "number";
+        case JsonKind::string:
+            return "string";
+        case JsonKind::array:
+            return "array";
+        case JsonKind::object:
+            return "object";
+    }
+    return "";
+}
+
+Result<JsonNode> read_json_file(SourceMap& sources, const std::string& path, std::string text,
+                                const GraphLimits& limits, SourceLoc includer) {
+    if (text.size() > limits.json_bytes)
+        return file_error(path, "W004", "the file has more than " + limit_bytes_text(limits.json_bytes),
+                          "check that this is a graph, " + raise_limit_text("graph.jsonBytes"));
+    const uint32_t index = sources.add_file(path, std::move(text), includer);
+    const std::string_view source = sources.files.back().text;
+    JsonNode root;
+    std::vector<JsonFault> faults;
+    if (auto fault = check_utf8(source)) {
+        fault->loc.file = index;
+        faults.push_back(std::move(*fault));
+    } else {
+        JsonReader json(source, index, limits);
+        json.read(root);
+        faults = json.take_faults();
+    }
+    if (faults.empty()) return root;
+    const auto before = [](const JsonFault& a, const JsonFault& b) {
+        return std::pair(a.loc.line, a.loc.column) < std::pair(b.loc.line, b.loc.column);
+    };
+    std::stable_sort(faults.begin(), faults.end(), before);
+    Diagnostics errors;
+    for (const JsonFault& fault : faults) errors.push_back(to_diagnostic(fault, sources));
+    return errors;
+}
+
+Result<JsonDoc> read_json(const std::string& path, const FileReader& reader, const GraphLimits& limits) {
+    std::optional<std::string> text = reader(path);
+    if (!text)
+        return file_error(path, "W002", "there is no readable file \"" + path + "\"",
+                          "check its spelling; a relative path starts at the current folder");
+    JsonDoc doc;
+    Result<JsonNode> root = read_json_file(doc.sources, path, std::move(*text), limits);
+    if (!root) return root.take_errors();
+    doc.root = std::move(*root);
+    return doc;
+}
+
+}  // namespace weft

@@ -1,0 +1,63 @@
+// Purpose: the Vulkan features that Weft builds on, as one table: required ones, without which a device is
+// refused, and optional ones, enabled where present and asked for by name before use. An embedder makes its
+// device with what enable_features() switches on, and hands both to Device::adopt().
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "weft/vulkan/functions.h"
+
+namespace weft::vk {
+
+// What may be missing. A graph that needs one of these gets an error naming it.
+struct OptionalFeatures {
+    bool fill_mode_non_solid = false;
+    bool depth_clamp = false;
+    bool depth_bias_clamp = false;
+    bool cube_arrays = false;
+    bool image_gather_extended = false;  // textureGather with several offsets, or with one that varies
+    bool storage_read_without_format = false;
+    bool draw_indirect_first_instance = false;
+    bool uniform_array_indexing = false;  // llvmpipe can't do without: see opaque_uniforms.h
+};
+
+// The structs of Vulkan 1.0 to 1.3, linked to each other. Not copyable: the links are addresses.
+class FeatureChain {
+ public:
+    FeatureChain();
+    FeatureChain(const FeatureChain&) = delete;
+    FeatureChain& operator=(const FeatureChain&) = delete;
+
+    [[nodiscard]] VkPhysicalDeviceFeatures2& head() { return core_; }
+    [[nodiscard]] const VkPhysicalDeviceFeatures2& head() const {
+        return core_;
+    }  // for VkDeviceCreateInfo::pNext
+
+    [[nodiscard]] VkPhysicalDeviceFeatures& v10() { return core_.features; }
+    [[nodiscard]] const VkPhysicalDeviceFeatures& v10() const { return core_.features; }
+    [[nodiscard]] VkPhysicalDeviceVulkan11Features& v11() { return v11_; }
+    [[nodiscard]] const VkPhysicalDeviceVulkan11Features& v11() const { return v11_; }
+    [[nodiscard]] VkPhysicalDeviceVulkan12Features& v12() { return v12_; }
+    [[nodiscard]] const VkPhysicalDeviceVulkan12Features& v12() const { return v12_; }
+    [[nodiscard]] VkPhysicalDeviceVulkan13Features& v13() { return v13_; }
+    [[nodiscard]] const VkPhysicalDeviceVulkan13Features& v13() const { return v13_; }
+
+ private:
+    VkPhysicalDeviceFeatures2 core_{};
+    VkPhysicalDeviceVulkan11Features v11_{};
+    VkPhysicalDeviceVulkan12Features v12_{};
+    VkPhysicalDeviceVulkan13Features v13_{};
+};
+
+// Switches on in `chain` all that Weft needs, and of what it can use all that `supported` has. Other features
+// keep what they have, so an embedder can add its own.
+void enable_features(const FeatureChain& supported, FeatureChain& chain);
+// The parts of enable_features(): what each device must have.
+void required_features(FeatureChain& chain);
+// Switches on in `chain` every optional feature that `supported` has, and says which.
+OptionalFeatures enable_optional_features(const FeatureChain& supported, FeatureChain& chain);
+// Names of required features that `supported` lacks: "dynamicRendering".
+[[nodiscard]] std::vector<std::string> missing_features(const FeatureChain& supported);
+
+}  // namespace weft::vk

@@ -1,0 +1,98 @@
+#include "load/tier_formats.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "graph/syntax/merge.h"
+#include "load/load_steps.h"
+
+namespace weft {
+namespace {
+
+bool has_alternatives(const GraphDesc& desc) {
+    return std::ranges::any_of(desc.resources, [](const auto& r) { return r.second.formats.size() > 1; });
+}
+
+// Of tiers with faults nothing is asked: whoever loads them hears of the faults. "": the file as it is.
+std::vector<TierVariant> load_tiers(const JsonDoc& document, const std::vector<std::string>& tiers,
+                                    LoadInput input) {
+    std::vector<TierVariant> variants;
+    for (const std::string& tier : tiers) {
+        input.tier = tier;
+        Result<GraphDesc> desc = described(document, input);
+        if (!desc) continue;
+        Diagnostics faults;
+        ShaderCatalog shaders = compile_shaders(*desc, input, faults);
+        if (faults.empty()) variants.push_back({std::move(*desc), std::move(shaders)});
+    }
+    return variants;
+}
+
+std::vector<std::string> all_tiers(const JsonDoc& document) {
+    std::vector<std::string> tiers = tier_names(document);
+    tiers.emplace_back();
+    return tiers;
+}
+
+// Raises `skipped` to the formats that were chosen; true when that changed anything.
+bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& skipped) {
+    bool changed = false;
+    for (const auto& [name, resource] : desc.resources) {
+        const ResourceDecl* decl = find_resource(graph, name);
+        if (decl == nullptr || resource.formats.size() < 2) continue;
+        const std::string chosen(format_info(decl->format).name);
+        const auto at =
+            static_cast<size_t>(std::ranges::find(resource.formats, chosen) - resource.formats.begin());
+        size_t& least = skipped[name];
+        changed = changed || at > least;
+        least = std::max(least, at);
+    }
+    return changed;
+}
+
+// Resolves with the formats as they stand; true when it had to go on to a later one.
+bool raise_for(const TierVariant& variant, const LoadInput& input, SkippedFormats& skipped) {
+    Diagnostics unheard;
+    const Result<ResolvedGraph> graph = resolved(variant.desc, variant.shaders, input, skipped, unheard);
+    return graph && raise(variant.desc, *graph, skipped);
+}
+
+LoadInput as_written(LoadInput input) {
+    input.observed.clear();
+    input.params.clear();
+    input.debug.clear();
+    return input;
+}
+
+}  // namespace
+
+SkippedFormats common_formats(const JsonDoc& document, const LoadInput& input) {
+    SkippedFormats skipped;
+    const LoadInput plain = as_written(input);
+    const std::vector<TierVariant> variants = load_tiers(document, all_tiers(document), plain);
+    bool changed = variants.size() > 1;
+    while (changed) {
+        changed = false;
+        for (const TierVariant& variant : variants) changed = raise_for(variant, plain, skipped) || changed;
+    }
+    return skipped;
+}
+
+SkippedFormats formats_with_others(const JsonDoc& document, const TierVariant& own, const LoadInput& input) {
+    SkippedFormats skipped;
+    if (tier_names(document).empty() || !has_alternatives(own.desc)) return skipped;
+    const LoadInput plain = as_written(input);
+    std::vector<std::string> names = all_tiers(document);
+    std::erase(names, input.tier);
+    const std::vector<TierVariant> others = load_tiers(document, names, plain);
+    bool changed = true;
+    while (changed) {
+        changed = false;
+        for (const TierVariant& other : others) changed = raise_for(other, plain, skipped) || changed;
+        changed = raise_for(own, input, skipped) || changed;
+    }
+    return skipped;
+}
+
+}  // namespace weft

@@ -1,0 +1,15 @@
+// Purpose: scattering leaf cards, for trees and climbers alike.
+#pragma once
+
+#include "scene/procedural/procedural_mesh.h"
+#include "scene/procedural/procedural_noise.h"
+
+namespace weft::scene::atrium {
+
+// A uniformly distributed direction.
+[[nodiscard]] glm::vec3 on_sphere(Random& random);
+
+// A card whose front faces `facing`, rolled around it by `roll_rad`, of half the given side.
+[[nodiscard]] Card facing_card(glm::vec3 center, glm::vec3 facing, float roll_rad, float half_m);
+
+}  // namespace weft::scene::atrium

@@ -1,0 +1,105 @@
+// Purpose: what the files that build the atrium share: its measures, its materials and the scene in the
+// making. Axes: y up, the court's long side along z, its middle at the origin. Units: metres. Plan: the court
+// is open to the sky; a walkway runs around it behind an arcade. The long sides (x = ±6) carry an upper
+//   gallery with a tiled roof, the short ones (z = ±9) a terrace with a balustrade.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/builtin/daylight.h"
+#include "scene/procedural/procedural_mesh.h"
+#include "scene/procedural/procedural_noise.h"
+#include "weft/scene/scene.h"
+
+namespace weft::scene::atrium {
+
+inline constexpr float kCourtHalfX = 6;  // to the arcade's middle line
+inline constexpr float kCourtHalfZ = 9;
+inline constexpr float kBay = 3;
+inline constexpr float kWalkDepth = 3.2f;  // arcade's middle line to the outer wall
+inline constexpr float kFloor = 0.16f;     // the walkway lies one step above the court
+inline constexpr float kSpring = 3.06f;    // where arches start
+inline constexpr float kArchRadius = 1.2f;
+inline constexpr float kArchOuter = 1.43f;
+inline constexpr float kWallHalf = 0.28f;  // half thickness of the arcade's wall
+inline constexpr float kWallTop = 4.62f;
+inline constexpr float kUpperFloor = 5.0f;
+inline constexpr float kCeiling = 4.56f;
+inline constexpr float kEaves = 7.9f;
+inline constexpr float kPoolHalfX = 1.75f;  // to the outside of the rim
+inline constexpr float kPoolHalfZ = 4.0f;
+inline constexpr float kPoolRim = 0.42f;
+
+struct Materials {
+    uint32_t ashlar, trim, trim_shaded, trim_floor, coping, voussoir, marble, checker, inlay, flags, azulejo,
+        zellige;
+    uint32_t plaster_red, plaster_ochre, water, beam, planks, door, clay, roof;
+    uint32_t bronze, gold, steel, iron, glass, bulb;
+    uint32_t cloth_red, cloth_saffron, cloth_indigo;
+    uint32_t bark, soil, citrus, ivy, fern, blossom, cypress, lily, orange;
+};
+
+// Something that stands on the floor and keeps sky light from the ground around it.
+struct Footprint {
+    glm::vec2 center{0};   // x, z
+    glm::vec2 half{0.2f};  // half extents
+    bool round = true;
+    float reach_m = 0.35f;  // how far the darkening goes
+    float strength = 0.6f;
+};
+
+struct Parts {
+    Scene scene;
+    Daylight daylight;
+    NoiseBank noise;
+    Materials materials{};
+    std::vector<Footprint> footprints;
+};
+
+// Textures and materials, in groups.
+void make_stone_materials(Parts& parts);
+void make_tile_materials(Parts& parts);
+void make_craft_materials(Parts& parts);
+void make_metal_materials(Parts& parts);
+void make_foliage_materials(Parts& parts);
+
+// Geometry, in groups.
+void add_ground_floor(Parts& parts);
+void add_arcades(Parts& parts);
+void add_columns(Parts& parts);
+void add_upper_gallery(Parts& parts);
+void add_terraces(Parts& parts);
+void add_pool(Parts& parts);
+void add_fountain(Parts& parts);
+void add_cloth(Parts& parts);
+void add_furniture(Parts& parts);
+void add_table(Parts& parts);
+void add_armillary(Parts& parts);
+void add_plants(Parts& parts);
+void add_climbers(Parts& parts);
+void add_lanterns(Parts& parts);
+void add_lights(Parts& parts);
+void add_garlands(Parts& parts);
+void add_candles(Parts& parts);
+void add_cameras(Parts& parts);
+void bake_floor_occlusion(Parts& parts);
+
+// Adds the mesh and one instance of it.
+uint32_t place(Parts& parts, Mesh mesh, uint32_t material);
+uint32_t add_mesh(Parts& parts, Mesh mesh);
+void place_copy(Parts& parts, uint32_t mesh, uint32_t material, const glm::mat4& transform);
+
+// What shows as `displayed` at the hour's exposure: lamps look alike by day and night. cd or cd/m².
+[[nodiscard]] float lamp_intensity(const Parts& parts, float displayed);
+
+// A timber along x whose top is hidden: two flanks, the underside and both ends.
+void add_beam(MeshBuilder& builder, glm::vec3 low, glm::vec3 high);
+
+[[nodiscard]] glm::mat4 moved(glm::vec3 to, float turn_y_rad = 0, float scale = 1);
+
+// A texture slot that repeats every `period_m` metres of mesh coordinates.
+[[nodiscard]] TextureSlot repeating(uint32_t texture, float period_m);
+
+}  // namespace weft::scene::atrium

@@ -1,0 +1,73 @@
+#include "scene/builtin/daylight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace weft::scene {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+constexpr float kSunrise = 6, kSunset = 19;
+// The moon takes over where neither gives light.
+constexpr float kDawn = 6.2f, kDusk = 19.3f;
+constexpr float kHighestSine = 0.785f;  // of the sun's elevation
+constexpr float kEvening = 17;
+constexpr float kEveningAzimuth = -0.770f;  // from +z towards +x
+
+struct Key {
+    float hour;
+    glm::vec3 color;
+    float illuminance_lx;
+    glm::vec3 sky_zenith;
+    glm::vec3 sky_horizon;
+    float exposure_ev;
+    float lamps;
+};
+
+constexpr glm::vec3 kMoonlight{0.62f, 0.74f, 1};
+constexpr std::array kKeys{
+    Key{0, kMoonlight, 60, {3, 6, 16}, {12, 17, 30}, -8.3f, 1},
+    Key{5, kMoonlight, 40, {3, 6, 16}, {12, 17, 30}, -8.3f, 1},
+    Key{kDawn, {1, 0.6f, 0.35f}, 0, {60, 90, 190}, {700, 420, 320}, -9.6f, 0.6f},
+    Key{7.5f, {1, 0.72f, 0.45f}, 5000, {260, 520, 1300}, {1900, 1700, 1500}, -11.4f, 0},
+    Key{12, {1, 0.95f, 0.88f}, 24000, {380, 950, 2700}, {2100, 2600, 3100}, -12.6f, 0},
+    Key{kEvening, {1, 0.80f, 0.54f}, 11000, {330, 800, 2200}, {1900, 2250, 2600}, -12, 0},
+    Key{18.6f, {1, 0.55f, 0.28f}, 3500, {170, 300, 800}, {1700, 1000, 600}, -10.9f, 0.3f},
+    Key{kDusk, {1, 0.5f, 0.3f}, 0, {50, 80, 210}, {620, 360, 330}, -9.4f, 0.8f},
+    Key{20.5f, kMoonlight, 40, {4, 8, 22}, {20, 24, 40}, -8.4f, 1},
+    Key{24, kMoonlight, 60, {3, 6, 16}, {12, 17, 30}, -8.3f, 1},
+};
+
+glm::vec3 towards(float sine_of_elevation, float azimuth) {
+    const float cosine = std::sqrt(1 - sine_of_elevation * sine_of_elevation);
+    return {cosine * std::sin(azimuth), sine_of_elevation, cosine * std::cos(azimuth)};
+}
+
+glm::vec3 to_source_at(float hour) {
+    if (hour < kDawn || hour > kDusk) return towards(0.8f, 0.9f);
+    const float share = (hour - kSunrise) / (kSunset - kSunrise);
+    const float sine = kHighestSine * std::sin(kPi * share);
+    return towards(std::max(sine, 0.02f), kEveningAzimuth + (kEvening - hour) * kPi / 12);
+}
+
+}  // namespace
+
+Daylight daylight_at(float hour) {
+    hour = std::clamp(hour, 0.0f, 24.0f);
+    const auto after = std::upper_bound(kKeys.begin() + 1, kKeys.end() - 1, hour,
+                                        [](float h, const Key& key) { return h < key.hour; });
+    const Key &a = *(after - 1), &b = *after;
+    const float t = (hour - a.hour) / (b.hour - a.hour);
+    Daylight light;
+    light.to_source = to_source_at(hour);
+    light.color = glm::mix(a.color, b.color, t);
+    light.illuminance_lx = glm::mix(a.illuminance_lx, b.illuminance_lx, t);
+    light.sky_zenith = glm::mix(a.sky_zenith, b.sky_zenith, t);
+    light.sky_horizon = glm::mix(a.sky_horizon, b.sky_horizon, t);
+    light.exposure_ev = glm::mix(a.exposure_ev, b.exposure_ev, t);
+    light.lamps = glm::mix(a.lamps, b.lamps, t);
+    return light;
+}
+
+}  // namespace weft::scene

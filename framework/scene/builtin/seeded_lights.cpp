@@ -1,0 +1,87 @@
+#include "scene/builtin/seeded_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace weft::scene {
+namespace {
+
+constexpr float kTau = 6.283185307f;
+// How many lights reach a point, in the mean.
+constexpr float kOverlap = 24;
+// Moving lights are all there is: nothing else must be drowned by them.
+constexpr float kNightGain = 6;
+
+// std::uniform_real_distribution is not the same everywhere; the engine is.
+class Random {
+ public:
+    explicit Random(uint32_t seed) : engine_(seed) {}
+    float unit() { return static_cast<float>(engine_() >> 8u) / 16777216.0f; }
+    glm::vec3 direction() {
+        const float z = 2 * unit() - 1, turn = kTau * unit(), r = std::sqrt(std::max(0.0f, 1 - z * z));
+        return {r * std::cos(turn), r * std::sin(turn), z};
+    }
+
+ private:
+    std::mt19937 engine_;
+};
+
+// A full turn through the hues, bright enough in each that none looks black.
+glm::vec3 hue(float turn) {
+    const glm::vec3 phase = kTau * (glm::vec3(turn) + glm::vec3(0, 1, 2) / 3.0f);
+    return 0.55f + 0.45f * glm::vec3(std::cos(phase.x), std::cos(phase.y), std::cos(phase.z));
+}
+
+// Of a sphere that holds kOverlap of `count` lights in a box of this size.
+float range_for(glm::vec3 size, uint32_t count) {
+    const float volume = std::max(size.x * size.y * size.z, 1e-3f);
+    const float share = volume * kOverlap / static_cast<float>(count);
+    return std::min(std::cbrt(share * 3 / (2 * kTau)), glm::length(size));
+}
+
+}  // namespace
+
+std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t seed) {
+    Random random(seed);
+    const glm::vec3 size = scene.bounds_max - scene.bounds_min;
+    const float range_m = range_for(size, count);
+    // Middle grey, 0.18, of a surface that sends back half of it, at a quarter of the range.
+    const float illuminance_lx = 0.18f * kTau * std::exp2(-scene.exposure_ev);
+    std::vector<Light> lights(count);
+    for (uint32_t i = 0; i < count; ++i) {
+        Light& light = lights[i];
+        light.name = "light " + std::to_string(i);
+        const float x = random.unit(), y = random.unit(), z = random.unit();
+        light.position = scene.bounds_min + size * glm::vec3(x, y, z);
+        light.color = hue(random.unit());
+        light.direction = random.direction();
+        light.range_m = range_m * (0.5f + random.unit());
+        light.intensity = illuminance_lx * range_m * range_m / 16;
+        if (i % 2 == 0) continue;
+        light.type = LightType::spot;
+        light.outer_cone_rad = 0.3f + 0.6f * random.unit();
+        light.inner_cone_rad = 0.7f * light.outer_cone_rad;
+    }
+    return lights;
+}
+
+std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t seed) {
+    std::vector<Light> lights = seeded_lights(scene, count, seed);
+    Random random(seed ^ 0x9e3779b9u);
+    for (Light& light : lights) {
+        const glm::vec3 room = glm::min(light.position - scene.bounds_min, scene.bounds_max - light.position);
+        const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();
+        const float x = nearest * random.unit(), z = nearest * random.unit();
+        // Both axes stay within the room to the nearest wall, however they are turned.
+        light.path.across = {x * std::cos(turn), 0, z * std::sin(turn)};
+        light.path.along = {-x * std::sin(turn), 0, z * std::cos(turn)};
+        light.path.turns_per_s = (random.unit() < 0.5f ? -1.0f : 1.0f) / (4 + 8 * random.unit());
+        light.path.phase = random.unit();
+        light.intensity *= kNightGain;
+    }
+    return lights;
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,55 @@
+// Purpose: random access to the elements of one accessor as floats or indices, whatever its component type,
+// stride and sparse part. Its extent is checked once more against the bytes when it is opened; after that
+// every element below count() is readable.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/gltf/gltf_document.h"
+
+namespace weft::scene::gltf {
+
+// Looks at every sparse index once. An accessor may be opened many times, by each primitive that uses it.
+void check_sparse_indices(Document& document);
+
+class AccessorReader {
+ public:
+    // nullopt when the accessor reaches past its bytes, or its sparse indices do not ascend within its count.
+    [[nodiscard]] static std::optional<AccessorReader> open(const Document& document, uint32_t accessor);
+
+    [[nodiscard]] uint64_t count() const { return count_; }
+    // Normalised integers become [0, 1] or [-1, 1], others keep their value.
+    [[nodiscard]] float component(uint64_t element, uint32_t component) const;
+    [[nodiscard]] uint32_t index(uint64_t element) const;
+
+    template <class Vector>
+    [[nodiscard]] Vector vector(uint64_t element) const {
+        Vector out;
+        for (int i = 0; i < Vector::length(); ++i) out[i] = component(element, static_cast<uint32_t>(i));
+        return out;
+    }
+
+ private:
+    // The bytes of one element; empty for a zero-filled one.
+    [[nodiscard]] std::span<const uint8_t> element_bytes(uint64_t element) const;
+
+    std::span<const uint8_t> data_;
+    uint64_t stride_bytes_ = 0;
+    uint64_t element_bytes_ = 0;
+    uint64_t count_ = 0;
+    ComponentType type_ = ComponentType::f32;
+    uint32_t components_ = 1;
+    bool normalized_ = false;
+    [[nodiscard]] std::optional<uint64_t> sparse_row(uint64_t element) const;
+
+    ComponentType sparse_type_ = ComponentType::u32;
+    uint64_t sparse_count_ = 0;
+    std::span<const uint8_t> sparse_indices_;  // ascending
+    std::span<const uint8_t> sparse_values_;
+};
+
+}  // namespace weft::scene::gltf

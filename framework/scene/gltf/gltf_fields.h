@@ -1,0 +1,71 @@
+// Purpose: reads the members of one JSON object with their types and ranges checked, reporting each fault
+// with its JSON pointer. Every reader returns nothing after a fault, so a caller can go on and find the next
+// one. Errors: S107 too many items, S108 wrong or missing value, S110 an index that names nothing.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/loading/gltf_report.h"
+#include "weft/scene/scene.h"
+
+namespace weft::scene::gltf {
+
+enum class Need : uint8_t { optional, required };
+
+class Fields {
+ public:
+    // `object` must be a JSON object and outlive this, as must `report`.
+    Fields(const nlohmann::json& object, std::string pointer, Report& report)
+        : object_(&object), pointer_(std::move(pointer)), report_(&report) {}
+
+    [[nodiscard]] const std::string& pointer() const { return pointer_; }
+    [[nodiscard]] std::string pointer_to(const std::string& key) const { return pointer_ + "/" + key; }
+    [[nodiscard]] bool has(const char* key) const;
+    [[nodiscard]] bool is_object(const char* key) const;
+    [[nodiscard]] std::vector<std::string> keys() const;
+
+    std::optional<uint64_t> integer(const char* key, Need need, uint64_t min, uint64_t max) const;
+    // An index into an array of `size` items called `array`; kNone when absent or wrong.
+    uint32_t index(const char* key, Need need, size_t size, const char* array) const;
+    std::vector<uint32_t> indices(const char* key, uint64_t max_items, size_t size, const char* array) const;
+    std::optional<double> number(const char* key, Need need) const;
+    // An optional number; outside [min, max] it is a warning, because whoever reads it clamps it.
+    void number_in(const char* key, double min, double max) const;
+    // Exactly `length` numbers; empty when absent or wrong.
+    std::vector<double> numbers(const char* key, size_t length) const;
+    std::optional<std::string> text(const char* key, Need need) const;
+    std::vector<std::string> texts(const char* key, uint64_t max_items) const;
+    void boolean(const char* key) const;
+    std::optional<Fields> object(const char* key, Need need) const;
+    [[nodiscard]] std::optional<Fields> extension(const char* name) const;
+    // 0 when absent or not an array.
+    size_t array_size(const char* key, uint64_t max_items) const;
+    // Calls `visit` for every object of an array. Items that are no objects are reported and passed over.
+    void each(const char* key, uint64_t max_items, const std::function<void(const Fields&)>& visit) const;
+
+    void wrong(const char* key, const std::string& found, const std::string& wanted) const;
+    // As `wrong`, naming the present value.
+    void wrong(const char* key, const std::string& wanted) const;
+
+ private:
+    const nlohmann::json* find(const char* key, Need need) const;
+    const nlohmann::json* array(const char* key, uint64_t max_items) const;
+
+    const nlohmann::json* object_;
+    std::string pointer_;
+    Report* report_;
+};
+
+// A value as a person would name it in a message: `"text"`, `3.5`, "an array of 2"; never longer than a line.
+[[nodiscard]] std::string describe(const nlohmann::json& value);
+[[nodiscard]] std::string describe(double value);
+
+// The value of a whole number within ±2^53, also when written as 3.0.
+[[nodiscard]] std::optional<int64_t> whole_number(const nlohmann::json& value);
+
+}  // namespace weft::scene::gltf

@@ -1,0 +1,99 @@
+#include <iterator>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "scene/gltf/gltf_container.h"
+#include "scene/gltf/gltf_keys.h"
+#include "scene/gltf/gltf_rules.h"
+
+namespace weft::scene::gltf {
+namespace {
+
+using nlohmann::json;
+
+// Removes what is never read, so that a small file cannot become a large model, and writes numbers the way
+// the parser behind expects them: whole ones without a fraction, those of extensions always as floating
+// point.
+void normalise(json& value, bool in_extension) {
+    if (value.is_object()) {
+        value.erase("extras");
+        for (auto& [key, member] : value.items()) {
+            if (key == "extensions" && member.is_object()) {
+                for (auto it = member.begin(); it != member.end();) {
+                    it = is_known_extension(it.key()) ? std::next(it) : member.erase(it);
+                }
+            }
+            normalise(member, in_extension || key == "extensions");
+        }
+    } else if (value.is_array()) {
+        for (json& item : value) normalise(item, in_extension);
+    } else if (in_extension && value.is_number_integer()) {
+        value = value.get<double>();
+    } else if (!in_extension && value.is_number_float()) {
+        if (const std::optional<int64_t> whole = whole_number(value)) {
+            if (*whole >= 0) value = static_cast<uint64_t>(*whole);
+            if (*whole < 0) value = *whole;
+        }
+    }
+}
+
+// `extras.weft` of each light, which is read although extras are not; null where there is none.
+json light_extras(const json& root) {
+    json extras = json::array();
+    const json* lights = nullptr;
+    const json::json_pointer place("/extensions/KHR_lights_punctual/lights");
+    if (root.contains(place)) lights = &root[place];
+    if (lights == nullptr || !lights->is_array()) return extras;
+    const json::json_pointer ours("/extras/weft");
+    for (const json& light : *lights)
+        extras.push_back(light.is_object() && light.contains(ours) ? light[ours] : json());
+    return extras;
+}
+
+std::optional<json> parse_json(std::string_view text, Report& report) {
+    try {
+        json root = json::parse(text.begin(), text.end());
+        if (root.is_object()) return root;
+        report.error("S102", {}, "the JSON is " + describe(root) + " when it should be an object",
+                     "this is not a glTF file: name a .gltf or .glb");
+    } catch (const json::parse_error& fault) {
+        const TextPosition at = position_of(text, fault.byte > 0 ? fault.byte - 1 : 0);
+        const bool cut = fault.byte > text.size();
+        report.error_at("S102", at.line, at.column,
+                        cut ? "the JSON ends in the middle" : "this is not JSON from here on",
+                        cut ? "the file is truncated: copy or export it again"
+                            : "correct the syntax at this place, or name a .gltf or .glb");
+    } catch (const std::bad_alloc&) {
+        throw;  // no fault of the file: load_gltf() reports it
+    } catch (const std::exception& fault) {
+        report.error("S102", {}, std::string("the JSON cannot be read: ") + fault.what(),
+                     "export the scene again");
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& limits, Report& report) {
+    std::optional<json> root = parse_json(text, report);
+    if (!root) return std::nullopt;
+    check_keys(text, report);
+    const json lights = light_extras(*root);
+    normalise(*root, false);
+    Checker c{Fields(*root, "", report), limits, report};
+    check_header(c);
+    // Wrong sizes would only be repeated by every index that relies on them.
+    if (report.failed()) return std::nullopt;
+    check_geometry(c);
+    check_materials(c);
+    check_nodes(c);
+    check_light_extras(c, lights);
+    check_motion(c);
+    if (report.failed()) return std::nullopt;
+    for (const char* key : {"images", "animations", "skins"}) root->erase(key);
+    for (size_t i = 0; i < c.out.buffers.size(); ++i) (*root)["buffers"][i]["uri"] = std::to_string(i);
+    c.out.text = root->dump(-1, ' ', false, json::error_handler_t::replace);
+    return std::move(c.out);
+}
+
+}  // namespace weft::scene::gltf

@@ -1,0 +1,382 @@
+#include "scene/gltf/gltf_parse.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <new>
+
+#define TINYGLTF_NO_FS
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_IMPLEMENTATION
+#include <tiny_gltf.h>
+
+namespace weft::scene::gltf {
+namespace {
+
+using Buffers = std::vector<std::vector<uint8_t>>;
+
+// The buffer that a file name of the checked JSON stands for; nullptr for any other name.
+std::vector<uint8_t>* buffer_named(const std::string& name, void* buffers) {
+    Buffers& all = *static_cast<Buffers*>(buffers);
+    size_t index = 0;
+    const auto parsed = std::from_chars(name.data(), name.data() + name.size(), index);
+    if (parsed.ec != std::errc() || parsed.ptr != name.data() + name.size() || index >= all.size())
+        return nullptr;
+    return &all[index];
+}
+
+bool parse_model(const std::string& text, Buffers& buffers, tinygltf::Model& model, std::string& error) {
+    tinygltf::TinyGLTF loader;
+    tinygltf::FsCallbacks callbacks{};
+    callbacks.FileExists = [](const std::string& name, void* all) {
+        return buffer_named(name, all) != nullptr;
+    };
+    callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+    callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string*, const std::string& name,
+                                 void* all) {
+        std::vector<uint8_t>* buffer = buffer_named(name, all);
+        if (buffer == nullptr) return false;
+        *out = std::move(*buffer);
+        return true;
+    };
+    callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                                  void*) { return false; };
+    callbacks.user_data = &buffers;
+    loader.SetFsCallbacks(callbacks);
+    std::string warning;
+    try {
+        const bool parsed = loader.LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                                       static_cast<unsigned int>(text.size()), "");
+        return parsed && error.empty();
+    } catch (const std::bad_alloc&) {
+        throw;  // no fault of the file: load_gltf() reports it
+    } catch (const std::exception& fault) {
+        error = fault.what();
+        return false;
+    }
+}
+
+uint32_t index_or_none(int index) {
+    return index < 0 ? kNone : static_cast<uint32_t>(index);
+}
+
+template <class Vector>
+Vector vector_or(const std::vector<double>& values, const Vector& fallback) {
+    if (values.size() != static_cast<size_t>(Vector::length())) return fallback;
+    Vector out;
+    for (int i = 0; i < Vector::length(); ++i) out[i] = static_cast<float>(values[static_cast<size_t>(i)]);
+    return out;
+}
+
+std::vector<double> number_array(const tinygltf::Value& object, const char* key) {
+    std::vector<double> out;
+    const tinygltf::Value& array = object.Get(key);
+    for (size_t i = 0; i < array.ArrayLen(); ++i)
+        out.push_back(array.Get(static_cast<int>(i)).GetNumberAsDouble());
+    return out;
+}
+
+double number_or(const tinygltf::Value& object, const char* key, double fallback) {
+    return object.Has(key) ? object.Get(key).GetNumberAsDouble() : fallback;
+}
+
+const tinygltf::Value* find_extension(const tinygltf::ExtensionMap& extensions, const char* name) {
+    const auto it = extensions.find(name);
+    return it != extensions.end() && it->second.IsObject() ? &it->second : nullptr;
+}
+
+Accessor convert(const tinygltf::Accessor& source) {
+    Accessor out;
+    out.view = index_or_none(source.bufferView);
+    out.offset_bytes = source.byteOffset;
+    out.count = source.count;
+    out.type = static_cast<ComponentType>(source.componentType);
+    out.components =
+        static_cast<uint32_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(source.type)));
+    out.normalized = source.normalized;
+    if (!source.sparse.isSparse) return out;
+    out.sparse.count = static_cast<uint64_t>(source.sparse.count);
+    out.sparse.index_view = index_or_none(source.sparse.indices.bufferView);
+    out.sparse.index_offset_bytes = static_cast<uint64_t>(source.sparse.indices.byteOffset);
+    out.sparse.index_type = static_cast<ComponentType>(source.sparse.indices.componentType);
+    out.sparse.value_view = index_or_none(source.sparse.values.bufferView);
+    out.sparse.value_offset_bytes = static_cast<uint64_t>(source.sparse.values.byteOffset);
+    return out;
+}
+
+MeshSource convert(const tinygltf::Mesh& source) {
+    MeshSource out{source.name, {}};
+    for (const tinygltf::Primitive& primitive : source.primitives) {
+        const auto attribute = [&](const char* name) {
+            const auto it = primitive.attributes.find(name);
+            return it != primitive.attributes.end() ? index_or_none(it->second) : kNone;
+        };
+        out.primitives.push_back({static_cast<uint32_t>(primitive.mode), index_or_none(primitive.material),
+                                  index_or_none(primitive.indices), attribute("POSITION"),
+                                  attribute("NORMAL"), attribute("TANGENT"), attribute("TEXCOORD_0"),
+                                  attribute("TEXCOORD_1"), attribute("COLOR_0")});
+    }
+    return out;
+}
+
+Wrap wrap_of(int mode) {
+    if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp_to_edge;
+    return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirrored_repeat : Wrap::repeat;
+}
+
+void apply_sampler(const tinygltf::Sampler& sampler, TextureSlot& slot) {
+    slot.wrap_u = wrap_of(sampler.wrapS);
+    slot.wrap_v = wrap_of(sampler.wrapT);
+    slot.mag = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ? Filter::nearest : Filter::linear;
+    const int min = sampler.minFilter;
+    slot.mipmapped = min != TINYGLTF_TEXTURE_FILTER_NEAREST && min != TINYGLTF_TEXTURE_FILTER_LINEAR;
+    const bool nearest = min == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+                         min == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+                         min == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
+    slot.min = nearest ? Filter::nearest : Filter::linear;
+}
+
+// KHR_texture_transform turns uvs counter-clockwise as seen on an image whose v runs down.
+glm::mat3x2 uv_transform(const tinygltf::Value& extension) {
+    const glm::vec2 offset = vector_or(number_array(extension, "offset"), glm::vec2(0));
+    const glm::vec2 scale = vector_or(number_array(extension, "scale"), glm::vec2(1));
+    const auto angle = static_cast<float>(number_or(extension, "rotation", 0));
+    const float cosine = std::cos(angle);
+    const float sine = std::sin(angle);
+    return {cosine * scale.x, -sine * scale.x, sine * scale.y, cosine * scale.y, offset.x, offset.y};
+}
+
+template <class TextureInfo>
+TextureSlot convert_slot(const TextureInfo& info, const tinygltf::Model& model) {
+    TextureSlot slot;
+    if (info.index < 0) return slot;
+    slot.texture = static_cast<uint32_t>(info.index);
+    double uv_set = info.texCoord;
+    const int sampler = model.textures[slot.texture].sampler;
+    if (sampler >= 0) apply_sampler(model.samplers[static_cast<size_t>(sampler)], slot);
+    if (const tinygltf::Value* extension = find_extension(info.extensions, "KHR_texture_transform")) {
+        slot.transform = uv_transform(*extension);
+        uv_set = number_or(*extension, "texCoord", uv_set);
+    }
+    slot.uv_set = uv_set == 1 ? 1 : 0;
+    return slot;
+}
+
+float unit(double value) {
+    return static_cast<float>(std::clamp(value, 0.0, 1.0));
+}
+
+void apply_material_extensions(const tinygltf::ExtensionMap& extensions, Material& out) {
+    if (const tinygltf::Value* specular = find_extension(extensions, "KHR_materials_specular")) {
+        out.specular = unit(number_or(*specular, "specularFactor", 1));
+        const glm::vec3 color = vector_or(number_array(*specular, "specularColorFactor"), glm::vec3(1));
+        out.specular_color = glm::max(color, glm::vec3(0));
+    }
+    if (const tinygltf::Value* ior = find_extension(extensions, "KHR_materials_ior")) {
+        out.ior = std::max(0.0f, static_cast<float>(number_or(*ior, "ior", 1.5)));
+    }
+    if (const tinygltf::Value* strength = find_extension(extensions, "KHR_materials_emissive_strength")) {
+        out.emissive *= std::max(0.0f, static_cast<float>(number_or(*strength, "emissiveStrength", 1)));
+    }
+}
+
+// The texture is described as core ones are, but tinygltf doesn't read it.
+TextureSlot extension_slot(const tinygltf::Value& extension, const char* key, const tinygltf::Model& model) {
+    if (!extension.Has(key)) return {};
+    const tinygltf::Value& info = extension.Get(key);
+    tinygltf::TextureInfo core;
+    core.index = static_cast<int>(number_or(info, "index", -1));
+    core.texCoord = static_cast<int>(number_or(info, "texCoord", 0));
+    if (info.Has("extensions")) {
+        const tinygltf::Value& extensions = info.Get("extensions");
+        for (const std::string& name : extensions.Keys()) core.extensions.emplace(name, extensions.Get(name));
+    }
+    return convert_slot(core, model);
+}
+
+void apply_anisotropy(const tinygltf::ExtensionMap& extensions, const tinygltf::Model& model, Material& out) {
+    const tinygltf::Value* anisotropy = find_extension(extensions, "KHR_materials_anisotropy");
+    if (anisotropy == nullptr) return;
+    out.anisotropy = unit(number_or(*anisotropy, "anisotropyStrength", 0));
+    constexpr double kFullTurn = 6.283185307179586;
+    const double rotation = std::remainder(number_or(*anisotropy, "anisotropyRotation", 0), kFullTurn);
+    out.anisotropy_rotation_rad = static_cast<float>(rotation);
+    out.anisotropy_texture = extension_slot(*anisotropy, "anisotropyTexture", model);
+}
+
+// KHR_materials_unlit: the surface shows its base colour and answers no light. That is a black one which
+// glows.
+void make_unlit(Material& out) {
+    out.emissive = glm::vec3(out.base_color);
+    out.emissive_texture = out.base_color_texture;
+    out.tinted_emission = true;
+    out.base_color = glm::vec4(0, 0, 0, out.base_color.a);
+    out.metallic = 0;
+    out.specular = 0;
+    out.roughness = 1;
+    out.normal_texture = {};
+    out.anisotropy = 0;
+}
+
+Material convert(const tinygltf::Material& source, const tinygltf::Model& model) {
+    const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    Material out;
+    out.name = source.name;
+    out.base_color = glm::clamp(vector_or(pbr.baseColorFactor, glm::vec4(1)), glm::vec4(0), glm::vec4(1));
+    out.metallic = unit(pbr.metallicFactor);
+    out.roughness = unit(pbr.roughnessFactor);
+    out.emissive = glm::max(vector_or(source.emissiveFactor, glm::vec3(0)), glm::vec3(0));
+    out.normal_scale = static_cast<float>(source.normalTexture.scale);
+    out.occlusion_strength = unit(source.occlusionTexture.strength);
+    out.alpha_mode = source.alphaMode == "MASK"    ? AlphaMode::mask
+                     : source.alphaMode == "BLEND" ? AlphaMode::blend
+                                                   : AlphaMode::opaque;
+    out.alpha_cutoff = std::max(0.0f, static_cast<float>(source.alphaCutoff));
+    out.double_sided = source.doubleSided;
+    out.base_color_texture = convert_slot(pbr.baseColorTexture, model);
+    out.metallic_roughness_texture = convert_slot(pbr.metallicRoughnessTexture, model);
+    out.normal_texture = convert_slot(source.normalTexture, model);
+    out.occlusion_texture = convert_slot(source.occlusionTexture, model);
+    out.emissive_texture = convert_slot(source.emissiveTexture, model);
+    apply_material_extensions(source.extensions, out);
+    apply_anisotropy(source.extensions, model, out);
+    if (find_extension(source.extensions, "KHR_materials_unlit") != nullptr) make_unlit(out);
+    return out;
+}
+
+Light convert(const tinygltf::Light& source) {
+    constexpr double kHalfPi = 1.5707963267948966;
+    Light out;
+    out.name = source.name;
+    out.type = source.type == "directional" ? LightType::directional
+               : source.type == "spot"      ? LightType::spot
+                                            : LightType::point;
+    out.color = glm::max(vector_or(source.color, glm::vec3(1)), glm::vec3(0));
+    out.intensity = std::max(0.0f, static_cast<float>(source.intensity));
+    out.range_m = std::max(0.0f, static_cast<float>(source.range));
+    const double outer = std::clamp(source.spot.outerConeAngle, 0.0, kHalfPi);
+    out.outer_cone_rad = static_cast<float>(outer);
+    out.inner_cone_rad = static_cast<float>(std::clamp(source.spot.innerConeAngle, 0.0, outer));
+    return out;
+}
+
+// In the direction in which a shape is largest it has as many candela as the light says.
+float seen_area_m2(const LightSource& shape) {
+    const float a = shape.half_size_m.x, b = shape.half_size_m.y;
+    return *shape.shape == LightType::rectangle ? 4 * a * b : b * (4 * a + 3.14159265f * b);
+}
+
+void apply(const LightSource& source, Light& light, std::vector<LightFunction>& functions) {
+    if (source.shape) {
+        light.type = *source.shape;
+        light.half_size_m = source.half_size_m;
+        light.intensity /= seen_area_m2(source);
+    }
+    if (!source.function) return;
+    light.function = static_cast<uint32_t>(functions.size());
+    functions.push_back(*source.function);
+    functions.back().name = light.name;
+}
+
+std::optional<Camera> convert(const tinygltf::Camera& source) {
+    if (source.type != "perspective") return std::nullopt;
+    Camera out;
+    out.name = source.name;
+    out.fov_y_rad = static_cast<float>(source.perspective.yfov);
+    out.near_m = static_cast<float>(source.perspective.znear);
+    return out;
+}
+
+glm::mat4 local_transform(const tinygltf::Node& source) {
+    if (source.matrix.size() == 16) {
+        glm::mat4 matrix;
+        for (size_t i = 0; i < 16; ++i) glm::value_ptr(matrix)[i] = static_cast<float>(source.matrix[i]);
+        // glTF has no other last row (check_matrix()).
+        for (int column = 0; column < 4; ++column) matrix[column][3] = column == 3 ? 1.0f : 0.0f;
+        return matrix;
+    }
+    const glm::vec4 xyzw = vector_or(source.rotation, glm::vec4(0, 0, 0, 1));
+    const glm::vec4 unit_xyzw = glm::length(xyzw) > 1e-6f ? xyzw / glm::length(xyzw) : glm::vec4(0, 0, 0, 1);
+    const glm::quat rotation(unit_xyzw.w, unit_xyzw.x, unit_xyzw.y, unit_xyzw.z);
+    const glm::mat4 moved = glm::translate(glm::mat4(1), vector_or(source.translation, glm::vec3(0)));
+    return glm::scale(moved * glm::mat4_cast(rotation), vector_or(source.scale, glm::vec3(1)));
+}
+
+Node convert(const tinygltf::Node& source) {
+    Node out;
+    out.name = source.name;
+    out.local = local_transform(source);
+    for (const int child : source.children) out.children.push_back(static_cast<uint32_t>(child));
+    out.mesh = index_or_none(source.mesh);
+    out.camera = index_or_none(source.camera);
+    if (const tinygltf::Value* light = find_extension(source.extensions, "KHR_lights_punctual")) {
+        out.light = static_cast<uint32_t>(number_or(*light, "light", 0));
+    }
+    return out;
+}
+
+// The nodes to start from: those of the chosen scene, or every node without a parent when the file has no
+// scenes.
+std::vector<uint32_t> root_nodes(const tinygltf::Model& model) {
+    std::vector<uint32_t> roots;
+    if (!model.scenes.empty()) {
+        const auto chosen = static_cast<size_t>(std::max(0, model.defaultScene));
+        for (const int node : model.scenes[chosen].nodes) roots.push_back(static_cast<uint32_t>(node));
+        return roots;
+    }
+    std::vector<bool> has_parent(model.nodes.size(), false);
+    for (const tinygltf::Node& node : model.nodes) {
+        for (const int child : node.children) has_parent[static_cast<size_t>(child)] = true;
+    }
+    for (uint32_t i = 0; i < has_parent.size(); ++i) {
+        if (!has_parent[i]) roots.push_back(i);
+    }
+    return roots;
+}
+
+Document convert(tinygltf::Model& model, std::vector<EncodedImage> images,
+                 std::span<const LightSource> light_sources) {
+    Document out;
+    out.images = std::move(images);
+    out.roots = root_nodes(model);
+    if (!model.scenes.empty())
+        out.name = model.scenes[static_cast<size_t>(std::max(0, model.defaultScene))].name;
+    for (tinygltf::Buffer& buffer : model.buffers) out.buffers.push_back(std::move(buffer.data));
+    for (const tinygltf::BufferView& view : model.bufferViews) {
+        out.views.push_back(
+            {static_cast<uint32_t>(view.buffer), view.byteOffset, view.byteLength, view.byteStride});
+    }
+    for (const tinygltf::Accessor& accessor : model.accessors) out.accessors.push_back(convert(accessor));
+    for (const tinygltf::Mesh& mesh : model.meshes) out.meshes.push_back(convert(mesh));
+    for (const tinygltf::Texture& texture : model.textures)
+        out.texture_images.push_back(index_or_none(texture.source));
+    for (const tinygltf::Material& material : model.materials)
+        out.materials.push_back(convert(material, model));
+    for (const tinygltf::Light& light : model.lights) out.lights.push_back(convert(light));
+    for (size_t i = 0; i < std::min(light_sources.size(), out.lights.size()); ++i)
+        apply(light_sources[i], out.lights[i], out.light_functions);
+    for (const tinygltf::Camera& camera : model.cameras) out.cameras.push_back(convert(camera));
+    for (const tinygltf::Node& node : model.nodes) out.nodes.push_back(convert(node));
+    return out;
+}
+
+}  // namespace
+
+std::optional<Document> parse_document(const CheckedJson& checked, Resources resources, Report& report) {
+    tinygltf::Model model;
+    std::string error;
+    if (!parse_model(checked.text, resources.buffers, model, error)) {
+        while (!error.empty() && error.back() == '\n') error.pop_back();
+        report.error("S108", {}, "the file is not valid glTF: " + error, "export the scene again");
+        return std::nullopt;
+    }
+    return convert(model, std::move(resources.images), checked.lights);
+}
+
+}  // namespace weft::scene::gltf

@@ -1,0 +1,16 @@
+// Purpose: checked JSON and loaded bytes to a Document, through tinygltf. tinygltf gets a file callback that
+// hands out the loaded buffers by number: it never opens a file, and is built without code that could.
+#pragma once
+
+#include <optional>
+
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/gltf_resources.h"
+
+namespace weft::scene::gltf {
+
+// nullopt after errors were reported.
+[[nodiscard]] std::optional<Document> parse_document(const CheckedJson& checked, Resources resources,
+                                                     Report& report);
+
+}  // namespace weft::scene::gltf

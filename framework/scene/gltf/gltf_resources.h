@@ -1,0 +1,31 @@
+// Purpose: the bytes behind a glTF's buffers and images, from data: URIs, the .glb's own chunk, or files
+// below the scene's folder. This is the only place where a URI of a glTF meets the file system. Errors: S101
+// missing file, S102 broken data: URI, S103 URI that leaves the folder, S104 fewer bytes than byteLength,
+// S107 more bytes than the limits.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scene/gltf/gltf_check.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/loading/gltf_report.h"
+#include "scene/loading/memory_budget.h"
+#include "scene/loading/rooted_folder.h"
+
+namespace weft::scene::gltf {
+
+struct Resources {
+    std::vector<std::vector<uint8_t>> buffers;  // each exactly byteLength long
+    std::vector<EncodedImage> images;
+};
+
+// nullopt after errors were reported.
+[[nodiscard]] std::optional<Resources> load_resources(CheckedJson& checked,
+                                                      std::optional<std::span<const uint8_t>> binary,
+                                                      const RootedFolder& folder, const SceneLimits& limits,
+                                                      MemoryBudget& memory, Report& report);
+
+}  // namespace weft::scene::gltf

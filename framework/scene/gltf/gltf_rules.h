@@ -1,0 +1,44 @@
+// Purpose: what the rules about one part of a glTF need to know of the others while its JSON is checked.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/gltf/gltf_check.h"
+#include "scene/gltf/gltf_fields.h"
+
+namespace weft::scene::gltf {
+
+struct AccessorShape {
+    uint64_t count = 0;
+    uint64_t component_type = 0;
+    uint32_t components = 0;
+    bool has_view = false;
+};
+
+struct Checker {
+    Fields root;
+    const SceneLimits& limits;
+    Report& report;
+    CheckedJson out{};
+    std::map<std::string, size_t> sizes{};  // of the file's arrays, by name
+    std::vector<uint64_t> view_lengths{};
+    std::vector<uint64_t> view_strides{};
+    std::vector<AccessorShape> accessors{};
+    uint64_t sparse_values = 0;  // of all accessors so far
+};
+
+[[nodiscard]] bool is_known_extension(std::string_view name);
+
+void check_header(Checker& c);     // asset, extensions, array sizes
+void check_geometry(Checker& c);   // buffers, views, accessors, meshes
+void check_materials(Checker& c);  // images, textures, samplers, materials
+void check_nodes(Checker& c);      // lights, cameras, nodes, scenes
+// `extras` holds `extras.weft` of each light, or null.
+void check_light_extras(Checker& c, const nlohmann::json& extras);
+void check_motion(Checker& c);  // skins, morph targets, animations: what is shown at rest
+
+}  // namespace weft::scene::gltf

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <array>
+
+#include "scene/gltf/gltf_rules.h"
+
+namespace weft::scene::gltf {
+namespace {
+
+constexpr uint64_t kMaxExtensions = 1024;
+constexpr std::array<std::string_view, 8> kKnownExtensions{
+    "KHR_lights_punctual",   "KHR_materials_anisotropy", "KHR_materials_emissive_strength",
+    "KHR_materials_ior",     "KHR_materials_specular",   "KHR_materials_unlit",
+    "KHR_mesh_quantization", "KHR_texture_transform"};
+
+constexpr const char* kConvertOldFile =
+    "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the scene as glTF 2.0";
+
+void check_version(const Fields& asset, const char* key, bool fine, const std::string& version,
+                   Report& report) {
+    if (fine) return;
+    report.error("S113", asset.pointer_to(key),
+                 "glTF version is \"" + version + "\" when it should be \"2.0\"",
+                 "export the scene as glTF 2.0");
+}
+
+// glTF 1.0 names its things by the keys of objects where 2.0 has arrays, and need not say its version.
+bool is_gltf_1(const Fields& root) {
+    if (root.has("asset")) {
+        const std::optional<Fields> asset = root.object("asset", Need::optional);
+        if (asset && asset->has("version")) {
+            const std::optional<std::string> version = asset->text("version", Need::optional);
+            return version && (*version == "1" || version->starts_with("1."));
+        }
+    }
+    return root.is_object("meshes") || root.is_object("nodes") || root.is_object("buffers");
+}
+
+void check_asset(Checker& c) {
+    if (is_gltf_1(c.root)) {
+        c.report.error("S113", c.root.has("asset") ? "/asset/version" : "/asset",
+                       "this is a glTF 1.0 file; weft reads glTF 2.0", kConvertOldFile);
+        return;
+    }
+    const std::optional<Fields> asset = c.root.object("asset", Need::required);
+    if (!asset) return;
+    if (const auto version = asset->text("version", Need::required)) {
+        check_version(*asset, "version", version->starts_with("2."), *version, c.report);
+    }
+    if (const auto version = asset->text("minVersion", Need::optional)) {
+        check_version(*asset, "minVersion", *version == "2.0", *version, c.report);
+    }
+}
+
+void check_extensions(Checker& c) {
+    const std::vector<std::string> required = c.root.texts("extensionsRequired", kMaxExtensions);
+    for (size_t i = 0; i < required.size(); ++i) {
+        if (is_known_extension(required[i])) continue;
+        c.report.error("S105", "/extensionsRequired/" + std::to_string(i),
+                       "the file requires the extension " + required[i] + ", which is not supported",
+                       "export without " + required[i] + "; compressed meshes and textures are not read");
+    }
+    const std::vector<std::string> used = c.root.texts("extensionsUsed", kMaxExtensions);
+    for (size_t i = 0; i < used.size(); ++i) {
+        const bool told = std::find(required.begin(), required.end(), used[i]) != required.end();
+        if (told || is_known_extension(used[i])) continue;
+        c.report.warn("S150", "/extensionsUsed/" + std::to_string(i),
+                      "the extension " + used[i] + " is ignored",
+                      "the scene may look different from what its author saw; export without it to be sure");
+    }
+}
+
+}  // namespace
+
+bool is_known_extension(std::string_view name) {
+    return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) != kKnownExtensions.end();
+}
+
+void check_header(Checker& c) {
+    check_asset(c);
+    // All else in a file of another version would be wrong, too.
+    if (c.report.failed()) return;
+    check_extensions(c);
+    for (const char* name :
+         {"buffers", "bufferViews", "accessors", "samplers", "meshes", "nodes", "scenes", "cameras"}) {
+        c.sizes[name] = c.root.array_size(name, c.limits.array_items);
+    }
+    for (const char* name : {"images", "textures", "materials"}) {
+        c.sizes[name] = c.root.array_size(name, c.limits.materials);
+    }
+    for (const char* name : {"animations", "skins"}) {
+        c.sizes[name] = c.root.array_size(name, c.limits.array_items);
+    }
+}
+
+}  // namespace weft::scene::gltf

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <set>
+
+#include "scene/gltf/gltf_rules.h"
+
+namespace weft::scene::gltf {
+namespace {
+
+constexpr size_t kMaxNamed = 4;
+
+std::vector<std::string> labels_of(const Checker& c, const char* array, const char* kind) {
+    std::vector<std::string> labels;
+    c.root.each(array, c.limits.array_items, [&](const Fields& item) {
+        labels.push_back(label(kind, labels.size(), item.text("name", Need::optional).value_or("")));
+    });
+    return labels;
+}
+
+// `node "hip", node "knee" and 3 more`
+std::string first_of(const std::set<uint32_t>& nodes, const std::vector<std::string>& labels) {
+    std::string text;
+    size_t named = 0;
+    for (const uint32_t node : nodes) {
+        if (named == kMaxNamed || node >= labels.size()) break;
+        text += (named++ == 0 ? "" : ", ") + labels[node];
+    }
+    if (nodes.size() > named) text += " and " + std::to_string(nodes.size() - named) + " more";
+    return text;
+}
+
+void check_skins(Checker& c, const std::vector<std::string>& nodes, const std::vector<std::string>& meshes) {
+    size_t self = 0;
+    c.root.each("nodes", c.limits.array_items, [&](const Fields& node) {
+        const std::string& name = nodes[self++];
+        if (!node.has("skin")) return;
+        node.index("skin", Need::optional, c.sizes["skins"], "skins");
+        const uint32_t mesh = node.index("mesh", Need::optional, meshes.size(), "meshes");
+        if (mesh == kNone || mesh >= meshes.size()) return;
+        c.report.warn(
+            "S153", node.pointer_to("skin"),
+            name + ": the skin is ignored, " + meshes[mesh] + " is shown at rest, as it was modelled",
+            "bake the pose into the mesh if it matters");
+    });
+}
+
+void check_morphs(Checker& c, const std::vector<std::string>& meshes) {
+    size_t self = 0;
+    c.root.each("meshes", c.limits.array_items, [&](const Fields& mesh) {
+        const std::string& name = meshes[self++];
+        size_t targets = 0;
+        mesh.each("primitives", c.limits.array_items, [&](const Fields& primitive) {
+            targets = std::max(targets, primitive.array_size("targets", c.limits.array_items));
+        });
+        if (targets == 0) return;
+        c.report.warn(
+            "S153", mesh.pointer(),
+            name + ": its morph targets, " + std::to_string(targets) + ", are ignored, its base is shown",
+            "apply the shape before exporting");
+    });
+}
+
+void check_animations(Checker& c, const std::vector<std::string>& nodes) {
+    size_t self = 0;
+    c.root.each("animations", c.limits.array_items, [&](const Fields& animation) {
+        const std::string name =
+            label("animation", self++, animation.text("name", Need::optional).value_or(""));
+        std::set<uint32_t> moved;
+        animation.each("channels", c.limits.array_items, [&](const Fields& channel) {
+            const std::optional<Fields> target = channel.object("target", Need::required);
+            if (!target) return;
+            const uint32_t node = target->index("node", Need::optional, nodes.size(), "nodes");
+            if (node != kNone) moved.insert(node);
+        });
+        c.report.warn("S153", animation.pointer(),
+                      name + " is not played" + (moved.empty() ? "" : "; at rest: " + first_of(moved, nodes)),
+                      "apply the wanted pose before exporting");
+    });
+}
+
+}  // namespace
+
+void check_motion(Checker& c) {
+    // Arrays of wrong items were reported before, and their labels would not match.
+    if (c.report.failed()) return;
+    const std::vector<std::string> nodes = labels_of(c, "nodes", "node");
+    const std::vector<std::string> meshes = labels_of(c, "meshes", "mesh");
+    check_skins(c, nodes, meshes);
+    check_morphs(c, meshes);
+    check_animations(c, nodes);
+}
+
+}  // namespace weft::scene::gltf

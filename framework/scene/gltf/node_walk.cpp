@@ -1,0 +1,142 @@
+#include "scene/gltf/node_walk.h"
+
+#include <cmath>
+
+#include "weft/limits.h"
+
+namespace weft::scene::gltf {
+namespace {
+
+constexpr float kMaxEntry = 1e15f;
+// An instance: here, in the GPU's buffer and its staging, in a list of draws and of draw commands, twice for
+// growing.
+constexpr uint64_t kBytesPerInstance = 2 * sizeof(Instance) + 2 * 208 + 2 * 96 + 2 * 20;
+
+bool is_usable(const glm::mat4& m) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!(std::abs(m[column][row]) <= kMaxEntry)) return false;
+        }
+    }
+    return true;
+}
+
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
+    const float length = glm::length(v);
+    return std::isfinite(length) && length > 1e-20f ? v / length : fallback;
+}
+
+// The part of `v` that is at right angles to a unit vector, or any such vector.
+glm::vec3 across_or(const glm::vec3& v, const glm::vec3& direction) {
+    const glm::vec3 unit = unit_or(v, {1, 0, 0});
+    const glm::vec3 steep = std::abs(direction.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 across = unit - direction * glm::dot(unit, direction);
+    return glm::length(across) > 1e-3f ? glm::normalize(across)
+                                       : glm::normalize(glm::cross(direction, steep));
+}
+
+// The same view without scale or shear: cameras look along -z whatever their parents do.
+glm::mat4 rigid(const glm::mat4& world) {
+    const glm::vec3 back = unit_or(glm::vec3(world[2]), {0, 0, 1});
+    const glm::vec3 steep = std::abs(back.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+    const glm::vec3 right =
+        unit_or(glm::cross(glm::vec3(world[1]), back), unit_or(glm::cross(steep, back), {1, 0, 0}));
+    return {glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0), glm::vec4(back, 0), world[3]};
+}
+
+class Walk {
+ public:
+    Walk(const Document& document, const BuiltMeshes& meshes, uint32_t default_material, Scene& scene)
+        : document_(document), meshes_(meshes), default_material_(default_material), scene_(scene) {}
+
+    // Of what place() adds to the scene: every instance, light and camera has a name of its own.
+    [[nodiscard]] uint64_t memory_bytes(const Node& node) const {
+        uint64_t bytes = 0;
+        if (node.mesh != kNone) {
+            for (const BuiltPrimitive& primitive : meshes_.of_gltf_mesh[node.mesh]) {
+                const std::string& name = node.name.empty() ? meshes_.meshes[primitive.mesh].name : node.name;
+                bytes += kBytesPerInstance + name.size();
+            }
+        }
+        if (node.light != kNone)
+            bytes += 3 * sizeof(Light) + node.name.size() + 2 * document_.lights[node.light].name.size();
+        if (node.camera != kNone) bytes += 2 * sizeof(Camera) + node.name.size();
+        return bytes;
+    }
+
+    void place(const Node& node, const glm::mat4& world) {
+        if (node.mesh != kNone) {
+            for (const BuiltPrimitive& primitive : meshes_.of_gltf_mesh[node.mesh]) {
+                const std::string& name = node.name.empty() ? meshes_.meshes[primitive.mesh].name : node.name;
+                const uint32_t material =
+                    primitive.material == kNone ? default_material_ : primitive.material;
+                scene_.instances.push_back({name, primitive.mesh, material, world});
+            }
+        }
+        if (node.light != kNone) {
+            Light light = document_.lights[node.light];
+            light.position = glm::vec3(world[3]);
+            // Shapes lie along the node's x and face its −z.
+            const glm::vec3 forward = unit_or(-glm::vec3(world[2]), {0, 0, -1});
+            const glm::vec3 width = across_or(glm::vec3(world[0]), forward);
+            light.direction = light.type == LightType::capsule ? width : forward;
+            light.side = light.type == LightType::capsule ? forward : width;
+            if (!node.name.empty() && light.name.empty()) light.name = node.name;
+            scene_.lights.push_back(std::move(light));
+        }
+        if (node.camera != kNone && document_.cameras[node.camera]) {
+            Camera camera = *document_.cameras[node.camera];
+            camera.transform = rigid(world);
+            // Blender and others name the node, not the camera.
+            if (!node.name.empty()) camera.name = node.name;
+            scene_.cameras.push_back(std::move(camera));
+        }
+    }
+
+ private:
+    const Document& document_;
+    const BuiltMeshes& meshes_;
+    uint32_t default_material_;
+    Scene& scene_;
+};
+
+}  // namespace
+
+void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t default_material,
+                 const SceneLimits& limits, MemoryBudget& memory, Report& report, Scene& scene) {
+    struct Visit {
+        uint32_t node;
+        glm::mat4 parent;
+    };
+    Walk walk(document, meshes, default_material, scene);
+    std::vector<Visit> stack;
+    // Reversed, because the last pushed is visited first: nodes come out in the file's order.
+    for (size_t i = document.roots.size(); i-- > 0;) stack.push_back({document.roots[i], glm::mat4(1)});
+    while (!stack.empty()) {
+        const Visit visit = stack.back();
+        stack.pop_back();
+        const Node& node = document.nodes[visit.node];
+        const glm::mat4 world = visit.parent * node.local;
+        if (!is_usable(world)) {
+            report.warn("S152", "/nodes/" + std::to_string(visit.node),
+                        label("node", visit.node, node.name) +
+                            ": its transform leaves the range of numbers; it and its children are left out",
+                        "correct the matrix or scale of the node or of its parents");
+            continue;
+        }
+        if (!take_memory(
+                memory, {walk.memory_bytes(node), "S107", "/nodes/" + std::to_string(visit.node), "the node"},
+                report))
+            return;
+        walk.place(node, world);
+        if (scene.instances.size() > limits.instances) {
+            report.error("S107", "/nodes/" + std::to_string(visit.node),
+                         "the scene has more than " + std::to_string(limits.instances) + " instances",
+                         "join meshes or split the scene, " + raise_limit_text("scene.instances"));
+            return;
+        }
+        for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], world});
+    }
+}
+
+}  // namespace weft::scene::gltf

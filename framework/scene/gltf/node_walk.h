@@ -1,0 +1,18 @@
+// Purpose: the node tree of a glTF to instances, lights and cameras in the world.
+// Errors: S107 too many instances, or too much memory.
+// Warnings: S152 a transform that is not finite or has no extent.
+#pragma once
+
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/mesh_build.h"
+#include "scene/loading/gltf_report.h"
+#include "scene/loading/memory_budget.h"
+#include "weft/scene/load_gltf.h"
+
+namespace weft::scene::gltf {
+
+// Fills scene.instances, lights and cameras. `default_material` stands in where a primitive names none.
+void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t default_material,
+                 const SceneLimits& limits, MemoryBudget& memory, Report& report, Scene& scene);
+
+}  // namespace weft::scene::gltf

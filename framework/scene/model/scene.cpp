@@ -1,0 +1,83 @@
+#include "weft/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace weft::scene {
+
+glm::vec3 position_at(const Light& light, double time_s) {
+    const LightPath& path = light.path;
+    if (path.turns_per_s == 0) return light.position;
+    const double turns = double{path.phase} + double{path.turns_per_s} * time_s;
+    const double angle = 6.283185307179586 * (turns - std::floor(turns));
+    return light.position + path.across * static_cast<float>(std::cos(angle)) +
+           path.along * static_cast<float>(std::sin(angle));
+}
+namespace {
+
+constexpr float kFramingDistance = 1.9f;  // in bounding radii
+
+// Above this many transformed vertices the corners of each mesh's box stand in for its vertices.
+constexpr uint64_t kMaxExactVertices = 100'000'000;
+
+uint64_t instanced_vertices(const Scene& scene) {
+    uint64_t total = 0;
+    for (const Instance& instance : scene.instances) total += scene.meshes[instance.mesh].positions.size();
+    return total;
+}
+
+void grow(Bounds& bounds, const glm::mat4& transform, const glm::vec3& position) {
+    const glm::vec3 world(transform * glm::vec4(position, 1));
+    bounds.min = glm::min(bounds.min, world);
+    bounds.max = glm::max(bounds.max, world);
+}
+
+}  // namespace
+
+Bounds world_bounds(const Scene& scene) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    Bounds bounds{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
+    const bool exact = instanced_vertices(scene) <= kMaxExactVertices;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        if (mesh.positions.empty()) continue;
+        if (exact) {
+            for (const glm::vec3& position : mesh.positions) grow(bounds, instance.transform, position);
+            continue;
+        }
+        for (int corner = 0; corner < 8; ++corner) {
+            grow(bounds, instance.transform,
+                 {(corner & 1) != 0 ? mesh.bounds_max.x : mesh.bounds_min.x,
+                  (corner & 2) != 0 ? mesh.bounds_max.y : mesh.bounds_min.y,
+                  (corner & 4) != 0 ? mesh.bounds_max.z : mesh.bounds_min.z});
+        }
+    }
+    if (!(bounds.min.x <= bounds.max.x)) return {};
+    return bounds;
+}
+
+Camera framing_camera(const Scene& scene, float aspect) {
+    const Bounds bounds = world_bounds(scene);
+    const glm::vec3 centre = (bounds.min + bounds.max) * 0.5f;
+    const float half_diagonal = glm::length(bounds.max - bounds.min) * 0.5f;
+    const float radius = half_diagonal > 0 ? half_diagonal : 1.0f;
+    const glm::vec3 back = glm::normalize(glm::vec3(0.9f, 0.75f, 1.3f));
+    const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
+    Camera camera;
+    camera.name = "framing";
+    camera.transform =
+        glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0), glm::vec4(back, 0),
+                  glm::vec4(centre + back * (kFramingDistance * radius), 1));
+    constexpr float kHalfHorizontal = 0.39269908170f;  // 22.5°
+    // A portrait is narrower than the scene is wide: there the horizontal field holds the bounding sphere,
+    // whose edge is seen at asin(1 / 1.9).
+    static const float kHalfSphere = std::asin(1 / kFramingDistance);
+    const float half_horizontal = aspect < 1 ? kHalfSphere : kHalfHorizontal;
+    camera.fov_y_rad = 2 * std::atan(std::tan(half_horizontal) / std::max(aspect, 1e-6f));
+    // The nearest point of the bounding sphere is 0.9 radii away.
+    camera.near_m = radius * 0.01f;
+    return camera;
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,265 @@
+#include "weft/scene/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <limits>
+#include <numbers>
+
+namespace weft::scene {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr float kMostStored = 32768;  // what glm puts into the shared-exponent format at most
+constexpr float kMostScale = 65536;   // with it, more than the sun's disc
+
+constexpr uint32_t kBeamColumns = 32;
+
+struct Level {
+    uint32_t width_px = 0;
+    uint32_t height_px = 0;
+    std::vector<glm::vec3> texels;
+};
+
+// Which source texels lie under one texel of a shorter row or column, and where they begin and end, in source
+// texels.
+struct Cover {
+    uint32_t first = 0;
+    uint32_t last = 0;  // inclusive
+    double begin = 0;
+    double end = 0;
+
+    [[nodiscard]] double begin_of(uint32_t i) const { return std::max(begin, double(i)); }
+    [[nodiscard]] double end_of(uint32_t i) const { return std::min(end, double(i) + 1); }
+};
+
+Cover cover(uint32_t index, uint32_t from, uint32_t to) {
+    const double ratio = double(from) / double(to), begin = index * ratio, end = (index + 1) * ratio;
+    return {static_cast<uint32_t>(begin), std::min(from, static_cast<uint32_t>(std::ceil(end))) - 1, begin,
+            end};
+}
+
+// Rows weigh by the solid angle of what they give.
+Level half_of(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> texels) {
+    Level half{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};
+    half.texels.resize(size_t{half.width_px} * half.height_px);
+    for (uint32_t y = 0; y < half.height_px; ++y) {
+        const Cover rows = cover(y, height_px, half.height_px);
+        const auto height_at = [&](double row) { return std::cos(kPi * row / height_px); };
+        const double all = height_at(rows.begin) - height_at(rows.end);
+        for (uint32_t x = 0; x < half.width_px; ++x) {
+            const Cover columns = cover(x, width_px, half.width_px);
+            glm::dvec3 sum(0);
+            for (uint32_t row = rows.first; row <= rows.last; ++row) {
+                glm::dvec3 line(0);
+                for (uint32_t column = columns.first; column <= columns.last; ++column)
+                    line += glm::dvec3(texels[size_t{row} * width_px + column]) *
+                            (columns.end_of(column) - columns.begin_of(column));
+                sum += line * (height_at(rows.begin_of(row)) - height_at(rows.end_of(row)));
+            }
+            half.texels[size_t{y} * half.width_px + x] =
+                glm::vec3(sum / (all * (columns.end - columns.begin)));
+        }
+    }
+    return half;
+}
+
+// Towards the poles texels become slivers, which would show as a star in blurred reflections: each row gets
+// the mean of as many texels as span a square one at the equator.
+Level evened_towards_poles(const Level& level) {
+    Level even = level;
+    const int64_t width = level.width_px;
+    for (uint32_t y = 0; y < level.height_px; ++y) {
+        const double sine = std::sin(kPi * (y + 0.5) / level.height_px);
+        const int64_t reach = std::min(width - 1, static_cast<int64_t>(std::llround(1 / sine)) - 1) / 2;
+        if (reach == 0) continue;
+        const auto at = [&](int64_t x) {
+            return glm::dvec3(level.texels[size_t{y} * level.width_px + size_t((x + width) % width)]);
+        };
+        glm::dvec3 sum(0);
+        for (int64_t x = -reach; x <= reach; ++x) sum += at(x);
+        for (int64_t x = 0; x < width; ++x) {
+            even.texels[size_t{y} * level.width_px + size_t(x)] = glm::vec3(sum / double(2 * reach + 1));
+            sum += at(x + reach + 1) - at(x - reach);
+        }
+    }
+    return even;
+}
+
+std::vector<uint32_t> packed(std::span<const glm::vec3> texels, float scale) {
+    std::vector<uint32_t> words;
+    words.reserve(texels.size());
+    for (const glm::vec3& texel : texels)
+        words.push_back(glm::packF3x9_E1x5(glm::min(texel / scale, glm::vec3(kMostStored))));
+    return words;
+}
+
+// The integrals of the basis over texels part into one along the row and one down the column.
+struct RowIntegrals {
+    glm::dvec3 one{0}, sine{0}, cosine{0}, sine_twice{0}, cosine_twice{0};  // radiance × f(azimuth)
+};
+
+RowIntegrals integrate_row(std::span<const glm::vec3> row) {
+    RowIntegrals sums;
+    const double step = 2 * kPi / double(row.size());
+    // The mean of sin over a texel is that of its middle times a factor, and so for all the others.
+    const double once = 2 * std::sin(step / 2), twice = std::sin(step);
+    for (size_t x = 0; x < row.size(); ++x) {
+        const double azimuth = (double(x) + 0.5) * step - kPi;
+        const glm::dvec3 radiance(row[x]);
+        const double s = std::sin(azimuth), c = std::cos(azimuth);
+        sums.one += radiance * step;
+        sums.sine += radiance * (s * once);
+        sums.cosine += radiance * (c * once);
+        sums.sine_twice += radiance * (2 * s * c * twice);
+        sums.cosine_twice += radiance * ((c * c - s * s) * twice);
+    }
+    return sums;
+}
+
+// x = sin θ · sin a, y = cos θ, z = −sin θ · cos a, for azimuth a and polar angle θ.
+void add_row(std::array<glm::dvec3, 9>& moments, const RowIntegrals& row, double begin_rad, double end_rad) {
+    const auto between = [&](auto antiderivative) {
+        return antiderivative(std::cos(end_rad), std::sin(end_rad), end_rad) -
+               antiderivative(std::cos(begin_rad), std::sin(begin_rad), begin_rad);
+    };
+    const double sin1 = between([](double c, double, double) { return -c; });
+    const double sin_cos = between([](double, double s, double) { return s * s / 2; });
+    const double sin2 = between([](double c, double s, double t) { return (t - s * c) / 2; });
+    const double sin2_cos = between([](double, double s, double) { return s * s * s / 3; });
+    const double sin3 = between([](double c, double, double) { return c * c * c / 3 - c; });
+    const double zonal = between([](double c, double, double) { return c - c * c * c; });
+    moments[0] += row.one * sin1;
+    moments[1] += row.sine * sin2;
+    moments[2] += row.one * sin_cos;
+    moments[3] -= row.cosine * sin2;
+    moments[4] += row.sine * sin2_cos;
+    moments[5] -= row.cosine * sin2_cos;
+    moments[6] -= row.sine_twice * (sin3 / 2);
+    moments[7] += row.one * zonal;
+    moments[8] -= row.cosine_twice * sin3;
+}
+
+std::array<glm::vec3, 9> irradiance_over_pi(uint32_t width_px, uint32_t height_px,
+                                            std::span<const glm::vec3> texels) {
+    std::array<glm::dvec3, 9> moments{};
+    for (uint32_t y = 0; y < height_px; ++y)
+        add_row(moments, integrate_row(texels.subspan(size_t{y} * width_px, width_px)), kPi * y / height_px,
+                kPi * (y + 1) / height_px);
+    // The square of each harmonic's factor, times the share of its order that a cosine lobe keeps: 1, 2/3,
+    // 1/4.
+    constexpr double k0 = 1 / (4 * kPi), k1 = 3 / (4 * kPi) * 2 / 3, k2 = 15 / (4 * kPi) / 4;
+    constexpr std::array<double, 9> kFactors{k0, k1, k1, k1, k2, k2, k2, k2 / 12, k2 / 4};
+    std::array<glm::vec3, 9> coefficients{};
+    for (size_t i = 0; i < coefficients.size(); ++i) coefficients[i] = glm::vec3(moments[i] * kFactors[i]);
+    return coefficients;
+}
+
+struct Beam {
+    glm::dvec3 direction{0};
+    glm::dvec3 flux{0};  // radiance × solid angle
+};
+
+// A level of the chain as beams, from as few texels as show where light comes from.
+std::vector<Beam> beams_of(const Level& level) {
+    std::vector<Beam> beams;
+    for (uint32_t y = 0; y < level.height_px; ++y) {
+        const double top = kPi * y / level.height_px, bottom = kPi * (y + 1) / level.height_px;
+        const double polar = (top + bottom) / 2;
+        const double angle = (std::cos(top) - std::cos(bottom)) * 2 * kPi / level.width_px;
+        for (uint32_t x = 0; x < level.width_px; ++x) {
+            const double azimuth = ((x + 0.5) / level.width_px - 0.5) * 2 * kPi;
+            beams.push_back(
+                {{std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)},
+                 glm::dvec3(level.texels[size_t{y} * level.width_px + x]) * angle});
+        }
+    }
+    return beams;
+}
+
+constexpr int kSides = 128;
+glm::dvec3 side(int i) {
+    constexpr int kColumns = 16;
+    const double polar = kPi * (i / kColumns + 0.5) * kColumns / kSides,
+                 azimuth = 2 * kPi * (i % kColumns) / kColumns;
+    return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
+}
+
+// Irradiance / π on the side that gets least.
+glm::dvec3 darkest_side(const std::vector<Beam>& beams) {
+    glm::dvec3 least(std::numeric_limits<double>::max());
+    for (int i = 0; i < kSides; ++i) {
+        glm::dvec3 sent(0);
+        for (const Beam& beam : beams) sent += beam.flux * std::max(0.0, glm::dot(side(i), beam.direction));
+        least = glm::min(least, sent / kPi);
+    }
+    return least;
+}
+
+bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec3& least) {
+    for (int i = 0; i < kSides; ++i) {
+        const std::array<float, 9> basis = environment_basis(glm::vec3(side(i)));
+        glm::dvec3 found(0);
+        for (size_t k = 0; k < basis.size(); ++k) found += glm::dvec3(coefficients[k]) * double(basis[k]);
+        if (glm::any(glm::lessThan(found, least))) return false;
+    }
+    return true;
+}
+
+// Three orders of harmonics swing below zero around a small bright sun, which would paint its far side in the
+// colour of the sky alone. A window that dampens the higher orders, no more than it takes: P.-P. Sloan,
+// "Deringing Spherical Harmonics", 2017.
+std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients, const Level& level) {
+    constexpr double kMostOfIt = 0.7;
+    const glm::dvec3 least = darkest_side(beams_of(level)) * kMostOfIt;
+    std::array<glm::vec3, 9> calm = coefficients;
+    for (float strength = 0.002f; strength < 10 && !nowhere_below(calm, least); strength *= 1.5f) {
+        const float first = 1 / (1 + 4 * strength), second = 1 / (1 + 36 * strength);
+        for (size_t i = 1; i < calm.size(); ++i) calm[i] = coefficients[i] * (i < 4 ? first : second);
+    }
+    return calm;
+}
+
+float scale_for(std::span<const glm::vec3> texels) {
+    float most = 0;
+    for (const glm::vec3& texel : texels) most = std::max({most, texel.r, texel.g, texel.b});
+    float scale = 1;
+    while (most > kMostStored * scale && scale < kMostScale) scale *= 2;
+    return scale;
+}
+
+}  // namespace
+
+Environment build_environment(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> radiance) {
+    Environment environment;
+    environment.width_px = width_px;
+    environment.height_px = height_px;
+    environment.scale = scale_for(radiance);
+    environment.irradiance_over_pi = irradiance_over_pi(width_px, height_px, radiance);
+    environment.mips.push_back(packed(radiance, environment.scale));
+    Level level{width_px, height_px, {}};
+    std::span<const glm::vec3> texels = radiance;
+    bool calm = false;
+    while (level.width_px > 1 || level.height_px > 1) {
+        level = half_of(level.width_px, level.height_px, texels);
+        texels = level.texels;
+        if (!calm && level.width_px <= kBeamColumns) {
+            environment.irradiance_over_pi = without_ringing(environment.irradiance_over_pi, level);
+            calm = true;
+        }
+        environment.mips.push_back(packed(evened_towards_poles(level).texels, environment.scale));
+    }
+    return environment;
+}
+
+float mean_luminance(const Environment& environment) {
+    if (environment.mips.empty()) return 0;
+    const glm::vec3 mean = glm::unpackF3x9_E1x5(environment.mips.back().front()) * environment.scale;
+    return glm::dot(mean, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+}
+
+std::array<float, 9> environment_basis(glm::vec3 d) {
+    return {1, d.x, d.y, d.z, d.x * d.y, d.y * d.z, d.x * d.z, 3 * d.y * d.y - 1, d.x * d.x - d.z * d.z};
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,12 @@
+// Purpose: JPEG to 8-bit RGBA with libjpeg-turbo: baseline and progressive, grey, YCbCr, RGB, CMYK and YCCK.
+// How much memory and how many scans a file may take follows from its header. Errors: as image_decode.h says.
+#pragma once
+
+#include "weft/scene/image_decode.h"
+
+namespace weft::scene {
+
+[[nodiscard]] std::optional<ImageSize> read_jpeg_size(std::span<const uint8_t> encoded);
+[[nodiscard]] DecodedImage decode_jpeg(std::span<const uint8_t> encoded);
+
+}  // namespace weft::scene

@@ -1,0 +1,56 @@
+#include "scene/pictures/load_environment.h"
+
+#include <algorithm>
+
+#include "scene/loading/memory_budget.h"
+#include "scene/loading/rooted_folder.h"
+#include "scene/pictures/radiance_picture.h"
+
+namespace weft::scene {
+namespace {
+
+// The picture as three floats, a quarter of that twice while the mips are made, and the mips in four bytes a
+// texel. The picture is gone when the mips, their staging and their copy on the GPU stand beside each other.
+constexpr uint64_t kBytesPerTexel = sizeof(glm::vec3) + 2 * sizeof(glm::vec3) / 4 + 6;
+
+Diagnostic fault(const char* code, const std::filesystem::path& file, std::string message, std::string help) {
+    Diagnostic d;
+    d.code = code;
+    d.file = file.string();
+    d.message = std::move(message);
+    d.help = {std::move(help)};
+    return d;
+}
+
+}  // namespace
+
+Result<Environment> load_environment(const std::filesystem::path& file, const SceneLimits& limits) {
+    const FileBytes read = read_plain_file(file, std::min(limits.resource_bytes, limits.memory_bytes));
+    if (read.fault)
+        return fault("S180", file, "the environment can't be read: " + read.message,
+                     "--env takes a Radiance picture (.hdr), sky or none");
+    const RadianceHeader header = read_radiance_header(read.bytes);
+    if (!header.error.empty())
+        return fault("S180", file, "this is not a Radiance picture: " + header.error,
+                     "save it as equirectangular Radiance HDR (32-bit_rle_rgbe)");
+    const uint64_t texels = uint64_t{header.width_px} * header.height_px;
+    const uint64_t bytes = saturating_add(saturating_mul(texels, kBytesPerTexel), read.bytes.size());
+    const bool large = header.width_px > limits.image_side_px || header.height_px > limits.image_side_px;
+    if (large || bytes > limits.memory_bytes)
+        return fault("S181", file,
+                     "the environment is " + std::to_string(header.width_px) + "x" +
+                         std::to_string(header.height_px) +
+                         (large ? "; a side has at most " + std::to_string(limits.image_side_px) + " px"
+                                : " and takes " + std::to_string(bytes) + " bytes; beside the scene " +
+                                      std::to_string(limits.memory_bytes) + " are left of the limit"),
+                     "scale it down: 2048x1024 shows no less in most pictures, " +
+                         raise_limit_text(large ? "scene.imageSidePx" : "scene.memoryBytes"));
+    const RadiancePicture picture = decode_radiance(header, read.bytes);
+    if (!picture.error.empty())
+        return fault("S180", file, "the environment can't be decoded: " + picture.error, "save it again");
+    Environment environment = build_environment(header.width_px, header.height_px, picture.texels);
+    environment.name = file.stem().string();
+    return environment;
+}
+
+}  // namespace weft::scene

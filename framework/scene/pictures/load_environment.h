@@ -1,0 +1,18 @@
+// Purpose: a Radiance picture (.hdr, "#?RADIANCE", equirectangular) as an Environment. Its values are taken
+// as cd/m². The file is treated as hostile: its size is read from the header before a texel is decoded.
+// Errors: S180 no such file, or not a whole picture of this format; S181 larger than the limits.
+// Source: G. Ward, "Real Pixels", in "Graphics Gems II", 1991.
+#pragma once
+
+#include <filesystem>
+
+#include "weft/result.h"
+#include "weft/scene/environment.h"
+#include "weft/scene/load_gltf.h"
+
+namespace weft::scene {
+
+[[nodiscard]] Result<Environment> load_environment(const std::filesystem::path& file,
+                                                   const SceneLimits& limits = {});
+
+}  // namespace weft::scene

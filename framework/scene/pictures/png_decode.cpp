@@ -1,0 +1,172 @@
+#include "scene/pictures/png_decode.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+
+namespace weft::scene {
+namespace {
+
+constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+// The signature, the length and the name of IHDR, then width and height.
+constexpr size_t kWidthAt = 16, kHeightAt = 20, kDepthAt = 24, kColorTypeAt = 25;
+constexpr size_t kAroundChunkBytes = 12;  // its length, name and checksum
+constexpr uint32_t kMaxSide_px = 0x7FFFFFFF;
+// libpng's structures, and zlib's window and tables.
+constexpr uint64_t kLibraryBytes = 256 << 10;
+// What one chunk may make libpng allocate; the chunks that are read (PLTE, tRNS) have 768 bytes at most.
+constexpr png_alloc_size_t kChunkBytes = 64 << 10;
+
+// Compressed data that is smaller than this is never refused: tables of a short stream outweigh what they
+// encode.
+constexpr uint64_t kLeastDataBytes = 512;
+
+uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
+    return uint32_t{encoded[at]} << 24 | uint32_t{encoded[at + 1]} << 16 | uint32_t{encoded[at + 2]} << 8 |
+           uint32_t{encoded[at + 3]};
+}
+
+// What the picture inflates to: its rows, each with a byte that names its filter. Interlaced ones have more,
+// shorter rows.
+uint64_t inflated_bytes(std::span<const uint8_t> encoded, const ImageSize& size) {
+    constexpr std::array<uint64_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};
+    const uint8_t color_type = encoded[kColorTypeAt];
+    const uint64_t channels = color_type < kChannels.size() ? kChannels[color_type] : 0;
+    const uint64_t row_bytes = (size.width_px * channels * encoded[kDepthAt] + 7) / 8;
+    return (row_bytes + 5) * size.height_px;
+}
+
+uint64_t compressed_bytes(std::span<const uint8_t> encoded) {
+    uint64_t sum_bytes = 0;
+    for (size_t at = kSignature.size(); encoded.size() - at >= kAroundChunkBytes;) {
+        const uint64_t length = big_endian(encoded, at);
+        if (std::memcmp(encoded.data() + at + 4, "IDAT", 4) == 0) sum_bytes += length;
+        if (length > encoded.size() - at - kAroundChunkBytes) break;
+        at += kAroundChunkBytes + length;
+    }
+    return sum_bytes;
+}
+
+// libpng inflates all data, also what comes after the last row, and compressed data unfolds a thousandfold.
+bool holds_more_than_its_size_needs(std::span<const uint8_t> encoded, const ImageSize& size) {
+    return compressed_bytes(encoded) > 2 * inflated_bytes(encoded, size) + kLeastDataBytes;
+}
+
+// libpng reports an error by a jump over its frames, back into decode_rows(), which owns nothing.
+struct Reader {
+    std::span<const uint8_t> encoded;
+    size_t at = 0;
+    std::array<char, 128> error{};
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    uint8_t* rgba = nullptr;
+
+    Reader() = default;
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+};
+
+void fail(png_structp png, png_const_charp text) {
+    auto* reader = static_cast<Reader*>(png_get_error_ptr(png));
+    std::snprintf(reader->error.data(), reader->error.size(), "%s", text);
+    png_longjmp(png, 1);
+}
+
+void pass_over_warning(png_structp, png_const_charp) {}
+
+void read_bytes(png_structp png, png_bytep out, size_t bytes) {
+    auto* reader = static_cast<Reader*>(png_get_io_ptr(png));
+    if (bytes > reader->encoded.size() - reader->at) png_error(png, "the file ends before the picture does");
+    std::memcpy(out, reader->encoded.data() + reader->at, bytes);
+    reader->at += bytes;
+}
+
+void limit(png_structp png) {
+    png_set_user_limits(png, kMaxSide_px, kMaxSide_px);
+    png_set_chunk_malloc_max(png, kChunkBytes);
+    // A negative count stands for all chunks that the picture can be decoded without.
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+}
+
+void ask_for_rgba8(png_structp png) {
+    png_set_expand(png);
+    png_set_strip_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xFF, PNG_FILLER_AFTER);
+}
+
+// False: `error` says why. `width` is that of the header, which the result was allocated for.
+bool decode_rows(Reader& reader, uint32_t width, uint32_t height) {
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng's way
+    limit(reader.png);
+    png_set_read_fn(reader.png, &reader, read_bytes);
+    png_read_info(reader.png, reader.info);
+    ask_for_rgba8(reader.png);
+    const int passes = png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+    const size_t row_bytes = size_t{width} * 4;
+    if (png_get_rowbytes(reader.png, reader.info) != row_bytes ||
+        png_get_image_width(reader.png, reader.info) != width ||
+        png_get_image_height(reader.png, reader.info) != height)
+        png_error(reader.png, "its header contradicts itself");
+    for (int pass = 0; pass < passes; ++pass)
+        for (uint32_t y = 0; y < height; ++y) png_read_row(reader.png, reader.rgba + y * row_bytes, nullptr);
+    return true;
+}
+
+}  // namespace
+
+bool is_png(std::span<const uint8_t> encoded) {
+    return encoded.size() >= kSignature.size() &&
+           std::memcmp(encoded.data(), kSignature.data(), kSignature.size()) == 0;
+}
+
+std::optional<ImageSize> read_png_size(std::span<const uint8_t> encoded) {
+    constexpr std::string_view kHeader("\0\0\0\x0dIHDR", 8);
+    if (!is_png(encoded) || encoded.size() <= kColorTypeAt ||
+        std::memcmp(encoded.data() + kSignature.size(), kHeader.data(), kHeader.size()) != 0)
+        return std::nullopt;
+    ImageSize size{big_endian(encoded, kWidthAt), big_endian(encoded, kHeightAt), 0};
+    if (size.width_px == 0 || size.height_px == 0 || size.width_px > kMaxSide_px ||
+        size.height_px > kMaxSide_px)
+        return std::nullopt;
+    // Two rows of four channels of two bytes: this one and the one before it.
+    size.decoder_bytes = kLibraryBytes + uint64_t{size.width_px} * 16;
+    return size;
+}
+
+DecodedImage decode_png(std::span<const uint8_t> encoded) {
+    DecodedImage result;
+    const std::optional<ImageSize> size = read_png_size(encoded);
+    if (!size) {
+        result.error = "its header is cut short or invalid";
+        return result;
+    }
+    if (holds_more_than_its_size_needs(encoded, *size)) {
+        result.error = "it holds more data than a picture of its size can need";
+        return result;
+    }
+    std::vector<uint8_t> rgba(size->texels() * 4);
+    Reader reader;
+    reader.encoded = encoded;
+    reader.rgba = rgba.data();
+    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, fail, pass_over_warning);
+    if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
+    if (reader.info == nullptr) {
+        result.error = "out of memory";
+    } else if (decode_rows(reader, size->width_px, size->height_px)) {
+        result.size = *size;
+        result.rgba = std::move(rgba);
+    } else {
+        result.error = reader.error.data();
+    }
+    return result;
+}
+
+}  // namespace weft::scene

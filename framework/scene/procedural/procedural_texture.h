@@ -1,0 +1,65 @@
+// Purpose: from a per-texel recipe to the textures of a metallic-roughness material: colour with alpha,
+// metallic-
+//   roughness, and a normal map derived from heights, each with its full mip chain.
+// Units: heights and periods in metres, so that a normal map's slopes are those of the real surface.
+// Conventions: colours are authored and stored display-encoded (sRGB), averaged as light. Row 0 is on top; a
+// normal's
+//   green channel points up the picture (glTF's convention).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "weft/scene/scene.h"
+
+namespace weft::scene {
+
+struct Texel {
+    glm::vec3 color_srgb{0.5f};
+    float height_m = 0;
+    float roughness = 0.8f;
+    float metalness = 0;
+    float alpha = 1;
+};
+
+// A square that repeats every `period_m`.
+struct Surface {
+    uint32_t size_px = 0;
+    float period_m = 1;
+    std::vector<Texel> texels;
+
+    [[nodiscard]] Texel& at(uint32_t x, uint32_t y) { return texels[y * size_px + x]; }
+    [[nodiscard]] const Texel& at(uint32_t x, uint32_t y) const { return texels[y * size_px + x]; }
+};
+
+[[nodiscard]] Surface make_surface(uint32_t size_px, float period_m,
+                                   const std::function<Texel(uint32_t x, uint32_t y)>& recipe);
+
+// Indices into Scene::textures.
+struct SurfaceTextures {
+    uint32_t color = kNone;
+    uint32_t metallic_roughness = kNone;
+    uint32_t normal = kNone;
+};
+
+// Adds the three textures. `keep_coverage` rescales alpha in the lower mips so that masked leaves don't thin
+// out with distance (Castaño, "Computing Alpha Mipmaps", 2010), for a cutoff of 0.5.
+[[nodiscard]] SurfaceTextures add_surface(Scene& scene, const std::string& name, const Surface& surface,
+                                          bool keep_coverage = false);
+
+// A one-channel picture in 0..1 as a linear texture (occlusion).
+[[nodiscard]] uint32_t add_gray_texture(Scene& scene, const std::string& name, uint32_t width_px,
+                                        uint32_t height_px, const std::vector<float>& values);
+
+// A colour picture in 0..1, display-encoded (emission).
+[[nodiscard]] uint32_t add_color_texture(Scene& scene, const std::string& name, uint32_t size_px,
+                                         const std::vector<glm::vec3>& srgb);
+
+// Linear interpolation and the cubic step, on floats and vectors alike.
+[[nodiscard]] float smooth_step(float low, float high, float x);
+[[nodiscard]] glm::vec3 rgb(uint32_t hex);  // 0xRRGGBB to 0..1
+
+}  // namespace weft::scene

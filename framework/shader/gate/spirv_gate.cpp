@@ -1,0 +1,173 @@
+#include "shader/gate/spirv_gate.h"
+
+#include <spirv.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "shader/faults/stage_name.h"
+#include "shader/gate/capability_table.h"
+#include "shader/gate/spirv_words.h"
+
+namespace weft::shader {
+namespace {
+
+// Core since Vulkan 1.3 or SPIR-V 1.6, so that no device need be made with more.
+constexpr std::array<std::string_view, 2> kExtensions{"SPV_EXT_demote_to_helper_invocation",
+                                                      "SPV_KHR_non_semantic_info"};
+constexpr std::array<std::string_view, 2> kInstructionSets{"GLSL.std.450", "NonSemantic.DebugPrintf"};
+
+constexpr const char* kCoreOnly = "use what core GLSL 4.60 offers";
+
+bool offered(const CapabilityRow& row, const ShaderTarget& target) {
+    if (row.capability == SpvCapabilityStorageImageReadWithoutFormat)
+        return target.storage_read_without_format;
+    return (row.needs & ~target.capabilities) == 0;
+}
+
+// Why not; empty: it is allowed.
+std::string refusal(const CapabilityRow& row, ShaderStage stage, const ShaderTarget& target) {
+    switch (row.rule) {
+        case CapabilityRule::always:
+            return {};
+        case CapabilityRule::compute:
+            if (stage != ShaderStage::compute) return "which only compute stages may use";
+            [[fallthrough]];
+        case CapabilityRule::device:
+            return offered(row, target) ? "" : "which the device does not have";
+        case CapabilityRule::never:
+            break;
+    }
+    if (row.capability == SpvCapabilityPhysicalStorageBufferAddresses)
+        return "which lets a shader read and write any address";
+    return "which no device is made with";
+}
+
+class CapabilityCheck {
+ public:
+    CapabilityCheck(ShaderStage stage, const GateRules& rules, InterfaceFaults& faults)
+        : stage_(stage), rules_(rules), faults_(faults) {}
+
+    void capability(uint32_t number) {
+        const CapabilityRow* row = find_capability(number);
+        if (row == nullptr) {
+            fault("capability " + std::to_string(number) + " of SPIR-V, which is not on the list", {},
+                  kCoreOnly);
+            return;
+        }
+        const std::string why = refusal(*row, stage_, rules_.target);
+        // A capability often implies others: one message for one remedy.
+        if (why.empty() || !said_.insert(row->remedy).second) return;
+        const std::string remedy = row->rule == CapabilityRule::compute && stage_ != ShaderStage::compute
+                                       ? "do it in a compute pass"
+                                       : row->remedy;
+        fault(std::string("the capability ") + row->name + ", " + why, row->words, remedy);
+    }
+
+    // What allowed capabilities bring with them is in kExtensions: another one is a fault of its own only
+    // where no capability was.
+    void extension(const std::string& name) {
+        if (!faults_.empty() || std::ranges::find(kExtensions, name) != kExtensions.end()) return;
+        fault("the SPIR-V extension " + name + ", which no device is made with", words_of_extension(name),
+              kCoreOnly);
+    }
+
+    void instruction_set(const std::string& name) {
+        if (!faults_.empty() || std::ranges::find(kInstructionSets, name) != kInstructionSets.end()) return;
+        fault("the instruction set " + name + ", which is not on the list", words_of_extension(name),
+              kCoreOnly);
+    }
+
+ private:
+    // "SPV_AMD_gcn_shader" comes from "#extension GL_AMD_gcn_shader"; some come under another maker's name.
+    static std::string words_of_extension(const std::string& name) {
+        const size_t maker_end = name.find('_', 4);
+        if (!name.starts_with("SPV_") || maker_end == std::string::npos) return {};
+        const std::string subject = name.substr(maker_end);
+        return "GL_" + name.substr(4) + "* GL_EXT" + subject + "* GL_ARB" + subject + "* GL_KHR" + subject +
+               "*";
+    }
+
+    void fault(const std::string& what, std::string words, std::string help) {
+        faults_.push_back({"W208",
+                           stage_,
+                           {},
+                           std::string("the ") + stage_name(stage_) + " stage needs " + what,
+                           std::move(help),
+                           std::move(words)});
+    }
+
+    ShaderStage stage_;
+    const GateRules& rules_;
+    InterfaceFaults& faults_;
+    std::set<std::string> said_;
+};
+
+// Uses that Vulkan ties to a feature of the device and SPIR-V to no capability.
+class FeatureCheck {
+ public:
+    FeatureCheck(ShaderStage stage, InterfaceFaults& faults) : stage_(stage), faults_(faults) {}
+
+    void read(const SpirvInstruction& instruction) {
+        switch (instruction.opcode) {
+            case SpvOpName:
+                names_[instruction.operand(0)] = spirv_string(
+                    instruction.operands.subspan(std::min<size_t>(1, instruction.operands.size())));
+                break;
+            case SpvOpVariable:
+                variable(instruction);
+                break;
+            default:
+                break;
+        }
+    }
+
+ private:
+    void variable(const SpirvInstruction& instruction) {
+        constexpr size_t kInitializer = 3;
+        if (instruction.operand(2) != SpvStorageClassWorkgroup || instruction.operands.size() <= kInitializer)
+            return;
+        const std::string name = names_[instruction.operand(1)];
+        faults_.push_back({"W208", stage_, name,
+                           "\"" + name +
+                               "\" is shared and has an initial value, which needs the feature "
+                               "shaderZeroInitializeWorkgroupMemory, which no device is made with",
+                           "write the value in main(), then barrier()"});
+    }
+
+    ShaderStage stage_;
+    InterfaceFaults& faults_;
+    std::map<uint32_t, std::string> names_;
+};
+
+}  // namespace
+
+void capability_faults(ShaderStage stage, std::span<const uint32_t> spirv, const GateRules& rules,
+                       InterfaceFaults& faults) {
+    CapabilityCheck check(stage, rules, faults);
+    FeatureCheck features(stage, faults);
+    SpirvReader reader(spirv);
+    for (SpirvInstruction instruction; reader.next(instruction);) {
+        const auto text = [&](size_t at) {
+            return spirv_string(instruction.operands.subspan(std::min(at, instruction.operands.size())));
+        };
+        if (instruction.opcode == SpvOpCapability) check.capability(instruction.operand(0));
+        if (instruction.opcode == SpvOpExtension) check.extension(text(0));
+        if (instruction.opcode == SpvOpExtInstImport) check.instruction_set(text(1));
+        features.read(instruction);
+    }
+}
+
+InterfaceFaults gate_faults(ShaderStage stage, std::span<const uint32_t> spirv, const GateRules& rules) {
+    InterfaceFaults faults;
+    capability_faults(stage, spirv, rules, faults);
+    storage_faults(stage, spirv, rules, faults);
+    return faults;
+}
+
+}  // namespace weft::shader

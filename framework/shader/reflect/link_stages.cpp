@@ -1,0 +1,166 @@
+#include "shader/reflect/link_stages.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "shader/reflect/reflect_stage.h"
+
+namespace weft::shader {
+
+namespace {
+
+constexpr uint32_t kPortSet = 1;
+
+std::string key_of(const ReflectedBinding& reflected) {
+    return reflected.is_params ? "Params" : reflected.binding.name;
+}
+
+// Unused declarations stay in the words, so they are numbered too, after the used ones, where no layout
+// looks.
+std::map<std::string, uint32_t> number_ports(const std::vector<StageReflection>& reflections) {
+    std::set<std::string> used;
+    std::set<std::string> unused;
+    for (const StageReflection& reflection : reflections) {
+        for (const ReflectedBinding& reflected : reflection.bindings) {
+            if (reflected.binding.set == kPortSet) (reflected.used ? used : unused).insert(key_of(reflected));
+        }
+    }
+    std::map<std::string, uint32_t> numbers;
+    uint32_t next = 0;
+    for (const auto* names : {&used, &unused}) {
+        for (const std::string& name : *names) next += numbers.emplace(name, next).second ? 1 : 0;
+    }
+    return numbers;
+}
+
+void place_ports(CompiledStage& stage, const StageReflection& reflection,
+                 const std::map<std::string, uint32_t>& numbers) {
+    for (const ReflectedBinding& reflected : reflection.bindings) {
+        if (reflected.binding.set != kPortSet || !reflected.binding_word) continue;
+        stage.spirv[*reflected.binding_word] = numbers.at(key_of(reflected));
+    }
+}
+
+void move_to(CompiledStage& stage, ReflectedVariable& variable, uint32_t location) {
+    variable.variable.location = location;
+    if (variable.location_word) stage.spirv[*variable.location_word] = location;
+}
+
+// By name, each at the lowest run of locations that nothing else takes.
+void place_free_variables(CompiledStage& stage, std::vector<ReflectedVariable>& variables) {
+    std::set<uint32_t> taken;
+    std::vector<ReflectedVariable*> free;
+    for (ReflectedVariable& variable : variables) {
+        if (stage.unplaced.contains(variable.variable.name)) {
+            free.push_back(&variable);
+            continue;
+        }
+        for (uint32_t i = 0; i < variable.location_count(); ++i) taken.insert(variable.variable.location + i);
+    }
+    std::ranges::sort(free, {}, [](const ReflectedVariable* variable) { return variable->variable.name; });
+    for (ReflectedVariable* variable : free) {
+        uint32_t location = 0;
+        for (uint32_t run = 0; run < variable->location_count();) {
+            run = taken.contains(location + run) ? (location += run + 1, 0) : run + 1;
+        }
+        for (uint32_t i = 0; i < variable->location_count(); ++i) taken.insert(location + i);
+        move_to(stage, *variable, location);
+    }
+}
+
+std::string type_name(const ReflectedVariable& variable) {
+    static constexpr const char* kScalars[] = {"float", "int", "uint", "bool"};
+    static constexpr const char* kVectors[] = {"vec", "ivec", "uvec", "bvec"};
+    const auto scalar = static_cast<size_t>(variable.variable.scalar);
+    const std::string rows = std::to_string(variable.variable.components);
+    std::string name = variable.variable.components == 1 ? kScalars[scalar] : kVectors[scalar] + rows;
+    if (variable.columns > 1) name = "mat" + std::to_string(variable.columns) + "x" + rows;
+    if (variable.array_count > 0) name.append("[").append(std::to_string(variable.array_count)).append("]");
+    return name;
+}
+
+std::string list_of(const std::vector<ReflectedVariable>& outputs) {
+    std::string text;
+    for (const ReflectedVariable& output : outputs) {
+        text += (text.empty() ? "" : ", ") + type_name(output) + " " + output.variable.name +
+                " at location " + std::to_string(output.variable.location);
+    }
+    return text.empty() ? "it writes nothing but gl_Position" : "it writes " + text;
+}
+
+// Inputs without a location take the one of the output of the same name.
+void join_by_name(CompiledStage& stage, std::vector<ReflectedVariable>& inputs,
+                  const std::vector<ReflectedVariable>& outputs, InterfaceFaults& faults) {
+    for (ReflectedVariable& input : inputs) {
+        const std::string& name = input.variable.name;
+        if (!stage.unplaced.contains(name)) continue;
+        const auto output = std::ranges::find(outputs, name, [](const auto& it) { return it.variable.name; });
+        if (output != outputs.end()) {
+            move_to(stage, input, output->variable.location);
+            continue;
+        }
+        faults.push_back({"W205", stage.stage, name,
+                          "the fragment stage reads \"" + name + "\", which the vertex stage does not write",
+                          list_of(outputs)});
+        stage.unplaced.erase(name);
+        input.location_word.reset();
+        input.columns = 0;  // reported: the location check below passes over it
+    }
+}
+
+void check_inputs(ShaderStage stage, const std::vector<ReflectedVariable>& inputs,
+                  const std::vector<ReflectedVariable>& outputs, InterfaceFaults& faults) {
+    for (const ReflectedVariable& input : inputs) {
+        if (input.columns == 0) continue;
+        const auto output = std::ranges::find_if(outputs, [&](const ReflectedVariable& candidate) {
+            return candidate.variable.location == input.variable.location &&
+                   candidate.component == input.component;
+        });
+        const std::string wanted = type_name(input) + " " + input.variable.name;
+        const std::string place = " at location " + std::to_string(input.variable.location);
+        if (output == outputs.end()) {
+            faults.push_back(
+                {"W205", stage, input.variable.name,
+                 "the fragment stage reads " + wanted + place + ", where the vertex stage writes nothing",
+                 list_of(outputs)});
+        } else if (type_name(*output) != type_name(input)) {
+            faults.push_back({"W205", stage, input.variable.name,
+                              "the fragment stage reads " + wanted + place +
+                                  ", but the vertex stage writes " + type_name(*output) + " " +
+                                  output->variable.name + " there",
+                              "declare both with the same type"});
+        }
+    }
+}
+
+void link_variables(std::vector<CompiledStage>& stages, std::vector<StageReflection>& reflections,
+                    InterfaceFaults& faults) {
+    const std::vector<ReflectedVariable>* written = nullptr;
+    for (size_t i = 0; i < stages.size(); ++i) {
+        if (written == nullptr) {
+            place_free_variables(stages[i], reflections[i].inputs);
+        } else {
+            join_by_name(stages[i], reflections[i].inputs, *written, faults);
+            check_inputs(stages[i].stage, reflections[i].inputs, *written, faults);
+        }
+        place_free_variables(stages[i], reflections[i].outputs);
+        written = &reflections[i].outputs;
+    }
+}
+
+}  // namespace
+
+void link_stages(std::vector<CompiledStage>& stages, InterfaceFaults& faults) {
+    std::vector<StageReflection> reflections;
+    for (const CompiledStage& stage : stages) {
+        InterfaceFaults reported_when_merging;
+        reflections.push_back(reflect_stage(stage.stage, stage.spirv, reported_when_merging));
+    }
+    const std::map<std::string, uint32_t> numbers = number_ports(reflections);
+    for (size_t i = 0; i < stages.size(); ++i) place_ports(stages[i], reflections[i], numbers);
+    link_variables(stages, reflections, faults);
+}
+
+}  // namespace weft::shader

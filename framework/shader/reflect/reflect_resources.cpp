@@ -1,0 +1,185 @@
+// The resources of a stage: images, buffers and the parameter block.
+#include <optional>
+#include <utility>
+
+#include "shader/reflect/reflector.h"
+
+namespace weft::shader {
+
+namespace {
+
+constexpr const char* kParamsBlock = "Params";
+constexpr uint32_t kPortSet = 1;
+constexpr uint32_t kMaxSet = 3;
+
+}  // namespace
+
+void Reflector::refuse_foreign_kinds() {
+    const std::pair<spvc_resource_type, const char*> kinds[] = {
+        {SPVC_RESOURCE_TYPE_SEPARATE_IMAGE, "a texture without its sampler"},
+        {SPVC_RESOURCE_TYPE_SEPARATE_SAMPLERS, "a sampler without its texture"},
+        {SPVC_RESOURCE_TYPE_SUBPASS_INPUT, "a subpass input"},
+        {SPVC_RESOURCE_TYPE_ATOMIC_COUNTER, "an atomic counter"},
+        {SPVC_RESOURCE_TYPE_ACCELERATION_STRUCTURE, "an acceleration structure"},
+    };
+    for (const auto& [type, what] : kinds) {
+        for (const auto& resource : of_type(type)) {
+            const std::string name = name_of(resource);
+            fault(name, "\"" + name + "\" is " + what + ", which no pass can bind",
+                  "use sampler2D and its kin, image2D and its kin, uniform blocks and buffer blocks");
+        }
+    }
+}
+
+ReflectedBinding Reflector::start_binding(const spvc_reflected_resource& resource, BindingKind kind) {
+    ReflectedBinding reflected;
+    ShaderBinding& binding = reflected.binding;
+    binding.name = name_of(resource);
+    binding.kind = kind;
+    binding.stages = stage_bit(result_.stage);
+    binding.set = spvc_compiler_get_decoration(compiler_, resource.id, SpvDecorationDescriptorSet);
+    binding.binding = spvc_compiler_get_decoration(compiler_, resource.id, SpvDecorationBinding);
+    reflected.used = used_.contains(resource.id);
+    reflected.set_word = word_of(resource.id, SpvDecorationDescriptorSet);
+    reflected.binding_word = word_of(resource.id, SpvDecorationBinding);
+    if (binding.set > kMaxSet) {
+        fault(binding.name,
+              "\"" + binding.name + "\" is in set " + std::to_string(binding.set) + ", but there are 4",
+              "leave the set out: ports of the pass go to set 1");
+    }
+    bool is_runtime = false;
+    const uint32_t count =
+        array_count(compiler_, spvc_compiler_get_type_handle(compiler_, resource.type_id), is_runtime);
+    binding.count = count == 0 ? 1 : count;
+    if (is_runtime) {
+        fault(binding.name, "\"" + binding.name + "\" is an array of descriptors without a size",
+              "give the array a size");
+    }
+    return reflected;
+}
+
+void Reflector::describe_image(ReflectedBinding& reflected, spvc_type type) {
+    ShaderBinding& binding = reflected.binding;
+    const SpvDim spirv_dim = spvc_type_get_image_dimension(type);
+    if (const auto dim = to_dim(spirv_dim)) {
+        binding.dim = *dim;
+    } else {
+        fault(binding.name,
+              "\"" + binding.name + "\" is a texel buffer or another image that graphs do not have",
+              "use a buffer block, or an image of one, two or three dimensions or a cube");
+    }
+    binding.arrayed = spvc_type_get_image_arrayed(type) == SPVC_TRUE;
+    binding.multisampled = spvc_type_get_image_multisampled(type) == SPVC_TRUE;
+    binding.shadow = spvc_type_get_image_is_depth(type) == SPVC_TRUE;
+    const spvc_type sampled =
+        spvc_compiler_get_type_handle(compiler_, spvc_type_get_image_sampled_type(type));
+    const spvc_basetype base = spvc_type_get_basetype(sampled);
+    binding.numeric = binding.shadow                 ? NumericClass::depth
+                      : base == SPVC_BASETYPE_INT32  ? NumericClass::sint
+                      : base == SPVC_BASETYPE_UINT32 ? NumericClass::uint
+                                                     : NumericClass::float_like;
+}
+
+// NonReadable is GLSL's writeonly, NonWritable its readonly. In blocks they count when every member has them.
+void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, bool is_buffer) {
+    bool non_readable = spvc_compiler_has_decoration(compiler_, id, SpvDecorationNonReadable) == SPVC_TRUE;
+    bool non_writable = spvc_compiler_has_decoration(compiler_, id, SpvDecorationNonWritable) == SPVC_TRUE;
+    const SpvDecoration* decorations = nullptr;
+    size_t count = 0;
+    if (is_buffer &&
+        spvc_compiler_get_buffer_block_decorations(compiler_, id, &decorations, &count) == SPVC_SUCCESS) {
+        for (const SpvDecoration decoration : std::span(decorations, count)) {
+            non_readable = non_readable || decoration == SpvDecorationNonReadable;
+            non_writable = non_writable || decoration == SpvDecorationNonWritable;
+        }
+    }
+    binding.reads = !non_readable;
+    binding.writes = !non_writable;
+    // The feature vertexPipelineStoresAndAtomics, which has no capability: no device is made with it.
+    if (binding.writes && result_.stage == ShaderStage::vertex && used_.contains(id))
+        fault(binding.name, "the vertex stage can write to \"" + binding.name + "\"",
+              "declare it `readonly`; fragment and compute stages write");
+}
+
+void Reflector::reflect_images() {
+    for (const auto& resource : of_type(SPVC_RESOURCE_TYPE_SAMPLED_IMAGE)) {
+        ReflectedBinding reflected = start_binding(resource, BindingKind::sampled_image);
+        describe_image(reflected, spvc_compiler_get_type_handle(compiler_, resource.base_type_id));
+        result_.bindings.push_back(std::move(reflected));
+    }
+    for (const auto& resource : of_type(SPVC_RESOURCE_TYPE_STORAGE_IMAGE)) {
+        ReflectedBinding reflected = start_binding(resource, BindingKind::storage_image);
+        const spvc_type type = spvc_compiler_get_type_handle(compiler_, resource.base_type_id);
+        describe_image(reflected, type);
+        describe_access(reflected.binding, resource.id, false);
+        const SpvImageFormat format = spvc_type_get_image_storage_format(type);
+        reflected.binding.storage_format = to_format(format);
+        if (format != SpvImageFormatUnknown && reflected.binding.storage_format == Format::undefined) {
+            fault(reflected.binding.name,
+                  "\"" + reflected.binding.name + "\" has a storage format that graphs do not have",
+                  "use the layout qualifier of a format that graphs can name, for example rgba16f");
+        }
+        result_.bindings.push_back(std::move(reflected));
+    }
+}
+
+std::vector<BlockMember> Reflector::members_of(const spvc_reflected_resource& block) {
+    std::vector<std::string> foreign;
+    std::vector<BlockMember> members = block_members(compiler_, block.base_type_id, foreign);
+    for (const std::string& name : foreign) {
+        fault(name.substr(name.rfind('.') + 1),
+              "\"" + name + "\" has a type that blocks cannot share with C++",
+              "use float, int, uint, bool, their vectors and matrices, and structs and arrays of these");
+    }
+    return members;
+}
+
+uint32_t Reflector::size_of(const spvc_reflected_resource& block) const {
+    size_t size = 0;
+    const spvc_type type = spvc_compiler_get_type_handle(compiler_, block.base_type_id);
+    spvc_compiler_get_declared_struct_size(compiler_, type, &size);
+    return static_cast<uint32_t>(size);
+}
+
+void Reflector::reflect_buffers() {
+    const std::pair<spvc_resource_type, BindingKind> kinds[] = {
+        {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, BindingKind::uniform_buffer},
+        {SPVC_RESOURCE_TYPE_STORAGE_BUFFER, BindingKind::storage_buffer},
+    };
+    for (const auto& [type, kind] : kinds) {
+        for (const auto& resource : of_type(type)) {
+            ReflectedBinding reflected = start_binding(resource, kind);
+            reflected.binding.members = members_of(resource);
+            reflected.binding.block_bytes = size_of(resource);
+            if (kind == BindingKind::storage_buffer) describe_access(reflected.binding, resource.id, true);
+            reflected.is_params =
+                kind == BindingKind::uniform_buffer &&
+                std::string(spvc_compiler_get_name(compiler_, resource.base_type_id)) == kParamsBlock;
+            if (reflected.is_params && reflected.binding.set != kPortSet) {
+                fault(kParamsBlock, "the block Params is in set " + std::to_string(reflected.binding.set),
+                      "leave its set out: parameters of a pass go to set 1");
+            }
+            result_.bindings.push_back(std::move(reflected));
+        }
+    }
+}
+
+void Reflector::reflect_push_constants() {
+    for (const auto& resource : of_type(SPVC_RESOURCE_TYPE_PUSH_CONSTANT)) {
+        const std::string block = spvc_compiler_get_name(compiler_, resource.base_type_id);
+        if (block != kParamsBlock) {
+            fault(block, "the push constant block is named \"" + block + "\"",
+                  "name it Params: its members are matched by name to the parameters of the pass");
+            continue;
+        }
+        if (!used_.contains(resource.id)) continue;
+        ParamsBlock params;
+        params.push_constants = true;
+        params.size_bytes = size_of(resource);
+        params.stages = stage_bit(result_.stage);
+        params.members = members_of(resource);
+        result_.push_constants = std::move(params);
+    }
+}
+
+}  // namespace weft::shader

@@ -1,0 +1,50 @@
+#include "weft/vulkan/device.h"
+
+#include <utility>
+
+namespace weft::vk {
+
+Device::~Device() {
+    tear_down();
+}
+
+void Device::tear_down() {
+    if (!owned_ || abandoned_) return;
+    owned_ = false;
+    // The messenger goes after the device, so that it hears of objects left alive.
+    if (device_ != VK_NULL_HANDLE) functions_.vkDestroyDevice(device_, nullptr);
+    if (messenger_ != VK_NULL_HANDLE) {
+        instance_functions_.vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
+    }
+    if (instance_ != VK_NULL_HANDLE) instance_functions_.vkDestroyInstance(instance_, nullptr);
+}
+
+std::vector<Message> destroy_device(std::unique_ptr<Device> device) {
+    device->tear_down();
+    return device->messages().messages();
+}
+
+bool Device::hides_uniforms() const {
+    return info_.compiles_for_uniforms && optional_.uniform_array_indexing;
+}
+
+uint32_t Device::memory_type(uint32_t type_bits, VkMemoryPropertyFlags wanted) const {
+    for (uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
+        if ((type_bits & (1u << i)) == 0) continue;
+        if ((memory_.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
+    }
+    return UINT32_MAX;
+}
+
+void Device::name(VkObjectType type, uint64_t handle, const std::string& text) const {
+    if (!debug_utils_ || handle == 0) return;
+    VkDebugUtilsObjectNameInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT;
+    info.objectType = type;
+    info.objectHandle = handle;
+    info.pObjectName = text.c_str();
+    // A failure costs a name in a message and nothing else.
+    (void)instance_functions_.vkSetDebugUtilsObjectNameEXT(device_, &info);
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,114 @@
+#include "vulkan/device/instance.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "vulkan/device/messenger.h"
+#include "vulkan/device/physical_device.h"
+#include "vulkan/device/vk_result.h"
+
+namespace weft::vk {
+namespace {
+
+bool has_extension(const LoaderFunctions& loader, const char* layer, const char* name) {
+    uint32_t count = 0;
+    if (loader.vkEnumerateInstanceExtensionProperties(layer, &count, nullptr) != VK_SUCCESS) return false;
+    std::vector<VkExtensionProperties> properties(count);
+    if (loader.vkEnumerateInstanceExtensionProperties(layer, &count, properties.data()) < VK_SUCCESS)
+        return false;
+    return std::any_of(properties.begin(), properties.end(), [&](const VkExtensionProperties& p) {
+        return std::strcmp(p.extensionName, name) == 0;
+    });
+}
+
+Diagnostic missing_layer_error() {
+    Diagnostic error;
+    error.code = "V405";
+    error.message = std::string("validation was asked for, but ") + kValidationLayer + " is not installed";
+    error.help = {"install it: apt-get install vulkan-validationlayers",
+                  "if it is installed, VK_LAYER_PATH may point away from it"};
+    return error;
+}
+
+Diagnostic creation_error(VkResult result) {
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER) return no_device_error();
+    Diagnostic error = vk_error(result, "creating a Vulkan instance");
+    if (error.code == "V409") {
+        error.code = "V406";
+        error.help = {"`vulkaninfo --summary` (package vulkan-tools) shows whether the drivers load at all"};
+    }
+    return error;
+}
+
+}  // namespace
+
+Result<LoaderFunctions> require_loader(const char* library) {
+    if (const auto loader = load_loader(library)) return *loader;
+    Diagnostic error;
+    error.code = "V401";
+    error.message = std::string("the Vulkan loader ") + library + " is not installed";
+    error.help = {"install it and a driver: apt-get install libvulkan1 mesa-vulkan-drivers"};
+    return error;
+}
+
+std::vector<LayerInfo> installed_layers(const LoaderFunctions& loader) {
+    uint32_t count = 0;
+    if (loader.vkEnumerateInstanceLayerProperties(&count, nullptr) != VK_SUCCESS) return {};
+    std::vector<VkLayerProperties> properties(count);
+    if (loader.vkEnumerateInstanceLayerProperties(&count, properties.data()) < VK_SUCCESS) return {};
+    std::vector<LayerInfo> layers;
+    for (const VkLayerProperties& layer : properties) {
+        layers.push_back({layer.layerName, version_text(layer.specVersion)});
+    }
+    return layers;
+}
+
+Result<Instance> make_instance(const LoaderFunctions& loader, MessageCollector* collector) {
+    Instance instance;
+    std::vector<const char*> layers;
+    std::vector<const char*> extensions;
+    instance.debug_utils = has_extension(loader, nullptr, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+
+    VkDebugUtilsMessengerCreateInfoEXT messenger{};
+    constexpr std::array enables{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+    VkValidationFeaturesEXT features{};
+    features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
+    features.enabledValidationFeatureCount = static_cast<uint32_t>(enables.size());
+    features.pEnabledValidationFeatures = enables.data();
+
+    VkApplicationInfo application{};
+    application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+    application.pEngineName = "weft";
+    application.apiVersion = VK_API_VERSION_1_3;
+    VkInstanceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+    info.pApplicationInfo = &application;
+
+    if (collector != nullptr) {
+        const auto installed = installed_layers(loader);
+        const auto layer = std::find_if(installed.begin(), installed.end(),
+                                        [](const LayerInfo& l) { return l.name == kValidationLayer; });
+        if (layer == installed.end()) return missing_layer_error();
+        instance.layers.push_back(*layer);
+        instance.debug_utils = true;  // the layer offers it if the loader does not
+        layers.push_back(kValidationLayer);
+        extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+        messenger = messenger_create_info(*collector);
+        messenger.pNext = &features;
+        info.pNext = &messenger;
+    }
+    if (instance.debug_utils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    info.enabledLayerCount = static_cast<uint32_t>(layers.size());
+    info.ppEnabledLayerNames = layers.data();
+    info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
+
+    const VkResult result = loader.vkCreateInstance(&info, nullptr, &instance.handle);
+    if (result != VK_SUCCESS) return creation_error(result);
+    instance.functions = load_instance_functions(loader, instance.handle);
+    return instance;
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,26 @@
+// Purpose: a VkInstance with the layers and extensions that Weft uses.
+// Errors: V401 no loader, V402 no driver, V405 validation wanted but not installed, V406 creation refused.
+#pragma once
+
+#include <vector>
+
+#include "weft/vulkan/device.h"
+
+namespace weft::vk {
+
+inline constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+struct Instance {
+    VkInstance handle = VK_NULL_HANDLE;
+    InstanceFunctions functions;
+    bool debug_utils = false;
+    std::vector<LayerInfo> layers;  // enabled
+};
+
+[[nodiscard]] Result<LoaderFunctions> require_loader(const char* library = kLoaderLibrary);
+// With `collector`, the validation layer is enabled and already reports there while the instance is being
+// made.
+[[nodiscard]] Result<Instance> make_instance(const LoaderFunctions& loader, MessageCollector* collector);
+[[nodiscard]] std::vector<LayerInfo> installed_layers(const LoaderFunctions& loader);
+
+}  // namespace weft::vk

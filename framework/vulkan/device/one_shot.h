@@ -1,0 +1,17 @@
+// Purpose: a few commands outside any frame, submitted and waited for with a fence of their own.
+// Errors: V407 time-out, V408 device lost, V418.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "weft/result.h"
+#include "weft/vulkan/device.h"
+
+namespace weft::vk {
+
+// `what` names the work in messages: "reading image \"output\"".
+[[nodiscard]] Status submit_once(Device& device, const std::string& what,
+                                 const std::function<void(VkCommandBuffer)>& record);
+
+}  // namespace weft::vk

@@ -1,0 +1,89 @@
+#include "vulkan/execute/carry_over.h"
+
+#include <algorithm>
+
+#include "vulkan/device/to_vk.h"
+#include "vulkan/record/barriers_vk.h"
+#include "vulkan/record/clears.h"
+
+namespace weft::vk {
+namespace {
+
+VkImageSubresourceLayers layers_of(const ResourceDecl& decl, uint32_t mip) {
+    SubresourceRange range = decl.whole();
+    range.mip = mip;
+    range.mips = 1;
+    return layers_to_vk(range);
+}
+
+// The far corner of a mip, as blits name boxes.
+VkOffset3D end_of(const ResourceDecl& decl, uint32_t mip) {
+    const Extent3D extent = mip_extent(decl.extent, mip);
+    return {static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height),
+            static_cast<int32_t>(extent.depth)};
+}
+
+struct Images {
+    const ResourceDecl& old_decl;
+    const ResourceDecl& decl;
+    VkImage from;
+    VkImage to;
+};
+
+void stretch(const Device& device, VkCommandBuffer commands, const Images& images) {
+    const bool blends = format_info(images.decl.format).numeric == NumericClass::float_like;
+    std::vector<VkImageBlit> blits;
+    for (uint32_t mip = 0; mip < images.decl.mips; ++mip) {
+        const uint32_t old_mip = std::min(mip, images.old_decl.mips - 1);
+        VkImageBlit blit{};
+        blit.srcSubresource = layers_of(images.old_decl, old_mip);
+        blit.srcOffsets[1] = end_of(images.old_decl, old_mip);
+        blit.dstSubresource = layers_of(images.decl, mip);
+        blit.dstOffsets[1] = end_of(images.decl, mip);
+        blits.push_back(blit);
+    }
+    device.fn().vkCmdBlitImage(commands, images.from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, images.to,
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<uint32_t>(blits.size()),
+                               blits.data(), blends ? VK_FILTER_LINEAR : VK_FILTER_NEAREST);
+}
+
+void copy(const Device& device, VkCommandBuffer commands, const Images& images) {
+    std::vector<VkImageCopy> copies;
+    for (uint32_t mip = 0; mip < images.decl.mips; ++mip) {
+        VkImageCopy region{};
+        region.srcSubresource = layers_of(images.old_decl, mip);
+        region.dstSubresource = layers_of(images.decl, mip);
+        region.extent = to_vk(mip_extent(images.decl.extent, mip));
+        copies.push_back(region);
+    }
+    device.fn().vkCmdCopyImage(commands, images.from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, images.to,
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<uint32_t>(copies.size()),
+                               copies.data());
+}
+
+void record_carried(const Device& device, VkCommandBuffer commands, const CarryOver& carry,
+                    const PlanSide& from, const PlanSide& to) {
+    const ResourceDecl& decl = to.plan.graph.resources[carry.to];
+    if (decl.kind == ResourceKind::buffer) {
+        const VkBufferCopy region{0, 0, decl.size_bytes};
+        device.fn().vkCmdCopyBuffer(commands, from.resources.buffer(carry.from),
+                                    to.resources.buffer(carry.to), 1, &region);
+        return;
+    }
+    const Images images{from.plan.graph.resources[carry.from], decl, from.resources.image(carry.from),
+                        to.resources.image(carry.to)};
+    carry.resample ? stretch(device, commands, images) : copy(device, commands, images);
+}
+
+}  // namespace
+
+void record_transition(const Device& device, VkCommandBuffer commands, const TransitionPlan& transition,
+                       const PlanSide& from, const PlanSide& to) {
+    record_barriers(device, commands, transition.before_old, from.plan, from.resources);
+    record_barriers(device, commands, transition.before, to.plan, to.resources);
+    for (const CarryOver& carry : transition.carried) record_carried(device, commands, carry, from, to);
+    record_first_content(device, commands, to.plan, to.resources, transition.cleared);
+    record_barriers(device, commands, transition.after, to.plan, to.resources);
+}
+
+}  // namespace weft::vk

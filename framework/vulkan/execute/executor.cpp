@@ -1,0 +1,232 @@
+#include "vulkan/execute/replay_executor.h"
+
+#include <cassert>
+#include <chrono>
+
+#include "vulkan/device/executor_errors.h"
+#include "vulkan/record/barriers_vk.h"
+#include "vulkan/record/record.h"
+
+namespace weft::vk {
+namespace {
+
+// That wait to be taken: a program that never asks shall not lose memory.
+constexpr size_t kMostTimings = 32;
+
+class Stopwatch {
+ public:
+    [[nodiscard]] double ms() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+ private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string pass_names(const FramePlan& plan, uint32_t first) {
+    std::string names;
+    for (size_t position = first; position < plan.schedule.order.size(); ++position)
+        names += (names.empty() ? "" : ", ") + plan.graph.passes[plan.schedule.order[position]].name;
+    return names;
+}
+
+// What passes in flight draw, where that alone may take long: "gbuffer 4096, sunShadows#0 4096".
+std::string draw_counts(const FramePlan& plan, const DrawSource* draws, uint32_t first) {
+    std::string counts;
+    for (size_t position = first; draws != nullptr && position < plan.schedule.order.size(); ++position) {
+        const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
+        uint64_t count = 0;
+        for (const std::string& list : pass.draw_lists) count += draws->draw_count(list);
+        if (count > 0) counts += (counts.empty() ? "" : ", ") + pass.name + " " + std::to_string(count);
+    }
+    return counts;
+}
+
+void begin_label(const Device& device, VkCommandBuffer commands, const std::string& name) {
+    VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+    label.pLabelName = name.c_str();
+    if (device.instance_fn().vkCmdBeginDebugUtilsLabelEXT != nullptr)
+        device.instance_fn().vkCmdBeginDebugUtilsLabelEXT(commands, &label);
+}
+
+void end_label(const Device& device, VkCommandBuffer commands) {
+    if (device.instance_fn().vkCmdEndDebugUtilsLabelEXT != nullptr)
+        device.instance_fn().vkCmdEndDebugUtilsLabelEXT(commands);
+}
+
+}  // namespace
+
+ReplayExecutor::~ReplayExecutor() {
+    bool idle = true;
+    for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
+        // After a time-out a second wait would only double it; but a frame may be late and no more.
+        idle &= timed_out_ ? slots_->is_over(slot) : slots_->wait(slot) == VK_SUCCESS;
+    if (!idle)
+        device_.abandon();
+    else if (!followed_)
+        slots_->let_go();
+}
+
+Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
+    const size_t pass_count = objects_->plan.schedule.order.size();
+    uint32_t first = objects_->timer.first_unfinished(slot);
+    if (first >= pass_count) first = 0;
+    Diagnostic diagnostic =
+        failed_call("V418",
+                    "frame " + std::to_string(in_flight_[slot].frame_index) +
+                        " did not end; passes in flight: " + pass_names(objects_->plan, first),
+                    result);
+    if (diagnostic.help.empty())
+        diagnostic.help.push_back("look for an endless loop in the first of these passes");
+    if (const std::string counts = draw_counts(objects_->plan, objects_->draws, first); !counts.empty())
+        diagnostic.help.push_back("the number of objects that these passes draw may explain it: " + counts +
+                                  "; large ones that cover each other take longest");
+    lost_ = {diagnostic};
+    timed_out_ = true;
+    return diagnostic;
+}
+
+Status ReplayExecutor::complete(uint32_t slot) {
+    if (!lost_.empty()) return lost_;
+    if (!slots_->in_flight(slot)) return Unit{};
+    const VkResult result = slots_->wait(slot);
+    if (result != VK_SUCCESS) return lost_frame(slot, result);
+    if (Status retired = retire_predecessor(); !retired) return retired;
+    drop_retired();
+    InFlight& frame = in_flight_[slot];
+    const std::vector<double> times = objects_->timer.read_ms(slot);
+    for (size_t position = 0; position < times.size(); ++position)
+        frame.timing.passes.push_back(
+            {objects_->plan.graph.passes[objects_->plan.schedule.order[position]].name, times[position]});
+    timings_.push_back(std::move(frame.timing));
+    if (timings_.size() > kMostTimings) timings_.erase(timings_.begin());
+    objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, readbacks_);
+    return Unit{};
+}
+
+Result<uint32_t> ReplayExecutor::begin_frame() {
+    assert(slot_ == kNoId && "begin_frame() twice without run()");
+    const auto slot = static_cast<uint32_t>(frames_begun_ % kFramesInFlight);
+    const Stopwatch watch;
+    if (Status completed = complete_predecessor(slot); !completed) return completed.take_errors();
+    if (Status completed = complete(slot); !completed) return completed.take_errors();
+    in_flight_[slot] = {};
+    in_flight_[slot].timing.wait_ms = watch.ms();
+    ++frames_begun_;
+    slot_ = slot;
+    return slot;
+}
+
+Status ReplayExecutor::finish() {
+    for (uint32_t i = 0; i < kFramesInFlight; ++i) {
+        const auto oldest = static_cast<uint32_t>((frames_begun_ + i) % kFramesInFlight);
+        if (Status completed = complete_predecessor(oldest); !completed) return completed;
+        if (Status completed = complete(oldest); !completed) return completed;
+    }
+    return Unit{};
+}
+
+void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
+    const FramePlan& plan = objects_->plan;
+    const HostInputs none;
+    objects_->timer.reset(slot);
+    objects_->params.write(plan, frame, {objects_->resources, frames_run_}, slot);
+    for (uint32_t position = 0; position < objects_->passes.size(); ++position) {
+        const PreparedPass& prepared = objects_->passes[position];
+        if (!prepared.type) continue;
+        objects_->uploads.prepare(position, *prepared.type, plan.graph.passes[plan.schedule.order[position]],
+                                  frame.host != nullptr ? *frame.host : none, slot);
+    }
+}
+
+void ReplayExecutor::record_step(const RecordContext& context, uint32_t position) {
+    const FramePlan& plan = objects_->plan;
+    const PassStep& step = plan.barriers.steps[position];
+    const std::string& name = plan.graph.passes[step.pass].name;
+    device_.messages().set_current_pass(name);
+    if (context.labels) begin_label(device_, context.commands, name);
+    if (position != hooks_.drop_barriers_of_position)
+        record_barriers(device_, context.commands, step.barriers, plan, context.resources);
+    if (runs_in_frame(plan.graph.passes[step.pass], frames_run_)) record_pass(context, position);
+    record_barriers(device_, context.commands, step.after, plan, context.resources);
+    if (context.labels) end_label(device_, context.commands);
+    objects_->timer.record_pass_end(context.commands, context.slot, position);
+}
+
+void ReplayExecutor::record_epilogue(const RecordContext& context) {
+    const FramePlan& plan = objects_->plan;
+    if (context.labels) begin_label(device_, context.commands, "epilogue");
+    record_barriers(device_, context.commands, plan.barriers.epilogue, plan, context.resources);
+    if (context.labels) end_label(device_, context.commands);
+}
+
+void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
+    const FramePlan& plan = objects_->plan;
+    if (frames_run_ == 0) record_start(slots_->prologue(slot));
+    for (uint32_t i = 0; i < plan.submissions.batches.size(); ++i) {
+        const Batch& batch = plan.submissions.batches[i];
+        const BatchCommands place = slots_->batch(slot, i);
+        const RecordContext context{device_,
+                                    place.commands,
+                                    place.labels,
+                                    slot,
+                                    frame,
+                                    *objects_,
+                                    {objects_->resources, frames_run_}};
+        objects_->timer.record_batch_start(context.commands, slot, i);
+        for (const uint32_t position : batch.positions) record_step(context, position);
+        if (batch.epilogue) record_epilogue(context);
+        objects_->readbacks.record_visibility(device_, context.commands, slot, batch);
+    }
+}
+
+Status ReplayExecutor::submit_frame(uint32_t slot) {
+    const std::string all_passes = pass_names(objects_->plan, 0);
+    device_.messages().set_current_pass(all_passes);
+    const VkResult result = slots_->submit(slot, frames_run_);
+    device_.messages().set_current_pass("");
+    if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
+    if (result == VK_SUCCESS) {
+        ++frames_run_;
+        return Unit{};
+    }
+    const Diagnostic failed = failed_call("V418", "submitting passes " + all_passes, result);
+    // Half a frame leaves resources that the next one can't make sense of.
+    if (slots_->in_flight(slot)) lost_ = {failed};
+    return failed;
+}
+
+Status ReplayExecutor::run(const FrameInput& frame) {
+    assert(slot_ != kNoId && "run() needs the slot of begin_frame()");
+    const uint32_t slot = std::exchange(slot_, kNoId);
+    if (!lost_.empty()) return lost_;
+    InFlight& in_flight = in_flight_[slot];
+    in_flight.frame_index = frame.frame_index;
+    const Stopwatch record_watch;
+    prepare_host_data(frame, slot);
+    if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
+    record_frame(frame, slot);
+    in_flight.timing.record_ms = record_watch.ms();
+    const Stopwatch submit_watch;
+    Status submitted = submit_frame(slot);
+    in_flight.timing.submit_ms = submit_watch.ms();
+    return submitted;
+}
+
+Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput input) {
+    const ExecutorHooks hooks = input.hooks;
+    Result<std::unique_ptr<PlanObjects>> objects = make_plan_objects(device, std::move(input));
+    if (!objects) return objects.take_errors();
+    Result<FrameSlots> slots = FrameSlots::create(device, (*objects)->plan);
+    if (!slots) return slots.take_errors();
+    return std::unique_ptr<Executor>(
+        std::make_unique<ReplayExecutor>(device, std::move(*objects), std::move(*slots), hooks));
+}
+
+Result<std::unique_ptr<Amendment>> Executor::make_amendment(Device& device, ExecutorInput input) {
+    Result<std::unique_ptr<PlanAmendment>> made = make_plan_amendment(device, std::move(input));
+    if (!made) return made.take_errors();
+    return std::unique_ptr<Amendment>(std::move(*made));
+}
+
+}  // namespace weft::vk

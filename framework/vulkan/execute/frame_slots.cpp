@@ -1,0 +1,220 @@
+#include "vulkan/execute/frame_slots.h"
+
+#include <algorithm>
+#include <span>
+
+#include "vulkan/device/executor_errors.h"
+
+namespace weft::vk {
+namespace {
+
+// All of it between semaphores. Not vkQueueSubmit2: the validation layer of Vulkan 1.3.239 tracks
+// hazards between submissions only for this one.
+VkResult submit_between(const Device& device, VkQueue queue, std::span<const VkCommandBuffer> commands,
+                        const std::vector<TimelinePoint>& waits, const TimelinePoint& signal) {
+    std::vector<VkSemaphore> semaphores;
+    std::vector<uint64_t> values;
+    for (const TimelinePoint& point : waits) {
+        semaphores.push_back(point.semaphore);
+        values.push_back(point.value);
+    }
+    const std::vector<VkPipelineStageFlags> stages(waits.size(), VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
+    VkTimelineSemaphoreSubmitInfo timeline{VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO};
+    timeline.waitSemaphoreValueCount = static_cast<uint32_t>(values.size());
+    timeline.pWaitSemaphoreValues = values.data();
+    timeline.signalSemaphoreValueCount = 1;
+    timeline.pSignalSemaphoreValues = &signal.value;
+    VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    info.pNext = &timeline;
+    info.commandBufferCount = static_cast<uint32_t>(commands.size());
+    info.pCommandBuffers = commands.data();
+    info.waitSemaphoreCount = timeline.waitSemaphoreValueCount;
+    info.pWaitSemaphores = semaphores.data();
+    info.pWaitDstStageMask = stages.data();
+    info.signalSemaphoreCount = 1;
+    info.pSignalSemaphores = &signal.semaphore;
+    return device.fn().vkQueueSubmit(queue, 1, &info, VK_NULL_HANDLE);
+}
+
+VkResult wait_for(const Device& device, const std::vector<TimelinePoint>& points) {
+    std::vector<VkSemaphore> semaphores;
+    std::vector<uint64_t> values;
+    for (const TimelinePoint& point : points) {
+        semaphores.push_back(point.semaphore);
+        values.push_back(point.value);
+    }
+    VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+    info.semaphoreCount = static_cast<uint32_t>(semaphores.size());
+    info.pSemaphores = semaphores.data();
+    info.pValues = values.data();
+    return device.fn().vkWaitSemaphores(device.handle(), &info, device.timeout_ns());
+}
+
+// lavapipe (Mesa 22.3) drops the barriers that begin or end a command buffer, though what an earlier
+// submission draws may still be under way. Any other command before and behind them makes it heed them.
+void fence_off_barriers(const Device& device, VkCommandBuffer commands, uint32_t family) {
+    if ((device.families()[family].flags & VK_QUEUE_GRAPHICS_BIT) == 0) return;
+    const VkRect2D anywhere{{0, 0}, {1, 1}};
+    device.fn().vkCmdSetScissor(commands, 0, 1, &anywhere);
+}
+
+VkResult begin_commands(const Device& device, VkCommandBuffer commands, uint32_t family) {
+    VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    const VkResult result = device.fn().vkBeginCommandBuffer(commands, &info);
+    if (result == VK_SUCCESS) fence_off_barriers(device, commands, family);
+    return result;
+}
+
+VkResult end_commands(const Device& device, VkCommandBuffer commands, uint32_t family) {
+    fence_off_barriers(device, commands, family);
+    return device.fn().vkEndCommandBuffer(commands);
+}
+
+}  // namespace
+
+VkResult FrameSlots::allocate(VkCommandPool pool, VkCommandBuffer& commands) const {
+    VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    info.commandPool = pool;
+    info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    info.commandBufferCount = 1;
+    return device_->fn().vkAllocateCommandBuffers(device_->handle(), &info, &commands);
+}
+
+VkResult FrameSlots::open(Slot& slot) const {
+    const DeviceFunctions& fn = device_->fn();
+    VkResult result = VK_SUCCESS;
+    for (const PlanQueue& queue : queues_) {
+        VkCommandPoolCreateInfo info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+        info.queueFamilyIndex = queue.family;
+        VkCommandPool pool = VK_NULL_HANDLE;
+        result = fn.vkCreateCommandPool(device_->handle(), &info, nullptr, &pool);
+        if (result != VK_SUCCESS) return result;
+        slot.pools.emplace_back(*device_, pool);
+    }
+    slot.commands.resize(queue_of_.size(), VK_NULL_HANDLE);
+    for (size_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch)
+        result = allocate(slot.pools[queue_of_[batch]].get(), slot.commands[batch]);
+    if (result == VK_SUCCESS) result = allocate(slot.pools[0].get(), slot.prologue);
+    if (result != VK_SUCCESS || timelines_.in_use()) return result;
+    VkFenceCreateInfo info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    VkFence fence = VK_NULL_HANDLE;
+    result = fn.vkCreateFence(device_->handle(), &info, nullptr, &fence);
+    if (result == VK_SUCCESS) slot.fence = {*device_, fence};
+    return result;
+}
+
+Result<FrameSlots> FrameSlots::create(Device& device, const FramePlan& plan) {
+    FrameSlots slots;
+    slots.device_ = &device;
+    slots.queues_ = map_queues(device, plan.schedule.queues);
+    for (const Batch& batch : plan.submissions.batches) slots.queue_of_.push_back(batch.queue);
+    Result<QueueTimelines> timelines = QueueTimelines::create(device, plan);
+    if (!timelines) return timelines.take_errors();
+    slots.timelines_ = std::move(*timelines);
+    for (Slot& slot : slots.slots_)
+        if (const VkResult result = slots.open(slot); result != VK_SUCCESS)
+            return failed_call("V418", "making a frame slot", result);
+    return slots;
+}
+
+VkResult FrameSlots::wait(uint32_t index) {
+    Slot& slot = slots_[index];
+    if (!slot.in_flight) return VK_SUCCESS;
+    const DeviceFunctions& fn = device_->fn();
+    if (!timelines_.in_use()) {
+        VkFence fence = slot.fence.get();
+        const VkResult result =
+            fn.vkWaitForFences(device_->handle(), 1, &fence, VK_TRUE, device_->timeout_ns());
+        if (result != VK_SUCCESS) return result;
+        slot.in_flight = false;
+        return fn.vkResetFences(device_->handle(), 1, &fence);
+    }
+    const VkResult result = wait_for(*device_, slot.last);
+    slot.in_flight = result != VK_SUCCESS;
+    return result;
+}
+
+void FrameSlots::let_go() const {
+    if (!timelines_.in_use() || !submitted_) return;
+    for (const PlanQueue& queue : queues_) static_cast<void>(device_->fn().vkQueueWaitIdle(queue.handle));
+}
+
+bool FrameSlots::is_over(uint32_t index) const {
+    const Slot& slot = slots_[index];
+    if (!slot.in_flight) return true;
+    const DeviceFunctions& fn = device_->fn();
+    if (!timelines_.in_use()) {
+        const VkResult result = fn.vkGetFenceStatus(device_->handle(), slot.fence.get());
+        return result == VK_SUCCESS || result == VK_ERROR_DEVICE_LOST;
+    }
+    return std::all_of(slot.last.begin(), slot.last.end(), [&](const TimelinePoint& point) {
+        uint64_t value = 0;
+        const VkResult result = fn.vkGetSemaphoreCounterValue(device_->handle(), point.semaphore, &value);
+        return result == VK_ERROR_DEVICE_LOST || (result == VK_SUCCESS && value >= point.value);
+    });
+}
+
+Status FrameSlots::begin(uint32_t index, uint64_t frame) {
+    const Slot& slot = slots_[index];
+    VkResult result = VK_SUCCESS;
+    for (const CommandPoolHandle& pool : slot.pools)
+        if (result == VK_SUCCESS) result = device_->fn().vkResetCommandPool(device_->handle(), pool.get(), 0);
+    for (size_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch)
+        result = begin_commands(*device_, slot.commands[batch], queues_[queue_of_[batch]].family);
+    if (result == VK_SUCCESS && frame == 0)
+        result = begin_commands(*device_, slot.prologue, queues_[0].family);
+    if (result != VK_SUCCESS) return failed_call("V418", "beginning a frame's commands", result);
+    return Unit{};
+}
+
+BatchCommands FrameSlots::batch(uint32_t slot, uint32_t batch) const {
+    return {slots_[slot].commands[batch], queues_[queue_of_[batch]].labels};
+}
+
+VkResult FrameSlots::submit_alone(Slot& slot, uint64_t frame) const {
+    std::vector<VkCommandBuffer> commands;
+    if (frame == 0) commands.push_back(slot.prologue);
+    commands.push_back(slot.commands.front());
+    VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    info.commandBufferCount = static_cast<uint32_t>(commands.size());
+    info.pCommandBuffers = commands.data();
+    const VkResult result = device_->fn().vkQueueSubmit(queues_[0].handle, 1, &info, slot.fence.get());
+    slot.in_flight = result == VK_SUCCESS;
+    return result;
+}
+
+VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame) const {
+    std::vector<TimelinePoint> last(queues_.size());
+    VkResult result = VK_SUCCESS;
+    if (frame == 0) {
+        last[0] = timelines_.ready();
+        result = submit_between(*device_, queues_[0].handle, {&slot.prologue, 1}, {}, last[0]);
+        slot.in_flight = result == VK_SUCCESS;
+    }
+    for (uint32_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch) {
+        const TimelinePoint end = timelines_.end_of(batch, frame);
+        result = submit_between(*device_, queues_[queue_of_[batch]].handle, {&slot.commands[batch], 1},
+                                timelines_.waits_of(batch, frame), end);
+        if (result != VK_SUCCESS) break;
+        last[queue_of_[batch]] = end;
+        slot.in_flight = true;
+    }
+    slot.last.clear();
+    for (const TimelinePoint& point : last)
+        if (point.semaphore != VK_NULL_HANDLE) slot.last.push_back(point);
+    return result;
+}
+
+VkResult FrameSlots::submit(uint32_t index, uint64_t frame) {
+    Slot& slot = slots_[index];
+    VkResult result = VK_SUCCESS;
+    if (frame == 0) result = end_commands(*device_, slot.prologue, queues_[0].family);
+    for (size_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch)
+        result = end_commands(*device_, slot.commands[batch], queues_[queue_of_[batch]].family);
+    if (result != VK_SUCCESS) return result;
+    submitted_ = true;
+    return timelines_.in_use() ? submit_batches(slot, frame) : submit_alone(slot, frame);
+}
+
+}  // namespace weft::vk

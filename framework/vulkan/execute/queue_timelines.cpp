@@ -1,0 +1,56 @@
+#include "vulkan/execute/queue_timelines.h"
+
+#include "vulkan/device/executor_errors.h"
+
+namespace weft::vk {
+namespace {
+
+Status make_timeline(Device& device, const std::string& name, SemaphoreHandle& handle) {
+    VkSemaphoreTypeCreateInfo type{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO};
+    type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+    VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    info.pNext = &type;
+    VkSemaphore semaphore = VK_NULL_HANDLE;
+    const VkResult result = device.fn().vkCreateSemaphore(device.handle(), &info, nullptr, &semaphore);
+    if (result != VK_SUCCESS) return failed_call("V418", "making a timeline semaphore", result);
+    handle = {device, semaphore};
+    device.name(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<uint64_t>(semaphore), name);
+    return Unit{};
+}
+
+}  // namespace
+
+Result<QueueTimelines> QueueTimelines::create(Device& device, const FramePlan& plan) {
+    QueueTimelines timelines;
+    const std::vector<Batch>& batches = plan.submissions.batches;
+    if (batches.size() < 2) return timelines;
+    timelines.counts_.resize(plan.schedule.queues.size(), 0);
+    for (const Batch& batch : batches)
+        timelines.batches_.push_back({batch.queue, timelines.counts_[batch.queue]++, batch.waits});
+    timelines.semaphores_.resize(plan.schedule.queues.size());
+    for (size_t queue = 0; queue < timelines.semaphores_.size(); ++queue) {
+        const std::string name = "queue " + std::to_string(queue);
+        if (Status made = make_timeline(device, name, timelines.semaphores_[queue]); !made)
+            return made.take_errors();
+    }
+    if (Status made = make_timeline(device, "before the first frame", timelines.ready_); !made)
+        return made.take_errors();
+    return timelines;
+}
+
+TimelinePoint QueueTimelines::end_of(uint32_t batch, uint64_t frame) const {
+    const BatchPlace& place = batches_[batch];
+    return {semaphores_[place.queue].get(), frame * counts_[place.queue] + place.rank + 1};
+}
+
+std::vector<TimelinePoint> QueueTimelines::waits_of(uint32_t batch, uint64_t frame) const {
+    std::vector<TimelinePoint> points;
+    for (const QueueWait& wait : batches_[batch].waits) {
+        if (wait.previous_frame && frame == 0) continue;
+        points.push_back(end_of(wait.batch, wait.previous_frame ? frame - 1 : frame));
+    }
+    if (frame == 0) points.push_back(ready());
+    return points;
+}
+
+}  // namespace weft::vk

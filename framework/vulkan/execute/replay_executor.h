@@ -1,0 +1,82 @@
+// Purpose: the executor behind Executor::create(): frames in turn (executor.cpp), and how one carries on from
+// another (succession.cpp).
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "vulkan/execute/frame_slots.h"
+#include "vulkan/record/plan_objects.h"
+#include "vulkan/record/record.h"
+
+namespace weft::vk {
+
+class ReplayExecutor final : public Executor {
+ public:
+    ReplayExecutor(Device& device, std::unique_ptr<PlanObjects> objects, FrameSlots slots,
+                   ExecutorHooks hooks)
+        : device_(device),
+          objects_(std::move(objects)),
+          slots_(std::make_unique<FrameSlots>(std::move(slots))),
+          hooks_(hooks) {}
+    ~ReplayExecutor() override;
+
+    Result<uint32_t> begin_frame() override;
+    Status run(const FrameInput& frame) override;
+    Status finish() override;
+    Status take_over(Predecessor predecessor) override;
+    std::vector<FrameTiming> take_timings() override { return std::exchange(timings_, {}); }
+    std::vector<ReadbackData> take_readbacks() override { return std::exchange(readbacks_, {}); }
+    Result<ReadbackData> read_image(const Image& image) override { return read_image_now(device_, image); }
+    const FramePlan& plan() const override { return objects_->plan; }
+    PipelineCounts pipelines() const override { return objects_->pipeline_counts; }
+    void amend(std::unique_ptr<Amendment> amendment) override;
+    uint64_t transient_bytes() const override { return objects_->heap.bytes(); }
+
+ private:
+    struct InFlight {
+        uint64_t frame_index = 0;
+        FrameTiming timing;
+    };
+    // Pipelines that the plan has no more, and the frames that may still use them.
+    struct Retired {
+        std::vector<std::vector<DrawPipeline>> passes;
+        std::array<bool, kFramesInFlight> in_flight{};
+    };
+    [[nodiscard]] Status complete(uint32_t slot);
+    void drop_retired();
+    [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
+    void prepare_host_data(const FrameInput& frame, uint32_t slot);
+    void record_frame(const FrameInput& frame, uint32_t slot);
+    void record_step(const RecordContext& context, uint32_t position);
+    void record_epilogue(const RecordContext& context);
+    void record_start(VkCommandBuffer commands) const;
+    [[nodiscard]] Status submit_frame(uint32_t slot);
+    // Leaves everything so that another executor's first frame may be submitted.
+    [[nodiscard]] Status be_followed(const FramePlan& next);
+    [[nodiscard]] Status start_without_frame();
+    [[nodiscard]] Status complete_predecessor(uint32_t slot);
+    [[nodiscard]] Status retire_predecessor();
+    void inherit_results();
+
+    Device& device_;
+    std::unique_ptr<PlanObjects> objects_;
+    std::unique_ptr<FrameSlots> slots_;
+    ExecutorHooks hooks_;
+    std::array<InFlight, kFramesInFlight> in_flight_;
+    uint64_t frames_begun_ = 0;
+    uint32_t slot_ = kNoId;    // of the frame begun and not yet run
+    uint64_t frames_run_ = 0;  // without those that could not be submitted
+    std::vector<Retired> retired_;
+    std::vector<FrameTiming> timings_;
+    std::vector<ReadbackData> readbacks_;
+    Diagnostics lost_;  // after a time-out or a lost device nothing runs any more
+    bool timed_out_ = false;
+    bool followed_ = false;  // another executor's frames came after these
+    // Until the first frame is over; its executor is one of these.
+    std::optional<Predecessor> predecessor_;
+};
+
+}  // namespace weft::vk

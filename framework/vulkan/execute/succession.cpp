@@ -1,0 +1,118 @@
+// How an executor carries on where another one stopped, or with other values and pipelines itself.
+#include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "vulkan/device/one_shot.h"
+#include "vulkan/execute/carry_over.h"
+#include "vulkan/execute/replay_executor.h"
+#include "vulkan/record/clears.h"
+#include "weft/compile.h"
+
+namespace weft::vk {
+namespace {
+
+ReplayExecutor& executor_of(const Predecessor& predecessor) {
+    return static_cast<ReplayExecutor&>(*predecessor.executor);
+}
+
+template <class T>
+void move_to_front(std::vector<T>& to, std::vector<T> from) {
+    to.insert(to.begin(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+}  // namespace
+
+Status ReplayExecutor::take_over(Predecessor predecessor) {
+    assert(frames_begun_ == 0 && !predecessor_ && "take_over() comes before the first frame");
+    ReplayExecutor& old = executor_of(predecessor);
+    assert(old.slot_ == kNoId && "its frame was begun and not run");
+    if (Status quiet = old.be_followed(plan()); !quiet) {
+        lost_ = quiet.errors();
+        return quiet;
+    }
+    objects_->resources.rings.carry_over(old.objects_->resources.rings, old.frames_run_,
+                                         predecessor.transition);
+    // The program's own data have one copy a slot, which the old frames may still read.
+    frames_begun_ = old.frames_begun_;
+    predecessor_ = std::move(predecessor);
+    return Unit{};
+}
+
+Status ReplayExecutor::be_followed(const FramePlan& next) {
+    if (!lost_.empty()) return lost_;
+    if (frames_run_ == 0) {
+        if (Status started = start_without_frame(); !started) return started;
+    }
+    followed_ = true;
+    // What runs on one queue runs in order. With several, only the host knows when all of them are done.
+    const bool one_queue = plan().submissions.batches.size() <= 1 && next.submissions.batches.size() <= 1;
+    return one_queue ? Status(Unit{}) : finish();
+}
+
+// What the first frame begins with, for an executor that is replaced before it had one.
+Status ReplayExecutor::start_without_frame() {
+    Status started = submit_once(device_, "the first contents of persistent resources",
+                                 [&](VkCommandBuffer commands) { record_start(commands); });
+    if (!started) return started;
+    return retire_predecessor();
+}
+
+void ReplayExecutor::record_start(VkCommandBuffer commands) const {
+    objects_->stand_ins.record_layouts(commands);
+    if (!predecessor_) return record_prologue(device_, commands, objects_->plan, objects_->resources);
+    const ReplayExecutor& old = executor_of(*predecessor_);
+    record_transition(device_, commands, predecessor_->transition,
+                      {old.objects_->plan, {old.objects_->resources, old.frames_run_}},
+                      {objects_->plan, {objects_->resources, 0}});
+}
+
+void ReplayExecutor::inherit_results() {
+    move_to_front(timings_, predecessor_->executor->take_timings());
+    move_to_front(readbacks_, predecessor_->executor->take_readbacks());
+}
+
+// Waits until its frame in `slot` is over, whose place in the program's data ours will take.
+Status ReplayExecutor::complete_predecessor(uint32_t slot) {
+    if (!predecessor_) return Unit{};
+    Status completed = executor_of(*predecessor_).complete(slot);
+    inherit_results();
+    if (!completed) lost_ = completed.errors();
+    return completed;
+}
+
+// Once our first frame is over.
+Status ReplayExecutor::retire_predecessor() {
+    if (!predecessor_) return Unit{};
+    Status finished = predecessor_->executor->finish();
+    inherit_results();
+    if (!finished) lost_ = finished.errors();
+    predecessor_.reset();
+    return finished;
+}
+
+void ReplayExecutor::amend(std::unique_ptr<Amendment> amendment) {
+    assert(slot_ == kNoId && "a frame was begun and not run");
+    PlanAmendment& now = static_cast<PlanAmendment&>(*amendment);
+    assert(structure_hash(now.plan) == structure_hash(objects_->plan));
+    objects_->plan = std::move(now.plan);
+    objects_->pipeline_counts = now.counts;
+    Retired& old = retired_.emplace_back();
+    for (size_t position = 0; position < now.passes.size(); ++position)
+        old.passes.push_back(
+            std::exchange(objects_->passes[position].pipelines, std::move(now.passes[position])));
+    for (uint32_t slot = 0; slot < kFramesInFlight; ++slot) old.in_flight[slot] = slots_->in_flight(slot);
+    drop_retired();
+}
+
+// A slot that was in flight and is no more has nothing to do with what it used then.
+void ReplayExecutor::drop_retired() {
+    for (Retired& old : retired_)
+        for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
+            old.in_flight[slot] = old.in_flight[slot] && slots_->in_flight(slot);
+    std::erase_if(retired_, [](const Retired& old) {
+        return std::ranges::none_of(old.in_flight, [](bool busy) { return busy; });
+    });
+}
+
+}  // namespace weft::vk

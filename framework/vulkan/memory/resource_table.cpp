@@ -1,0 +1,73 @@
+#include "vulkan/memory/resource_table.h"
+
+#include "vulkan/device/executor_errors.h"
+
+namespace weft::vk {
+namespace {
+
+std::string shape_text(const ResourceDecl& decl) {
+    return std::string(format_info(decl.format).name) + " " + std::to_string(decl.extent.width) + "x" +
+           std::to_string(decl.extent.height) + "x" + std::to_string(decl.extent.depth) + ", " +
+           std::to_string(decl.mips) + " mips, " + std::to_string(decl.layers) + " layers, " +
+           std::to_string(decl.samples) + " samples";
+}
+
+bool same_shape(const ResourceDecl& a, const ResourceDecl& b) {
+    return a.format == b.format && a.extent == b.extent && a.mips == b.mips && a.layers == b.layers &&
+           a.samples == b.samples;
+}
+
+Status bind_import(const FramePlan& plan, ResourceId id, const ImportBindings& bindings,
+                   ResourceTable& table) {
+    const ResourceDecl& decl = plan.graph.resources[id];
+    if (decl.kind == ResourceKind::buffer) {
+        const auto it = bindings.buffers.find(decl.name);
+        if (it == bindings.buffers.end() || it->second == VK_NULL_HANDLE)
+            return plan.graph.sources.error(decl.loc, "V414",
+                                            "no buffer was given for import \"" + decl.name + "\"");
+        table.buffers[id] = it->second;
+        return Unit{};
+    }
+    const auto it = bindings.images.find(decl.name);
+    if (it == bindings.images.end() || it->second == nullptr)
+        return plan.graph.sources.error(decl.loc, "V414",
+                                        "no image was given for import \"" + decl.name + "\"");
+    if (!same_shape(it->second->decl(), decl))
+        return plan.graph.sources.error(decl.loc, "V414",
+                                        "import \"" + decl.name + "\" is " + shape_text(it->second->decl()) +
+                                            " where the plan has " + shape_text(decl));
+    table.images[id] = it->second->handle();
+    return Unit{};
+}
+
+// Imports that only culled passes name are not asked for.
+std::vector<uint8_t> used_resources(const FramePlan& plan) {
+    std::vector<uint8_t> used(plan.graph.resources.size(), 0);
+    for (const PassId pass : plan.schedule.order)
+        for (const UseDecl& use : plan.graph.passes[pass].uses) used[use.resource] = 1;
+    for (const BarrierDecl& barrier : plan.barriers.epilogue) used[barrier.resource] = 1;
+    for (const BarrierDecl& barrier : plan.barriers.prologue.before) used[barrier.resource] = 1;
+    return used;
+}
+
+}  // namespace
+
+Result<ResourceTable> bind_resources(const FramePlan& plan, const TransientHeap& heap,
+                                     const ImportBindings& bindings) {
+    const size_t count = plan.graph.resources.size();
+    const std::vector<uint8_t> used = used_resources(plan);
+    ResourceTable table{std::vector<VkImage>(count, VK_NULL_HANDLE),
+                        std::vector<VkBuffer>(count, VK_NULL_HANDLE), Rings(plan)};
+    Diagnostics errors;
+    for (ResourceId id = 0; id < count; ++id) {
+        table.images[id] = heap.image(id);
+        table.buffers[id] = heap.buffer(id);
+        if (!used[id] || plan.graph.resources[id].lifetime != ResourceLifetime::imported) continue;
+        const Status status = bind_import(plan, id, bindings, table);
+        if (!status) append(errors, status.errors());
+    }
+    if (!errors.empty()) return errors;
+    return table;
+}
+
+}  // namespace weft::vk

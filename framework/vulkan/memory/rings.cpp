@@ -1,0 +1,63 @@
+#include "vulkan/memory/rings.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+namespace weft::vk {
+
+Rings::Rings(const FramePlan& plan) {
+    const std::vector<ResourceDecl>& resources = plan.graph.resources;
+    all_.resize(resources.size());
+    roles_.resize(resources.size());
+    written_.resize(resources.size());
+    carried_.resize(resources.size());
+    for (ResourceId id = 0; id < resources.size(); ++id) {
+        const ResourceDecl& decl = resources[id];
+        if (decl.ring == kNoId) continue;
+        all_[id] = {decl.ring, decl.age};
+        std::vector<ResourceId>& roles = roles_[decl.ring];
+        roles.resize(decl.history + 1, kNoId);
+        assert(decl.age < roles.size());
+        roles[decl.age] = id;
+    }
+    for (const PassId pass : plan.schedule.order)
+        for (const UseDecl& use : plan.graph.passes[pass].uses)
+            if (writes(use.access)) written_[use.resource] = 1;
+}
+
+ResourceId Rings::copy(ResourceId resource, uint64_t frame) const {
+    const Role& role = all_[resource];
+    if (role.ring == kNoId) return resource;
+    const std::vector<ResourceId>& roles = roles_[role.ring];
+    return roles[(frame + roles.size() - role.age) % roles.size()];
+}
+
+std::vector<ResourceId> Rings::roles(ResourceId resource) const {
+    if (all_[resource].ring == kNoId) return {resource};
+    return roles_[all_[resource].ring];
+}
+
+uint64_t Rings::period(const PassDecl& pass) const {
+    uint64_t period = 1;
+    for (const UseDecl& use : pass.uses)
+        if (all_[use.resource].ring != kNoId)
+            period = std::lcm(period, uint64_t{roles_[all_[use.resource].ring].size()});
+    return period;
+}
+
+void Rings::carry_over(const Rings& old, uint64_t frames, const TransitionPlan& transition) {
+    for (const CarryOver& carry : transition.carried) {
+        const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
+        if (transition.keeps_validity[ring] == 0 || old.written_[old_ring] == 0) continue;
+        // A history that is longer now goes back no further than the old one did.
+        carried_[ring] = std::min<uint64_t>(frames + old.carried_[old_ring], old.roles_[old_ring].size() - 1);
+    }
+}
+
+bool Rings::valid(ResourceId role, uint64_t frame) const {
+    const ResourceId ring = all_[role].ring;
+    return ring != kNoId && written_[ring] != 0 && frame + carried_[ring] >= all_[role].age;
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,139 @@
+#include "vulkan/memory/transient_heap.h"
+
+#include <algorithm>
+
+#include "vulkan/device/executor_errors.h"
+#include "vulkan/memory/rings.h"
+#include "weft/vulkan/executor.h"
+
+namespace weft::vk {
+namespace {
+
+MemoryNeed to_need(const VkMemoryRequirements& requirements) {
+    return {requirements.size, requirements.alignment, requirements.memoryTypeBits};
+}
+
+MemoryNeed image_need(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
+    VkImageCreateInfo info = image_create_info(decl);
+    share(info, sharing);
+    VkDeviceImageMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS};
+    query.pCreateInfo = &info;
+    VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    device.fn().vkGetDeviceImageMemoryRequirements(device.handle(), &query, &answer);
+    return to_need(answer.memoryRequirements);
+}
+
+MemoryNeed buffer_need(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
+    VkBufferCreateInfo info = buffer_create_info(decl);
+    share(info, sharing);
+    VkDeviceBufferMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS};
+    query.pCreateInfo = &info;
+    VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    device.fn().vkGetDeviceBufferMemoryRequirements(device.handle(), &query, &answer);
+    return to_need(answer.memoryRequirements);
+}
+
+// Which resources several families use, only the plan will say, so both ways must fit.
+MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
+    const auto need = decl.kind == ResourceKind::image ? image_need : buffer_need;
+    MemoryNeed exclusive = need(device, decl, Sharing{});
+    if (device.sharing_families().empty()) return exclusive;
+    const MemoryNeed concurrent = need(device, decl, concurrent_sharing(device));
+    return {std::max(exclusive.size_bytes, concurrent.size_bytes),
+            std::max(exclusive.alignment_bytes, concurrent.alignment_bytes),
+            exclusive.type_bits & concurrent.type_bits};
+}
+
+// Memory that goes round in a ring is used by whoever uses one of its roles.
+bool is_concurrent(const FramePlan& plan, const Rings& rings, ResourceId resource) {
+    const std::vector<uint8_t>& concurrent = plan.barriers.concurrent;
+    const std::vector<ResourceId> roles = rings.roles(resource);
+    return std::any_of(roles.begin(), roles.end(),
+                       [&](ResourceId role) { return role < concurrent.size() && concurrent[role] != 0; });
+}
+
+}  // namespace
+
+MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph) {
+    MemoryNeeds needs(graph.resources.size());
+    for (size_t i = 0; i < graph.resources.size(); ++i) {
+        const ResourceDecl& decl = graph.resources[i];
+        // A resource that no pass names has no usage, and Vulkan has no object without one.
+        if (decl.lifetime == ResourceLifetime::imported || decl.usage == 0) continue;
+        needs[i] = any_need(device, decl);
+    }
+    return needs;
+}
+
+Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
+    for (size_t i = 0; i < memory.heaps.size(); ++i) {
+        const HeapPlan& heap = memory.heaps[i];
+        const std::string what =
+            "heap " + std::to_string(i) + " of " + std::to_string(heap.size_bytes) + " bytes";
+        uint32_t type = device.memory_type(heap.type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+        if (type == UINT32_MAX) type = device.memory_type(heap.type_bits, 0);
+        if (type == UINT32_MAX)
+            return failed_call("V411", what + " fits no memory type", VK_ERROR_FEATURE_NOT_PRESENT);
+        VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+        info.allocationSize = heap.size_bytes;
+        info.memoryTypeIndex = type;
+        VkDeviceMemory object = VK_NULL_HANDLE;
+        const VkResult result = device.fn().vkAllocateMemory(device.handle(), &info, nullptr, &object);
+        if (result != VK_SUCCESS) return failed_call("V411", what, result);
+        memory_.emplace_back(device, object);
+        if (!heap.persistent) bytes_ += heap.size_bytes;
+    }
+    return Unit{};
+}
+
+Status TransientHeap::place_image(Device& device, const ResourceDecl& decl, const Placement& placement,
+                                  const Sharing& sharing) {
+    VkImageCreateInfo info = image_create_info(decl);
+    share(info, sharing);
+    VkImage object = VK_NULL_HANDLE;
+    VkResult result = device.fn().vkCreateImage(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", "image \"" + decl.name + "\"", result);
+    images_[placement.resource] = {device, object};
+    device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(object), decl.name);
+    result = device.fn().vkBindImageMemory(device.handle(), object, memory_[placement.heap].get(),
+                                           placement.offset_bytes);
+    if (result != VK_SUCCESS) return failed_call("V411", "memory of image \"" + decl.name + "\"", result);
+    return Unit{};
+}
+
+Status TransientHeap::place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement,
+                                   const Sharing& sharing) {
+    VkBufferCreateInfo info = buffer_create_info(decl);
+    share(info, sharing);
+    VkBuffer object = VK_NULL_HANDLE;
+    VkResult result = device.fn().vkCreateBuffer(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", "buffer \"" + decl.name + "\"", result);
+    buffers_[placement.resource] = {device, object};
+    device.name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(object), decl.name);
+    result = device.fn().vkBindBufferMemory(device.handle(), object, memory_[placement.heap].get(),
+                                            placement.offset_bytes);
+    if (result != VK_SUCCESS) return failed_call("V411", "memory of buffer \"" + decl.name + "\"", result);
+    return Unit{};
+}
+
+Result<TransientHeap> TransientHeap::create(Device& device, const FramePlan& plan) {
+    TransientHeap heap;
+    heap.images_.resize(plan.graph.resources.size());
+    heap.buffers_.resize(plan.graph.resources.size());
+    if (Status status = heap.allocate(device, plan.memory); !status) return status.take_errors();
+    Diagnostics errors;
+    const Rings rings(plan);
+    for (const Placement& placement : plan.memory.placements) {
+        const ResourceDecl& decl = plan.graph.resources[placement.resource];
+        const bool concurrent = is_concurrent(plan, rings, placement.resource);
+        const Sharing sharing = concurrent ? concurrent_sharing(device) : Sharing{};
+        Status status = decl.kind == ResourceKind::image
+                            ? heap.place_image(device, decl, placement, sharing)
+                            : heap.place_buffer(device, decl, placement, sharing);
+        if (!status) append(errors, status.errors());
+    }
+    if (!errors.empty()) return errors;
+    return heap;
+}
+
+}  // namespace weft::vk

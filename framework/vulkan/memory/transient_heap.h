@@ -1,0 +1,40 @@
+// Purpose: the memory a plan asks for: one allocation a heap, and its images and buffers bound at the offsets
+// the plan chose. Also the needs that alias() chooses them from. Units: bytes. Errors: V411, and V410 when
+// memory runs out. Aliasing by placement follows Y. O'Donnell, "FrameGraph: Extensible Rendering Architecture
+// in Frostbite", GDC 2017.
+#pragma once
+
+#include <vector>
+
+#include "weft/plan.h"
+#include "weft/result.h"
+#include "weft/vulkan/handle.h"
+#include "weft/vulkan/memory.h"
+
+namespace weft::vk {
+
+class TransientHeap {
+ public:
+    [[nodiscard]] static Result<TransientHeap> create(Device& device, const FramePlan& plan);
+
+    // VK_NULL_HANDLE for what the plan doesn't place.
+    [[nodiscard]] VkImage image(ResourceId resource) const { return images_[resource].get(); }
+    [[nodiscard]] VkBuffer buffer(ResourceId resource) const { return buffers_[resource].get(); }
+    // Without what outlives the frame.
+    [[nodiscard]] uint64_t bytes() const { return bytes_; }
+
+ private:
+    [[nodiscard]] Status allocate(Device& device, const MemoryPlan& memory);
+    [[nodiscard]] Status place_image(Device& device, const ResourceDecl& decl, const Placement& placement,
+                                     const Sharing& sharing);
+    [[nodiscard]] Status place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement,
+                                      const Sharing& sharing);
+
+    // Declared before what is bound to it, so that it is freed after.
+    std::vector<MemoryHandle> memory_;
+    std::vector<ImageHandle> images_;    // by ResourceId
+    std::vector<BufferHandle> buffers_;  // by ResourceId
+    uint64_t bytes_ = 0;
+};
+
+}  // namespace weft::vk

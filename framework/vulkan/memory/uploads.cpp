@@ -1,0 +1,142 @@
+#include "vulkan/memory/uploads.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "vulkan/device/to_vk.h"
+
+namespace weft::vk {
+namespace {
+
+constexpr uint64_t kPlaceAlignmentBytes = 16;
+
+const UploadPlace* find_place(const std::vector<UploadPlace>& places, std::string_view port) {
+    for (const UploadPlace& place : places)
+        if (place.port == port) return &place;
+    return nullptr;
+}
+
+class SlotUploads final : public Uploads {
+ public:
+    SlotUploads(const std::vector<UploadPlace>& places, std::vector<uint64_t>& filled_bytes,
+                std::span<std::byte> memory)
+        : places_(places), filled_bytes_(filled_bytes), memory_(memory) {}
+
+    void put(std::string_view port, std::span<const std::byte> bytes) override {
+        const UploadPlace* place = find_place(places_, port);
+        if (place == nullptr) return;
+        const uint64_t kept = std::min<uint64_t>(bytes.size(), place->capacity_bytes);
+        if (kept != 0) std::memcpy(memory_.data() + place->offset_bytes, bytes.data(), kept);
+        filled_bytes_[static_cast<size_t>(place - places_.data())] = kept;
+    }
+    [[nodiscard]] uint64_t capacity(std::string_view port) const override {
+        const UploadPlace* place = find_place(places_, port);
+        return place != nullptr ? place->capacity_bytes : 0;
+    }
+
+ private:
+    const std::vector<UploadPlace>& places_;
+    std::vector<uint64_t>& filled_bytes_;
+    std::span<std::byte> memory_;
+};
+
+class CommandRecorder final : public Recorder {
+ public:
+    struct Target {
+        const Device& device;
+        VkCommandBuffer commands;
+        const PassDecl& pass;
+        const FrameResources& resources;
+        const std::vector<UploadPlace>& places;
+        const std::vector<uint64_t>& filled_bytes;
+        VkBuffer memory;
+    };
+    explicit CommandRecorder(Target target) : target_(target) {}
+
+    void copy_upload(std::string_view port) override {
+        const UploadPlace* place = find_place(target_.places, port);
+        if (place == nullptr) return;
+        const uint64_t bytes = target_.filled_bytes[static_cast<size_t>(place - target_.places.data())];
+        if (bytes == 0) return;
+        const UseDecl& use = target_.pass.uses[place->use];
+        const DeviceFunctions& fn = target_.device.fn();
+        if (place->regions.copies.empty()) {
+            const VkBufferCopy copy{place->offset_bytes, 0, bytes};
+            fn.vkCmdCopyBuffer(target_.commands, target_.memory, target_.resources.buffer(use.resource), 1,
+                               &copy);
+            return;
+        }
+        fn.vkCmdCopyBufferToImage(
+            target_.commands, target_.memory, target_.resources.image(use.resource), to_vk(use.state.layout),
+            static_cast<uint32_t>(place->regions.copies.size()), place->regions.copies.data());
+    }
+    void fill_buffer(std::string_view port, uint32_t word) override {
+        for (const UseDecl& use : target_.pass.uses) {
+            const VkBuffer buffer = target_.resources.buffer(use.resource);
+            if (use.port == port && use.is_output && buffer != VK_NULL_HANDLE)
+                target_.device.fn().vkCmdFillBuffer(target_.commands, buffer, 0, VK_WHOLE_SIZE, word);
+        }
+    }
+
+ private:
+    Target target_;
+};
+
+UploadPlace make_place(const FramePlan& plan, const PassDecl& pass, uint32_t use_index,
+                       uint64_t offset_bytes) {
+    const UseDecl& use = pass.uses[use_index];
+    const ResourceDecl& decl = plan.graph.resources[use.resource];
+    UploadPlace place{use.port, use_index, offset_bytes, decl.size_bytes, {}};
+    if (decl.kind == ResourceKind::image) {
+        place.regions = image_regions(decl, use.range, offset_bytes);
+        place.capacity_bytes = place.regions.staging_bytes;
+    }
+    return place;
+}
+
+}  // namespace
+
+Result<UploadMemory> UploadMemory::create(Device& device, const FramePlan& plan) {
+    UploadMemory memory;
+    uint64_t size_bytes = 0;
+    memory.places_.resize(plan.schedule.order.size());
+    for (size_t position = 0; position < plan.schedule.order.size(); ++position) {
+        const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
+        if (pass.kind != PassKind::custom) continue;
+        for (uint32_t use = 0; use < pass.uses.size(); ++use) {
+            if (pass.uses[use].access != Access::copy_write) continue;
+            size_bytes =
+                (size_bytes + kPlaceAlignmentBytes - 1) / kPlaceAlignmentBytes * kPlaceAlignmentBytes;
+            memory.places_[position].push_back(make_place(plan, pass, use, size_bytes));
+            size_bytes += memory.places_[position].back().capacity_bytes;
+        }
+    }
+    for (auto& slot : memory.filled_bytes_)
+        for (const auto& places : memory.places_) slot.emplace_back(places.size(), 0);
+    if (size_bytes == 0) return memory;
+    for (Buffer& buffer : memory.memory_) {
+        Result<Buffer> made = Buffer::create(device, size_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                             Buffer::Memory::upload, "uploads");
+        if (!made) return made.take_errors();
+        buffer = std::move(*made);
+    }
+    return memory;
+}
+
+void UploadMemory::prepare(uint32_t position, const PassType& type, const PassDecl& pass,
+                           const HostInputs& host, uint32_t slot) {
+    std::vector<uint64_t>& filled = filled_bytes_[slot][position];
+    std::fill(filled.begin(), filled.end(), 0);
+    SlotUploads uploads(places_[position], filled, memory_[slot].mapped());
+    if (type.prepare != nullptr) type.prepare(PassContext{pass.custom_params}, host, uploads);
+}
+
+void UploadMemory::record(const Device& device, VkCommandBuffer commands, uint32_t position,
+                          const PassType& type, const PassDecl& pass, uint32_t slot,
+                          const FrameResources& resources) const {
+    CommandRecorder recorder({device, commands, pass, resources, places_[position],
+                              filled_bytes_[slot][position], memory_[slot].handle()});
+    if (type.record != nullptr) type.record(PassContext{pass.custom_params}, recorder);
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,174 @@
+#include "vulkan/pipelines/descriptors.h"
+
+#include <deque>
+#include <map>
+
+#include "vulkan/device/executor_errors.h"
+#include "vulkan/device/to_vk.h"
+
+namespace weft::vk {
+namespace {
+
+bool params_in_buffer(const ShaderInterface& interface) {
+    return interface.has_params && !interface.params.push_constants;
+}
+
+// The writes of one set, with the infos they point to: deques keep them in place.
+struct SetWrites {
+    std::vector<VkWriteDescriptorSet> writes;
+    std::deque<std::vector<VkDescriptorImageInfo>> images;
+    std::deque<std::vector<VkDescriptorBufferInfo>> buffers;
+};
+
+std::vector<const UseDecl*> uses_of(const PassDecl& pass, const ShaderBinding& binding) {
+    std::vector<const UseDecl*> uses;
+    for (const UseDecl& use : pass.uses)
+        if (use.binding == binding.binding) uses.push_back(&use);
+    return uses;
+}
+
+Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDecl* use,
+                                         const ShaderBinding& binding) {
+    VkDescriptorImageInfo info{};
+    if (use != nullptr) {
+        Result<VkImageView> view = sources.views.shader_view(*use, binding, sources.resources.frame());
+        if (!view) return view.take_errors();
+        info = {VK_NULL_HANDLE, *view, to_vk(use->state.layout)};
+    } else {
+        Result<VkDescriptorImageInfo> stand_in = sources.stand_ins.image(binding);
+        if (!stand_in) return stand_in.take_errors();
+        info = *stand_in;
+    }
+    if (binding.kind != BindingKind::sampled_image) return info;
+    const bool integer = binding.numeric == NumericClass::sint || binding.numeric == NumericClass::uint;
+    SamplerDecl decl = use != nullptr ? use->sampler : SamplerDecl{};
+    if (use == nullptr) {
+        decl.filter = decl.mip_filter = SamplerFilter::nearest;
+        decl.compare_greater_equal = binding.shadow;
+    }
+    Result<VkSampler> sampler = sources.samplers.get(decl, integer);
+    if (!sampler) return sampler.take_errors();
+    info.sampler = *sampler;
+    return info;
+}
+
+Result<VkDescriptorBufferInfo> buffer_info(DescriptorSources& sources, const UseDecl* use,
+                                           const ShaderBinding& binding) {
+    if (use != nullptr)
+        return VkDescriptorBufferInfo{sources.resources.buffer(use->resource), 0,
+                                      sources.plan.graph.resources[use->resource].size_bytes};
+    Result<VkBuffer> stand_in = sources.stand_ins.buffer(binding.block_bytes);
+    if (!stand_in) return stand_in.take_errors();
+    return VkDescriptorBufferInfo{*stand_in, 0, VK_WHOLE_SIZE};
+}
+
+Status add_binding(DescriptorSources& sources, const PassDecl& pass, const ShaderBinding& binding,
+                   SetWrites& out) {
+    const std::vector<const UseDecl*> uses = uses_of(pass, binding);
+    if (!uses.empty() && uses.size() != binding.count)
+        return pass_error(sources.plan, pass, "V413",
+                          "binding \"" + binding.name + "\" has " + std::to_string(binding.count) +
+                              " elements for " + std::to_string(uses.size()) + " ports");
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstBinding = binding.binding;
+    write.descriptorCount = binding.count;
+    write.descriptorType = to_vk(binding.kind);
+    const bool is_image =
+        binding.kind == BindingKind::sampled_image || binding.kind == BindingKind::storage_image;
+    if (is_image)
+        out.images.emplace_back();
+    else
+        out.buffers.emplace_back();
+    for (uint32_t i = 0; i < binding.count; ++i) {
+        const UseDecl* use = uses.empty() ? nullptr : uses[i];
+        if (is_image) {
+            Result<VkDescriptorImageInfo> info = image_info(sources, use, binding);
+            if (!info) return info.take_errors();
+            out.images.back().push_back(*info);
+        } else {
+            Result<VkDescriptorBufferInfo> info = buffer_info(sources, use, binding);
+            if (!info) return info.take_errors();
+            out.buffers.back().push_back(*info);
+        }
+    }
+    if (is_image)
+        write.pImageInfo = out.images.back().data();
+    else
+        write.pBufferInfo = out.buffers.back().data();
+    out.writes.push_back(write);
+    return Unit{};
+}
+
+Result<SlotSets> allocate_sets(Device& device, VkDescriptorPool pool, const FramePlan& plan,
+                               const PassDecl& pass, const PassLayout& layout) {
+    std::array<VkDescriptorSetLayout, kFramesInFlight> layouts;
+    layouts.fill(layout.ports.get());
+    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    info.descriptorPool = pool;
+    info.descriptorSetCount = kFramesInFlight;
+    info.pSetLayouts = layouts.data();
+    SlotSets sets{};
+    const VkResult result = device.fn().vkAllocateDescriptorSets(device.handle(), &info, sets.data());
+    if (result != VK_SUCCESS)
+        return failed_pass_call(plan, pass, "V413", "allocating its descriptor sets", result);
+    return sets;
+}
+
+}  // namespace
+
+Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const std::vector<SetDemand>& demands) {
+    std::map<VkDescriptorType, uint32_t> counts;
+    uint32_t sets = 0;
+    for (const SetDemand& demand : demands) {
+        const uint32_t pass_sets = demand.turns * kFramesInFlight;
+        sets += pass_sets;
+        for (const ShaderBinding& binding : demand.interface->bindings)
+            if (binding.set == kPortSet) counts[to_vk(binding.kind)] += binding.count * pass_sets;
+        if (params_in_buffer(*demand.interface)) counts[VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER] += pass_sets;
+    }
+    if (counts.empty()) return DescriptorPoolHandle{};
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (const auto& [type, count] : counts) sizes.push_back({type, count});
+    VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    info.maxSets = sets;
+    info.poolSizeCount = static_cast<uint32_t>(sizes.size());
+    info.pPoolSizes = sizes.data();
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    const VkResult result = device.fn().vkCreateDescriptorPool(device.handle(), &info, nullptr, &pool);
+    if (result != VK_SUCCESS) return failed_call("V413", "making the descriptor pool", result);
+    return DescriptorPoolHandle(device, pool);
+}
+
+Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool, DescriptorSources sources,
+                                uint32_t position, const ShaderInterface& interface,
+                                const PassLayout& layout) {
+    const PassDecl& pass = sources.plan.graph.passes[sources.plan.schedule.order[position]];
+    if (!layout.has_ports()) return SlotSets{};
+    SetWrites ports;
+    for (const ShaderBinding& binding : interface.bindings) {
+        if (binding.set != kPortSet) continue;
+        Status added = add_binding(sources, pass, binding, ports);
+        if (!added) return added.take_errors();
+    }
+    Result<SlotSets> sets = allocate_sets(device, pool, sources.plan, pass, layout);
+    if (!sets) return sets;
+    for (uint32_t slot = 0; slot < kFramesInFlight; ++slot) {
+        std::vector<VkWriteDescriptorSet> writes = ports.writes;
+        VkDescriptorBufferInfo params{};
+        if (params_in_buffer(interface)) {
+            params = sources.params.descriptor(position, slot);
+            VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+            write.dstBinding = interface.params.binding;
+            write.descriptorCount = 1;
+            write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+            write.pBufferInfo = &params;
+            writes.push_back(write);
+        }
+        for (VkWriteDescriptorSet& write : writes) write.dstSet = (*sets)[slot];
+        device.fn().vkUpdateDescriptorSets(device.handle(), static_cast<uint32_t>(writes.size()),
+                                           writes.data(), 0, nullptr);
+    }
+    return sets;
+}
+
+}  // namespace weft::vk

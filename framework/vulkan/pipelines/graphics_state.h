@@ -1,0 +1,55 @@
+// Purpose: a pass's fixed-function state as Vulkan's pipeline structures, which point into each other.
+// Viewport, scissor, cull mode and front face are dynamic.
+#pragma once
+
+#include <vector>
+
+#include "weft/declaration.h"
+#include "weft/imports.h"
+#include "weft/result.h"
+#include "weft/shader_interface.h"
+#include "weft/vulkan/functions.h"
+
+namespace weft::vk {
+
+// Stays where it was made: its structures point at its own members.
+class GraphicsState {
+ public:
+    // `vertices` may be null for shaders without vertex inputs.
+    GraphicsState(const ResolvedGraph& graph, const PassDecl& pass, const ShaderInterface& interface,
+                  const VertexFormat* vertices);
+    GraphicsState(const GraphicsState&) = delete;
+    GraphicsState& operator=(const GraphicsState&) = delete;
+
+    // Everything but stages and layout.
+    [[nodiscard]] VkGraphicsPipelineCreateInfo info() const;
+    // Names of the shader's vertex inputs that the format doesn't have; nothing else may be done with the
+    // state then.
+    [[nodiscard]] const std::vector<std::string>& missing_inputs() const { return missing_inputs_; }
+
+ private:
+    void set_vertex_input(const ShaderInterface& interface, const VertexFormat* vertices);
+    void set_rasterization(const RasterState& state);
+    void set_depth_stencil(const RasterState& state);
+    void set_attachments(const ResolvedGraph& graph, const PassDecl& pass);
+
+    std::vector<std::string> missing_inputs_;
+    std::vector<VkVertexInputBindingDescription> streams_;
+    std::vector<VkVertexInputAttributeDescription> attributes_;
+    std::vector<VkPipelineColorBlendAttachmentState> blends_;
+    std::vector<VkFormat> color_formats_;
+    VkPipelineVertexInputStateCreateInfo vertex_input_{
+        VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    VkPipelineInputAssemblyStateCreateInfo assembly_{
+        VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    VkPipelineViewportStateCreateInfo viewport_{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    VkPipelineRasterizationStateCreateInfo raster_{
+        VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    VkPipelineMultisampleStateCreateInfo samples_{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    VkPipelineDepthStencilStateCreateInfo depth_{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    VkPipelineColorBlendStateCreateInfo blend_{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    VkPipelineDynamicStateCreateInfo dynamic_{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    VkPipelineRenderingCreateInfo rendering_{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+};
+
+}  // namespace weft::vk

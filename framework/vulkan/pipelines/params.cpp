@@ -1,0 +1,108 @@
+#include "vulkan/pipelines/params.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+
+#include "graph/diagnostics/whole_number.h"
+
+namespace weft::vk {
+namespace {
+
+// The largest minUniformBufferOffsetAlignment that Vulkan allows a device to ask for.
+constexpr uint64_t kUniformAlignmentBytes = 256;
+
+double builtin_value(const ParamWrite& write, const FrameInput& frame, const FrameResources& resources) {
+    switch (write.builtin) {
+        case Builtin::none:
+            return 0;
+        case Builtin::valid:
+            return resources.rings().valid(write.resource, resources.frame()) ? 1 : 0;
+        case Builtin::frame_index:
+            return static_cast<double>(frame.frame_index);
+        case Builtin::time_s:
+            return frame.time_s;
+        case Builtin::delta_time_s:
+            return frame.delta_time_s;
+        case Builtin::pre_exposure:
+            return frame.pre_exposure;
+        case Builtin::prev_pre_exposure:
+            return frame.prev_pre_exposure;
+    }
+    return 0;
+}
+
+uint32_t bits_of(ScalarType scalar, double value) {
+    switch (scalar) {
+        case ScalarType::f32: {
+            const float narrowed = saturated_float(value);
+            uint32_t bits = 0;
+            std::memcpy(&bits, &narrowed, sizeof bits);
+            return bits;
+        }
+        // A frame index wraps at 2^32 instead of overflowing the conversion.
+        case ScalarType::i32:
+        case ScalarType::u32:
+            return static_cast<uint32_t>(saturated<int64_t>(value));
+        case ScalarType::boolean:
+            return value != 0 ? 1 : 0;
+    }
+    return 0;
+}
+
+}  // namespace
+
+void write_params(const PassDecl& pass, const FrameInput& frame, const FrameResources& resources,
+                  std::span<std::byte> bytes) {
+    std::fill(bytes.begin(), bytes.end(), std::byte{0});
+    for (const ParamWrite& write : pass.params) {
+        for (uint32_t i = 0; i < write.components; ++i) {
+            const double value =
+                write.builtin == Builtin::none ? write.value[i] : builtin_value(write, frame, resources);
+            const uint32_t bits = bits_of(write.scalar, value);
+            const size_t offset = write.offset_bytes + size_t{i} * sizeof bits;
+            assert(offset + sizeof bits <= bytes.size());
+            std::memcpy(bytes.data() + offset, &bits, sizeof bits);
+        }
+    }
+}
+
+Result<ParamsMemory> ParamsMemory::create(Device& device, const FramePlan& plan) {
+    ParamsMemory memory;
+    uint64_t size_bytes = 0;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        const bool pushed = pass.params_push && !device.hides_uniforms();
+        if (pass.params_bytes == 0 || pushed) {
+            memory.blocks_.push_back({});
+            continue;
+        }
+        memory.blocks_.push_back({size_bytes, pass.params_bytes});
+        size_bytes += (pass.params_bytes + kUniformAlignmentBytes - 1) / kUniformAlignmentBytes *
+                      kUniformAlignmentBytes;
+    }
+    if (size_bytes == 0) return memory;
+    for (Buffer& buffer : memory.memory_) {
+        Result<Buffer> made = Buffer::create(device, size_bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                                             Buffer::Memory::upload, "Params");
+        if (!made) return made.take_errors();
+        buffer = std::move(*made);
+    }
+    return memory;
+}
+
+VkDescriptorBufferInfo ParamsMemory::descriptor(uint32_t position, uint32_t slot) const {
+    return {memory_[slot].handle(), blocks_[position].offset_bytes, blocks_[position].size_bytes};
+}
+
+void ParamsMemory::write(const FramePlan& plan, const FrameInput& frame, const FrameResources& resources,
+                         uint32_t slot) {
+    for (size_t position = 0; position < blocks_.size(); ++position) {
+        const Block& block = blocks_[position];
+        if (block.size_bytes == 0) continue;
+        write_params(plan.graph.passes[plan.schedule.order[position]], frame, resources,
+                     memory_[slot].mapped().subspan(block.offset_bytes, block.size_bytes));
+    }
+}
+
+}  // namespace weft::vk

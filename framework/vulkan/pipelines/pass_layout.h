@@ -1,0 +1,36 @@
+// Purpose: the pipeline layout of a pass: set 1 from its shader's ports, sets 0, 2 and 3 from the draw source
+// where the shader declares them, and the range of its push constants. Errors: V413, V415.
+#pragma once
+
+#include <array>
+
+#include "weft/plan.h"
+#include "weft/result.h"
+#include "weft/shader_interface.h"
+#include "weft/vulkan/draw_source.h"
+#include "weft/vulkan/handle.h"
+
+namespace weft::vk {
+
+inline constexpr uint32_t kFrameSet = 0;
+inline constexpr uint32_t kPortSet = 1;
+inline constexpr uint32_t kMaterialSet = 2;
+inline constexpr uint32_t kInstanceSet = 3;
+inline constexpr uint32_t kSetCount = 4;
+
+struct PassLayout {
+    SetLayoutHandle ports;
+    SetLayoutHandle empty;  // fills the gaps below the highest set in use
+    PipelineLayoutHandle pipeline;
+    std::array<bool, kSetCount> declares{};  // by set: the shader uses it
+    VkShaderStageFlags push_stages = 0;      // 0: no push constants
+    VkShaderStageFlags index_stages = 0;     // instead of them, a word that is 0: see opaque_uniforms.h
+
+    [[nodiscard]] bool has_ports() const { return declares[kPortSet]; }
+};
+
+// `draws` may be null when the shader declares none of its sets.
+[[nodiscard]] Result<PassLayout> make_pass_layout(Device& device, const FramePlan& plan, const PassDecl& pass,
+                                                  const ShaderInterface& interface, const DrawSource* draws);
+
+}  // namespace weft::vk

@@ -1,0 +1,52 @@
+#include "weft/vulkan/pipeline_store.h"
+
+#include <cassert>
+
+namespace weft::vk {
+
+PipelineLease& PipelineLease::operator=(PipelineLease&& other) noexcept {
+    if (this == &other) return *this;
+    reset();
+    store_ = std::exchange(other.store_, nullptr);
+    hash_ = std::move(other.hash_);
+    pipeline_ = std::exchange(other.pipeline_, VK_NULL_HANDLE);
+    return *this;
+}
+
+void PipelineLease::reset() {
+    pipeline_ = VK_NULL_HANDLE;
+    if (store_ != nullptr) std::exchange(store_, nullptr)->give_back(hash_);
+}
+
+PipelineLease PipelineStore::lease(const std::string& hash, Entry& entry) {
+    ++entry.leases;
+    return {*this, hash, entry.pipeline.get()};
+}
+
+Result<PipelineLease> PipelineStore::get(const std::string& hash, const Make& make, uint32_t& made) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = entries_.find(hash); found != entries_.end())
+            return lease(hash, found->second);
+    }
+    // Making one may take long, and frames go on meanwhile. Where two threads make the same, one is dropped.
+    Result<PipelineHandle> pipeline = make();
+    if (!pipeline) return pipeline.take_errors();
+    ++made;
+    const std::lock_guard lock(mutex_);
+    const auto [place, is_new] = entries_.try_emplace(hash);
+    if (is_new) place->second.pipeline = std::move(*pipeline);
+    return lease(hash, place->second);
+}
+
+void PipelineStore::give_back(const std::string& hash) {
+    PipelineHandle last;  // destroyed behind the lock
+    const std::lock_guard lock(mutex_);
+    const auto found = entries_.find(hash);
+    assert(found != entries_.end() && found->second.leases > 0);
+    if (--found->second.leases > 0) return;
+    last = std::move(found->second.pipeline);
+    entries_.erase(found);
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,94 @@
+#include "vulkan/record/barriers_vk.h"
+
+#include "vulkan/device/plan_queues.h"
+#include "vulkan/device/to_vk.h"
+
+namespace weft::vk {
+namespace {
+
+struct Families {
+    uint32_t src = VK_QUEUE_FAMILY_IGNORED;
+    uint32_t dst = VK_QUEUE_FAMILY_IGNORED;
+};
+
+Families families_of(const Device& device, const BarrierDecl& barrier) {
+    const Families families{device_family(device, barrier.src_family),
+                            device_family(device, barrier.dst_family)};
+    return families.src == families.dst ? Families{} : families;
+}
+
+// Both halves of a transfer name the change of layout. When the device has one family for both, nothing is
+// transferred: the first half alone changes it.
+VkImageLayout old_layout(const BarrierDecl& barrier, const Families& families) {
+    const bool done = barrier.reason == BarrierReason::acquire_queue && families.src == families.dst;
+    return to_vk(done ? barrier.dst.layout : barrier.src.layout);
+}
+
+VkImageMemoryBarrier2 image_barrier(const BarrierDecl& barrier, VkImage image, const Families& families) {
+    VkImageMemoryBarrier2 out{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    out.srcStageMask = stages_to_vk(barrier.src.stages);
+    out.srcAccessMask = access_to_vk(barrier.src.access);
+    out.oldLayout = old_layout(barrier, families);
+    out.dstStageMask = stages_to_vk(barrier.dst.stages);
+    out.dstAccessMask = access_to_vk(barrier.dst.access);
+    out.newLayout = to_vk(barrier.dst.layout);
+    out.srcQueueFamilyIndex = families.src;
+    out.dstQueueFamilyIndex = families.dst;
+    out.image = image;
+    out.subresourceRange = to_vk(barrier.range);
+    return out;
+}
+
+VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffer, const Families& families) {
+    VkBufferMemoryBarrier2 out{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
+    out.srcStageMask = stages_to_vk(barrier.src.stages);
+    out.srcAccessMask = access_to_vk(barrier.src.access);
+    out.dstStageMask = stages_to_vk(barrier.dst.stages);
+    out.dstAccessMask = access_to_vk(barrier.dst.access);
+    out.srcQueueFamilyIndex = families.src;
+    out.dstQueueFamilyIndex = families.dst;
+    out.buffer = buffer;
+    out.size = VK_WHOLE_SIZE;
+    return out;
+}
+
+// A hand-over waits for accesses to memory that belonged to another resource: no range of the new one covers
+// them, so this part is a barrier over all memory. Images become visible through their own transition.
+VkMemoryBarrier2 memory_barrier(const BarrierDecl& barrier, bool is_image) {
+    VkMemoryBarrier2 out{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    out.srcStageMask = stages_to_vk(barrier.src.stages);
+    out.srcAccessMask = access_to_vk(barrier.src.access);
+    out.dstStageMask = stages_to_vk(barrier.dst.stages);
+    out.dstAccessMask = is_image ? VK_ACCESS_2_NONE : access_to_vk(barrier.dst.access);
+    return out;
+}
+
+}  // namespace
+
+void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
+                     const FramePlan& plan, const FrameResources& resources) {
+    if (barriers.empty()) return;
+    std::vector<VkMemoryBarrier2> memory;
+    std::vector<VkImageMemoryBarrier2> images;
+    std::vector<VkBufferMemoryBarrier2> buffers;
+    for (const BarrierDecl& barrier : barriers) {
+        const ResourceDecl& decl = plan.graph.resources[barrier.resource];
+        const bool is_image = decl.kind == ResourceKind::image;
+        const Families families = families_of(device, barrier);
+        if (!barrier.hand_over_from.empty()) memory.push_back(memory_barrier(barrier, is_image));
+        if (is_image)
+            images.push_back(image_barrier(barrier, resources.image(barrier.resource), families));
+        else if (barrier.hand_over_from.empty())
+            buffers.push_back(buffer_barrier(barrier, resources.buffer(barrier.resource), families));
+    }
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.memoryBarrierCount = static_cast<uint32_t>(memory.size());
+    info.pMemoryBarriers = memory.data();
+    info.imageMemoryBarrierCount = static_cast<uint32_t>(images.size());
+    info.pImageMemoryBarriers = images.data();
+    info.bufferMemoryBarrierCount = static_cast<uint32_t>(buffers.size());
+    info.pBufferMemoryBarriers = buffers.data();
+    device.fn().vkCmdPipelineBarrier2(commands, &info);
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,33 @@
+#include "vulkan/record/merged_scopes.h"
+
+#include <cassert>
+
+namespace weft::vk {
+namespace {
+
+uint32_t next_on_queue(const FramePlan& plan, uint32_t position) {
+    const std::vector<QueueIndex>& queue = plan.schedule.queue;
+    for (uint32_t next = position + 1; next < queue.size(); ++next)
+        if (queue[next] == queue[position]) return next;
+    return kNoId;
+}
+
+}  // namespace
+
+bool scope_goes_on(const FramePlan& plan, uint32_t position) {
+    const uint32_t next = next_on_queue(plan, position);
+    return next != kNoId && plan.barriers.steps[next].continues_scope;
+}
+
+PassStep step_of_scope(const FramePlan& plan, uint32_t position) {
+    PassStep step = plan.barriers.steps[position];
+    while (scope_goes_on(plan, position)) position = next_on_queue(plan, position);
+    const PassStep& last = plan.barriers.steps[position];
+    assert(step.attachments.size() == last.attachments.size() &&
+           "a scope's passes have the same attachments");
+    for (size_t i = 0; i < step.attachments.size(); ++i)
+        step.attachments[i].store = last.attachments[i].store;
+    return step;
+}
+
+}  // namespace weft::vk

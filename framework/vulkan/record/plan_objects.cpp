@@ -1,0 +1,227 @@
+#include "vulkan/record/plan_objects.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "vulkan/device/executor_errors.h"
+#include "vulkan/pipelines/opaque_uniforms.h"
+#include "vulkan/record/merged_scopes.h"
+
+namespace weft::vk {
+namespace {
+
+// A pass needs descriptor sets for each turn of the histories it sees. All lengths up to eight fit together.
+constexpr uint64_t kMaxTurns = 840;
+
+bool runs_shader(PassKind kind) {
+    return kind == PassKind::compute || kind == PassKind::fullscreen || kind == PassKind::raster;
+}
+
+// A copy moves all of one range to another of the same shape.
+bool copies_like_to_like(const FramePlan& plan, const PassDecl& pass) {
+    if (pass.uses.size() != 2) return false;
+    return plan.graph.resources[pass.uses[0].resource].kind ==
+           plan.graph.resources[pass.uses[1].resource].kind;
+}
+
+// Of what llvmpipe (Mesa 22.3) gets wrong: it resolves from and into layer 0, whatever layers the views show.
+bool is_resolved_elsewhere(const Device& device, const PassDecl& pass) {
+    if (!device.info().driver.starts_with("llvmpipe")) return false;
+    return std::any_of(pass.colors.begin(), pass.colors.end(), [&](const AttachmentDecl& color) {
+        return color.resolve_use != kNoId &&
+               (pass.uses[color.use].range.layer != 0 || pass.uses[color.resolve_use].range.layer != 0);
+    });
+}
+
+Diagnostics check_passes(const Device& device, const FramePlan& plan, const ExecutorInput& input) {
+    Diagnostics errors;
+    const Rings rings(plan);
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        const auto fault = [&](const std::string& what) {
+            errors.push_back(pass_error(plan, pass, "V417", what));
+        };
+        if (rings.period(pass) > kMaxTurns)
+            fault(
+                "its resources keep histories of so many lengths that they are back in their places only "
+                "after " +
+                std::to_string(rings.period(pass)) + " frames");
+        if (pass.kind == PassKind::copy && !copies_like_to_like(plan, pass))
+            fault("a copy needs one input and one output, both images or both buffers");
+        if (is_resolved_elsewhere(device, pass)) {
+            fault(
+                "it resolves a layer behind the first, and llvmpipe resolves the first whatever it is told");
+            errors.back().help = {"resolve into an image of one layer, and copy that"};
+        }
+        if (pass.kind == PassKind::custom && (input.passes == nullptr || !input.passes->contains(pass.type)))
+            fault("no pass type \"" + pass.type + "\" was given");
+        if (pass.kind == PassKind::raster && !pass.draw_lists.empty() && input.draws == nullptr)
+            errors.push_back(pass_error(plan, pass, "V415", "it draws, but no draw source was given"));
+        if (pass.draw_commands_use != kNoId && pass.draw_lists.size() != 1)
+            fault("a buffer of draw commands is for one list, but it draws " +
+                  std::to_string(pass.draw_lists.size()));
+        if (!runs_shader(pass.kind)) continue;
+        const auto program =
+            input.shaders == nullptr ? ShaderCatalog::const_iterator{} : input.shaders->find(pass.shader);
+        if (input.shaders == nullptr || program == input.shaders->end() || program->second.modules.empty())
+            fault("no shader \"" + pass.shader + "\" was given");
+        else if (program->second.interface.has_params &&
+                 program->second.interface.params.size_bytes != pass.params_bytes)
+            fault("its Params have " + std::to_string(pass.params_bytes) + " bytes where the shader has " +
+                  std::to_string(program->second.interface.params.size_bytes));
+    }
+    return errors;
+}
+
+// Memory, and what only depends on the plan.
+Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& objects) {
+    Result<TransientHeap> heap = TransientHeap::create(device, objects.plan);
+    if (!heap) return heap.take_errors();
+    objects.heap = std::move(*heap);
+    Result<ResourceTable> resources = bind_resources(objects.plan, objects.heap, input.bindings);
+    if (!resources) return resources.take_errors();
+    objects.resources = std::move(*resources);
+    Result<ParamsMemory> params = ParamsMemory::create(device, objects.plan);
+    if (!params) return params.take_errors();
+    objects.params = std::move(*params);
+    Result<UploadMemory> uploads = UploadMemory::create(device, objects.plan);
+    if (!uploads) return uploads.take_errors();
+    objects.uploads = std::move(*uploads);
+    Result<ReadbackMemory> readbacks = ReadbackMemory::create(device, objects.plan);
+    if (!readbacks) return readbacks.take_errors();
+    objects.readbacks = std::move(*readbacks);
+    Result<PassTimer> timer = PassTimer::create(device, objects.plan, input.timestamps);
+    if (!timer) return timer.take_errors();
+    objects.timer = std::move(*timer);
+    return Unit{};
+}
+
+// What the pass at `position` binds in `frame`, and in every frame a whole period later.
+Status prepare_turn(Device& device, PlanObjects& objects, uint32_t position, const ShaderInterface& interface,
+                    uint64_t frame) {
+    PreparedPass& prepared = objects.passes[position];
+    const DescriptorSources sources{objects.plan,  {objects.resources, frame}, objects.params,
+                                    objects.views, objects.samplers,           objects.stand_ins};
+    Result<SlotSets> sets =
+        make_port_sets(device, objects.pool.get(), sources, position, interface, prepared.layout);
+    if (!sets) return sets.take_errors();
+    prepared.port_sets.push_back(*sets);
+    const PassStep& step = objects.plan.barriers.steps[position];
+    if (objects.plan.graph.passes[step.pass].kind == PassKind::compute) return Unit{};
+    Result<RenderingScope> scope =
+        make_rendering_scope(objects.plan, step_of_scope(objects.plan, position), objects.views, frame);
+    if (!scope) return scope.take_errors();
+    scope->begins = !step.continues_scope;
+    scope->ends = !scope_goes_on(objects.plan, position);
+    prepared.scopes.push_back(std::move(*scope));
+    return Unit{};
+}
+
+Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjects& objects,
+                           uint32_t position) {
+    const PassDecl& pass = objects.plan.graph.passes[objects.plan.schedule.order[position]];
+    const ShaderProgram& program = input.shaders->find(pass.shader)->second;
+    PreparedPass& prepared = objects.passes[position];
+    Result<PassLayout> layout = make_pass_layout(device, objects.plan, pass, program.interface, input.draws);
+    if (!layout) return layout.take_errors();
+    prepared.layout = std::move(*layout);
+    for (uint64_t frame = 0; frame < objects.resources.rings.period(pass); ++frame) {
+        const Status turn = prepare_turn(device, objects, position, program.interface, frame);
+        if (!turn) return turn;
+    }
+    Result<std::vector<DrawPipeline>> pipelines =
+        make_pipelines(device, {objects.plan, pass, program, prepared.layout, input.imports,
+                                objects.cache.get(), *input.pipelines, objects.pipeline_counts});
+    if (!pipelines) return pipelines.take_errors();
+    prepared.pipelines = std::move(*pipelines);
+    return Unit{};
+}
+
+Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& objects) {
+    std::vector<SetDemand> demands;
+    for (const PassId id : objects.plan.schedule.order) {
+        const PassDecl& pass = objects.plan.graph.passes[id];
+        if (!runs_shader(pass.kind)) continue;
+        demands.push_back({&input.shaders->find(pass.shader)->second.interface,
+                           static_cast<uint32_t>(objects.resources.rings.period(pass))});
+    }
+    Result<DescriptorPoolHandle> pool = make_descriptor_pool(device, demands);
+    if (!pool) return pool.take_errors();
+    objects.pool = std::move(*pool);
+    Result<PipelineCacheHandle> cache = make_pipeline_cache(device);
+    if (!cache) return cache.take_errors();
+    objects.cache = std::move(*cache);
+    return Unit{};
+}
+
+Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const ExecutorInput& input,
+                                                     VkPipelineCache cache, PlanAmendment& amendment,
+                                                     const PassDecl& pass) {
+    const ShaderProgram& program = input.shaders->find(pass.shader)->second;
+    // Pipelines are at home in every layout of the same making; this one is only to make them.
+    Result<PassLayout> layout =
+        make_pass_layout(device, amendment.plan, pass, program.interface, input.draws);
+    if (!layout) return layout.take_errors();
+    return make_pipelines(device, {amendment.plan, pass, program, *layout, input.imports, cache,
+                                   *input.pipelines, amendment.counts});
+}
+
+}  // namespace
+
+Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input) {
+    ShaderCatalog changed;
+    input.shaders = shaders_for(device, input, changed);
+    Diagnostics errors = check_passes(device, input.plan, input);
+    if (!errors.empty()) return errors;
+    auto objects = std::make_unique<PlanObjects>(device, std::move(input.plan));
+    objects->draws = input.draws;
+    if (input.pipelines == nullptr) {
+        objects->own_pipelines = std::make_unique<PipelineStore>();
+        input.pipelines = objects->own_pipelines.get();
+    }
+    if (Status made = make_memory(device, input, *objects); !made) return made.take_errors();
+    if (Status made = make_pool(device, input, *objects); !made) return made.take_errors();
+    const std::vector<PassId>& order = objects->plan.schedule.order;
+    objects->passes.resize(order.size());
+    for (uint32_t position = 0; position < order.size(); ++position) {
+        const PassDecl& pass = objects->plan.graph.passes[order[position]];
+        if (pass.kind == PassKind::custom)
+            objects->passes[position].type = input.passes->find(pass.type)->second;
+        if (!runs_shader(pass.kind)) continue;
+        device.messages().set_current_pass(pass.name);
+        const Status prepared = prepare_shader_pass(device, input, *objects, position);
+        if (!prepared) append(errors, prepared.errors());
+    }
+    device.messages().set_current_pass("");
+    if (!errors.empty()) return errors;
+    return objects;
+}
+
+Result<std::unique_ptr<PlanAmendment>> make_plan_amendment(Device& device, ExecutorInput input) {
+    assert(input.pipelines != nullptr && "without a store nothing would be left as it is");
+    ShaderCatalog changed;
+    input.shaders = shaders_for(device, input, changed);
+    Diagnostics errors = check_passes(device, input.plan, input);
+    if (!errors.empty()) return errors;
+    Result<PipelineCacheHandle> cache = make_pipeline_cache(device);
+    if (!cache) return cache.take_errors();
+    auto amendment = std::make_unique<PlanAmendment>();
+    amendment->plan = std::move(input.plan);
+    for (const PassId id : amendment->plan.schedule.order) {
+        std::vector<DrawPipeline>& place = amendment->passes.emplace_back();
+        const PassDecl& pass = amendment->plan.graph.passes[id];
+        if (!runs_shader(pass.kind)) continue;
+        device.messages().set_current_pass(pass.name);
+        Result<std::vector<DrawPipeline>> pipelines =
+            make_new_pipelines(device, input, cache->get(), *amendment, pass);
+        if (pipelines)
+            place = std::move(*pipelines);
+        else
+            append(errors, pipelines.errors());
+    }
+    device.messages().set_current_pass("");
+    if (!errors.empty()) return errors;
+    return amendment;
+}
+
+}  // namespace weft::vk

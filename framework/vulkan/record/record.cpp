@@ -1,0 +1,117 @@
+#include "vulkan/record/record.h"
+
+#include "vulkan/device/to_vk.h"
+
+namespace weft::vk {
+namespace {
+
+// Sets 0 and 1 and the push constants; sets 2 and 3 are the draw source's. `commands` has a pipeline of the
+// pass.
+void bind_pass(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+               VkPipelineBindPoint point) {
+    const DeviceFunctions& fn = context.device.fn();
+    const VkPipelineLayout layout = prepared.layout.pipeline.get();
+    if (prepared.layout.declares[kFrameSet]) {
+        const VkDescriptorSet set = context.objects.draws->frame_set(context.slot, pass.view);
+        fn.vkCmdBindDescriptorSets(context.commands, point, layout, kFrameSet, 1, &set, 0, nullptr);
+    }
+    if (prepared.layout.has_ports())
+        fn.vkCmdBindDescriptorSets(context.commands, point, layout, kPortSet, 1,
+                                   &prepared.port_set(context.resources.frame(), context.slot), 0, nullptr);
+    if (prepared.layout.index_stages != 0) {
+        const uint32_t index = 0;
+        fn.vkCmdPushConstants(context.commands, layout, prepared.layout.index_stages, 0, sizeof index,
+                              &index);
+    }
+    if (prepared.layout.push_stages == 0 || pass.params_bytes == 0) return;
+    std::vector<std::byte> bytes(pass.params_bytes);
+    write_params(pass, context.frame, context.resources, bytes);
+    fn.vkCmdPushConstants(context.commands, layout, prepared.layout.push_stages, 0, pass.params_bytes,
+                          bytes.data());
+}
+
+// So many vertices, of which the shader knows no more than the index.
+void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+                   uint32_t vertices, uint32_t instances) {
+    const DeviceFunctions& fn = context.device.fn();
+    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                         prepared.pipelines[0].pipeline.get());
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    fn.vkCmdDraw(context.commands, vertices, instances, 0, 0);
+}
+
+void draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+               const DrawPipeline& draw) {
+    const DeviceFunctions& fn = context.device.fn();
+    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
+    // All variants share one layout, but the draws before may have bound sets of their own.
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    DrawContext draws;
+    draws.fn = &fn;
+    draws.commands = context.commands;
+    draws.layout = prepared.layout.pipeline.get();
+    draws.list = draw.list;
+    draws.variant = draw.variant;
+    draws.cull = pass.state.cull;
+    draws.frame_slot = context.slot;
+    if (pass.draw_commands_use != kNoId)
+        draws.draw_commands = context.resources.buffer(pass.uses[pass.draw_commands_use].resource);
+    draws.uses_materials = prepared.layout.declares[kMaterialSet];
+    draws.uses_instances = prepared.layout.declares[kInstanceSet];
+    context.objects.draws->record(draws);
+}
+
+}  // namespace
+
+void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+    const DeviceFunctions& fn = context.device.fn();
+    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE,
+                         prepared.pipelines[0].pipeline.get());
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_COMPUTE);
+    if (pass.indirect_use != kNoId)
+        fn.vkCmdDispatchIndirect(context.commands,
+                                 context.resources.buffer(pass.uses[pass.indirect_use].resource), 0);
+    else
+        fn.vkCmdDispatch(context.commands, pass.groups[0], pass.groups[1], pass.groups[2]);
+}
+
+void record_fullscreen(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+    begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
+    draw_vertices(context, pass, prepared, 3, 1);
+    end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
+}
+
+void record_raster(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+    begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
+    if (pass.vertices > 0)
+        draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
+    else
+        for (const DrawPipeline& draw : prepared.pipelines) draw_list(context, pass, prepared, draw);
+    end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
+}
+
+void record_pass(const RecordContext& context, uint32_t position) {
+    const PlanObjects& objects = context.objects;
+    const PassDecl& pass = objects.plan.graph.passes[objects.plan.schedule.order[position]];
+    const PreparedPass& prepared = objects.passes[position];
+    switch (pass.kind) {
+        case PassKind::compute:
+            return record_compute(context, pass, prepared);
+        case PassKind::fullscreen:
+            return record_fullscreen(context, pass, prepared);
+        case PassKind::raster:
+            return record_raster(context, pass, prepared);
+        case PassKind::clear:
+            return record_clear(context, pass);
+        case PassKind::copy:
+            return record_copy(context, pass);
+        case PassKind::readback:
+            return objects.readbacks.record(context.device, context.commands, position, context.slot,
+                                            objects.plan, context.resources);
+        case PassKind::custom:
+            return objects.uploads.record(context.device, context.commands, position, *prepared.type, pass,
+                                          context.slot, context.resources);
+    }
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,27 @@
+// Purpose: one pass of a frame becomes commands; one function for each kind.
+#pragma once
+
+#include "vulkan/record/plan_objects.h"
+
+namespace weft::vk {
+
+struct RecordContext {
+    Device& device;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    bool labels = false;  // the queue takes debug labels
+    uint32_t slot = 0;
+    const FrameInput& frame;
+    const PlanObjects& objects;
+    FrameResources resources;
+};
+
+// The pass at `position`, without its barriers.
+void record_pass(const RecordContext& context, uint32_t position);
+
+void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);
+void record_fullscreen(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);
+void record_raster(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);
+void record_clear(const RecordContext& context, const PassDecl& pass);
+void record_copy(const RecordContext& context, const PassDecl& pass);
+
+}  // namespace weft::vk

@@ -1,0 +1,79 @@
+// Clear, copy and blit passes.
+#include <algorithm>
+
+#include "vulkan/device/to_vk.h"
+#include "vulkan/record/clears.h"
+#include "vulkan/record/record.h"
+
+namespace weft::vk {
+namespace {
+
+void copy_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
+    const FramePlan& plan = context.objects.plan;
+    const Extent3D& source_extent = plan.graph.resources[from.resource].extent;
+    std::vector<VkImageCopy> copies;
+    for (uint32_t i = 0; i < std::min(from.range.mips, to.range.mips); ++i) {
+        VkImageCopy copy{};
+        copy.srcSubresource = layers_to_vk(from.range);
+        copy.srcSubresource.mipLevel = from.range.mip + i;
+        copy.dstSubresource = layers_to_vk(to.range);
+        copy.dstSubresource.mipLevel = to.range.mip + i;
+        copy.extent = to_vk(mip_extent(source_extent, from.range.mip + i));
+        copies.push_back(copy);
+    }
+    context.device.fn().vkCmdCopyImage(context.commands, context.resources.image(from.resource),
+                                       to_vk(from.state.layout), context.resources.image(to.resource),
+                                       to_vk(to.state.layout), static_cast<uint32_t>(copies.size()),
+                                       copies.data());
+}
+
+VkOffset3D far_corner(const Extent3D& extent) {
+    return {static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height),
+            static_cast<int32_t>(extent.depth)};
+}
+
+// Each mip of one range is stretched over the mip of the other that has its rank.
+void blit_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
+    const FramePlan& plan = context.objects.plan;
+    std::vector<VkImageBlit> blits;
+    for (uint32_t i = 0; i < std::min(from.range.mips, to.range.mips); ++i) {
+        VkImageBlit blit{};
+        blit.srcSubresource = layers_to_vk(from.range);
+        blit.srcSubresource.mipLevel = from.range.mip + i;
+        blit.dstSubresource = layers_to_vk(to.range);
+        blit.dstSubresource.mipLevel = to.range.mip + i;
+        blit.srcOffsets[1] =
+            far_corner(mip_extent(plan.graph.resources[from.resource].extent, from.range.mip + i));
+        blit.dstOffsets[1] =
+            far_corner(mip_extent(plan.graph.resources[to.resource].extent, to.range.mip + i));
+        blits.push_back(blit);
+    }
+    context.device.fn().vkCmdBlitImage(context.commands, context.resources.image(from.resource),
+                                       to_vk(from.state.layout), context.resources.image(to.resource),
+                                       to_vk(to.state.layout), static_cast<uint32_t>(blits.size()),
+                                       blits.data(), to_vk(from.sampler.filter));
+}
+
+}  // namespace
+
+void record_clear(const RecordContext& context, const PassDecl& pass) {
+    for (const UseDecl& use : pass.uses)
+        record_clear_of(context.device, context.commands, context.objects.plan, context.resources,
+                        {use.resource, use.range, use.state.layout, pass.clear});
+}
+
+void record_copy(const RecordContext& context, const PassDecl& pass) {
+    const UseDecl& from = pass.uses[0].is_output ? pass.uses[1] : pass.uses[0];
+    const UseDecl& to = pass.uses[0].is_output ? pass.uses[0] : pass.uses[1];
+    const FramePlan& plan = context.objects.plan;
+    if (from.access == Access::blit_read) return blit_images(context, from, to);
+    if (plan.graph.resources[from.resource].kind == ResourceKind::image)
+        return copy_images(context, from, to);
+    const VkBufferCopy copy{0, 0,
+                            std::min(plan.graph.resources[from.resource].size_bytes,
+                                     plan.graph.resources[to.resource].size_bytes)};
+    context.device.fn().vkCmdCopyBuffer(context.commands, context.resources.buffer(from.resource),
+                                        context.resources.buffer(to.resource), 1, &copy);
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,130 @@
+#include "vulkan/record/rendering_scope.h"
+
+#include <algorithm>
+
+#include "graph/diagnostics/whole_number.h"
+#include "vulkan/device/to_vk.h"
+
+namespace weft::vk {
+namespace {
+
+// The plan's operations for one attachment; what it doesn't mention is kept.
+AttachmentOps ops_of(const PassStep& step, uint32_t use) {
+    for (const AttachmentOps& ops : step.attachments)
+        if (ops.use == use) return ops;
+    return {use, LoadOp::load, StoreOp::store};
+}
+
+// What happens to the samples of a pixel: floats are averaged, integers have no average.
+Status add_resolve(const FramePlan& plan, const UseDecl& target, ViewCache& views, uint64_t frame,
+                   VkRenderingAttachmentInfo& info) {
+    Result<VkImageView> view = views.attachment_view(target, frame);
+    if (!view) return view.take_errors();
+    const Format format = plan.graph.resources[target.resource].format;
+    info.resolveMode = format_info(format).numeric == NumericClass::float_like
+                           ? VK_RESOLVE_MODE_AVERAGE_BIT
+                           : VK_RESOLVE_MODE_SAMPLE_ZERO_BIT;
+    info.resolveImageView = *view;
+    info.resolveImageLayout = to_vk(target.state.layout);
+    return Unit{};
+}
+
+Result<VkRenderingAttachmentInfo> attachment(const PassDecl& pass, const AttachmentDecl& decl,
+                                             const PassStep& step, ViewCache& views, uint64_t frame) {
+    const UseDecl& use = pass.uses[decl.use];
+    Result<VkImageView> view = views.attachment_view(use, frame);
+    if (!view) return view.take_errors();
+    const AttachmentOps ops = ops_of(step, decl.use);
+    VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    info.imageView = *view;
+    info.imageLayout = to_vk(use.state.layout);
+    info.loadOp = to_vk(ops.load);
+    info.storeOp = to_vk(ops.store);
+    return info;
+}
+
+}  // namespace
+
+VkClearColorValue clear_color(Format format, const std::array<float, 4>& value) {
+    VkClearColorValue out{};
+    for (size_t i = 0; i < value.size(); ++i) {
+        switch (format_info(format).numeric) {
+            case NumericClass::sint:
+                out.int32[i] = saturated<int32_t>(value[i]);
+                break;
+            case NumericClass::uint:
+                out.uint32[i] = saturated<uint32_t>(value[i]);
+                break;
+            case NumericClass::float_like:
+            case NumericClass::depth:
+                out.float32[i] = value[i];
+                break;
+        }
+    }
+    return out;
+}
+
+Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassStep& step, ViewCache& views,
+                                            uint64_t frame) {
+    const PassDecl& pass = plan.graph.passes[step.pass];
+    RenderingScope scope;
+    scope.area.extent = {pass.render_extent.width, pass.render_extent.height};
+    for (const AttachmentDecl& color : pass.colors) {
+        const UseDecl& use = pass.uses[color.use];
+        Result<VkRenderingAttachmentInfo> info = attachment(pass, color, step, views, frame);
+        if (!info) return info.take_errors();
+        info->clearValue.color = clear_color(plan.graph.resources[use.resource].format, color.clear);
+        if (color.resolve_use != kNoId) {
+            Status added = add_resolve(plan, pass.uses[color.resolve_use], views, frame, *info);
+            if (!added) return added.take_errors();
+        }
+        if (scope.colors.size() <= color.location)
+            scope.colors.resize(color.location + 1, {VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO});
+        scope.colors[color.location] = *info;
+        scope.layers = use.range.layers;
+    }
+    if (!pass.depth) return scope;
+    const UseDecl& use = pass.uses[pass.depth->use];
+    Result<VkRenderingAttachmentInfo> info = attachment(pass, *pass.depth, step, views, frame);
+    if (!info) return info.take_errors();
+    info->clearValue.depthStencil = {pass.depth->clear[0], saturated<uint32_t>(pass.depth->clear[1])};
+    const FormatInfo& format = format_info(plan.graph.resources[use.resource].format);
+    if (format.depth) scope.depth = *info;
+    if (format.stencil) scope.stencil = *info;
+    scope.layers = use.range.layers;
+    return scope;
+}
+
+void begin_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
+                     const RasterState& state) {
+    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea = scope.area;
+    info.layerCount = scope.layers;
+    info.colorAttachmentCount = static_cast<uint32_t>(scope.colors.size());
+    info.pColorAttachments = scope.colors.data();
+    if (scope.depth.imageView != VK_NULL_HANDLE) info.pDepthAttachment = &scope.depth;
+    if (scope.stencil.imageView != VK_NULL_HANDLE) info.pStencilAttachment = &scope.stencil;
+    const DeviceFunctions& fn = device.fn();
+    if (scope.begins) fn.vkCmdBeginRendering(commands, &info);
+
+    const RectPx whole{0, 0, scope.area.extent.width, scope.area.extent.height};
+    const RectPx view = state.viewport.value_or(whole);
+    const VkViewport viewport{static_cast<float>(view.x),
+                              static_cast<float>(view.y),
+                              static_cast<float>(view.width),
+                              static_cast<float>(view.height),
+                              0,
+                              1};
+    fn.vkCmdSetViewport(commands, 0, 1, &viewport);
+    const RectPx cut = state.scissor.value_or(whole);
+    const VkRect2D scissor{{cut.x, cut.y}, {cut.width, cut.height}};
+    fn.vkCmdSetScissor(commands, 0, 1, &scissor);
+    fn.vkCmdSetCullMode(commands, to_vk(state.cull));
+    fn.vkCmdSetFrontFace(commands, to_vk(state.front_face));
+}
+
+void end_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope) {
+    if (scope.ends) device.fn().vkCmdEndRendering(commands);
+}
+
+}  // namespace weft::vk

@@ -1,0 +1,69 @@
+// Purpose: looks into plans by name, for tests that say what a plan must contain.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/graph/samples/graph_builder.h"
+#include "weft/check/check_plan.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+
+// Compiled with 1-byte alignment, and proved.
+inline FramePlan compiled(const GraphBuilder& builder) {
+    const ResolvedGraph graph = builder.build();
+    FramePlan plan = compile(graph, content_needs(graph, 1), {});
+    const Diagnostics faults = check_plan(plan);
+    EXPECT_TRUE(faults.empty()) << to_text(faults);
+    return plan;
+}
+
+inline PassId pass_id(const FramePlan& plan, const std::string& name) {
+    return static_cast<PassId>(find_pass(plan.graph, name) - plan.graph.passes.data());
+}
+
+inline ResourceId resource_id(const FramePlan& plan, const std::string& name) {
+    return static_cast<ResourceId>(find_resource(plan.graph, name) - plan.graph.resources.data());
+}
+
+inline const PassStep& step_of(const FramePlan& plan, const std::string& pass) {
+    return plan.barriers.steps[plan.schedule.position[pass_id(plan, pass)]];
+}
+
+inline std::vector<BarrierDecl> barriers_on(const FramePlan& plan, const std::vector<BarrierDecl>& barriers,
+                                            const std::string& resource) {
+    std::vector<BarrierDecl> found;
+    for (const BarrierDecl& b : barriers)
+        if (b.resource == resource_id(plan, resource)) found.push_back(b);
+    return found;
+}
+
+// The barriers on `resource` before `pass`.
+inline std::vector<BarrierDecl> barriers_before(const FramePlan& plan, const std::string& pass,
+                                                const std::string& resource) {
+    return barriers_on(plan, step_of(plan, pass).barriers, resource);
+}
+
+// The only one.
+inline BarrierDecl barrier_before(const FramePlan& plan, const std::string& pass,
+                                  const std::string& resource) {
+    const std::vector<BarrierDecl> found = barriers_before(plan, pass, resource);
+    EXPECT_EQ(found.size(), 1u) << "before " << pass << " on " << resource;
+    return found.empty() ? BarrierDecl{} : found.front();
+}
+
+inline void expect_state(const AccessState& found, const AccessState& wanted) {
+    EXPECT_EQ(stages_text(found.stages), stages_text(wanted.stages));
+    EXPECT_EQ(access_text(found.access), access_text(wanted.access));
+    EXPECT_EQ(layout_text(found.layout), layout_text(wanted.layout));
+}
+
+// Keeps a resource's content alive: reads it in a pass with a side effect.
+inline PassDecl& read_back(GraphBuilder& builder, const std::string& name, ResourceId resource) {
+    return builder.pass(name, PassKind::readback, {{"src", resource, Access::copy_read, {}, kNoId}});
+}
+
+}  // namespace weft::test

@@ -1,0 +1,99 @@
+// A wrong file in which "$$" stands before each expected fault, so that tests need not count columns.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "graph/parse/parse.h"
+#include "graph/syntax/merge.h"
+
+namespace weft::test {
+
+struct FaultCase {
+    const char* name;
+    std::string text;                // with "$$" before each fault, in the order of the file
+    std::vector<std::string> codes;  // one for each mark
+    std::string message;             // part of the first message
+    std::string help = "";           // part of the first fault's help
+};
+
+struct MarkedText {
+    std::string text;
+    std::vector<std::string> places;  // "graph.json:line:column"
+};
+
+inline MarkedText unmark(const std::string& marked) {
+    MarkedText out;
+    size_t line = 1, column = 1;
+    for (size_t i = 0; i < marked.size(); ++i) {
+        if (marked.compare(i, 2, "$$") == 0) {
+            out.places.push_back("graph.json:" + std::to_string(line) + ":" + std::to_string(column));
+            ++i;
+            continue;
+        }
+        out.text += marked[i];
+        column = marked[i] == '\n' ? 1 : column + 1;
+        line += marked[i] == '\n' ? 1 : 0;
+    }
+    return out;
+}
+
+inline Result<JsonDoc> read_text(const std::string& text) {
+    return read_json("graph.json", [&](const std::string&) { return std::optional<std::string>(text); });
+}
+
+inline Result<GraphDesc> parse_text(const std::string& text) {
+    Result<JsonDoc> document = read_text(text);
+    if (!document) return document.take_errors();
+    Result<JsonDoc> merged = merge(std::move(document).value());
+    if (!merged) return merged.take_errors();
+    return parse(*merged);
+}
+
+// What an expression that is a number says.
+inline double number_of(const Expr& expression) {
+    return expression.postfix.size() == 1 ? expression.postfix.front().number : -1;
+}
+
+inline std::string place(const Diagnostic& error) {
+    return error.file + ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
+}
+
+inline std::string joined_help(const Diagnostic& error) {
+    std::string text;
+    for (const std::string& help : error.help) text += help + "\n";
+    return text;
+}
+
+inline void expect_faults(const FaultCase& fault, const MarkedText& marked, const Diagnostics& errors) {
+    std::vector<std::string> codes, places;
+    for (const Diagnostic& error : errors) {
+        codes.push_back(error.code);
+        places.push_back(place(error));
+        EXPECT_FALSE(error.help.empty()) << "no remedy: " << to_text(error);
+    }
+    EXPECT_EQ(codes, fault.codes) << to_text(errors);
+    EXPECT_EQ(places, marked.places) << to_text(errors);
+    EXPECT_NE(errors.front().message.find(fault.message), std::string::npos) << to_text(errors);
+    EXPECT_NE(joined_help(errors.front()).find(fault.help), std::string::npos) << to_text(errors);
+}
+
+inline void check_parse_fault(const FaultCase& fault) {
+    const MarkedText marked = unmark(fault.text);
+    const Result<GraphDesc> result = parse_text(marked.text);
+    ASSERT_FALSE(result.ok()) << "no fault found in " << fault.name;
+    expect_faults(fault, marked, result.errors());
+}
+
+inline void PrintTo(const FaultCase& fault, std::ostream* out) {
+    *out << fault.text;
+}
+
+inline std::string case_name(const ::testing::TestParamInfo<FaultCase>& info) {
+    return info.param.name;
+}
+
+}  // namespace weft::test

@@ -1,0 +1,122 @@
+#include "tests/graph/samples/random_graph.h"
+
+#include <cassert>
+
+#include "tests/graph/samples/random_graph_features.h"
+
+namespace weft::test {
+namespace {
+
+class Generator : public RandomFeatures {
+ public:
+    using RandomFeatures::RandomFeatures;
+
+    ResolvedGraph run() {
+        // Folding what nobody has read yet into the result takes passes too.
+        const uint32_t wanted = between(options_.min_passes, options_.max_passes);
+        const uint32_t body = std::max(2u, wanted * 6 / 10);
+        add_imports();
+        fill_image();
+        while (passes_ < body) add_pass();
+        fold(wanted);
+        if (options_.after) add_after_edges();
+        return builder_.build();
+    }
+
+ private:
+    void add_pass() {
+        if (add_feature()) return;
+        const uint32_t roll = below(100);
+        if (roll < 32) {
+            mix_images(take(images_, between(1, 3)));
+        } else if (roll < 40) {
+            mix_buffers();
+        } else if (roll < 47) {
+            update_image();
+        } else if (roll < 51) {
+            update_buffer();
+        } else if (roll < 56) {
+            image_to_buffer();
+        } else if (roll < 60 && !buffers_.empty()) {
+            buffer_to_image(take(buffers_, 1).front());
+        } else if (roll < 72) {
+            draw();
+        } else if (roll < 78) {
+            draw_over();
+        } else if (roll < 83) {
+            depth_chain();
+        } else {
+            add_rare_pass(roll);
+        }
+    }
+
+    void add_rare_pass(uint32_t roll) {
+        if (roll < 86) {
+            clear_image();
+        } else if (roll < 92) {
+            copy();
+        } else if (roll < 95) {
+            copy_buffer();
+        } else if (roll < 97) {
+            update_state();
+        } else {
+            fill_image();
+        }
+    }
+
+    // What nobody has read flows into the result, but for some, which nobody needs.
+    void fold(uint32_t wanted) {
+        std::vector<RandomCell> loose;
+        for (const RandomCell& cell : images_)
+            if (!cell.read && chance(80)) loose.push_back(cell);
+        for (const RandomCell& cell : std::vector<RandomCell>(buffers_))
+            if (!cell.read && chance(80) && passes_ + 2 < wanted) loose.push_back(buffer_to_image(cell));
+        RandomCell result = mix_images({images_.back()});
+        for (size_t i = 0; i < loose.size() && passes_ + 2 < wanted; i += 2) {
+            std::vector<RandomCell> inputs{result, loose[i]};
+            if (i + 1 < loose.size()) inputs.push_back(loose[i + 1]);
+            result = mix_into_new(inputs);
+        }
+        const RandomCell last{builder_.image("result", Format::r32u, kImportSidePx), one_cell(0), false};
+        set_image_groups(add("finish", PassKind::compute, "mix_image_1.comp",
+                             {inputs_of({result}, Access::sampled_read).front(),
+                              destination(last, Access::storage_write)}),
+                         last);
+        builder_.pass("read_back", PassKind::readback,
+                      {{"src", last.resource, Access::copy_read, {}, kNoId}});
+    }
+
+    // A loose cell may have been overwritten since; then its new content is read, which is as good.
+    RandomCell mix_into_new(const std::vector<RandomCell>& inputs) {
+        constexpr const char* kShaders[] = {"mix_image_1.comp", "mix_image_2.comp", "mix_image_3.comp"};
+        const RandomCell cell = new_image(16u * between(1, 3));
+        std::vector<BuilderUse> uses = inputs_of(inputs, Access::sampled_read);
+        uses.push_back(destination(cell, Access::storage_write));
+        set_image_groups(add("fold", PassKind::compute, kShaders[inputs.size() - 1], uses), cell);
+        images_.push_back(cell);
+        return cell;
+    }
+};
+
+}  // namespace
+
+RandomGraphOptions all_features() {
+    RandomGraphOptions options;
+    options.history = options.keep = options.queues = options.after = true;
+    options.chains = options.ranges = options.depth_input = options.layers = true;
+    return options;
+}
+
+ResolvedGraph random_graph(uint32_t seed, const RandomGraphOptions& options) {
+    ResolvedGraph graph = Generator(seed, options).run();
+    graph.name = "random_" + std::to_string(seed);
+    return graph;
+}
+
+ResourceId random_graph_result(const ResolvedGraph& graph) {
+    const PassDecl* pass = find_pass(graph, "read_back");
+    assert(pass != nullptr);
+    return pass->uses.front().resource;
+}
+
+}  // namespace weft::test

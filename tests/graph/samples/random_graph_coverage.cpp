@@ -1,0 +1,88 @@
+#include "tests/graph/samples/random_graph_coverage.h"
+
+#include <algorithm>
+
+namespace weft::test {
+namespace {
+
+template <class Items, class Predicate>
+uint32_t any(const Items& items, Predicate predicate) {
+    return std::any_of(items.begin(), items.end(), predicate) ? 1 : 0;
+}
+
+template <class Predicate>
+uint32_t any_live_pass(const FramePlan& plan, Predicate predicate) {
+    return any(plan.schedule.order, [&](PassId id) { return predicate(plan.graph.passes[id]); });
+}
+
+template <class Predicate>
+uint32_t any_live_use(const FramePlan& plan, Predicate predicate) {
+    return any_live_pass(plan, [&](const PassDecl& pass) {
+        return any(pass.uses,
+                   [&](const UseDecl& use) { return predicate(plan.graph.resources[use.resource]); }) != 0;
+    });
+}
+
+bool tests_against_its_input(const PassDecl& pass) {
+    if (!pass.depth) return false;
+    const ResourceId depth = pass.uses[pass.depth->use].resource;
+    return any(pass.uses, [&](const UseDecl& use) {
+               return use.resource == depth && use.access == Access::sampled_read;
+           }) != 0;
+}
+
+}  // namespace
+
+void GraphCoverage::add(const FramePlan& plan, bool left_out) {
+    ++graphs;
+    hand_overs += any(plan.memory.hand_overs, [](const HandOver& h) { return h.from != h.to; });
+    several_queues += any(plan.schedule.queue, [](QueueIndex queue) { return queue != 0; });
+    waits += any(plan.submissions.batches, [](const Batch& batch) {
+        return any(batch.waits, [](const QueueWait& wait) { return !wait.previous_frame; }) != 0;
+    });
+    transfers += any(plan.barriers.steps, [](const PassStep& step) {
+        return any(step.after, [](const BarrierDecl& b) { return b.src_family != b.dst_family; }) != 0;
+    });
+    history += any_live_use(plan, [](const ResourceDecl& r) { return r.age > 0; });
+    kept += any_live_use(plan, [](const ResourceDecl& r) { return r.ring != kNoId && r.history == 0; });
+    ranges += any(plan.barriers.steps, [&](const PassStep& step) {
+        return any(step.barriers, [&](const BarrierDecl& b) {
+                   return b.range != plan.graph.resources[b.resource].whole();
+               }) != 0;
+    });
+    const auto is_round = [](const PassDecl& pass) { return pass.name.find('#') != std::string::npos; };
+    repeats += any_live_pass(plan, is_round);
+    chains += any_live_pass(plan, [&](const PassDecl& pass) {
+        return !is_round(pass) && pass.name.find("_down_") != std::string::npos;
+    });
+    conditionals += left_out ? 1 : 0;
+    after += any(plan.graph.edges, [](const EdgeDecl& edge) { return edge.kind == EdgeKind::after; });
+    depth_inputs += any_live_pass(plan, tests_against_its_input);
+    merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.continues_scope; });
+    culled += plan.schedule.order.size() < plan.graph.passes.size() ? 1 : 0;
+}
+
+std::string GraphCoverage::text() const {
+    std::string all = std::to_string(graphs) + " graphs:";
+    const auto share = [&](const char* what, uint32_t count) {
+        all += std::string(all.back() == ':' ? " " : ", ") + what + " " +
+               std::to_string(graphs == 0 ? 0 : (count * 100 + graphs / 2) / graphs) + " %";
+    };
+    share("alias hand-overs", hand_overs);
+    share("several queues", several_queues);
+    share("cross-queue waits", waits);
+    share("family transfers", transfers);
+    share("history", history);
+    share("kept", kept);
+    share("subresource ranges", ranges);
+    share("repeats", repeats);
+    share("mip chains made in memory", chains);
+    share("conditionals", conditionals);
+    share("after edges", after);
+    share("depth as input", depth_inputs);
+    share("culled passes", culled);
+    share("merged scopes", merged_scopes);
+    return all;
+}
+
+}  // namespace weft::test

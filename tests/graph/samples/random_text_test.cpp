@@ -1,0 +1,58 @@
+// Random texts are understood, and mean what their generator means by them.
+#include "tests/graph/samples/random_text.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "tests/graph/resolve/resolve_fixture.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+namespace {
+
+// Hashes leave out where in the file things stand.
+std::string meaning(const ResolvedGraph& graph) {
+    return compile(graph, content_needs(graph), {}).hash;
+}
+
+TEST(RandomText, MeansTheSameWithoutItsConditions) {
+    const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 200;
+    uint32_t left_out = 0;
+    for (uint32_t seed = 0; seed < seeds; ++seed) {
+        const RandomText made = random_text(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, fake_profile());
+        ASSERT_TRUE(graph.ok()) << to_text(graph.errors()) << made.text;
+        const Result<ResolvedGraph> plain = resolve_text(made.plain, made.params, fake_profile());
+        ASSERT_TRUE(plain.ok()) << to_text(plain.errors()) << made.plain;
+        ASSERT_EQ(meaning(*graph), meaning(*plain)) << made.text << made.plain;
+        left_out += made.left_out ? 1 : 0;
+    }
+    std::cout << "seeds 0.." << seeds - 1 << ": " << left_out << " texts leave something out\n";
+    EXPECT_GE(left_out * 2, seeds);
+}
+
+// One message, of the code that the fault has.
+TEST(RandomText, EachFaultIsFound) {
+    const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 300;
+    std::map<std::string, uint32_t> found;
+    for (uint32_t seed = 0; seed < seeds; ++seed) {
+        const FaultyText made = random_faulty_text(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.how);
+        const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, fake_profile());
+        ASSERT_FALSE(graph.ok()) << "accepted\n" << made.text;
+        ASSERT_EQ(graph.errors().size(), 1u) << to_text(graph.errors()) << made.text;
+        const Diagnostic& fault = graph.errors().front();
+        ASSERT_EQ(fault.code, made.code) << to_text(fault) << made.text;
+        EXPECT_GT(fault.line, 0u) << to_text(fault);
+        EXPECT_FALSE(fault.help.empty()) << to_text(fault);
+        ++found[fault.code];
+    }
+    for (const auto& [code, count] : found) std::cout << code << " " << count << ", ";
+    std::cout << "seeds 0.." << seeds - 1 << "\n";
+    EXPECT_EQ(found.size(), 9u);
+}
+
+}  // namespace
+}  // namespace weft::test

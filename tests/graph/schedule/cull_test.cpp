@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include "graph/schedule/cull.h"
+#include "tests/graph/samples/graph_builder.h"
+
+namespace weft::test {
+namespace {
+
+// make → shade → the output; ao → blur, which nobody reads.
+ResolvedGraph frame() {
+    GraphBuilder b;
+    const ResourceId gbuffer = b.image("gbuffer"), ssao = b.image("ssao"), blurred = b.image("blurred");
+    const ResourceId output = b.image("output");
+    b.import_as(output, {}, {stage::kCopy, access::kTransferRead, Layout::transfer_src});
+    b.set_output(output);
+    b.compute("make", {{"dst", gbuffer, Access::storage_write, {}, kNoId}});
+    b.compute("ao", {{"src", gbuffer, Access::sampled_read, {}, kNoId},
+                     {"dst", ssao, Access::storage_write, {}, kNoId}});
+    b.compute("blur", {{"src", ssao, Access::sampled_read, {}, kNoId},
+                       {"dst", blurred, Access::storage_write, {}, kNoId}});
+    b.compute("shade", {{"src", gbuffer, Access::sampled_read, {}, kNoId},
+                        {"dst", output, Access::storage_write, {}, kNoId}});
+    b.after("blur", "shade");
+    return b.build();
+}
+
+size_t id(const ResolvedGraph& graph, const char* name) {
+    return static_cast<size_t>(find_pass(graph, name) - graph.passes.data());
+}
+
+TEST(Cull, KeepsWhatTheOutputNeedsAndNothingElse) {
+    const ResolvedGraph graph = frame();
+    const LiveGraph live = cull(graph);
+    EXPECT_TRUE(live.live_passes[id(graph, "make")]);
+    EXPECT_TRUE(live.live_passes[id(graph, "shade")]);
+    EXPECT_FALSE(live.live_passes[id(graph, "ao")]);
+    EXPECT_FALSE(live.live_passes[id(graph, "blur")]) << "`after` orders, it keeps nothing alive";
+    const auto ssao = static_cast<size_t>(find_resource(graph, "ssao") - graph.resources.data());
+    EXPECT_FALSE(live.live_resources[ssao]);
+}
+
+TEST(Cull, SaysWhy) {
+    const ResolvedGraph graph = frame();
+    const LiveGraph live = cull(graph);
+    EXPECT_EQ(live.reasons[id(graph, "blur")], CullReason::unused_output);
+    EXPECT_EQ(live.details[id(graph, "blur")], "nobody reads \"blurred\"");
+    EXPECT_EQ(live.reasons[id(graph, "ao")], CullReason::upstream_culled);
+    EXPECT_EQ(live.details[id(graph, "ao")], "\"ssao\" is read only by \"blur\", culled as well");
+    EXPECT_EQ(live.details[id(graph, "make")], "");
+}
+
+TEST(Cull, SideEffectsAreRoots) {
+    ResolvedGraph graph = frame();
+    graph.passes[id(graph, "blur")].side_effect = true;
+    const LiveGraph live = cull(graph);
+    EXPECT_TRUE(live.live_passes[id(graph, "blur")]);
+    EXPECT_TRUE(live.live_passes[id(graph, "ao")]);
+}
+
+TEST(Cull, KeepAllKeepsAll) {
+    const ResolvedGraph graph = frame();
+    for (const uint8_t pass : cull(graph, true).live_passes) EXPECT_TRUE(pass);
+}
+
+}  // namespace
+}  // namespace weft::test

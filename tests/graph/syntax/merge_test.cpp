@@ -1,0 +1,75 @@
+#include "tests/graph/report/marked_graph.h"
+
+namespace weft::test {
+namespace {
+
+Result<JsonDoc> merge_text(const std::string& text) {
+    Result<JsonDoc> document = read_text(text);
+    if (!document) return document.take_errors();
+    return merge(std::move(document).value());
+}
+
+// {a:{ref:b}}: enough of the document to compare shapes.
+std::string shape(const JsonNode& node) {
+    if (node.kind == JsonKind::string || node.kind == JsonKind::number) return node.string;
+    if (node.kind == JsonKind::boolean) return node.boolean ? "true" : "false";
+    const bool object = node.kind == JsonKind::object;
+    std::string text(1, object ? '{' : '[');
+    for (const JsonMember& member : node.members)
+        text.append(member.key).append(":").append(shape(member.value)).append(",");
+    for (const JsonNode& item : node.items) text.append(shape(item)).append(",");
+    if (text.back() == ',') text.pop_back();
+    return text.append(1, object ? '}' : ']');
+}
+
+TEST(Merge, ShorthandBecomesObjects) {
+    const Result<JsonDoc> merged = merge_text(R"json({
+        "imports": {"opaque": "drawlist"}, "params": {"a": 1, "b": true},
+        "resources": {"hdr": "rgba16f", "z": {"format": "d32f"}},
+        "passes": {"p": {"depth": "z", "draws": ["opaque"], "in": ["hiz@q.mip(0)", "a"], "out": {"dst": "b.mip(1)"}}}
+    })json");
+    ASSERT_TRUE(merged.ok()) << to_text(merged.errors());
+    EXPECT_EQ(shape(merged->root),
+              "{imports:{opaque:{kind:drawlist}},params:{a:{default:1},b:{default:true}},"
+              "resources:{hdr:{format:rgba16f},z:{format:d32f}},"
+              "passes:{p:{depth:{ref:z},draws:[opaque],in:{hiz:{ref:hiz@q.mip(0)},a:{ref:a}},"
+              "out:{dst:{ref:b.mip(1)}}}}}");
+}
+
+TEST(Merge, WhatWasMovedKeepsItsPlace) {
+    const Result<JsonDoc> merged = merge_text("{\"passes\": {\"p\": {\n  \"in\": [\"a\",\n    \"b\"]}}}");
+    ASSERT_TRUE(merged.ok());
+    const JsonNode* in = merged->root.find("passes")->find("p")->find("in");
+    ASSERT_EQ(in->members.size(), 2u);
+    EXPECT_EQ(in->members[1].key_loc.line, 3u);
+    EXPECT_EQ(in->members[1].key_loc.column, 5u);
+    EXPECT_EQ(in->members[1].value.find("ref")->loc.line, 3u);
+    EXPECT_EQ(in->loc.line, 2u);
+}
+
+TEST(Merge, MergingTwiceChangesNothing) {
+    const Result<JsonDoc> once =
+        merge_text(R"({"resources": {"a": "r8"}, "passes": {"p": {"in": ["a"], "depth": "a"}}})");
+    ASSERT_TRUE(once.ok());
+    const Result<JsonDoc> twice = merge(*once);
+    ASSERT_TRUE(twice.ok());
+    EXPECT_EQ(shape(once->root), shape(twice->root));
+}
+
+TEST(Merge, TwoPortsOfOneNameAreAnErrorAtTheSecond) {
+    check_parse_fault(
+        {"",
+         "{\"version\": 1, \"passes\": {\"p\": {\"in\": [\"hiz.mip(0)\",\n $$\"hiz.mip(1)\"]}}}",
+         {"W003"},
+         "two ports would be called \"hiz\"",
+         "name the ports"});
+}
+
+TEST(Merge, UnexpectedKindsPassThrough) {
+    for (const char* text : {"[]", "1", "{\"passes\": 3}", "{\"passes\": {\"p\": 1}}", "{\"resources\": []}",
+                             "{\"passes\": {\"p\": {\"in\": [1, \"a\"], \"out\": 2, \"depth\": []}}}"})
+        EXPECT_TRUE(merge_text(text).ok()) << text;
+}
+
+}  // namespace
+}  // namespace weft::test

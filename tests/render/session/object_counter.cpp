@@ -1,0 +1,93 @@
+#include "tests/render/session/object_counter.h"
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+
+namespace weft::test {
+namespace {
+
+// What plain functions can reach.
+std::atomic<int64_t> live_objects = 0;
+
+template <auto Create, class Function>
+struct Made;
+template <auto Create, class... Args>
+struct Made<Create, VkResult(VKAPI_PTR*)(Args...)> {
+    static inline VkResult(VKAPI_PTR* real)(Args...) = nullptr;
+    static VKAPI_ATTR VkResult VKAPI_CALL call(Args... args) {
+        const VkResult result = real(args...);
+        if (result == VK_SUCCESS) ++live_objects;
+        return result;
+    }
+};
+
+template <auto Destroy, class Function>
+struct Gone;
+template <auto Destroy, class... Args>
+struct Gone<Destroy, void(VKAPI_PTR*)(Args...)> {
+    static inline void(VKAPI_PTR* real)(Args...) = nullptr;
+    static VKAPI_ATTR void VKAPI_CALL call(Args... args) {
+        --live_objects;
+        real(args...);
+    }
+};
+
+template <auto Create>
+void count_made(vk::DeviceFunctions& table) {
+    using MadeBy = Made<Create, std::remove_reference_t<decltype(table.*Create)>>;
+    MadeBy::real = table.*Create;
+    table.*Create = MadeBy::call;
+}
+
+template <auto Create, auto Destroy>
+void count(vk::DeviceFunctions& table) {
+    using GoneBy = Gone<Destroy, std::remove_reference_t<decltype(table.*Destroy)>>;
+    count_made<Create>(table);
+    GoneBy::real = table.*Destroy;
+    table.*Destroy = GoneBy::call;
+}
+
+}  // namespace
+
+ObjectCounter::ObjectCounter(vk::Device& device) : device_(device), functions_(device.fn()) {
+    using Table = vk::DeviceFunctions;
+    Table& table = device.fn();
+    live_objects = 0;
+    count<&Table::vkCreateImage, &Table::vkDestroyImage>(table);
+    count<&Table::vkCreateBuffer, &Table::vkDestroyBuffer>(table);
+    count<&Table::vkCreateImageView, &Table::vkDestroyImageView>(table);
+    count<&Table::vkAllocateMemory, &Table::vkFreeMemory>(table);
+    count<&Table::vkCreateSampler, &Table::vkDestroySampler>(table);
+    count<&Table::vkCreateDescriptorSetLayout, &Table::vkDestroyDescriptorSetLayout>(table);
+    count<&Table::vkCreateDescriptorPool, &Table::vkDestroyDescriptorPool>(table);
+    count<&Table::vkCreatePipelineLayout, &Table::vkDestroyPipelineLayout>(table);
+    count<&Table::vkCreatePipelineCache, &Table::vkDestroyPipelineCache>(table);
+    // Both make one at a time here.
+    count<&Table::vkCreateGraphicsPipelines, &Table::vkDestroyPipeline>(table);
+    count_made<&Table::vkCreateComputePipelines>(table);
+    count<&Table::vkCreateShaderModule, &Table::vkDestroyShaderModule>(table);
+    count<&Table::vkCreateCommandPool, &Table::vkDestroyCommandPool>(table);
+    count<&Table::vkCreateFence, &Table::vkDestroyFence>(table);
+    count<&Table::vkCreateSemaphore, &Table::vkDestroySemaphore>(table);
+    count<&Table::vkCreateQueryPool, &Table::vkDestroyQueryPool>(table);
+}
+
+ObjectCounter::~ObjectCounter() {
+    device_.fn() = functions_;
+}
+
+int64_t ObjectCounter::live() const {
+    return live_objects;
+}
+
+uint64_t resident_bytes() {
+    malloc_trim(0);
+    uint64_t pages = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident;
+    return resident * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace weft::test

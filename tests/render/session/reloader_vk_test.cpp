@@ -1,0 +1,225 @@
+// The whole way from a saved file to another picture: watched, prepared in a thread, taken over between
+// frames.
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+#include "tests/render/session/live_folder.h"
+#include "tests/render/session_fixture.h"
+#include "weft/render/reloader.h"
+
+namespace weft::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr Extent3D kSize{64, 36, 1};
+
+// Where pipelines are made. The device's table has room for plain functions only.
+std::set<std::thread::id> pipeline_threads;
+PFN_vkCreateGraphicsPipelines real_graphics = nullptr;
+PFN_vkCreateComputePipelines real_compute = nullptr;
+VKAPI_ATTR VkResult VKAPI_CALL make_graphics(VkDevice device, VkPipelineCache cache, uint32_t count,
+                                             const VkGraphicsPipelineCreateInfo* infos,
+                                             const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    pipeline_threads.insert(std::this_thread::get_id());
+    return real_graphics(device, cache, count, infos, allocator, pipelines);
+}
+VKAPI_ATTR VkResult VKAPI_CALL make_compute(VkDevice device, VkPipelineCache cache, uint32_t count,
+                                            const VkComputePipelineCreateInfo* infos,
+                                            const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    pipeline_threads.insert(std::this_thread::get_id());
+    return real_compute(device, cache, count, infos, allocator, pipelines);
+}
+
+class Reloads : public SessionTest {
+ protected:
+    void begin() {
+        live_ = start(folder_.graph(), kSize, {"frames"});
+        ASSERT_TRUE(live_);
+        draw(2);
+        Result<std::unique_ptr<render::Reloader>> made = render::Reloader::start(*live_);
+        ASSERT_TRUE(made) << to_text(made.errors());
+        reloader_ = std::move(*made);
+    }
+    void draw(uint32_t frames) {
+        for (uint32_t i = 0; i < frames; ++i) {
+            const Status done = live_->render_frame(0, 0);
+            ASSERT_TRUE(done) << to_text(done.errors());
+            ++drawn_;
+        }
+    }
+    // Frames go on until something came of a change: for as long as it takes, unless `most` says otherwise.
+    std::optional<render::Reload> next(std::chrono::milliseconds most = std::chrono::minutes(10)) {
+        const Clock::time_point end = Clock::now() + most;
+        while (Clock::now() < end) {
+            if (std::optional<render::Reload> reload = reloader_->update()) return reload;
+            draw(1);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return std::nullopt;
+    }
+    // All frames that were ever drawn, whatever was swapped meanwhile.
+    uint32_t counted() {
+        EXPECT_TRUE(live_->finish());
+        uint32_t count = 0;
+        for (const vk::ReadbackData& data : live_->take_readbacks())
+            if (data.pass == "observe:frames") std::memcpy(&count, data.bytes.data(), sizeof count);
+        return count;
+    }
+    // In the last frame.
+    uint32_t last_texel() {
+        EXPECT_TRUE(live_->finish());
+        const Result<vk::ReadbackData> output = live_->read_output();
+        EXPECT_TRUE(output);
+        uint32_t texel = 0;
+        std::memcpy(&texel, output->bytes.data() + output->bytes.size() - sizeof texel, sizeof texel);
+        return texel;
+    }
+
+    LiveFolder folder_;
+    std::unique_ptr<render::Session> live_;
+    std::unique_ptr<render::Reloader> reloader_;  // destroyed first
+    uint32_t drawn_ = 0;
+};
+
+TEST_F(Reloads, AnEditAnErrorAndItsEnd) {
+    begin();
+    EXPECT_FALSE(next(std::chrono::milliseconds(300))) << "nobody changed anything";
+    const uint32_t before = last_texel();
+    real_graphics = std::exchange(device_->fn().vkCreateGraphicsPipelines, make_graphics);
+    real_compute = std::exchange(device_->fn().vkCreateComputePipelines, make_compute);
+    pipeline_threads.clear();
+
+    folder_.replace("tint.glsl", "vec3(1.0", "vec3(0.5");
+    std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_TRUE(reload->good()) << to_text(reload->errors);
+    EXPECT_EQ(to_text(reload->rebuilt), "1 of 4 shaders, 1 of 4 pipelines");
+    draw(2);
+    const uint32_t after = last_texel();
+    EXPECT_NE(after, before);
+
+    folder_.remove("tint.glsl");
+    reload = next();
+    ASSERT_TRUE(reload);
+    ASSERT_FALSE(reload->good());
+    EXPECT_EQ(reload->errors.front().code, "W203");
+    draw(2);
+    EXPECT_EQ(last_texel(), after);
+
+    folder_.mend();
+    reload = next();
+    ASSERT_TRUE(reload) << "an include that was missing is waited for";
+    EXPECT_TRUE(reload->good()) << to_text(reload->errors);
+    EXPECT_EQ(to_text(reload->rebuilt), "nothing changed");
+    EXPECT_EQ(last_texel(), after);
+
+    device_->fn().vkCreateGraphicsPipelines = real_graphics;
+    device_->fn().vkCreateComputePipelines = real_compute;
+    EXPECT_FALSE(pipeline_threads.empty());
+    EXPECT_FALSE(pipeline_threads.contains(std::this_thread::get_id()));
+}
+
+TEST_F(Reloads, WhatABrokenGraphDoesNotNameIsStillWatched) {
+    begin();
+    folder_.spoil("live.json", "{ \"version\": 1,");
+    std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_FALSE(reload->good());
+    folder_.replace("paint.comp", "scale = 1.0", "scale = 0.5");
+    reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_FALSE(reload->good()) << "the graph is as broken as before";
+    folder_.mend();
+    reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_EQ(to_text(reload->rebuilt), "1 of 4 shaders, 1 of 4 pipelines");
+}
+
+TEST_F(Reloads, AGraphThatStartsToIncludeIsFollowedThere) {
+    begin();
+    std::filesystem::create_directory(folder_.path("deep"));
+    folder_.set("deep/other.glsl", "const vec3 kTint = vec3(0.5);");
+    folder_.replace("paint.comp", "tint.glsl", "deep/other.glsl");
+    std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    ASSERT_TRUE(reload->good()) << to_text(reload->errors);
+    draw(2);
+    const uint32_t before = last_texel();
+    folder_.replace("deep/other.glsl", "0.5", "0.9");
+    reload = next();
+    ASSERT_TRUE(reload) << "the new include isn't watched";
+    EXPECT_EQ(to_text(reload->rebuilt), "1 of 4 shaders, 1 of 4 pipelines");
+    draw(2);
+    EXPECT_NE(last_texel(), before);
+}
+
+TEST_F(Reloads, ANewSizeMayComeInBetween) {
+    begin();
+    folder_.replace("live.json", "[40, 24]", "[56, 16]");
+    // Until something is ready, which the new size makes stale.
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    ASSERT_TRUE(live_->resize({48, 20, 1}, warnings_));
+    const std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_TRUE(reload->good()) << to_text(reload->errors);
+    draw(1);
+    ASSERT_TRUE(live_->finish());
+    const Result<vk::ReadbackData> output = live_->read_output();
+    ASSERT_TRUE(output);
+    EXPECT_EQ(output->extent, (Extent3D{48, 20, 1}));
+    const ResourceDecl* paint = find_resource(live_->plan().graph, "paint");
+    ASSERT_NE(paint, nullptr);
+    EXPECT_EQ(paint->extent, (Extent3D{56, 16, 1}));
+    EXPECT_EQ(counted(), drawn_);
+}
+
+// What a menu of tiers or parameters does.
+TEST_F(Reloads, OtherParametersAreAnotherSelection) {
+    begin();
+    const uint32_t before = last_texel();
+    render::Selection selection = live_->selection();
+    selection.params["gain"] = 0.125;
+    reloader_->select(selection);
+    const std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_EQ(to_text(reload->rebuilt), "values");
+    draw(1);
+    EXPECT_NE(last_texel(), before);
+}
+
+TEST_F(Reloads, AnotherTierIsAnotherSelection) {
+    begin();
+    render::Selection selection = live_->selection();
+    selection.tier = "low";
+    reloader_->select(selection);
+    const std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_TRUE(reload->good()) << to_text(reload->errors);
+    EXPECT_EQ(to_text(reload->rebuilt), "a new plan");
+    draw(1);
+    ASSERT_TRUE(live_->finish());
+    EXPECT_EQ(find_resource(live_->plan().graph, "paint")->extent, (Extent3D{20, 12, 1}));
+    EXPECT_EQ(counted(), drawn_);
+    // The tier stays when files change.
+    folder_.replace("paint.comp", "scale = 1.0", "scale = 0.5");
+    ASSERT_TRUE(next());
+    EXPECT_EQ(live_->selection().tier, "low");
+}
+
+TEST_F(Reloads, AnIncludedGraphIsFollowedToo) {
+    begin();
+    folder_.spoil("count.json", "{");
+    std::optional<render::Reload> reload = next();
+    ASSERT_TRUE(reload);
+    ASSERT_FALSE(reload->good());
+    EXPECT_TRUE(reload->errors.front().file.ends_with("count.json")) << to_text(reload->errors);
+    folder_.set("count.json", folder_.text("count.json") + "\n", LiveFolder::Way::in_place);
+    reload = next();
+    ASSERT_TRUE(reload);
+    EXPECT_EQ(to_text(reload->rebuilt), "nothing changed");
+    EXPECT_EQ(counted(), drawn_);
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,79 @@
+// The reference for anisotropic reflection against what is known of it.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/render/shading/reference_anisotropy.h"
+
+namespace weft::test {
+namespace {
+
+// Over ∫ D·(n·h): half vectors of an even hemisphere, stretched. By u = cos θ of that hemisphere, of which
+// each stands for 2 u: so the grazing ones, whose values have no bound, count little.
+template <class Value>
+double mean_over_normals(const Stretched& s, const Value& value) {
+    constexpr int kSteps = 1200;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i)
+        for (int j = 0; j < kSteps; ++j) {
+            const double u = (i + 0.5) / kSteps, phi = 2 * kPi * (j + 0.5) / kSteps;
+            const double slope = std::sqrt(1 - u * u) / u;
+            sum += 2 * u *
+                   value(glm::normalize(
+                       glm::dvec3(s.along * slope * std::cos(phi), s.across * slope * std::sin(phi), 1)));
+        }
+    return sum / kSteps / kSteps;
+}
+
+TEST(ReferenceAnisotropy, DistributionIsNormalised) {
+    // ∫ D·(n·h) dω with x = tan θ cos φ, y = tan θ sin φ is ∫ D·cos⁴θ dx dy.
+    for (const auto& [roughness, strength] :
+         {std::pair{0.3, 0.0}, std::pair{0.3, 0.5}, std::pair{0.3, 1.0}, std::pair{0.6, 0.8}}) {
+        const Stretched s = stretched(roughness, strength);
+        constexpr int kSteps = 2000;
+        double sum = 0;
+        for (int i = 0; i < kSteps; ++i)
+            for (int j = 0; j < kSteps; ++j) {
+                // tan of an angle on either axis, so that the plane has an end; each axis as wide as its
+                // lobe.
+                const double a = ((i + 0.5) / kSteps - 0.5) * kPi, b = ((j + 0.5) / kSteps - 0.5) * kPi;
+                const double x = s.along * std::tan(a), y = s.across * std::tan(b);
+                const double area = s.along * s.across / std::pow(std::cos(a) * std::cos(b), 2);
+                const double cos2 = 1 / (1 + x * x + y * y);
+                const glm::dvec3 h(x * std::sqrt(cos2), y * std::sqrt(cos2), std::sqrt(cos2));
+                sum += ggx(s, h) * cos2 * cos2 * area;
+            }
+        EXPECT_NEAR(sum * std::pow(kPi / kSteps, 2), 1, 1e-4) << roughness << ", " << strength;
+    }
+}
+
+TEST(ReferenceAnisotropy, MaskingLeavesTheProjectedArea) {
+    // ∫ D·G1(v)·max(v·h, 0) dω = n·v (Heitz 2014, equation 15); D·(n·h) weighs the half vectors already.
+    const Stretched s = stretched(0.5, 0.7);
+    for (const glm::dvec3 v :
+         {glm::dvec3(0.8, 0, 0.6), glm::dvec3(0, 0.8, 0.6), glm::dvec3(0.6, 0.6, 0.52915026)}) {
+        const double seen =
+            mean_over_normals(s, [&](const glm::dvec3& h) { return std::max(0.0, glm::dot(v, h)) / h.z; });
+        EXPECT_NEAR(seen / (1 + smith_lambda(s, v)), v.z, 1e-4);
+    }
+}
+
+TEST(ReferenceAnisotropy, WithoutStrengthItIsTheIsotropicOne) {
+    ReferenceSurface plain;
+    plain.normal = {0, 0, 1};
+    plain.base_color = {0.9, 0.6, 0.3};
+    plain.metallic = 1;
+    const std::array<glm::dvec3, 3> lights{glm::normalize(glm::dvec3(0.3, 0.4, 1)),
+                                           glm::normalize(glm::dvec3(-0.9, 0.1, 0.2)), glm::dvec3(0, 0, 1)};
+    const glm::dvec3 v = glm::normalize(glm::dvec3(0.2, -0.5, 0.7));
+    for (const double roughness : {0.1, 0.4, 1.0})
+        for (const glm::dvec3& l : lights) {
+            plain.roughness = roughness;
+            const glm::dvec3 wanted = reflected(plain, v, l);
+            const glm::dvec3 found = reflected_by_metal(stretched(roughness, 0), plain.base_color, v, l);
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], wanted[c], wanted[c] * 1e-9);
+        }
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,105 @@
+// Highlights of capsules and rectangles on a white mirror of a floor, against the integral of what it
+// reflects over the light. One point of a light cannot stand for all of it: what is stated here is how far
+// off it is.
+#include <array>
+
+#include "tests/render/shading/area_reference.h"
+#include "tests/render/shading/irradiance_fixture.h"
+#include "tests/render/shading/reference_brdf.h"
+
+namespace weft::test {
+namespace {
+
+struct Expectation {
+    double roughness, least, most;  // the sum over the floor, of the integral's
+};
+// The first channels of irradiance.json. Measured: 0.85 to 1.16, 0.75 to 1.09, 0.66 to 1.03.
+constexpr std::array kExpectations{Expectation{0.1, 0.8, 1.2}, Expectation{0.3, 0.7, 1.15},
+                                   Expectation{0.6, 0.62, 1.08}};
+constexpr double kMostOff = 0.5;     // differences at points, added up, of the integral's sum; measured: 0.46
+constexpr int kMoves = 4;            // each way, by a quarter of a metre: between the points
+const glm::dvec3 kEye(0.5, 2.5, 6);  // as in irradiance.comp
+
+using Highlights = std::array<double, kExpectations.size()>;
+
+// What a mirror at the point sends to the eye.
+Highlights mirrored(const shared::Light& light, const glm::dvec3& at) {
+    const glm::dvec3 v = glm::normalize(kEye - at);
+    Highlights sum{};
+    for (size_t i = 0; i < kExpectations.size(); ++i) {
+        const double roughness = kExpectations[i].roughness;
+        const ReferenceSurface mirror{kUp, glm::dvec3(1), 1, roughness};
+        const auto add = [&](const glm::dvec3& l, double solid_angle) {
+            sum[i] += reflected(mirror, v, l).x * solid_angle;
+        };
+        // Of a third of the lobe's width.
+        visit_light(light, at, add, roughness * roughness * distance_to_light(light, at));
+    }
+    return sum;
+}
+
+class Highlight : public Irradiance {
+ protected:
+    // Each in kMoves² places.
+    void expect_highlights(scene::LightType type, std::span<const Placement> placements) {
+        constexpr size_t kPlaces = size_t{kMoves} * kMoves;
+        std::vector<Placement> all;
+        for (const Placement& placement : placements) {
+            for (size_t i = 0; i < kPlaces; ++i) {
+                all.push_back(placement);
+                all.back().position += glm::vec3(i % kMoves, 0, i / kMoves) / float{kMoves};
+            }
+        }
+        const Measured m = measure(placed(type, all));
+        ASSERT_EQ(m.lights.size(), all.size());
+        for (size_t i = 0; i < placements.size(); ++i)
+            expect_highlight(m, i * kPlaces, kPlaces, placements[i].name);
+    }
+
+ private:
+    static void expect_highlight(const Measured& m, size_t first, size_t lights, const char* name) {
+        Highlights found{}, wanted{}, different{};
+        for (size_t i = first * kPoints; i < (first + lights) * kPoints; ++i) {
+            const Highlights reference = mirrored(m.lights[i / kPoints], point_of(i % kPoints));
+            for (size_t k = 0; k < kExpectations.size(); ++k) {
+                const double seen = m.highlight[i][static_cast<int>(k)];
+                found[k] += seen;
+                wanted[k] += reference[k];
+                different[k] += std::abs(seen - reference[k]);
+            }
+        }
+        for (size_t k = 0; k < kExpectations.size(); ++k) {
+            const auto& [roughness, least, most] = kExpectations[k];
+            const double share = found[k] / wanted[k], off = different[k] / wanted[k];
+            std::printf("%-16s roughness %.1f: %.2f of the light, off by %.2f of it\n", name, roughness,
+                        share, off);
+            EXPECT_GE(share, least) << name << ", roughness " << roughness;
+            EXPECT_LE(share, most) << name << ", roughness " << roughness;
+            EXPECT_LE(off, kMostOff) << name << ", roughness " << roughness;
+        }
+    }
+};
+
+TEST_F(Highlight, OfRectanglesAddsUpToAboutTheIntegral) {
+    expect_highlights(
+        scene::LightType::rectangle,
+        std::array{Placement{"hanging, tilted", {0, 1.5f, -2}, {0, -0.5f, 1}, {1, 0, 0}, {0.5f, 0.3f}},
+                   Placement{"overhead", {0, 1.5f, 0}, {0, -1, 0}, {1, 0, 0}, {0.4f, 0.4f}},
+                   Placement{"a wall", {0, 0.9f, -3}, {0, 0, 1}, {1, 0, 0}, {1.2f, 0.8f}},
+                   Placement{"a small one", {0, 1, -1}, {0, -0.5f, 1}, {1, 0, 0}, {0.1f, 0.1f}},
+                   Placement{"a strip across", {0, 1, -1}, {0, -0.5f, 1}, {1, 0, 0}, {0.9f, 0.05f}},
+                   Placement{"a strip away", {0, 1, -1}, {0, -1, 0}, {0, 0, 1}, {0.9f, 0.05f}}});
+}
+
+TEST_F(Highlight, OfCapsulesAddsUpToAboutTheIntegral) {
+    expect_highlights(scene::LightType::capsule,
+                      std::array{Placement{"lying across", {0, 1, -1}, {1, 0, 0}, {}, {0.6f, 0.08f}},
+                                 Placement{"lying away", {0, 1, -1}, {0, 0, 1}, {}, {0.6f, 0.08f}},
+                                 Placement{"standing", {0, 0.7f, -1}, {0, 1, 0}, {}, {0.5f, 0.05f}},
+                                 Placement{"slanting", {0, 0.9f, -1}, {1, 0.6f, 0.5f}, {}, {0.6f, 0.15f}},
+                                 Placement{"a sphere", {0, 1, -1}, {1, 0, 0}, {}, {0, 0.25f}},
+                                 Placement{"a thin one", {0, 1, -1}, {1, 0, 0}, {}, {0.9f, 0.02f}}});
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,180 @@
+// Deferred shading sees a surface through the G-buffer, forward shading sees the surface itself: by how much
+// the two may differ follows from the G-buffer's formats (docs/precision.md), pixel by pixel.
+#include <algorithm>
+#include <functional>
+
+#include "tests/render/session_fixture.h"
+#include "tests/render/shading/reference_brdf.h"
+#include "tests/render/shading/reference_light.h"
+
+namespace weft::test {
+namespace {
+
+constexpr Extent3D kSize{160, 90, 1};
+
+// What one pixel of the G-buffer stores, each number as the shaders use it.
+struct Stored {
+    glm::dvec3 base_root{0};
+    double occlusion = 1, roughness = 1, metalness = 0;
+    glm::dvec3 f0_root{0};
+    double specular = 1;
+    glm::dvec3 normal{0, 1, 0};
+    glm::dvec3 position{0};
+};
+
+// Half a step of 8 bits; of an octahedral normal in 16 bits, 0.0037°; of a depth in single precision,
+// reconstructed through a matrix, as a share of the distance.
+constexpr double kHalfStep = 0.5 / 255, kNormalRad = 0.0037 * kPi / 180, kDepthShare = 4e-6;
+// Two roundings to half floats, and what single precision loses in some hundred operations.
+constexpr double kRounding = 2.0 / 2048 + 2e-4;
+// Both pictures are evaluated with first differences of one number at a time; what they do together is less
+// than a quarter of that.
+constexpr double kTogether = 1.25;
+
+struct View {
+    const scene::Scene* scene = nullptr;
+    std::vector<shared::Light> lights;
+    glm::dvec3 eye{0};
+};
+
+// The gradient sky of shaders/include/sky.glsl.
+glm::dvec3 sky(const scene::Scene& scene, const glm::dvec3& w) {
+    const glm::dvec3 zenith(scene.sky_zenith), horizon(scene.sky_horizon);
+    if (w.y >= 0) return glm::mix(horizon, zenith, std::sqrt(w.y));
+    const double t = std::clamp(-w.y / 0.15, 0.0, 1.0);
+    return glm::mix(horizon, horizon * 0.25, t * t * (3 - 2 * t));
+}
+
+glm::dvec3 matt_sky(const scene::Scene& scene, const glm::dvec3& n) {
+    const glm::dvec3 above = glm::mix(glm::dvec3(scene.sky_horizon), glm::dvec3(scene.sky_zenith), 0.8);
+    return glm::mix(glm::dvec3(scene.sky_horizon) * 0.25, above, 0.5 + 0.5 * n.y);
+}
+
+// Lazarov's directional albedo.
+glm::dvec2 dfg(double roughness, double nv) {
+    const double a = 1 - roughness, b = 0.0425 - 0.0275 * roughness, c = 1.04 - 0.572 * roughness,
+                 d = 0.022 * roughness - 0.04;
+    const double a004 = std::min(a * a, std::exp2(-9.28 * nv)) * a + b;
+    return {-1.04 * a004 + c, 1.04 * a004 + d};
+}
+
+glm::dvec3 radiance(const Stored& p, const View& view) {
+    ReferenceSurface s;
+    s.normal = p.normal;
+    s.base_color = p.base_root * p.base_root;
+    s.metallic = p.metalness;
+    s.roughness = p.roughness;
+    s.dielectric_f0 = p.f0_root * p.f0_root;
+    s.specular = p.specular;
+    const glm::dvec3 v = glm::normalize(view.eye - p.position);
+    glm::dvec3 sum(0);
+    for (const shared::Light& light : view.lights) {
+        glm::dvec3 l;
+        const glm::dvec3 e = incident(light, p.position, l);
+        if (e != glm::dvec3(0)) sum += reflected(s, v, l) * e;
+    }
+    const glm::dvec2 scale_bias = dfg(p.roughness, std::clamp(glm::dot(s.normal, v), 0.0, 1.0));
+    const glm::dvec3 f0 = glm::mix(s.dielectric_f0 * s.specular, s.base_color, s.metallic);
+    const glm::dvec3 mirror =
+        f0 * scale_bias.x + glm::dvec3(glm::mix(s.specular, 1.0, s.metallic) * scale_bias.y);
+    const glm::dvec3 matt = s.base_color * (1 - s.metallic) * (1 - std::max({mirror.x, mirror.y, mirror.z}));
+    const glm::dvec3 seen =
+        glm::mix(sky(*view.scene, glm::reflect(-v, s.normal)), matt_sky(*view.scene, s.normal), p.roughness);
+    return sum + p.occlusion * (matt * matt_sky(*view.scene, s.normal) + mirror * seen);
+}
+
+// How far each stored number may be from the true one, both ways.
+glm::dvec3 bound(const Stored& p, const View& view) {
+    const glm::dvec3 stored = radiance(p, view);
+    glm::dvec3 sum(0);
+    const auto vary = [&](const std::function<void(Stored&, double)>& move) {
+        glm::dvec3 most(0);
+        for (const double sign : {-1.0, 1.0}) {
+            Stored moved = p;
+            move(moved, sign);
+            most = glm::max(most, glm::abs(radiance(moved, view) - stored));
+        }
+        sum += most;
+    };
+    const auto step = [](double& number, double sign) {
+        number = std::clamp(number + sign * kHalfStep, 0.0, 1.0);
+    };
+    for (int c = 0; c < 3; ++c) vary([&](Stored& s, double sign) { step(s.base_root[c], sign); });
+    for (int c = 0; c < 3; ++c) vary([&](Stored& s, double sign) { step(s.f0_root[c], sign); });
+    vary([&](Stored& s, double sign) { step(s.specular, sign); });
+    vary([&](Stored& s, double sign) { step(s.occlusion, sign); });
+    vary([&](Stored& s, double sign) { step(s.roughness, sign); });
+    vary([&](Stored& s, double sign) { step(s.metalness, sign); });
+    const glm::dvec3 aside = glm::normalize(
+        glm::cross(p.normal, std::abs(p.normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+    for (const glm::dvec3& axis : {aside, glm::cross(p.normal, aside)})
+        vary([&](Stored& s, double sign) {
+            s.normal = glm::normalize(p.normal + axis * (sign * kNormalRad));
+        });
+    const glm::dvec3 away = (p.position - view.eye) * kDepthShare;
+    vary([&](Stored& s, double sign) { s.position += away * sign; });
+    return sum * kTogether;
+}
+
+Stored stored_at(const Rendered& r, size_t i, const glm::dmat4& to_world) {
+    const glm::dvec4 orm = r.images.at("orm")[i], coat = r.images.at("specular")[i];
+    const double u = (double(i % kSize.width) + 0.5) / kSize.width,
+                 v = (double(i / kSize.width) + 0.5) / kSize.height;
+    const glm::dvec4 world = to_world * glm::dvec4(u * 2 - 1, v * 2 - 1, r.images.at("depth")[i].r, 1);
+    Stored p;
+    p.base_root = glm::dvec3(r.images.at("albedo")[i]);
+    p.occlusion = orm.r;
+    p.roughness = orm.g;
+    p.metalness = orm.b;
+    p.f0_root = glm::dvec3(coat);
+    p.specular = coat.a;
+    p.normal = octahedral_normal(r.images.at("normal")[i]);
+    p.position = glm::dvec3(world) / world.w;
+    return p;
+}
+
+class Precision : public SessionTest {};
+
+TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
+    for (const char* name : {"spheres", "cornell", "atrium", "brushed"}) {
+        SCOPED_TRACE(name);
+        Result<scene::Scene> scene = scene::make_builtin(name);
+        ASSERT_TRUE(scene);
+        std::erase_if(scene->instances, [&](const scene::Instance& i) {
+            return scene->materials[i.material].alpha_mode == scene::AlphaMode::blend;
+        });
+        const scene::Camera camera = scene->cameras.at(0);
+        const Rendered deferred = render(*scene, camera, kSize, scene->exposure_ev,
+                                         {"albedo", "normal", "orm", "specular", "depth", "hdr"});
+        const Rendered forward = render(*scene, camera, kSize, scene->exposure_ev, {"hdr"},
+                                        WEFT_SOURCE_DIR "/graphs/forward.json");
+        ASSERT_EQ(deferred.images.size(), 6u);
+        ASSERT_EQ(forward.images.size(), 1u);
+        const View view{&*scene, deferred.lights, glm::dvec3(deferred.view.eye)};
+        const glm::dmat4 to_world =
+            glm::inverse(glm::dmat4(deferred.view.projection) * glm::dmat4(deferred.view.view));
+        const double gain = deferred.pre_exposure;
+        size_t surfaces = 0, beyond = 0;
+        double worst_use = 0, widest = 0;
+        for (size_t i = 0; i < deferred.images.at("hdr").size(); ++i) {
+            if (deferred.images.at("depth")[i].r <= 0) continue;
+            ++surfaces;
+            const glm::dvec3 a(deferred.images.at("hdr")[i]), b(forward.images.at("hdr")[i]);
+            // Half floats end at 2⁻²⁴.
+            const glm::dvec3 allowed =
+                bound(stored_at(deferred, i, to_world), view) * gain + glm::max(a, b) * kRounding + 1.2e-7;
+            for (int c = 0; c < 3; ++c) {
+                worst_use = std::max(worst_use, std::abs(a[c] - b[c]) / allowed[c]);
+                widest = std::max(widest, std::abs(a[c] - b[c]) / std::max(a[c], 1e-3));
+                beyond += std::abs(a[c] - b[c]) > allowed[c] ? 1 : 0;
+            }
+        }
+        std::printf("%s: %zu surface pixels, at most %.2f of the bound used, largest difference %.2f %%\n",
+                    name, surfaces, worst_use, widest * 100);
+        EXPECT_GT(surfaces, 3000u);
+        EXPECT_EQ(beyond, 0u);
+    }
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,68 @@
+// A square that fills the picture, for closed forms: every pixel's place on it, and so its light, is known.
+#pragma once
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "weft/declaration.h"
+#include "weft/scene/scene.h"
+
+namespace weft::test {
+
+inline constexpr Extent3D kQuadSize{16, 16, 1};
+
+// From (-1, -1, 0) to (1, 1, 0), facing +z; uv (0, 0) is its upper left corner. Lambertian, white.
+inline scene::Scene quad_scene() {
+    scene::Scene scene;
+    scene::Mesh quad;
+    quad.name = "quad";
+    quad.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    quad.normals.assign(4, {0, 0, 1});
+    quad.tangents.assign(4, {1, 0, 0, 1});
+    quad.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    quad.indices = {0, 1, 2, 0, 2, 3};
+    quad.bounds_min = {-1, -1, 0};
+    quad.bounds_max = {1, 1, 0};
+    scene.meshes = {quad};
+    scene::Material material;
+    material.metallic = 0;
+    material.specular = 0;
+    scene.materials = {material};
+    scene.instances = {{"quad", 0, 0, glm::mat4(1)}};
+    scene::Camera camera;
+    camera.name = "front";
+    // Far off, so that every pixel looks straight at it.
+    constexpr float kDistanceM = 1000;
+    camera.transform = glm::translate(glm::mat4(1), glm::vec3(0, 0, kDistanceM));
+    camera.fov_y_rad = 2 * std::atan(1 / kDistanceM);
+    scene.cameras = {camera};
+    return scene;
+}
+
+// A level square of 8 m around the origin, facing +y.
+inline scene::Mesh ground_mesh() {
+    scene::Mesh mesh;
+    mesh.positions = {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}};
+    mesh.normals.assign(4, {0, 1, 0});
+    mesh.tangents.assign(4, {1, 0, 0, 1});
+    mesh.uvs = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    return mesh;
+}
+
+// 1 lx on what faces the camera, times `intensity`.
+inline scene::Light frontal_light(float intensity) {
+    scene::Light light;
+    light.type = scene::LightType::directional;
+    light.direction = {0, 0, -1};
+    light.intensity = intensity;
+    return light;
+}
+
+// Of pixel i, row by row.
+inline glm::vec2 uv_of_pixel(size_t i) {
+    return {(static_cast<float>(i % kQuadSize.width) + 0.5f) / static_cast<float>(kQuadSize.width),
+            (static_cast<float>(i / kQuadSize.width) + 0.5f) / static_cast<float>(kQuadSize.height)};
+}
+
+}  // namespace weft::test

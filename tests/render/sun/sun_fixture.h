@@ -1,0 +1,94 @@
+// What a graph sees of the sun's shadows: of points anywhere in the world, and of the surface in each pixel.
+#pragma once
+
+#include <sstream>
+
+#include "tests/render/session_fixture.h"
+
+namespace weft::test {
+
+inline constexpr uint32_t kGrid = 384;
+inline const std::string kSunGraphs = WEFT_SOURCE_DIR "/tests/render/sun/";
+
+// Points of the world: as many rows and columns as grid.json has.
+struct Grid {
+    glm::vec3 corner{0}, right{0}, down{0};
+    [[nodiscard]] glm::vec3 at(uint32_t i) const {
+        return corner + right * static_cast<float>(i % kGrid) + down * static_cast<float>(i / kGrid);
+    }
+};
+
+inline std::string list_of(const glm::vec3& v) {
+    std::ostringstream text;
+    text.precision(9);
+    text << "[" << v.x << ", " << v.y << ", " << v.z << "]";
+    return text.str();
+}
+
+inline void put(std::string& text, const std::string& word, const glm::vec3& value) {
+    const size_t at = text.find("\"" + word + "\"");
+    if (at != std::string::npos) text.replace(at, word.size() + 2, list_of(value));
+}
+
+struct Seen {
+    std::vector<float> share;        // by point
+    std::vector<glm::vec4> normals;  // octahedral, where the graph has them
+    std::vector<glm::vec4> depths;   // near plane / distance before the eye
+    render::SunCascades sun;
+    glm::vec3 eye{0};
+};
+
+class SunShadows : public SessionTest {
+ protected:
+    Seen look(const scene::Scene& scene, const scene::Camera& camera, const Grid& grid) {
+        const FileReader reader = [&](const std::string& path) {
+            std::optional<std::string> text = read_text(path);
+            if (!text || !path.ends_with("grid.json")) return text;
+            put(*text, "CORNER", grid.corner);
+            put(*text, "RIGHT", grid.right);
+            put(*text, "DOWN", grid.down);
+            return text;
+        };
+        return run(start(scene, camera, kSunGraphs + "grid.json", {320, 180, 1}, {"seen"}, 0, reader));
+    }
+    static Seen run(const std::unique_ptr<render::Session>& session) {
+        Seen seen;
+        if (!session || !session->render_frame(0, 0) || !session->finish()) {
+            ADD_FAILURE() << "no picture";
+            return seen;
+        }
+        for (const vk::ReadbackData& data : session->take_readbacks()) {
+            const std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
+            if (data.pass == "observe:normal") seen.normals = texels;
+            if (data.pass == "observe:depth") seen.depths = texels;
+            if (data.pass != "observe:seen") continue;
+            for (const glm::vec4& texel : texels) seen.share.push_back(texel.r);
+        }
+        seen.sun = session->sun();
+        seen.eye = session->view().eye;
+        return seen;
+    }
+};
+
+inline uint32_t cascade_at(const render::SunCascades& sun, double distance_m) {
+    uint32_t i = 0;
+    while (i + 1 < sun.count && distance_m > sun.cascades[i].end_m) ++i;
+    return i;
+}
+
+// Of the map that a point is looked up in; of both where two blend.
+inline double texel_at(const Seen& seen, const glm::vec3& point) {
+    const double distance_m = glm::distance(point, seen.eye);
+    const uint32_t i = cascade_at(seen.sun, distance_m);
+    const bool blends =
+        i + 1 < seen.sun.count && distance_m > seen.sun.cascades[i].end_m * (1 - shared::kSunBlend);
+    return seen.sun.cascades[blends ? i + 1 : i].texel_m;
+}
+
+inline scene::Scene atrium(float hour) {
+    Result<scene::Scene> scene = scene::make_builtin("atrium", {.hour = hour});
+    EXPECT_TRUE(scene);
+    return std::move(*scene);
+}
+
+}  // namespace weft::test

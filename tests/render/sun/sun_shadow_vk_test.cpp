@@ -1,0 +1,182 @@
+// Shadows of the sun: where their edges lie, and that they stand still.
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/render/shading/quad_scene.h"
+#include "tests/render/sun/sun_fixture.h"
+
+namespace weft::test {
+namespace {
+
+// A box of 1 m × 0.8 m × 0.7 m that floats over the ground, under a sun that is tilted both ways.
+const glm::vec3 kBoxLeast{-0.5f, 0.6f, -0.35f}, kBoxMost{0.5f, 1.4f, 0.35f};
+
+scene::Mesh box_mesh(const glm::vec3& least, const glm::vec3& most) {
+    scene::Mesh mesh;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const bool far : {false, true}) {
+            const auto first = static_cast<uint32_t>(mesh.positions.size());
+            glm::vec3 normal(0);
+            normal[axis] = far ? 1.0f : -1.0f;
+            for (uint32_t k = 0; k < 4; ++k) {
+                glm::vec3 corner;
+                corner[axis] = far ? most[axis] : least[axis];
+                const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+                corner[u] = k == 1 || k == 2 ? most[u] : least[u];
+                corner[v] = k >= 2 ? most[v] : least[v];
+                mesh.positions.push_back(corner);
+                mesh.normals.push_back(normal);
+                mesh.tangents.emplace_back(normal.y, normal.z, normal.x, 1);
+                mesh.uvs.emplace_back(0, 0);
+            }
+            const std::array<uint32_t, 6> faces =
+                far ? std::array<uint32_t, 6>{0, 1, 2, 0, 2, 3} : std::array<uint32_t, 6>{0, 2, 1, 0, 3, 2};
+            for (const uint32_t i : faces) mesh.indices.push_back(first + i);
+        }
+    }
+    mesh.bounds_min = least;
+    mesh.bounds_max = most;
+    return mesh;
+}
+
+scene::Scene box_scene(const glm::vec3& to_sun) {
+    scene::Scene scene;
+    scene.meshes = {ground_mesh(), box_mesh(kBoxLeast, kBoxMost)};
+    scene.materials.emplace_back();
+    scene.instances = {{"ground", 0, 0, glm::mat4(1)}, {"box", 1, 0, glm::mat4(1)}};
+    scene::Light light;
+    light.type = scene::LightType::directional;
+    light.direction = -glm::normalize(to_sun);
+    scene.lights.push_back(light);
+    scene::Camera camera;
+    camera.transform = glm::inverse(glm::lookAt(glm::vec3(1, 3, 4), glm::vec3(0), glm::vec3(0, 1, 0)));
+    scene.cameras.push_back(camera);
+    return scene;
+}
+
+// The box as the sun sees it: its outline in the plane across the light, anticlockwise.
+class Outline {
+ public:
+    explicit Outline(const glm::dvec3& to_sun)
+        : right_(glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun))), up_(glm::cross(to_sun, right_)) {
+        std::vector<glm::dvec2> corners;
+        for (int i = 0; i < 8; ++i)
+            corners.push_back(
+                place({(i & 1) != 0 ? kBoxMost.x : kBoxLeast.x, (i & 2) != 0 ? kBoxMost.y : kBoxLeast.y,
+                       (i & 4) != 0 ? kBoxMost.z : kBoxLeast.z}));
+        // A side is one that has all corners on its left.
+        for (const glm::dvec2& a : corners) {
+            for (const glm::dvec2& b : corners) {
+                const glm::dvec2 way = b - a;
+                if (glm::length(way) < 1e-9) continue;
+                const glm::dvec2 left = glm::normalize(glm::dvec2(-way.y, way.x));
+                const bool outside = std::ranges::any_of(
+                    corners, [&](const glm::dvec2& c) { return glm::dot(c - a, left) < -1e-9; });
+                if (!outside) sides_.push_back({a, left});
+            }
+        }
+    }
+    // How far a point lies within the shadow, across the light: negative outside.
+    [[nodiscard]] double depth_m(const glm::dvec3& point) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Side& side : sides_) least = std::min(least, glm::dot(place(point) - side.at, side.left));
+        return least;
+    }
+
+ private:
+    struct Side {
+        glm::dvec2 at, left;
+    };
+    [[nodiscard]] glm::dvec2 place(const glm::dvec3& point) const {
+        return {glm::dot(point, right_), glm::dot(point, up_)};
+    }
+    glm::dvec3 right_, up_;
+    std::vector<Side> sides_;
+};
+
+class UnderATiltedSun : public SunShadows, public ::testing::WithParamInterface<float> {};
+
+TEST_P(UnderATiltedSun, TheUmbraOfABoxEndsWhereItShould) {
+    const float tilt = GetParam();
+    const glm::vec3 to_sun =
+        glm::normalize(glm::vec3(std::sin(tilt) * 0.8f, std::cos(tilt), std::sin(tilt) * 0.6f));
+    const scene::Scene scene = box_scene(to_sun);
+    const float reach = 1.6f + 2 * std::tan(tilt);
+    const glm::vec3 middle = -to_sun * (1.0f / to_sun.y);
+    const float step = 2 * reach / kGrid;
+    const Grid grid{{middle.x - reach, 0, middle.z - reach}, {step, 0, 0}, {0, 0, step}};
+    const Seen seen = look(scene, scene.cameras[0], grid);
+    ASSERT_EQ(seen.share.size(), size_t{kGrid} * kGrid);
+    const Outline outline{glm::dvec3(to_sun)};
+    size_t edges = 0, dark = 0, wrong = 0;
+    double worst = 0;
+    for (uint32_t i = 0; i < kGrid * kGrid; ++i) {
+        const glm::vec3 point = grid.at(i);
+        if (std::max(std::abs(point.x), std::abs(point.z)) > 3.9f) continue;
+        const double texel_m = texel_at(seen, point), within = outline.depth_m(glm::dvec3(point)) / texel_m;
+        dark += within > 3 ? 1 : 0;
+        const float wanted = within > 0 ? 0 : 1;
+        wrong += std::abs(within) > 3 && std::abs(seen.share[i] - wanted) > 1e-4f ? 1 : 0;
+        // Where half of the filter is dark, between this point and its right or lower neighbour.
+        for (const uint32_t j : {i + 1, i + kGrid}) {
+            if (j >= kGrid * kGrid || (j == i + 1 && j % kGrid == 0)) continue;
+            const float a = seen.share[i] - 0.5f, b = seen.share[j] - 0.5f;
+            if (a * b >= 0) continue;
+            const glm::vec3 edge = glm::mix(point, grid.at(j), a / (a - b));
+            const double off = std::abs(outline.depth_m(glm::dvec3(edge))) / texel_m;
+            worst = std::max(worst, off);
+            ++edges;
+        }
+    }
+    std::printf("tilt %.2f: %zu points of the edge, at most %.2f texels off; %zu points in the umbra\n",
+                double{tilt}, edges, worst, dark);
+    EXPECT_GT(edges, 200u);
+    EXPECT_GT(dark, 1000u);
+    EXPECT_EQ(wrong, 0u) << "points more than 3 texels from the edge that are neither dark nor lit";
+    EXPECT_LE(worst, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Radians, UnderATiltedSun, ::testing::Values(0.2f, 0.5f, 0.8f, 1.1f),
+                         [](const auto& c) {
+                             return "Tilt" + std::to_string(static_cast<int>(c.param * 100));
+                         });
+
+// Points that stand still, looked up while the camera moves by steps of less than a texel of the finest map.
+TEST_F(SunShadows, StandStillWhileTheCameraCreeps) {
+    constexpr int kSteps = 3;
+    const scene::Scene scene = atrium(10);
+    const Grid floor{{-5, 0.05f, -6}, {10.0f / kGrid, 0, 0}, {0, 0, 12.0f / kGrid}};
+    const Grid wall{{-5.2f, 4, 6}, {0, 0, -12.0f / kGrid}, {0, -4.0f / kGrid, 0}};
+    for (const Grid& grid : {floor, wall}) {
+        scene::Camera camera = scene.cameras.at(0);
+        Seen before = look(scene, camera, grid);
+        ASSERT_EQ(before.share.size(), size_t{kGrid} * kGrid);
+        const auto half_lit =
+            std::ranges::count_if(before.share, [](float x) { return x > 0.01f && x < 0.99f; });
+        const auto dark = std::ranges::count_if(before.share, [](float x) { return x < 0.01f; });
+        size_t changed = 0, moved = 0;
+        for (int step = 0; step < kSteps; ++step) {
+            const float step_m = 0.6f * static_cast<float>(before.sun.cascades[0].texel_m);
+            camera.transform[3] += glm::vec4(glm::normalize(glm::vec3(0.6f, -0.5f, 0.7f)) * step_m, 0);
+            Seen after = look(scene, camera, grid);
+            ASSERT_EQ(after.share.size(), before.share.size());
+            for (uint32_t i = 0; i < before.sun.count; ++i)
+                moved += before.sun.cascades[i].origin_texels != after.sun.cascades[i].origin_texels ? 1 : 0;
+            // Half a step of 8 bits.
+            for (size_t i = 0; i < after.share.size(); ++i)
+                changed += std::abs(after.share[i] - before.share[i]) > 0.5f / 255 ? 1 : 0;
+            before = std::move(after);
+        }
+        const double share = 1 - static_cast<double>(changed) / (double{kSteps} * kGrid * kGrid);
+        std::printf(
+            "%.4f %% of the points unchanged; the maps moved %zu times, %ld points dark, %ld half lit\n",
+            share * 100, moved, dark, half_lit);
+        EXPECT_GE(share, 0.999);
+        EXPECT_GT(moved, 0u);
+        EXPECT_GT(half_lit, 1000);
+        EXPECT_GT(dark, 5000);
+    }
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,75 @@
+// What moves is shown at rest, and the warnings name it.
+#include "tests/scene/gltf/gltf_fixture.h"
+
+namespace weft::scene::test {
+namespace {
+
+class GltfMotion : public GltfTest {};
+
+TEST_F(GltfMotion, ASkinNamesItsNodeAndMesh) {
+    GltfText text;
+    text.members["nodes"] = R"([{"name":"body","mesh":0,"skin":0,"children":[1]},{}])";
+    text.members["skins"] = R"([{"joints":[1]}])";
+    const Scene scene = load(text);
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_EQ(where(warnings_[0]), "S153 /nodes/0/skin");
+    EXPECT_EQ(warnings_[0].message,
+              "node \"body\": the skin is ignored, mesh \"tri\" is shown at rest, as it was modelled");
+    EXPECT_EQ(scene.meshes.at(0).positions.at(1), glm::vec3(1, 0, 0));
+}
+
+TEST_F(GltfMotion, MorphTargetsNameTheirMeshAndLeaveTheBase) {
+    GltfText text;
+    text.members["meshes"] =
+        R"([{"primitives":[{"attributes":{"POSITION":0},"targets":[{"POSITION":1},{"POSITION":1}]},
+        {"attributes":{"POSITION":0},"targets":[{"POSITION":1}]}],"weights":[1,1]}])";
+    const Scene scene = load(text);
+    ASSERT_EQ(warnings_.size(), 1u) << "one for each mesh";
+    EXPECT_EQ(where(warnings_[0]), "S153 /meshes/0");
+    EXPECT_EQ(warnings_[0].message, "mesh 0: its morph targets, 2, are ignored, its base is shown");
+    EXPECT_EQ(scene.meshes.at(0).positions.at(1), glm::vec3(1, 0, 0));
+}
+
+TEST_F(GltfMotion, AnAnimationNamesWhatItWouldMove) {
+    GltfText text;
+    text.members["nodes"] = R"([{"mesh":0,"children":[1,2,3,4]},{"name":"hip"},{"name":"knee"},{},{},{}])";
+    text.members["animations"] = R"([{"name":"walk","samplers":[],"channels":[
+        {"sampler":0,"target":{"node":1,"path":"rotation"}},{"sampler":0,"target":{"node":1,"path":"scale"}},
+        {"sampler":0,"target":{"node":2,"path":"rotation"}}]},
+        {"channels":[{"target":{"path":"pointer"}}]},
+        {"channels":[{"target":{"node":0}},{"target":{"node":1}},{"target":{"node":2}},{"target":{"node":3}},
+        {"target":{"node":4}},{"target":{"node":5}}]}])";
+    load(text);
+    ASSERT_EQ(warnings_.size(), 3u);
+    EXPECT_EQ(where(warnings_[0]), "S153 /animations/0");
+    EXPECT_EQ(warnings_[0].message, "animation \"walk\" is not played; at rest: node \"hip\", node \"knee\"");
+    EXPECT_EQ(warnings_[1].message, "animation 1 is not played");
+    EXPECT_EQ(warnings_[2].message,
+              "animation 2 is not played; at rest: node 0, node \"hip\", node \"knee\", node 3 and 2 more");
+}
+
+TEST_F(GltfMotion, NodesThatAreNotThereAreErrors) {
+    GltfText text;
+    text.members["animations"] = R"([{"channels":[{"target":{"node":7}}]}])";
+    EXPECT_EQ(where(fail(text)), "S110 /animations/0/channels/0/target/node");
+    text.members.erase("animations");
+    text.members["nodes"] = R"([{"mesh":0,"skin":3}])";
+    EXPECT_EQ(where(fail(text)), "S110 /nodes/0/skin");
+}
+
+TEST_F(GltfMotion, WarningsNameTheirMeshOrNode) {
+    GltfText text;
+    text.members["meshes"] =
+        R"([{"name":"wire","primitives":[{"mode":1,"attributes":{"POSITION":0}},{"attributes":{"POSITION":0}}]}])";
+    load(text);
+    EXPECT_EQ(warnings_.at(0).message,
+              "part 0 of mesh \"wire\" is lines and is left out: only triangles are drawn");
+    GltfText far;
+    far.members["nodes"] = R"([{"name":"far","mesh":0,"scale":[1e17,1,1]}])";
+    load(far);
+    EXPECT_EQ(warnings_.at(0).message,
+              "node \"far\": its transform leaves the range of numbers; it and its children are left out");
+}
+
+}  // namespace
+}  // namespace weft::scene::test

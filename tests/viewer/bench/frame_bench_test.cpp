@@ -1,0 +1,121 @@
+// What `weft bench frame` makes of the times that it measured.
+#include "viewer/bench/frame_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace weft::test {
+namespace {
+
+using namespace weft::viewer;
+using Json = nlohmann::json;
+
+PassResult pass(const std::string& name, const std::string& key, std::vector<double> ms) {
+    PassResult result;
+    result.name = name;
+    result.key = key;
+    result.ms = std::move(ms);
+    result.bytes = 8'000'000;
+    result.flops = 4e6;
+    return result;
+}
+
+// "loop" takes a tenth of a ms a light, "lists" 2 ms and a hundredth a light; both have a G-buffer of 5 ms.
+FrameBench sample() {
+    FrameBench bench;
+    bench.scene = "room";
+    bench.size = {64, 36, 1};
+    bench.rounds = 3;
+    bench.graphs = {"loop", "lists"};
+    bench.lights = {10, 100};
+    bench.yardsticks = {0.5, 8e9, 1e9};
+    for (const uint32_t lights : bench.lights)
+        for (const bool lists : {false, true}) {
+            const double ms = lists ? 2 + 0.01 * lights : 0.1 * lights;
+            GraphResult result{lists ? "lists" : "loop", lights, {}, {0.5, 0.25, 1}};
+            result.passes = {pass("gbuffer", "g", {5, 6, 4}),
+                             pass("lighting", lists ? "tiles" : "all", {ms, ms * 2, ms})};
+            bench.results.push_back(result);
+        }
+    find_common(bench);
+    return bench;
+}
+
+TEST(FrameBench, SpreadsAreQuantiles) {
+    const Spread odd = spread_of({5, 1, 3});
+    EXPECT_EQ(odd.min, 1);
+    EXPECT_EQ(odd.quarter, 2);
+    EXPECT_EQ(odd.median, 3);
+    EXPECT_EQ(odd.three_quarters, 4);
+    EXPECT_NEAR(odd.p99, 4.96, 1e-12);
+    EXPECT_EQ(spread_of({4, 2}).median, 3);
+    EXPECT_EQ(spread_of({}).median, 0);
+}
+
+TEST(FrameBench, APassTakesItsLongestPart) {
+    const Yardsticks yardsticks{1, 1e9, 1e12};
+    EXPECT_DOUBLE_EQ(yardsticks.limit_ms(2e6, 1e6), 2);
+    EXPECT_DOUBLE_EQ(yardsticks.limit_ms(2e6, 5e9), 5);
+    EXPECT_DOUBLE_EQ(yardsticks.limit_ms(10, 10), 0.003);
+}
+
+TEST(FrameBench, WhatAllGraphsHaveIsToldApart) {
+    const FrameBench bench = sample();
+    EXPECT_TRUE(bench.at(0, 0).passes[0].common);
+    EXPECT_FALSE(bench.at(0, 0).passes[1].common);
+    EXPECT_EQ(bench.at(0, 0).frame_ms(true), (std::vector<double>{6, 8, 5}));
+    EXPECT_EQ(bench.at(0, 0).frame_ms(false), (std::vector<double>{1, 2, 1}));
+}
+
+TEST(FrameBench, RatiosAreOfTheSameRound) {
+    const FrameBench bench = sample();
+    EXPECT_EQ(bench.ratio_to_first(1, 0, false), 1);
+    EXPECT_NEAR(bench.ratio_to_first(1, 1, false), 0.3, 1e-12);
+    EXPECT_EQ(bench.ratio_to_trivial(0, 0, false), 2) << "of 2, 8 and 1";
+}
+
+TEST(FrameBench, NothingAgainstNothingIsNoRatio) {
+    FrameBench bench = sample();
+    for (GraphResult& result : bench.results) result.passes.resize(1);
+    find_common(bench);
+    EXPECT_TRUE(std::isnan(bench.ratio_to_first(0, 1, false)));
+    EXPECT_EQ(bench_text(bench).find("nan"), std::string::npos);
+    EXPECT_NE(bench_text(bench).find("      - "), std::string::npos);
+    const Json own = Json::parse(bench_json(bench)).at("results").at(1).at("not_common");
+    EXPECT_TRUE(own.at("over_first").is_null());
+}
+
+TEST(FrameBench, CurvesCrossOnLogarithmicScales) {
+    const std::vector<Crossing> crossings = sample().crossings();
+    ASSERT_EQ(crossings.size(), 1u);
+    EXPECT_EQ(crossings[0].faster, "lists");
+    EXPECT_EQ(crossings[0].slower, "loop");
+    // 1 − 2.1 before, 10 − 3 after.
+    EXPECT_NEAR(crossings[0].lights, 10 * std::pow(10.0, 1.1 / 8.1), 1e-9);
+    EXPECT_EQ(crossings[0].between, (std::array<uint32_t, 2>{10, 100}));
+}
+
+TEST(FrameBench, ReportsSayTheSame) {
+    const FrameBench bench = sample();
+    const std::string text = bench_text(bench);
+    EXPECT_NE(text.find("lists is faster than loop from about 14 lights on (between 10 and 100)"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("copying 8.00 GB/s"), std::string::npos) << text;
+    const Json json = Json::parse(bench_json(bench));
+    EXPECT_EQ(json["results"].size(), 4u);
+    EXPECT_EQ(json["results"][3]["graph"], "lists");
+    EXPECT_EQ(json["results"][3]["lights"], 100);
+    EXPECT_EQ(json["results"][3]["not_common"]["gpu_ms"]["median"], 3);
+    EXPECT_EQ(json["results"][0]["passes"][0]["limit_ms"], 4) << "of 4 MFLOP at 1 GFLOP/s";
+    EXPECT_EQ(json["results"][0]["passes"][0]["over_trivial"], 10);
+    EXPECT_EQ(json["crossings"][0]["faster"], "lists");
+    const std::string svg = bench_svg(bench);
+    EXPECT_EQ(svg.find("nan"), std::string::npos) << svg;
+    EXPECT_NE(svg.find(">lists</text>"), std::string::npos) << svg;
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,51 @@
+// `weft bench frame` from outside, on the device that is there.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(BenchFrame, MeasuresEveryGraphOverEveryNumberOfLights) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const RunResult run =
+        run_weft({"bench", "frame", "builtin:spheres", "--graphs", "deferred,tiled_deferred,light_volumes",
+                  "--lights", "2,5", "--size", "64x36", "--rounds", "2", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.text();
+    const Json json = Json::parse(run.out);
+    ASSERT_EQ(json["results"].size(), 6u);
+    EXPECT_GT(json["bytes_per_s"].get<double>(), 1e7);
+    EXPECT_GT(json["flops_per_s"].get<double>(), 1e7);
+    EXPECT_GT(json["trivial_ms"].get<double>(), 0);
+    for (const Json& result : json["results"]) {
+        double sum = 0;
+        bool has_costs = false;
+        for (const Json& pass : result["passes"]) {
+            sum += pass["gpu_ms"]["min"].get<double>();
+            has_costs |= pass["flops"].is_number();
+            EXPECT_GE(pass["limit_ms"].get<double>(), 0.003) << pass;
+            if (pass["name"] == "gbuffer" || pass["name"] == "tonemap") {
+                EXPECT_TRUE(pass["common"]) << pass;
+            }
+            if (pass["name"] == "lighting") {
+                EXPECT_FALSE(pass["common"]) << pass;
+            }
+        }
+        EXPECT_TRUE(has_costs) << result["graph"];
+        EXPECT_LE(sum, result["frame"]["gpu_ms"]["median"].get<double>() + 1e-9) << result["graph"];
+    }
+}
+
+TEST(BenchFrame, AGraphThatIsNotThere) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const RunResult run = run_weft({"bench", "frame", "--graphs", "deferrd"});
+    EXPECT_EQ(run.exit_code, 3) << run.text();
+    EXPECT_NE(run.err.find("deferrd"), std::string::npos) << run.text();
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,75 @@
+// What `weft diff` says of two plans.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+using Json = nlohmann::json;
+constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
+
+// The shipped graph with one text in place of another.
+std::string changed_graph(const std::string& what, const std::string& by) {
+    std::ifstream in(kDeferred);
+    std::ostringstream content;
+    content << in.rdbuf();
+    std::string text = content.str();
+    const size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), by);
+}
+
+void expect_parts(const std::string& text, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts)
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\nis missing in\n" << text;
+}
+
+TEST(Diff, APlanAndItselfAreTheSame) {
+    const RunResult run = run_weft({"diff", kDeferred, kDeferred});
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_EQ(run.out, "the same plan\n");
+    const RunResult json = run_weft({"diff", kDeferred, kDeferred, "--json"});
+    EXPECT_TRUE(Json::parse(json.out).at("same").get<bool>()) << json.text();
+}
+
+TEST(Diff, AnotherFormatIsAChangeOfItsResourceAndOfMemory) {
+    const ScratchFolder scratch;
+    scratch.write("wide.json", changed_graph("\"albedo\":   \"rgba8\"", "\"albedo\":   \"rgba16f\""));
+    const RunResult run = run_weft({"diff", kDeferred, scratch / "wide.json"});
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    expect_parts(run.out,
+                 {"+3600.0 KiB heap", "~ albedo\n      - format rgba8\n", "      + format rgba16f\n"});
+    EXPECT_EQ(run.out.find("~ gbuffer"), std::string::npos) << "its passes are as they were\n" << run.out;
+    const RunResult back = run_weft({"diff", scratch / "wide.json", kDeferred, "--json"});
+    const Json json = Json::parse(back.out);
+    EXPECT_FALSE(json.at("same").get<bool>());
+    EXPECT_GT(json.at("counts").at("heap_bytes").at("from"), json.at("counts").at("heap_bytes").at("to"));
+    EXPECT_EQ(json.at("resources").at("changed")[0].at("name"), "albedo");
+    EXPECT_TRUE(json.at("passes").at("changed").empty()) << back.out;
+}
+
+TEST(Diff, PassesComeAndGo) {
+    const ScratchFolder scratch;
+    scratch.write("more.json", changed_graph("\"lightUpload\": {",
+                                             "\"snapshot\": { \"type\": \"readback\", \"in\": { \"src\": "
+                                             "\"hdr@lighting\" } },\n    \"lightUpload\": {"));
+    const RunResult run = run_weft({"diff", kDeferred, scratch / "more.json"});
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    expect_parts(run.out, {"+1 pass", "  + snapshot\n"});
+    const RunResult back = run_weft({"diff", scratch / "more.json", kDeferred});
+    expect_parts(back.out, {"-1 pass", "  - snapshot\n"});
+}
+
+TEST(Diff, AFaultInEitherFileIsReported) {
+    const RunResult run = run_weft({"diff", kDeferred, "no_such_graph.json"});
+    EXPECT_EQ(run.exit_code, 3) << run.text();
+    expect_parts(run.err, {"no_such_graph.json", "error[W002]"});
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,191 @@
+// Every question that `weft explain` takes, asked of the shipped graph: the answers name lines and columns of
+// its file.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "tests/viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
+
+// Where `text` stands for the first time in a file from `after` on: "file:line:column".
+std::string place_of(const std::string& file, const std::string& text, const std::string& after = "") {
+    std::ifstream in(file);
+    std::ostringstream content;
+    content << in.rdbuf();
+    const std::string all = content.str();
+    const size_t at = all.find(text, after.empty() ? 0 : all.find(after));
+    if (at == std::string::npos) return "no " + text;
+    const auto line = 1 + std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const size_t line_start = at == 0 ? 0 : all.rfind('\n', at - 1) + 1;
+    return file + ":" + std::to_string(line) + ":" + std::to_string(at - line_start + 1);
+}
+
+std::string ask(std::vector<std::string> question) {
+    question.insert(question.begin(), {"explain", kDeferred});
+    const RunResult run = run_weft(question);
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_TRUE(run.err.empty()) << run.text();
+    return run.out;
+}
+
+void expect_parts(const std::string& answer, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts)
+        EXPECT_NE(answer.find(part), std::string::npos) << part << "\nis missing in\n" << answer;
+}
+
+std::string pass_place(const std::string& name) {
+    return place_of(kDeferred, "\"" + name + "\":", "\"passes\"");
+}
+
+std::string port_place(const std::string& pass, const std::string& port) {
+    return place_of(kDeferred, "\"" + port + "\"", "\"" + pass + "\":");
+}
+
+TEST(Explain, ALivePassNamesWhoNeedsIt) {
+    expect_parts(
+        ask({"culled", "gbuffer"}),
+        {"\"gbuffer\" (" + pass_place("gbuffer") + ") is not culled",
+         "\"lighting\" (" + pass_place("lighting") + ") needs it: port \"albedo\" (" +
+             port_place("lighting", "albedo") + ") reads \"albedo\"",
+         "it is there for \"tonemap\" (" + pass_place("tonemap") + ")", "writes \"backbuffer\", the output"});
+}
+
+// A pass that nobody reads from, and one that only the first reads from.
+TEST(Explain, ACulledPassNamesItsReasonAndItsReaders) {
+    const ScratchFolder scratch;
+    scratch.write("graph.json", R"({
+  "version": 1, "name": "extra",
+  "imports": { "backbuffer": "output" },
+  "resources": { "a": "rgba8", "b": "rgba8", "c": "rgba8" },
+  "passes": {
+    "first":  { "type": "clear", "out": ["a"] },
+    "second": { "type": "copy", "in": { "src": "a" }, "out": { "dst": "b" } },
+    "shown":  { "type": "clear", "out": ["c"] },
+    "show":   { "type": "blit", "in": { "src": "c" }, "out": { "dst": "backbuffer" } }
+  }
+})");
+    const std::string graph = scratch / "graph.json";
+    const RunResult second = run_weft({"explain", graph, "culled", "second"});
+    ASSERT_EQ(second.exit_code, 0) << second.text();
+    expect_parts(second.out,
+                 {"\"second\" (" + graph + ":7:5) is culled: nobody reads \"b\"", "port \"dst\" (" + graph});
+    const RunResult first = run_weft({"explain", graph, "culled", "first"});
+    expect_parts(first.out, {"is culled: \"a\" is read only by \"second\", culled as well",
+                             "\"second\" (" + graph + ":7:5) would read it", "nobody reads \"b\""});
+    const RunResult alias = run_weft({"explain", graph, "alias", "a", "c"});
+    expect_parts(alias.out, {"They share no memory", "takes no memory: no pass that runs uses it"});
+    const RunResult barrier = run_weft({"explain", graph, "barrier", "first", "second"});
+    expect_parts(barrier.out, {"There is no barrier", "is culled"});
+}
+
+TEST(Explain, ABarrierSaysWhoWaitsForWhomAndWhy) {
+    expect_parts(ask({"barrier", "gbuffer", "lighting"}),
+                 {"\"albedo\": a barrier before \"lighting\" (" + pass_place("lighting") +
+                      ") waits for \"gbuffer\" (" + pass_place("gbuffer") + ")",
+                  "a read after a write", "port \"albedo\" (" + port_place("gbuffer", "albedo") + ") writes",
+                  "port \"albedo\" (" + port_place("lighting", "albedo") + ") reads",
+                  "from    color_output color_write color_attachment",
+                  "to      compute_shader sampled_read shader_read_only"});
+}
+
+TEST(Explain, WithoutABarrierItSaysWhyThereIsNone) {
+    expect_parts(ask({"barrier", "lightUpload", "tonemap"}), {"There is no barrier", "nothing in common"});
+    expect_parts(
+        ask({"barrier", "gbuffer", "tonemap"}),
+        {"There is no barrier between", "\"hdr\": the barrier before \"lighting\" (" + pass_place("lighting"),
+         "has waited for it already; that pass writes it too"});
+    expect_parts(ask({"barrier", "lighting", "gbuffer"}),
+                 {"\"lighting\"", "of the frame before", "memory changes its owner"});
+}
+
+TEST(Explain, AliasSaysWhoHoldsWhichBytesAndWhen) {
+    expect_parts(ask({"alias", "hdr", "albedo"}),
+                 {"They share no memory", "\"hdr\" (" + place_of(kDeferred, "\"hdr\":"), "has bytes 0 to ",
+                  "Both are alive from 0 \"gbuffer\" to 5 \"lighting\""});
+    expect_parts(ask({"alias", "velocity", "lights"}),
+                 {"They share memory", "\"lights\" (" + place_of(kDeferred, "\"lights\":"),
+                  "takes it over from \"velocity\""});
+    expect_parts(ask({"alias", "hdr", "backbuffer"}),
+                 {"They share no memory", "\"backbuffer\"", "is an import"});
+    expect_parts(ask({"alias", "albedo", "lights", "--profile", "hostile"}),
+                 {"They share no memory", "Buffers and images live in heaps of their own"});
+    expect_parts(ask({"alias", "albedo", "depth", "--profile", "hostile"}),
+                 {"not live in the same types of memory"});
+}
+
+TEST(Explain, WaitSpeaksOfOtherQueues) {
+    expect_parts(ask({"wait", "lighting"}), {"\"lighting\" (" + pass_place("lighting"), "the plan has one"});
+    expect_parts(ask({"wait", "lighting", "--queues", "3", "--profile", "discrete"}),
+                 {"\"lighting\" (" + pass_place("lighting"), "submission of its queue: queue 0"});
+}
+
+TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
+    std::ifstream in(kDeferred);
+    std::ostringstream content;
+    content << in.rdbuf();
+    std::string text = content.str();
+    const std::string lighting = "\"lighting\": {";
+    const size_t at = text.find(lighting);
+    ASSERT_NE(at, std::string::npos);
+    text.insert(at + lighting.size(), " \"queue\": \"async\",");
+    const ScratchFolder scratch;
+    scratch.write("async.json", text);
+    const std::string graph = scratch / "async.json";
+    const RunResult run =
+        run_weft({"explain", graph, "wait", "lighting", "--queues", "2", "--profile", "discrete"});
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    expect_parts(run.out, {"submission of its queue: queue 1, ", "Before it begins it waits for queue 0, ",
+                           "must not start before", "\"sunShadows#2\" (", "): port \"depth\" (",
+                           "writes \"sunShadow.mip(0).layer(2)\"",
+                           "\"lighting\" (" + graph + ":24:5): port \"", "It is waited for by queue 0, "});
+    const RunResult barrier = run_weft(
+        {"explain", graph, "barrier", "gbuffer", "lighting", "--queues", "2", "--profile", "discrete"});
+    EXPECT_EQ(barrier.exit_code, 0) << barrier.text();
+    expect_parts(barrier.out, {"queue family 0 to 1"});
+}
+
+TEST(Explain, AResourceIsDescribedWithItsUsers) {
+    expect_parts(
+        ask({"resource", "hdr"}),
+        {"\"hdr\" (" + place_of(kDeferred, "\"hdr\":") + ") is an image, rgba16f, 1280x720 (d2), transient",
+         "It takes 7200.0 KiB: bytes 0 to 7372799 of heap 0", "from 0 \"gbuffer\" to 8 \"tonemap\"",
+         "5 \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
+         "Nobody shares that memory"});
+    expect_parts(ask({"resource", "hdr", "--size", "64x32"}), {"64x32", "It takes 16.0 KiB"});
+}
+
+TEST(Explain, AnUnknownNameIsGuessedAt) {
+    const RunResult pass = run_weft({"explain", kDeferred, "culled", "gbufer"});
+    EXPECT_EQ(pass.exit_code, 3) << pass.text();
+    expect_parts(pass.err, {"error[W104]", "no pass \"gbufer\"", "did you mean \"gbuffer\"?"});
+    const RunResult both = run_weft({"explain", kDeferred, "alias", "albdo", "hrd"});
+    EXPECT_EQ(both.exit_code, 3) << both.text();
+    expect_parts(both.err, {"error[W103]", "did you mean \"albedo\"?", "did you mean \"hdr\"?"});
+}
+
+TEST(Explain, TheNameOfARepeatStandsForAllItsRounds) {
+    const std::string bloom = WEFT_SOURCE_DIR "/graphs/bloom.json";
+    const auto answer = [&](std::vector<std::string> question) {
+        question.insert(question.begin(), {"explain", bloom});
+        return run_weft(question);
+    };
+    for (const char* question : {"culled", "wait"}) {
+        const RunResult all = answer({question, "down"});
+        EXPECT_EQ(all.exit_code, 0) << all.text();
+        for (const char* round : {"down#1", "down#2", "down#3"})
+            EXPECT_NE(all.out.find(answer({question, round}).out), std::string::npos) << round << all.text();
+    }
+    const RunResult pair = answer({"barrier", "down", "down#2"});
+    EXPECT_EQ(pair.exit_code, 3) << pair.text();
+    EXPECT_NE(pair.err.find("it is repeated: name one of \"down#1\", \"down#2\""), std::string::npos)
+        << pair.text();
+}
+
+}  // namespace
+}  // namespace weft::test

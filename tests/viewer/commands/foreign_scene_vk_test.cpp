@@ -1,0 +1,104 @@
+// Other people's files as a user sees them: a glTF goes in, pixels and messages come out.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/viewer/gltf_file.h"
+#include "tests/viewer/pictures/pfm_image.h"
+#include "tests/viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+class ForeignScene : public testing::TestWithParam<const char*> {
+ protected:
+    void SetUp() override {
+        if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    }
+    [[nodiscard]] static std::string graph() {
+        return std::string(WEFT_SOURCE_DIR "/graphs/") + GetParam() + ".json";
+    }
+    [[nodiscard]] RunResult render(const std::string& gltf, std::vector<std::string> more) const {
+        folder_.write("scene.gltf", gltf);
+        std::vector<std::string> arguments{"render", "scene.gltf", "--graph", graph(), "--validate"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_weft(arguments, {}, folder_.path());
+    }
+
+    ScratchFolder folder_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Graphs, ForeignScene, testing::Values("deferred", "forward"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+// Where the ray of a pixel meets the ground, seen by the camera of square_gltf().
+struct Ground {
+    double x, z;
+};
+Ground ground_at(uint32_t i, uint32_t j, uint32_t width_px, uint32_t height_px) {
+    const double half = std::tan(0.4), turn = 2 * std::asin(-0.1564345);
+    const double right = (2 * (i + 0.5) / width_px - 1) * half * width_px / height_px;
+    const double up = (1 - 2 * (j + 0.5) / height_px) * half;
+    const double y = up * std::cos(turn) + std::sin(turn), z = up * std::sin(turn) - std::cos(turn);
+    return {-right / y, 3 - z / y};
+}
+
+TEST_P(ForeignScene, VertexColoursOfAnUnlitSquareAreItsPixels) {
+    // The positions, clamped, are its colours: red grows with x and blue with z, from edge to edge.
+    std::string gltf = replaced(square_gltf(), R"("POSITION": 0)", R"("POSITION": 0, "COLOR_0": 0)");
+    gltf = replaced(gltf, R"([0.8, 0.2, 0.1, 1],)", R"([0.5, 1, 0.25, 1],)");
+    gltf = replaced(gltf, R"("doubleSided": true,)",
+                    R"("doubleSided": true, "extensions": { "KHR_materials_unlit": {} },)");
+    const RunResult run = render(gltf, {"--size", "64x36", "--resource", "hdr", "-o", "out.pfm"});
+    ASSERT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_NE(run.err.find("S154"), std::string::npos) << run.text();
+    const auto image = read_pfm(folder_ / "out.pfm");
+    ASSERT_TRUE(image);
+    uint32_t inside = 0;
+    for (uint32_t j = 0; j < image->height_px; ++j) {
+        for (uint32_t i = 0; i < image->width_px; ++i) {
+            const Ground at = ground_at(i, j, image->width_px, image->height_px);
+            if (std::abs(at.x) > 0.95 || std::abs(at.z) > 0.95) continue;
+            ++inside;
+            EXPECT_NEAR(image->at(i, j)[0], 0.5 * (at.x + 1) / 2, 1e-3) << i << " " << j;
+            EXPECT_GE(image->at(i, j)[1], 0) << i << " " << j;
+            EXPECT_LT(image->at(i, j)[1], 1e-6) << i << " " << j;
+            EXPECT_NEAR(image->at(i, j)[2], 0.25 * (at.z + 1) / 2, 1e-3) << i << " " << j;
+        }
+    }
+    EXPECT_GT(inside, 100u);
+}
+
+std::string glass_square() {
+    const std::string clear = replaced(square_gltf(), R"([0.8, 0.2, 0.1, 1],)", R"([0.8, 0.2, 0.1, 0.5],)");
+    return replaced(clear, R"("doubleSided": true,)", R"("name": "glass", "alphaMode": "BLEND",)");
+}
+
+TEST_P(ForeignScene, WhatIsDrawnIsNotMissed) {
+    const RunResult run = render(glass_square(), {"--size", "32x18", "-o", "out.png"});
+    ASSERT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_EQ(run.err.find("S155"), std::string::npos) << run.text();
+}
+
+TEST(ForeignSceneLeftOut, IsSaidOnce) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder folder;
+    // The shipped pipeline without its pass for what is transparent.
+    std::string graph = read_text(WEFT_SOURCE_DIR "/graphs/deferred.json");
+    const size_t begin = graph.find("\"glass\":"), end = graph.find("\"tonemap\":");
+    ASSERT_LT(begin, end);
+    folder.write("graph.json", graph.erase(begin, end - begin));
+    folder.write("scene.gltf", glass_square());
+    const RunResult run =
+        run_weft({"render", "scene.gltf", "--graph", "graph.json", "--size", "32x18", "-o", "out.png"}, {},
+                 folder.path());
+    ASSERT_EQ(run.exit_code, 0) << run.text();
+    const size_t said = run.err.find("warning[S155]: 1 transparent object is left out (BLEND: \"glass\")");
+    ASSERT_NE(said, std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("--graph graphs/forward.json"), std::string::npos) << run.text();
+    EXPECT_EQ(run.err.find("S155", said + std::string("warning[S155]").size()), std::string::npos)
+        << run.text();
+}
+
+}  // namespace
+}  // namespace weft::test

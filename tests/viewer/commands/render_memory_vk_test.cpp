@@ -1,0 +1,24 @@
+// What `weft render` holds does not grow with the number of frames, whatever is read back in each.
+#include <gtest/gtest.h>
+
+#include "tests/viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+TEST(RenderMemory, IsNotThatOfAllFramesThatWereReadBack) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder folder;
+    const auto most_bytes = [&](const char* frames) {
+        const RunResult run = run_weft(
+            {"render", "builtin:spheres", "--graph", WEFT_SOURCE_DIR "/tests/render/steady/branches.json",
+             "--resource", "by_frame", "--size", "512x512", "--frames", frames, "-o", folder / "x.exr"});
+        EXPECT_EQ(run.exit_code, 0) << run.text();
+        return static_cast<int64_t>(run.max_rss_bytes);
+    };
+    // 2 MiB a frame are read back.
+    EXPECT_LT(most_bytes("44") - most_bytes("4"), 32 << 20);
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,24 @@
+// What `weft render` says of its frames in the file of --stats.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/viewer/program.h"
+
+namespace weft::test {
+
+inline nlohmann::json render_stats(std::vector<std::string> arguments) {
+    const ScratchFolder folder;
+    for (const std::string& word :
+         {std::string("-o"), folder / "a.png", std::string("--stats"), folder / "stats.json"})
+        arguments.push_back(word);
+    arguments.insert(arguments.begin(), "render");
+    const RunResult run = run_weft(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    return run.exit_code == 0 ? nlohmann::json::parse(read_text(folder / "stats.json"))
+                              : nlohmann::json::object();
+}
+
+}  // namespace weft::test

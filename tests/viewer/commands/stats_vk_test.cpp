@@ -1,0 +1,45 @@
+// What `weft render --stats` says of the run itself.
+#include <gtest/gtest.h>
+
+#include "tests/viewer/commands/render_stats.h"
+
+namespace weft::test {
+namespace {
+
+using Json = nlohmann::json;
+
+Json stats_of(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"builtin:spheres", "--graph",
+                                       WEFT_SOURCE_DIR "/tests/render/reload/live.json", "--size", "16x16"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return render_stats(std::move(arguments));
+}
+
+TEST(Stats, NameTheTierThatWasAskedFor) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    EXPECT_EQ(stats_of({"--tier", "low"}).at("tier"), "low");
+    EXPECT_TRUE(stats_of({}).at("tier").is_null());
+}
+
+TEST(Stats, HoldOfAPassWhatIsMeasured) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const Json stats = stats_of({});
+    ASSERT_FALSE(stats.at("passes").empty());
+    for (const Json& pass : stats.at("passes")) {
+        std::vector<std::string> keys;
+        for (const auto& item : pass.items()) keys.push_back(item.key());
+        EXPECT_EQ(keys, (std::vector<std::string>{"bytes", "flops", "gpu_ms", "name", "queue"}));
+    }
+}
+
+TEST(Stats, CountBarriersThatAreNeededAndPipelinesThatAreMadeLate) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const Json stats = stats_of({"--frames", "3"});
+    const Json& barriers = stats.at("barriers");
+    EXPECT_GT(barriers.at("needed"), 0);
+    EXPECT_LE(barriers.at("needed"), barriers.at("emitted"));
+    EXPECT_EQ(stats.at("pipelines_built_on_frame_thread"), 0);
+}
+
+}  // namespace
+}  // namespace weft::test

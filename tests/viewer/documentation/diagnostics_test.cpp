@@ -1,0 +1,193 @@
+// Every diagnostic that a graph can give: tests/diagnostics/ has a failing file for each, in which a comment
+// below the fault marks its column ("// ^ W103"), and a corrected one. "// args: …" are further arguments,
+// and a mark "// nowhere: W120" is of a fault that no place in a file can show.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "tests/viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path kFolder = WEFT_SOURCE_DIR "/tests/diagnostics";
+constexpr std::string_view kGood = ".good.json";
+constexpr size_t kCodeLength = 4;
+constexpr double kMostTime_s = 5;
+constexpr uint64_t kMostMemory_bytes = uint64_t{1} << 30;
+
+// Codes that no graph file can bring about.
+const std::map<std::string, std::string> kWithoutFile{
+    {"W162", "a validation message is a fault of Weft or of the driver: plans are proved not to cause any"},
+    {"W177", "of files, W108 and W201 come first; a program may hand in shaders that it compiled itself"},
+};
+
+struct Place {
+    std::string code;
+    std::string file;  // its name alone; empty: nowhere
+    uint32_t line = 0;
+    uint32_t column = 0;
+    auto operator<=>(const Place&) const = default;
+};
+
+std::string text_of(const std::set<Place>& places) {
+    std::string text;
+    for (const Place& p : places)
+        text += "  " + p.file + ":" + std::to_string(p.line) + ":" + std::to_string(p.column) + " " + p.code +
+                "\n";
+    return text.empty() ? "  none\n" : text;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+}
+
+// What follows `mark`, or nullopt.
+std::optional<std::string> after_mark(const std::string& line, std::string_view mark) {
+    const size_t at = line.find(mark);
+    return at == std::string::npos ? std::nullopt : std::optional(line.substr(at + mark.size()));
+}
+
+// Of a comment line that holds nothing but carets and codes.
+void add_carets(const std::string& line, const std::string& file, uint32_t of_line, std::set<Place>& marks) {
+    for (size_t at = line.find("^ W"); at != std::string::npos; at = line.find("^ W", at + 1))
+        marks.insert({line.substr(at + 2, kCodeLength), file, of_line, static_cast<uint32_t>(at + 1)});
+}
+
+std::set<Place> marks_in(const fs::path& path) {
+    std::set<Place> marks;
+    std::istringstream lines(read_text(path));
+    const std::string file = path.filename().string();
+    uint32_t number = 0, last = 0;  // the last line that is no mark
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        const size_t begin = line.find_first_not_of(' ');
+        const bool comment = begin != std::string::npos && line.compare(begin, 2, "//") == 0;
+        if (const auto codes = after_mark(line, "// nowhere: "); comment && codes)
+            for (const std::string& code : words_of(*codes)) marks.insert({code, "", 0, 0});
+        const auto whole = after_mark(line, "// <- ");
+        if (comment && whole)
+            marks.insert({*whole, file, last, 1});
+        else if (comment && line.find("^ W") != std::string::npos)
+            add_carets(line, file, last, marks);
+        else
+            last = number;
+    }
+    return marks;
+}
+
+std::vector<std::string> arguments_of(const fs::path& path) {
+    std::istringstream lines(read_text(path));
+    std::string first;
+    std::getline(lines, first);
+    return words_of(after_mark(first, "// args:").value_or(""));
+}
+
+RunResult check(const fs::path& path) {
+    std::vector<std::string> arguments{"check", "--json", path.filename().string()};
+    for (const std::string& argument : arguments_of(path)) arguments.push_back(argument);
+    return run_weft(arguments, {}, kFolder);
+}
+
+bool needs_device(const fs::path& path) {
+    const std::vector<std::string> arguments = arguments_of(path);
+    return std::ranges::find(arguments, "--run") != arguments.end();
+}
+
+// Failing files, in order of their names.
+std::vector<std::string> failing_files() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(kFolder)) {
+        const std::string name = entry.path().filename().string();
+        if (name.ends_with(".json") && !name.ends_with(kGood))
+            names.push_back(name.substr(0, name.size() - std::string_view(".json").size()));
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+std::string code_of(const std::string& name) {
+    return name.substr(0, kCodeLength);
+}
+
+class Diagnosed : public testing::TestWithParam<std::string> {
+ protected:
+    void SetUp() override {
+        if (needs_device(failing()) && !has_device()) GTEST_SKIP() << "no Vulkan device";
+    }
+    static fs::path failing() { return kFolder / (GetParam() + ".json"); }
+    static fs::path corrected() { return kFolder / (GetParam() + std::string(kGood)); }
+};
+
+// Marks in shaders and included files count when a message leads there.
+TEST_P(Diagnosed, AtTheMarkedPlacesAndNowhereElse) {
+    const RunResult run = check(failing());
+    const Json list = Json::parse(run.out, nullptr, false);
+    ASSERT_TRUE(list.is_array()) << run.text();
+    std::set<Place> wanted = marks_in(failing()), found;
+    bool fails = false;
+    for (const Json& d : list) {
+        const fs::path file = d.at("file").get<std::string>();
+        const uint32_t line = d.at("line");
+        found.insert({d.at("code"), line == 0 ? "" : file.filename().string(), line, d.at("column")});
+        EXPECT_FALSE(d.at("help").empty()) << "what is to be done about " << d.at("message");
+        fails = fails || d.at("severity") == "error";
+        if (line > 0) wanted.merge(marks_in(file.is_absolute() ? file : kFolder / file));
+    }
+    EXPECT_EQ(found, wanted) << "found\n" << text_of(found) << "wanted\n" << text_of(wanted) << run.text();
+    EXPECT_EQ(list.size(), found.size()) << "one message for one cause\n" << run.text();
+    const auto is_its_own = [](const Place& p) { return p.code == code_of(GetParam()); };
+    EXPECT_TRUE(std::ranges::any_of(found, is_its_own)) << text_of(found);
+    EXPECT_LE(run.cpu_s, kMostTime_s);
+    EXPECT_LE(run.max_rss_bytes, kMostMemory_bytes);
+    const int failure = code_of(GetParam()) == "W161" ? 6 : 3;
+    EXPECT_EQ(run.exit_code, fails ? failure : 0) << run.text();
+}
+
+TEST_P(Diagnosed, NotInTheCorrectedFile) {
+    const RunResult run = check(corrected());
+    EXPECT_EQ(run.exit_code, 0) << run.text();
+    EXPECT_EQ(Json::parse(run.out, nullptr, false), Json::array()) << run.text();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Diagnosed, testing::ValuesIn(failing_files()),
+                         [](const auto& row) { return row.param; });
+
+// The page says of each code which files show it.
+TEST(DiagnosticFiles, AreThereForEveryCodeOfThePage) {
+    const std::vector<std::string> files = failing_files();
+    std::istringstream page(read_text(WEFT_SOURCE_DIR "/docs/diagnostics.md"));
+    std::set<std::string> codes;
+    for (std::string line; std::getline(page, line);) {
+        if (!line.starts_with("| W") || line.size() < 2 + kCodeLength || std::isdigit(line[4]) == 0) continue;
+        const std::string code = line.substr(2, kCodeLength);
+        codes.insert(code);
+        if (kWithoutFile.contains(code)) continue;
+        const auto of_code = [&](const std::string& name) { return code_of(name) == code; };
+        const auto first = std::ranges::find_if(files, of_code);
+        ASSERT_NE(first, files.end()) << code << " has no failing file";
+        const std::string link = "(../tests/diagnostics/" + *first;
+        EXPECT_NE(line.find(link + ".json)"), std::string::npos) << line;
+        EXPECT_NE(line.find(link + std::string(kGood) + ")"), std::string::npos) << line;
+    }
+    for (const std::string& name : files)
+        EXPECT_TRUE(codes.contains(code_of(name))) << name << " is on no page";
+    EXPECT_GE(codes.size(), 60u);
+    std::printf("%zu codes, %zu failing files\n", codes.size(), files.size());
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,67 @@
+// A full disk under the caches: Mesa's shader cache, which ended the program with SIGBUS, and Weft's own.
+#include <gtest/gtest.h>
+
+#include "tests/viewer/output/full_disk.h"
+#include "tests/viewer/program.h"
+
+namespace weft::test {
+namespace {
+
+class FullCache : public testing::Test {
+ protected:
+    void SetUp() override {
+        if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+        if (!can_mount()) GTEST_SKIP() << "this user may not mount a file system";
+    }
+    // Renders with all caches on a disk of that size. What the caches hold when it begins is up to `before`.
+    [[nodiscard]] static RunResult render(const std::string& size, const std::string& before = "") {
+        const ScratchFolder out;
+        const std::string picture = out / "a.png";
+        const std::string script = before +
+                                   "\nexport XDG_CACHE_HOME=\"$DISK\" MESA_SHADER_CACHE_DIR=\"$DISK\"\n" +
+                                   weft_in_shell({"render", "builtin:spheres", "--graph",
+                                                  WEFT_SOURCE_DIR "/tests/render/reload/live.json", "--size",
+                                                  "16x16", "-o", picture});
+        RunResult run = run_on_small_disk(size, script);
+        run.out = read_text(picture);
+        return run;
+    }
+    static void expect_picture(const RunResult& run) {
+        EXPECT_EQ(run.exit_code, 0) << run.text();
+        EXPECT_TRUE(run.out.starts_with("\x89PNG")) << run.text();
+    }
+    static bool warns(const RunResult& run) {
+        return run.err.find("warning[X513]: Mesa's shader cache in ") != std::string::npos;
+    }
+};
+
+TEST_F(FullCache, RendersWithoutMesasCacheAndSaysSo) {
+    const RunResult run = render("64k");
+    expect_picture(run);
+    EXPECT_TRUE(warns(run)) << run.text();
+    EXPECT_NE(run.err.find("No space left on device"), std::string::npos) << run.text();
+}
+
+// The disk space of the index is taken at the start, and nothing that is cached later fits.
+TEST_F(FullCache, RendersWhereOnlyTheIndexHasRoom) {
+    const RunResult run = render("1292k");
+    expect_picture(run);
+    EXPECT_FALSE(warns(run)) << run.text();
+}
+
+// As an earlier run of another program leaves it: the size is there, the disk space is not.
+TEST_F(FullCache, TakesTheSpaceOfAnIndexThatHasNone) {
+    const RunResult run = render(
+        "64k", "mkdir \"$DISK/mesa_shader_cache\"; truncate -s 1310728 \"$DISK/mesa_shader_cache/index\"");
+    expect_picture(run);
+    EXPECT_TRUE(warns(run)) << run.text();
+}
+
+TEST_F(FullCache, RendersWithAReadOnlyHome) {
+    const RunResult run = render("64k", "mount -o remount,ro \"$DISK\"");
+    expect_picture(run);
+    EXPECT_TRUE(warns(run)) << run.text();
+}
+
+}  // namespace
+}  // namespace weft::test

@@ -1,0 +1,80 @@
+// The tables of `weft bench frame`.
+#include <cmath>
+#include <cstdio>
+
+#include "viewer/bench/frame_bench.h"
+#include "viewer/output/formatted.h"
+
+namespace weft::viewer {
+namespace {
+
+double half_width(const Spread& spread) {
+    return (spread.three_quarters - spread.quarter) / 2;
+}
+
+std::string table(const FrameBench& bench, bool with_common) {
+    std::string text = "lights";
+    for (const std::string& graph : bench.graphs) text += formatted("  %-33s", graph.c_str());
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+    for (size_t light = 0; light < bench.lights.size(); ++light) {
+        text += formatted("%6u", bench.lights[light]);
+        for (size_t graph = 0; graph < bench.graphs.size(); ++graph) {
+            const Spread ms = spread_of(bench.at(light, graph).frame_ms(with_common));
+            const double ratio = bench.ratio_to_first(light, graph, with_common);
+            text += formatted("  %8.2f ±%-7.2f%7s %7.1ft", ms.median, half_width(ms),
+                              std::isfinite(ratio) ? formatted("%.3fx", ratio).c_str() : "-",
+                              bench.ratio_to_trivial(light, graph, with_common));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string crossing_lines(const FrameBench& bench) {
+    std::string text;
+    for (const Crossing& c : bench.crossings())
+        text += formatted("%s is faster than %s from about %.0f lights on (between %u and %u)\n",
+                          c.faster.c_str(), c.slower.c_str(), c.lights, c.between[0], c.between[1]);
+    return text.empty() ? "none\n" : text;
+}
+
+std::string pass_line(const FrameBench& bench, const std::string& graph, const PassResult& pass) {
+    const Spread ms = spread_of(pass.ms);
+    const double limit_ms = bench.yardsticks.limit_ms(static_cast<double>(pass.bytes), pass.flops);
+    return formatted("%-16s %-16s %9.3f %8.3f %8.2f %9s %9.4f %8.1f %8.2ft%s\n", graph.c_str(),
+                     pass.name.c_str(), ms.median, half_width(ms), static_cast<double>(pass.bytes) / 1e6,
+                     pass.flops > 0 ? formatted("%.1f", pass.flops / 1e6).c_str() : "-", limit_ms,
+                     ms.median / limit_ms, ms.median / bench.yardsticks.trivial_ms,
+                     pass.common ? "  in all" : "");
+}
+
+}  // namespace
+
+std::string bench_text(const FrameBench& bench) {
+    const Yardsticks& y = bench.yardsticks;
+    std::string text = bench.scene + ", " +
+                       formatted("%ux%u, %u rounds\n", bench.size.width, bench.size.height, bench.rounds) +
+                       bench.device + ", " + bench.driver + '\n';
+    text += formatted("trivial pass t = %.3f ms, copying %.2f GB/s, multiplying and adding %.1f GFLOP/s\n\n",
+                      y.trivial_ms, y.bytes_per_s / 1e9, y.flops_per_s / 1e9);
+    text +=
+        "ms a frame: median, half the distance of the quartiles, ratio to the first graph, in trivial "
+        "passes\n" +
+        table(bench, true);
+    if (bench.graphs.size() > 1)
+        text += "\nof that what the graphs do not have in common\n" + table(bench, false) +
+                "\ncrossing points of that\n" + crossing_lines(bench);
+    for (size_t light = 0; light < bench.lights.size(); ++light) {
+        text += formatted("\npasses with %u lights\n", bench.lights[light]);
+        text +=
+            "graph            pass                    ms  quartiles     MB     MFLOP  limit ms  t/limit  "
+            "trivial\n";
+        for (size_t graph = 0; graph < bench.graphs.size(); ++graph)
+            for (const PassResult& pass : bench.at(light, graph).passes)
+                text += pass_line(bench, bench.graphs[graph], pass);
+    }
+    return text;
+}
+
+}  // namespace weft::viewer

@@ -1,0 +1,140 @@
+// `weft bench compile`: how long the compiler takes, where the time goes, and what its plan costs.
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "graph/compile/bench_graph.h"
+#include "graph/plan/plan_cache.h"
+#include "viewer/commands/commands.h"
+#include "viewer/output/formatted.h"
+#include "viewer/output/output.h"
+#include "weft/compile.h"
+
+namespace weft::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kWarmRuns = 11;
+constexpr double kMib = 1048576.0;
+
+double us_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+struct StageTime {
+    std::string stage;
+    double us = 0;
+};
+
+struct BenchResult {
+    double cold_us = 0, warm_min_us = 0, warm_median_us = 0, unchanged_us = 0, lookup_us = 0;
+    std::vector<StageTime> stages;  // of the fastest warm run
+    FramePlan plan;
+};
+
+BenchResult measure(const ResolvedGraph& graph, CompileOptions options) {
+    const MemoryNeeds needs = bench_needs(graph);
+    BenchResult result;
+    std::vector<StageTime> stages;
+    Clock::time_point stage_start;
+    options.stage_over = [&](const char* stage) {
+        stages.push_back({stage, us_since(stage_start)});
+        stage_start = Clock::now();
+    };
+    const auto timed = [&] {
+        stages.clear();
+        const Clock::time_point start = stage_start = Clock::now();
+        result.plan = compile(graph, needs, options);
+        return us_since(start);
+    };
+    result.cold_us = timed();
+    std::vector<double> warm;
+    for (int run = 0; run < kWarmRuns; ++run) {
+        warm.push_back(timed());
+        if (warm.back() == *std::min_element(warm.begin(), warm.end())) result.stages = stages;
+    }
+    std::sort(warm.begin(), warm.end());
+    result.warm_min_us = warm.front();
+    result.warm_median_us = warm[warm.size() / 2];
+    options.stage_over = {};
+    PlanCache cache;
+    static_cast<void>(cache.get(graph, needs, options));
+    Clock::time_point start = Clock::now();
+    static_cast<void>(cache.get(graph, needs, options));
+    result.unchanged_us = us_since(start);
+    const std::string hash = compile_hash(graph, needs, options);
+    start = Clock::now();
+    static_cast<void>(cache.find(hash));
+    result.lookup_us = us_since(start);
+    return result;
+}
+
+Json to_json(const BenchOptions& options, const BenchResult& result) {
+    const FramePlan& plan = result.plan;
+    Json candidates = Json::array();
+    for (const ScheduleCandidate& c : plan.schedule.candidates)
+        candidates.push_back({{"name", c.name},
+                              {"peak_live_bytes", c.peak_live_bytes},
+                              {"batches", c.barrier_batches},
+                              {"queue_switches", c.queue_switches}});
+    Json stages = Json::object();
+    for (const StageTime& time : result.stages) stages[time.stage] = time.us;
+    return {{"passes", options.passes},
+            {"shape", options.shape},
+            {"seed", options.seed},
+            {"queues", options.queues},
+            {"cold_us", result.cold_us},
+            {"warm_us", {{"min", result.warm_min_us}, {"median", result.warm_median_us}}},
+            {"unchanged_us", result.unchanged_us},
+            {"lookup_us", result.lookup_us},
+            {"stages_us", stages},
+            {"peak_live_bytes", plan.memory.peak_live_bytes},
+            {"heap_bytes", plan.memory.heap_bytes},
+            {"candidates", candidates},
+            {"chosen", plan.schedule.chosen},
+            {"barriers", plan.barriers.emitted}};
+}
+
+std::string to_text(const BenchOptions& options, const BenchResult& result) {
+    const MemoryPlan& memory = result.plan.memory;
+    std::string text =
+        formatted("%u passes, %s, seed %u, %u queue%s\n", options.passes, options.shape.c_str(), options.seed,
+                  options.queues, options.queues == 1 ? "" : "s");
+    text += formatted(
+        "compile    cold %.0f us, warm %.0f us (median %.0f), unchanged %.1f us (%.1f with the hash kept)\n",
+        result.cold_us, result.warm_min_us, result.warm_median_us, result.unchanged_us, result.lookup_us);
+    for (const StageTime& time : result.stages)
+        text += formatted("  %-16s %9.1f us  %5.1f %%\n", time.stage.c_str(), time.us,
+                          100 * time.us / result.warm_min_us);
+    for (const ScheduleCandidate& c : result.plan.schedule.candidates)
+        text += formatted("order      %-9s peak-live %.1f MiB, %u barrier batches%s\n", c.name.c_str(),
+                          static_cast<double>(c.peak_live_bytes) / kMib, c.barrier_batches,
+                          c.name == result.plan.schedule.chosen ? "  <- chosen" : "");
+    text += formatted("memory     sum %.1f MiB, peak-live %.1f MiB, heap %.1f MiB, heap / peak-live %.4f\n",
+                      static_cast<double>(memory.sum_bytes) / kMib,
+                      static_cast<double>(memory.peak_live_bytes) / kMib,
+                      static_cast<double>(memory.heap_bytes) / kMib,
+                      static_cast<double>(memory.heap_bytes) / static_cast<double>(memory.peak_live_bytes));
+    return text + formatted("barriers   %u\n", result.plan.barriers.emitted);
+}
+
+}  // namespace
+
+ExitCode run_bench_compile(const BenchOptions& options) {
+    ResolvedGraph graph = make_bench_graph({options.passes, *bench_shape(options.shape), options.seed});
+    // Every third pass may run beside the others, so that several queues have something to do.
+    for (PassId id = 0; options.queues > 1 && id < graph.passes.size(); id += 3)
+        graph.passes[id].queue = QueueKind::compute;
+    CompileOptions compile_options;
+    compile_options.keep_all_passes = true;
+    compile_options.granularity_bytes = 1;
+    DeviceProfile profile;
+    profile.queue_families = {{QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
+    compile_options.queues = logical_queues(profile, options.queues);
+    const BenchResult result = measure(graph, compile_options);
+    return print_data(options.json ? to_json(options, result).dump(2) + "\n" : to_text(options, result));
+}
+
+}  // namespace weft::viewer

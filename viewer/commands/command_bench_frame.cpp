@@ -1,0 +1,203 @@
+// `weft bench frame`: all graphs of a run draw in turn, a frame each, so that whatever else the machine does
+// hits them alike; so do the yardsticks that they are held against.
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "viewer/bench/frame_bench.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/scene_source.h"
+#include "viewer/commands/session_setup.h"
+#include "viewer/files/files.h"
+#include "viewer/output/output.h"
+#include "viewer/output/progress_text.h"
+#include "viewer/output/report.h"
+#include "weft/registry.h"
+
+namespace weft::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr uint32_t kWarmFrames = 2;  // so many for each frame in flight to have drawn once
+constexpr const char* kLightsParam = "maxLights";
+
+// What draws in turn with others.
+struct Contestant {
+    std::unique_ptr<render::Session> session;
+    std::vector<PassResult> passes;
+};
+
+std::string graph_path(const std::string& graph) {
+    return graph.ends_with(".json") ? graph : (shipped_root() / "graphs" / (graph + ".json")).string();
+}
+
+Diagnostic no_timestamps() {
+    Diagnostic d;
+    d.code = "X590";
+    d.message = "this device tells no times, so nothing can be measured";
+    d.help = {"--device chooses another; weft doctor lists them"};
+    return d;
+}
+
+// False: the device has no timestamps.
+bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
+    for (PassResult& pass : passes) {
+        const auto timed = std::ranges::find(timing.passes, pass.name, &vk::PassTiming::pass);
+        if (timed == timing.passes.end() || timed->gpu_ms < 0) return false;
+        pass.ms.push_back(timed->gpu_ms);
+    }
+    return true;
+}
+
+// One run of the command.
+class Run {
+ public:
+    explicit Run(const FrameBenchOptions& options)
+        : options_(options), progress_("measuring", isatty(STDERR_FILENO) == 1) {
+        render_.scene = options.scene;
+        render_.size = options.size;
+        render_.camera = options.camera;
+        render_.seed = options.seed;
+        render_.device = options.device;
+        render_.timeout_s = options.timeout_s;
+        render_.limits = options.limits;
+    }
+
+    [[nodiscard]] Result<FrameBench> measure() {
+        Result<std::unique_ptr<vk::Device>> device = open_device(render_);
+        if (!device) return device.take_errors();
+        device_ = std::move(*device);
+        bench_.scene = options_.scene;
+        bench_.size = options_.size;
+        bench_.device = device_->info().name;
+        bench_.driver = device_->info().driver;
+        bench_.rounds = options_.rounds;
+        bench_.lights = options_.lights;
+        for (const std::string& graph : options_.graphs)
+            bench_.graphs.push_back(std::filesystem::path(graph).stem().string());
+        for (const uint32_t lights : options_.lights)
+            if (Status s = measure(lights); !s) return s.take_errors();
+        bench_.yardsticks.trivial_ms = spread_of(trivial_ms_).median;
+        bench_.yardsticks.bytes_per_s = spread_of(bytes_per_s_).median;
+        bench_.yardsticks.flops_per_s = spread_of(flops_per_s_).median;
+        find_common(bench_);
+        std::fputs(progress_.finish().c_str(), stderr);
+        return std::move(bench_);
+    }
+
+ private:
+    void tell(uint32_t lights) {
+        const size_t steps = options_.graphs.size() + 1;
+        const std::chrono::duration<double> elapsed = Clock::now() - begin_;
+        std::fputs(progress_
+                       .at(elapsed.count(), "frames and graphs up to " + std::to_string(lights) + " lights",
+                           ++done_, steps * (options_.rounds + 1) * options_.lights.size())
+                       .c_str(),
+                   stderr);
+    }
+
+    [[nodiscard]] Result<Contestant> enter(const scene::Scene& scene, const std::string& graph,
+                                           uint32_t lights) {
+        render_.graph = graph_path(graph);
+        const bool draws_scene = graph != kYardsticks;
+        render_.params = draws_scene ? std::map<std::string, double>{{kLightsParam, lights}}
+                                     : std::map<std::string, double>{};
+        const float aspect = static_cast<float>(render_.size.width) / static_cast<float>(render_.size.height);
+        Result<scene::Camera> camera = choose_camera(scene, {options_.scene, render_.camera, aspect});
+        if (!camera) return camera.take_errors();
+        render::SessionInput input = session_input(render_, scene, *camera, passes_);
+        input.timestamps = true;
+        Diagnostics warnings;
+        Result<std::unique_ptr<render::Session>> session =
+            render::Session::create(*device_, scene, input, warnings);
+        if (draws_scene && lights == options_.lights.front()) report(warnings);
+        if (!session) return session.take_errors();
+        Contestant contestant{std::move(*session), {}};
+        contestant.passes = pass_results(contestant.session->plan());
+        for (uint32_t frame = 0; frame < kWarmFrames; ++frame)
+            if (Status s = contestant.session->render_frame(0, 0); !s) return s.take_errors();
+        if (Status s = contestant.session->finish(); !s) return s.take_errors();
+        static_cast<void>(contestant.session->take_timings());
+        tell(lights);
+        return contestant;
+    }
+
+    [[nodiscard]] Status draw(Contestant& contestant, uint32_t lights) {
+        if (Status s = contestant.session->render_frame(0, 0); !s) return s;
+        if (Status s = contestant.session->finish(); !s) return s;
+        const std::vector<vk::FrameTiming> timings = contestant.session->take_timings();
+        if (timings.empty() || !add_round(timings.back(), contestant.passes)) return no_timestamps();
+        tell(lights);
+        return Unit{};
+    }
+
+    [[nodiscard]] Status measure(uint32_t lights) {
+        render_.lights = lights;
+        Diagnostics warnings;
+        Result<scene::Scene> scene =
+            open_scene({render_.scene, render_.env, render_.hour, render_.lights, render_.seed},
+                       options_.limits.scene, warnings);
+        if (!scene) return scene.take_errors();
+        if (lights == options_.lights.front()) report(warnings);
+        std::vector<Contestant> contestants;
+        std::vector<std::string> graphs = options_.graphs;
+        graphs.emplace_back(kYardsticks);
+        for (const std::string& graph : graphs) {
+            Result<Contestant> contestant = enter(*scene, graph, lights);
+            if (!contestant) return contestant.take_errors();
+            contestants.push_back(std::move(*contestant));
+        }
+        // Each round begins with another: what follows on what is no advantage to anyone.
+        for (uint32_t round = 0; round < options_.rounds; ++round)
+            for (size_t i = 0; i < contestants.size(); ++i)
+                if (Status s = draw(contestants[(i + round) % contestants.size()], lights); !s) return s;
+        keep(contestants, lights);
+        return Unit{};
+    }
+
+    void keep(std::vector<Contestant>& contestants, uint32_t lights) {
+        std::vector<double> trivial_ms;
+        for (const PassResult& pass : contestants.back().passes)
+            for (const double ms : pass.ms) {
+                if (pass.name == "trivial") trivial_ms.push_back(ms);
+                if (pass.name == "copy") bytes_per_s_.push_back(static_cast<double>(pass.bytes) / ms * 1e3);
+                if (pass.name == "multiplyAdd") flops_per_s_.push_back(pass.flops / ms * 1e3);
+            }
+        trivial_ms_.insert(trivial_ms_.end(), trivial_ms.begin(), trivial_ms.end());
+        for (size_t graph = 0; graph < bench_.graphs.size(); ++graph)
+            bench_.results.push_back(
+                {bench_.graphs[graph], lights, std::move(contestants[graph].passes), trivial_ms});
+    }
+
+    static constexpr const char* kYardsticks = "bench/yardsticks";
+    const FrameBenchOptions& options_;
+    RenderOptions render_;
+    const PassCatalog passes_ = registered_passes();
+    std::unique_ptr<vk::Device> device_;
+    FrameBench bench_;
+    std::vector<double> trivial_ms_, bytes_per_s_, flops_per_s_;
+    const Clock::time_point begin_ = Clock::now();
+    ProgressText progress_;
+    size_t done_ = 0;
+};
+
+}  // namespace
+
+ExitCode run_bench_frame(const FrameBenchOptions& options) {
+    if (const ExitCode code = check_outputs({options.plot}, {options.scene}); code != ExitCode::ok)
+        return code;
+    if (const Status scene = expect_scene(options.scene); !scene) return fail_on_device(scene.errors());
+    Run run(options);
+    const Result<FrameBench> bench = run.measure();
+    if (!bench) return fail_on_device(bench.errors());
+    // Neither is lost because the other cannot be written.
+    const ExitCode printed = print_data(options.json ? bench_json(*bench) : bench_text(*bench));
+    const ExitCode plotted =
+        options.plot.empty() ? ExitCode::ok : output_data(options.plot, bench_svg(*bench));
+    return printed == ExitCode::ok ? plotted : printed;
+}
+
+}  // namespace weft::viewer

@@ -1,0 +1,41 @@
+// `weft diff`: what two graph files' plans have not in common.
+#include <filesystem>
+
+#include "viewer/commands/commands.h"
+#include "viewer/commands/offline_graph.h"
+#include "viewer/output/output.h"
+#include "viewer/output/report.h"
+#include "weft/report/plan_diff.h"
+
+namespace weft::viewer {
+namespace {
+
+// FILE or FILE:TIER; a file that is called so is meant itself.
+Result<OfflinePlan> compile_side(const std::string& side, OfflineOptions options, Diagnostics& warnings) {
+    std::error_code error;
+    const size_t colon = side.rfind(':');
+    const bool names_tier = colon != std::string::npos && !std::filesystem::exists(side, error) &&
+                            std::filesystem::exists(side.substr(0, colon), error);
+    if (!names_tier) return compile_offline(side, options, warnings);
+    options.tier = side.substr(colon + 1);
+    return compile_offline(side.substr(0, colon), options, warnings);
+}
+
+}  // namespace
+
+ExitCode run_diff(const DiffOptions& options) {
+    Diagnostics warnings;  // `check` is the place for them
+    Result<OfflinePlan> from = compile_side(options.from, options.offline, warnings);
+    Result<OfflinePlan> to = compile_side(options.to, options.offline, warnings);
+    Diagnostics errors;
+    for (Result<OfflinePlan>* made : {&from, &to})
+        if (!*made) errors.insert(errors.end(), made->errors().begin(), made->errors().end());
+    if (!errors.empty()) {
+        report(errors);
+        return exit_code_for(errors);
+    }
+    const PlanDiff diff = diff_plans(from->plan, to->plan);
+    return print_data(options.json ? plan_diff_to_json(diff) : plan_diff_to_text(diff));
+}
+
+}  // namespace weft::viewer

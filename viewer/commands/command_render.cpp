@@ -1,0 +1,176 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <optional>
+
+#include "file/write_file.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/session_setup.h"
+#include "viewer/output/output.h"
+#include "viewer/output/progress_text.h"
+#include "viewer/output/report.h"
+#include "viewer/output/stats.h"
+#include "viewer/pictures/image_file.h"
+#include "weft/render/session.h"
+#include "weft/render/texels.h"
+#include "weft/vulkan/executor.h"
+
+namespace weft::viewer {
+namespace {
+
+// What is left of a run once the frames are done.
+struct RunOutcome {
+    vk::ReadbackData output;
+    std::vector<vk::FrameTiming> timings;
+    std::optional<vk::ReadbackData> last_readback;
+};
+
+// On stderr, once it takes longer than a moment. The device is some frames behind what is told.
+class RenderProgress {
+ public:
+    RenderProgress(const RenderOptions& options, uint32_t frames)
+        : text_("rendering", isatty(STDERR_FILENO) == 1), frames_(frames), is_quiet_(options.quiet) {}
+    ~RenderProgress() { std::fputs(text_.finish().c_str(), stderr); }
+    RenderProgress(const RenderProgress&) = delete;
+    RenderProgress& operator=(const RenderProgress&) = delete;
+
+    void tell(uint32_t done) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+        if (!is_quiet_) std::fputs(text_.at(elapsed.count(), "frames", done, frames_).c_str(), stderr);
+    }
+
+ private:
+    ProgressText text_;
+    uint32_t frames_;
+    bool is_quiet_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+// Takes away what is ready after a frame: for many frames it would pile up. Of what is read back the last one
+// is kept, times only where somebody wants them.
+void collect(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
+    std::vector<vk::FrameTiming> timings = session.take_timings();
+    if (!options.stats.empty()) std::ranges::move(timings, std::back_inserter(outcome.timings));
+    std::vector<vk::ReadbackData> readbacks = session.take_readbacks();
+    if (!readbacks.empty()) outcome.last_readback = std::move(readbacks.back());
+}
+
+Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& options, uint32_t frames) {
+    RenderProgress progress(options, frames);
+    RunOutcome outcome;
+    for (uint32_t i = 0; i < frames; ++i) {
+        if (Status s = session.render_frame(i * options.fixed_dt_s, options.fixed_dt_s); !s)
+            return s.take_errors();
+        collect(session, options, outcome);
+        // Of those that are begun the last ones may still be drawn.
+        progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
+    }
+    if (Status s = session.finish(); !s) return s.take_errors();
+    progress.tell(frames);
+    if (session.has_output()) {
+        Result<vk::ReadbackData> output = session.read_output();
+        if (!output) return output.take_errors();
+        outcome.output = std::move(*output);
+    }
+    collect(session, options, outcome);
+    return outcome;
+}
+
+// The picture that --output asks for: the graph's output, or the resource of --resource.
+Status write_picture(const RenderOptions& options, const render::Session& session,
+                     const RunOutcome& outcome) {
+    const bool is_output = options.resource.empty() && options.debug.empty();
+    if (!is_output && !outcome.last_readback) {
+        Diagnostic d;
+        d.code = "W103";
+        d.message = "\"" + options.resource + "\" was not read back";
+        d.help = {"name a resource that a pass of this graph writes"};
+        return d;
+    }
+    const vk::ReadbackData& data = is_output ? outcome.output : *outcome.last_readback;
+    if (data.format == Format::undefined)
+        return write_file(options.output,
+                          {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
+    // Both are ready for a display.
+    if (is_output || !options.debug.empty()) return write_output_picture(options.output, data);
+    const Result<ImageFileKind> kind = image_file_kind(options.output);
+    if (!kind) return kind.errors();
+    std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
+    // Raw values are in the resource's own units; a PNG is for looking at, so it keeps the exposure.
+    if (*kind != ImageFileKind::png && is_pre_exposed(session.plan(), options.resource)) {
+        for (glm::vec4& texel : texels) texel = glm::vec4(glm::vec3(texel) / session.pre_exposure(), texel.a);
+    }
+    return write_image(options.output, data.extent.width, data.extent.height, texels);
+}
+
+}  // namespace
+
+Status write_output_picture(const std::string& path, const vk::ReadbackData& data) {
+    const Result<ImageFileKind> kind = image_file_kind(path);
+    if (!kind) return kind.errors();
+    if (*kind == ImageFileKind::png)
+        return write_png(path, data.extent.width, data.extent.height, data.bytes);
+    return write_image(path, data.extent.width, data.extent.height,
+                       render::decode_texels(data.format, data.bytes));
+}
+
+bool report_messages(const std::vector<vk::Message>& messages) {
+    for (const vk::Message& message : messages)
+        std::fprintf(stderr, "validation: %s%s%s: %s\n", message.id.c_str(),
+                     message.pass.empty() ? "" : ": pass ", message.pass.c_str(), message.text.c_str());
+    return !messages.empty();
+}
+
+// After a time-out the device may still be at work with our memory: leaving is safe, tearing things down
+// under it, the driver among them, is not.
+ExitCode fail_on_device(const Diagnostics& errors) {
+    report(errors);
+    const ExitCode code = exit_code_for(errors);
+    if (code == ExitCode::lost) std::_Exit(static_cast<int>(code));
+    return code;
+}
+
+ExitCode run_render(const RenderOptions& options) {
+    // Whether a resource is a picture is known only when the graph is compiled.
+    const Result<ImageFileKind> kind = image_file_kind(options.output);
+    if (!kind && options.resource.empty()) {
+        report(kind.errors());
+        return ExitCode::usage;
+    }
+    if (const ExitCode code = check_outputs({options.output, options.stats}, inputs_of(options));
+        code != ExitCode::ok)
+        return code;
+    Result<OpenSession> open = open_session(options);
+    if (!open) return fail_on_device(open.errors());
+    render::Session& session = *open->session;
+    if (const bool shows_output = options.resource.empty() && options.debug.empty();
+        shows_output && !session.has_output())
+        return fail_on_device(session.read_output().errors());
+    if (!kind && !is_buffer(session.plan(), options.resource)) {
+        report(kind.errors());
+        return ExitCode::usage;
+    }
+    const uint32_t frames = options.frames > 0 ? options.frames : session.frames();
+    Result<RunOutcome> outcome = run_frames(session, options, frames);
+    if (!outcome) {
+        report_messages(open->device->messages().messages());
+        return fail_on_device(outcome.errors());
+    }
+    if (Status s = write_picture(options, session, *outcome); !s) return fail_on_device(s.errors());
+    if (!options.stats.empty()) {
+        const std::string json = stats_json({*open->device, session.plan(), outcome->output, outcome->timings,
+                                             frames, options.tier, session.pipelines_made_between_frames()});
+        if (Status s = write_file(options.stats, json); !s) return fail_on_device(s.errors());
+    }
+    const std::string& name = options.named_output.empty() ? options.output : options.named_output;
+    std::fprintf(stderr, "weft: wrote %s\n", name.c_str());
+    // Objects that are still alive are heard of only when the device goes.
+    open->session.reset();
+    return report_messages(vk::destroy_device(std::move(open->device))) ? ExitCode::validation : ExitCode::ok;
+}
+
+}  // namespace weft::viewer

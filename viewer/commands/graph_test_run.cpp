@@ -1,0 +1,322 @@
+#include "viewer/commands/graph_test_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <future>
+#include <set>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/parse/parse.h"
+#include "graph/syntax/merge.h"
+#include "viewer/commands/offline_graph.h"
+#include "viewer/commands/session_setup.h"
+#include "weft/render/texels.h"
+#include "weft/transition.h"
+
+namespace weft::viewer {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 60.0;
+
+// What is measured while frames go by.
+struct Measured {
+    std::map<std::string, vk::ReadbackData> resources;  // the last of each, by reference
+    size_t black_frames = 0;
+    std::set<std::string> lost;  // persistent resources whose content a swap didn't carry over
+};
+
+bool is_black(const vk::ReadbackData& output) {
+    for (size_t i = 0; i < output.bytes.size(); ++i)
+        if (i % 4 != 3 && output.bytes[i] != std::byte{0}) return false;
+    return true;
+}
+
+class TestRun {
+ public:
+    TestRun(const std::string& file, const CheckOptions& options, const GraphDesc& graph,
+            const GraphTestDesc& test, std::string tier, uint64_t& frames_left)
+        : graph_(graph), test_(test), tier_(std::move(tier)), frames_left_(frames_left) {
+        options_.graph = file;
+        options_.scene = test.scene.empty() ? "builtin:spheres" : test.scene;
+        options_.tier = tier_;
+        options_.size = test.size;
+        options_.params = options.offline.params;
+        for (const auto& [name, value] : test.params) options_.params[name] = value;
+        options_.limits = options.offline.limits;
+        uint64_t& frame_bytes = options_.limits.graph.transient_bytes;
+        frame_bytes = std::min(frame_bytes, options_.limits.graph.test_bytes);
+        options_.queues = options.offline.queues;
+        options_.device = options.device;
+        options_.validate = true;
+        options_.quiet = true;
+        std::set<std::string> refs;
+        for (const ExpectationDesc& expectation : test.expect)
+            if (!expectation.ref.empty() && expectation.what != "kept") refs.insert(expectation.ref);
+        options_.observed.assign(refs.begin(), refs.end());
+    }
+
+    Diagnostics run() {
+        Result<OpenSession> open = open_session(options_);
+        if (!open) return of_a_test(open.take_errors());
+        if (!check_readbacks(open->session->plan())) return std::move(failed_);
+        const Status drawn = test_.swap.empty() ? draw(*open->session) : draw_swapping(*open->session);
+        if (!drawn) return drawn.errors();
+        if (has_errors(failed_)) return std::move(failed_);
+        check_all(*open->session);
+        open->session.reset();
+        check_messages(vk::destroy_device(std::move(open->device)));
+        return std::move(failed_);
+    }
+
+ private:
+    // A test may use less memory than a frame.
+    Diagnostics of_a_test(Diagnostics faults) const {
+        for (Diagnostic& fault : faults)
+            if (fault.code == "W143" || fault.code == "W125")
+                fault.help.push_back("a graph's own test may use " +
+                                     limit_bytes_text(options_.limits.graph.test_bytes) + ", " +
+                                     raise_limit_text("graph.testBytes"));
+        return faults;
+    }
+
+    // What is read back is kept by this program as well. False: reported.
+    bool check_readbacks(const FramePlan& plan) {
+        const uint64_t most = options_.limits.graph.test_bytes;
+        uint64_t bytes = 0;
+        for (const PassDecl& pass : plan.graph.passes)
+            if (pass.kind == PassKind::readback && pass.name.starts_with("observe:") && !pass.uses.empty())
+                bytes += content_bytes(plan.graph.resources[pass.uses.front().resource]);
+        if (bytes <= most) return true;
+        Diagnostic d = graph_.sources.error(
+            test_.loc, "W125",
+            "the test reads back more than the " + limit_bytes_text(most) + " that a test may use");
+        d.tier = tier_;
+        d.help.push_back("expect something of fewer or smaller resources, " +
+                         raise_limit_text("graph.testBytes"));
+        failed_.push_back(std::move(d));
+        return false;
+    }
+
+    // False: reported. The parser has counted what tests state; the graph's own number is known only here.
+    bool take_frames(uint64_t frames) {
+        if (frames <= frames_left_) {
+            frames_left_ -= frames;
+            return true;
+        }
+        Diagnostic d = graph_.sources.error(test_.loc, "W125",
+                                            "the graph has more than " +
+                                                std::to_string(options_.limits.graph.test_frames) +
+                                                " frames of its own tests");
+        d.tier = tier_;
+        d.help.push_back("give the test fewer \"frames\", " + raise_limit_text("graph.testFrames"));
+        failed_.push_back(std::move(d));
+        return false;
+    }
+
+    Status draw(render::Session& session) {
+        const uint32_t frames = test_.frames > 0 ? test_.frames : session.frames();
+        if (!take_frames(frames)) return Unit{};
+        for (uint32_t i = 0; i < frames; ++i)
+            if (Status s = draw_frame(session); !s) return s;
+        return Unit{};
+    }
+
+    // As a program does: the next tier is made ready by another thread while frames go on.
+    Status draw_swapping(render::Session& session) {
+        if (!take_frames(test_.swap.size() * uint64_t{test_.every})) return Unit{};
+        for (size_t i = 0; i < test_.swap.size(); ++i) {
+            if (i > 0 || test_.swap[i] != tier_) {
+                if (Status s = swap_to(session, test_.swap[i]); !s) return s;
+            }
+            for (uint32_t frame = 0; frame < test_.every; ++frame)
+                if (Status s = draw_frame(session); !s) return s;
+        }
+        return Unit{};
+    }
+
+    Status swap_to(render::Session& session, const std::string& tier) {
+        render::Selection selection = session.selection();
+        selection.tier = tier;
+        std::future<render::Preparation> made =
+            std::async(std::launch::async, [&] { return session.prepare(selection); });
+        do {
+            if (Status s = draw_frame(session); !s) return s;
+        } while (made.wait_for(std::chrono::seconds(0)) != std::future_status::ready);
+        render::Preparation preparation = made.get();
+        if (!preparation.result) return preparation.result.take_errors();
+        if (preparation.result->stage) note_lost(session.plan(), preparation.result->stage->executor->plan());
+        Result<bool> swapped = session.swap_in(std::move(*preparation.result));
+        return swapped ? Status(Unit{}) : Status(swapped.take_errors());
+    }
+
+    void note_lost(const FramePlan& from, const FramePlan& to) {
+        const TransitionPlan between = transition(from, to);
+        for (ResourceId id = 0; id < to.graph.resources.size(); ++id) {
+            const ResourceDecl& resource = to.graph.resources[id];
+            if (resource.ring != id) continue;
+            // Of a history the earlier frames' copies, for this frame's own is written anew.
+            const bool carried = std::ranges::any_of(
+                between.carried, [&](const CarryOver& c) { return to.graph.resources[c.to].ring == id; });
+            if (!carried) measured_.lost.insert(resource.name);
+        }
+    }
+
+    Status draw_frame(render::Session& session) {
+        if (Status s = session.render_frame(frame_ * kFrame_s, kFrame_s); !s) return s;
+        ++frame_;
+        if (Status s = session.finish(); !s) return s;
+        for (vk::ReadbackData& data : session.take_readbacks())
+            measured_.resources[data.pass.substr(data.pass.find(':') + 1)] = std::move(data);
+        static_cast<void>(session.take_timings());
+        if (!session.has_output()) return Unit{};
+        const Result<vk::ReadbackData> output = session.read_output();
+        if (!output) return output.errors();
+        measured_.black_frames += is_black(*output) ? 1 : 0;
+        return Unit{};
+    }
+
+    void fail(const ExpectationDesc& expectation, const char* code, const std::string& message,
+              std::string help) {
+        Diagnostic d = graph_.sources.error(expectation.loc, code, message);
+        d.tier = tier_;
+        d.help.push_back(std::move(help));
+        failed_.push_back(std::move(d));
+    }
+
+    void at_most(const ExpectationDesc& expectation, double found, const std::string& what) {
+        if (found <= expectation.most) return;
+        fail(expectation, "W161",
+             "the frame has " + number_text(found) + " " + what + ", the test allows " +
+                 number_text(expectation.most),
+             "weft plan and weft explain say where they come from");
+    }
+
+    void check_all(const render::Session& session) {
+        const FramePlan& plan = session.plan();
+        for (const ExpectationDesc& e : test_.expect) {
+            if (e.what == "passes") at_most(e, static_cast<double>(plan.schedule.order.size()), "passes");
+            if (e.what == "barriers") at_most(e, plan.barriers.emitted, "barriers");
+            if (e.what == "submissions")
+                at_most(e, static_cast<double>(plan.submissions.batches.size()), "submissions");
+            if (e.what == "transientBytes")
+                at_most(e, static_cast<double>(plan.memory.heap_bytes), "bytes of transient memory");
+            if (e.what == "blackFrames")
+                at_most(e, static_cast<double>(measured_.black_frames), "black pictures");
+            if (e.what == "pipelinesOnFrameThread")
+                at_most(e, static_cast<double>(session.pipelines_made_between_frames()),
+                        "pipelines made between frames");
+            if (e.what == "kept" && measured_.lost.contains(e.ref))
+                fail(e, "W161", "a swap loses what \"" + e.ref + "\" holds",
+                     "its size and format must be the same in all tiers, or \"onResize\": \"resample\"");
+            if (e.what == "finite" || e.what == "range" || e.what == "mean") check_values(e);
+        }
+    }
+
+    // Calls visit(values, index of the first) piece by piece: decoded, a texel may take sixteen times its
+    // bytes. Words of buffers are taken for floats. Ends when visit() returns false.
+    template <class F>
+    static void visit_values(const vk::ReadbackData& data, F visit) {
+        constexpr size_t kTexelsAtOnce = 1u << 16;
+        const Format format = data.format == Format::undefined ? Format::r32f : data.format;
+        const size_t texel_bytes = std::max<size_t>(1, format_info(format).bytes_per_texel);
+        const size_t piece = kTexelsAtOnce * texel_bytes;
+        for (size_t begin = 0; begin + texel_bytes <= data.bytes.size(); begin += piece) {
+            const std::span<const std::byte> bytes =
+                std::span(data.bytes).subspan(begin, std::min(piece, data.bytes.size() - begin));
+            if (!visit(render::decode_texels(format, bytes), begin / texel_bytes)) return;
+        }
+    }
+
+    static bool is_bad(const ExpectationDesc& expectation, float value) {
+        if (expectation.what == "mean") return false;
+        if (expectation.what == "finite") return !std::isfinite(value);
+        return !(value >= expectation.least && value <= expectation.most);
+    }
+
+    void check_values(const ExpectationDesc& expectation) {
+        const auto data = measured_.resources.find(expectation.ref);
+        if (data == measured_.resources.end())
+            return fail(expectation, "W161", "\"" + expectation.ref + "\" was not written in the last frame",
+                        "name a resource that a pass of this tier writes");
+        const int channels =
+            data->second.format == Format::undefined ? 1 : format_info(data->second.format).components;
+        const uint32_t width = std::max(1u, data->second.extent.width);
+        double sum = 0;
+        size_t count = 0;
+        std::optional<std::pair<size_t, float>> bad;
+        visit_values(data->second, [&](const std::vector<glm::vec4>& values, size_t first) {
+            for (size_t i = 0; i < values.size() && !bad; ++i) {
+                for (int c = 0; c < channels; ++c) {
+                    sum += double{values[i][c]};
+                    if (!bad && is_bad(expectation, values[i][c])) bad = {first + i, values[i][c]};
+                }
+            }
+            count += values.size();
+            return !bad;
+        });
+        if (bad)
+            return fail(expectation, "W161",
+                        "\"" + expectation.ref + "\" holds " + number_text(double{bad->second}) + " at (" +
+                            std::to_string(bad->first % width) + ", " + std::to_string(bad->first / width) +
+                            ")",
+                        "weft render --resource writes it as .exr, --debug as a picture");
+        if (expectation.what != "mean" || count == 0) return;
+        const double mean = sum / (static_cast<double>(count) * channels);
+        if (mean >= expectation.least && mean <= expectation.most) return;
+        fail(expectation, "W161",
+             "the mean of \"" + expectation.ref + "\" is " + number_text(mean) + ", not between " +
+                 number_text(expectation.least) + " and " + number_text(expectation.most),
+             "weft render --resource writes it as .exr");
+    }
+
+    void check_messages(const std::vector<vk::Message>& messages) {
+        const auto allowed = std::ranges::find(test_.expect, "validation", &ExpectationDesc::what);
+        const double most = allowed != test_.expect.end() ? allowed->most : 0;
+        if (static_cast<double>(messages.size()) <= most) return;
+        report_messages(messages);
+        ExpectationDesc here = allowed != test_.expect.end() ? *allowed : ExpectationDesc{};
+        if (allowed == test_.expect.end()) here.loc = test_.loc;
+        fail(here, "W162",
+             count_text(messages.size(), "validation message") + ", the test allows " + number_text(most),
+             "weft render --validate shows them");
+    }
+
+    RenderOptions options_;
+    const GraphDesc& graph_;
+    const GraphTestDesc& test_;
+    std::string tier_;
+    uint64_t& frames_left_;  // of all runs
+    uint64_t frame_ = 0;
+    Measured measured_;
+    Diagnostics failed_;
+};
+
+}  // namespace
+
+Diagnostics run_graph_tests(const std::string& file, const CheckOptions& options) {
+    Result<JsonDoc> document = read_offline(file, options.offline);
+    if (!document) return document.take_errors();
+    Result<JsonDoc> merged = merge(std::move(*document));
+    if (!merged) return merged.take_errors();
+    const Result<GraphDesc> graph = parse(*merged, options.offline.limits.graph);
+    if (!graph) return graph.errors();
+    Diagnostics failed;
+    uint64_t frames_left = options.offline.limits.graph.test_frames;
+    for (size_t i = 0; i < graph->tests.size(); ++i) {
+        const GraphTestDesc& test = graph->tests[i];
+        std::vector<std::string> tiers = test.tiers;
+        if (!test.swap.empty()) tiers = {test.swap.front()};
+        for (const std::string& tier : tiers) {
+            Diagnostics found = TestRun(file, options, *graph, test, tier, frames_left).run();
+            std::fprintf(stderr, "%s: test %zu%s%s%s: %s\n", file.c_str(), i + 1,
+                         tier.empty() ? "" : ", tier ", tier.c_str(),
+                         test.swap.empty() ? "" : " and on, swapping", has_errors(found) ? "failed" : "ok");
+            failed.insert(failed.end(), found.begin(), found.end());
+        }
+    }
+    if (graph->tests.empty()) std::fprintf(stderr, "%s: holds no tests\n", file.c_str());
+    return failed;
+}
+
+}  // namespace weft::viewer

@@ -1,0 +1,88 @@
+#include "viewer/commands/offline_graph.h"
+
+#include "graph/parse/debug_view.h"
+#include "graph/syntax/read_graph.h"
+#include "viewer/files/files.h"
+#include "weft/check/check_plan.h"
+#include "weft/compile.h"
+#include "weft/load/load_graph.h"
+#include "weft/registry.h"
+#include "weft/render/import_catalog.h"
+#include "weft/report/memory_report.h"
+
+namespace weft::viewer {
+namespace {
+
+std::string graph_root() {
+    return (shipped_root() / "graphs").string();
+}
+
+Diagnostics of_tier(Diagnostics faults, const std::string& tier) {
+    for (Diagnostic& fault : faults) fault.tier = tier;
+    return faults;
+}
+
+Result<LoadedGraph> load_offline(const JsonDoc& document, const OfflineOptions& options,
+                                 const DeviceProfile& profile, Diagnostics& warnings, SharedByTiers* shared) {
+    const PassCatalog passes = registered_passes();
+    const ImportCatalog imports = render::scene_imports(options.size);
+    LoadInput input{.path = document.sources.files.front().path,
+                    .reader = {},
+                    .shader_root = shipped_root() / "shaders",
+                    .shader_cache = shader_cache(),
+                    .passes = passes,
+                    .imports = imports,
+                    .profile = profile,
+                    .output_extent = options.size,
+                    .params = options.params,
+                    .shader_worker = find_shader_worker(),
+                    .limits = options.limits,
+                    .graph_root = graph_root(),
+                    .tier = options.tier};
+    if (shared != nullptr) {
+        input.memory = &shared->shaders;
+        if (!shared->formats && options.params.empty()) shared->formats = common_formats(document, input);
+        if (shared->formats) input.common_formats = &*shared->formats;
+    }
+    return load_graph(document, input, warnings);
+}
+
+}  // namespace
+
+Result<JsonDoc> read_offline(const std::string& file, const OfflineOptions& options) {
+    return read_graph(file, reader_up_to(options.limits.graph.json_bytes),
+                      {graph_root(), options.limits.graph});
+}
+
+Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOptions& options,
+                                    Diagnostics& warnings, SharedByTiers* shared) {
+    Result<DeviceProfile> profile = load_profile(options.profile);
+    if (!profile) return profile.take_errors();
+    Result<LoadedGraph> loaded = load_offline(document, options, *profile, warnings, shared);
+    if (!loaded) return loaded.take_errors();
+    CompileOptions compile_options;
+    compile_options.granularity_bytes = profile->buffer_image_granularity_bytes;
+    compile_options.queues = logical_queues(*profile, options.queues);
+    OfflinePlan made{compile(loaded->graph, profile_needs(loaded->graph, *profile), compile_options),
+                     std::move(*profile),
+                     {}};
+    // A graph without an output is a piece of others, which may have what its views show.
+    if (loaded->graph.output != kNoId)
+        made.view_faults = of_tier(debug_view_faults(loaded->desc), options.tier);
+    for (Diagnostic& d : made.view_faults) d.pointer = pointer_at(document, d.file, d.line, d.column);
+    const std::string& file = document.sources.files.front().path;
+    Diagnostics faults = budget_faults(made.plan, options.limits.graph, file);
+    if (faults.empty()) faults = check_plan(made.plan);
+    if (!faults.empty()) return of_tier(std::move(faults), options.tier);
+    const Diagnostics tight = of_tier(memory_faults(made.plan, made.profile, file), options.tier);
+    warnings.insert(warnings.end(), tight.begin(), tight.end());
+    return made;
+}
+
+Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOptions& options,
+                                    Diagnostics& warnings) {
+    const Result<JsonDoc> document = read_offline(file, options);
+    return document ? compile_offline(*document, options, warnings) : document.errors();
+}
+
+}  // namespace weft::viewer

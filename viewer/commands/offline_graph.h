@@ -1,0 +1,38 @@
+// Purpose: a graph compiled and proved without a device, for the commands that need none: a profile stands in
+// for one, and says what memory resources need.
+// Errors: those of the graph, of the profile (W140, W141) and of the checker. Warning W142: the plan needs
+// more memory than the profile's device has.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "load/shader_memory.h"
+#include "viewer/options/options.h"
+#include "weft/device_profile.h"
+#include "weft/load/load_graph.h"
+#include "weft/plan.h"
+#include "weft/result.h"
+#include "weft/syntax/json_doc.h"
+
+namespace weft::viewer {
+
+struct OfflinePlan {
+    FramePlan plan;
+    DeviceProfile profile;
+    Diagnostics view_faults;  // of "debug": what it shows may be there in another tier
+};
+
+// What the tiers of one document have in common, found by the first that is compiled.
+struct SharedByTiers {
+    ShaderMemory shaders;
+    std::optional<SkippedFormats> formats;
+};
+
+[[nodiscard]] Result<JsonDoc> read_offline(const std::string& file, const OfflineOptions& options);
+[[nodiscard]] Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOptions& options,
+                                                  Diagnostics& warnings, SharedByTiers* shared = nullptr);
+[[nodiscard]] Result<OfflinePlan> compile_offline(const std::string& file, const OfflineOptions& options,
+                                                  Diagnostics& warnings);
+
+}  // namespace weft::viewer

@@ -1,0 +1,197 @@
+#include "viewer/commands/scene_source.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
+#include <vector>
+
+#include "scene/builtin/seeded_lights.h"
+#include "scene/pictures/load_environment.h"
+#include "viewer/files/files.h"
+#include "viewer/options/numbers.h"
+#include "viewer/output/progress_text.h"
+#include "weft/scene/builtin_scenes.h"
+#include "weft/scene/load_gltf.h"
+
+namespace weft::viewer {
+namespace {
+
+constexpr std::string_view kBuiltinPrefix = "builtin:";
+
+// Portraits show as much of a built-in scene from side to side as a picture of this aspect.
+constexpr float kShownAspect = 4.0f / 3.0f;
+
+// Of --camera. Single precision holds nothing of a scene that is farther away.
+constexpr NumberRange kPlace{-1e9, 1e9, "m"};
+constexpr NumberRange kFieldOfView{0.01, 179, "degrees"};
+
+// Luminances near 1, so that a file's own lights of a few candela or lux show at exposure 0.
+constexpr glm::vec3 kPlainSkyZenith{0.28f, 0.42f, 0.70f};
+constexpr glm::vec3 kPlainSkyHorizon{0.75f, 0.82f, 0.90f};
+
+scene::Light plain_sun() {
+    scene::Light sun;
+    sun.name = "sun of the plain sky";
+    sun.type = scene::LightType::directional;
+    sun.color = {1.0f, 0.96f, 0.9f};
+    sun.intensity = 3.0f;
+    sun.direction = glm::normalize(glm::vec3(-0.45f, -0.8f, -0.4f));
+    return sun;
+}
+
+Status apply_environment(scene::Scene& scene, const std::string& env, const SceneLimits& limits) {
+    if (env != "sky") scene.sky_zenith = scene.sky_horizon = glm::vec3(0);
+    if (env == "none") return Unit{};
+    if (env != "sky") {
+        Result<scene::Environment> picture = scene::load_environment(env, limits);
+        if (!picture) return picture.take_errors();
+        scene.environment = std::move(*picture);
+        return Unit{};
+    }
+    const bool has_sky = scene.sky_zenith != glm::vec3(0) || scene.sky_horizon != glm::vec3(0);
+    if (has_sky) return Unit{};
+    scene.sky_zenith = kPlainSkyZenith;
+    scene.sky_horizon = kPlainSkyHorizon;
+    if (scene.lights.empty()) scene.lights.push_back(plain_sun());
+    return Unit{};
+}
+
+// Empty where one of them is no finite number.
+std::vector<double> numbers(const std::string& text) {
+    std::vector<double> values;
+    for (size_t at = 0; at <= text.size();) {
+        const size_t end = std::min(text.find(',', at), text.size());
+        const std::optional<double> value = finite_number(std::string_view(text).substr(at, end - at));
+        if (!value) return {};
+        values.push_back(*value);
+        at = end + 1;
+    }
+    return values;
+}
+
+Diagnostic choice_error(const std::string& code, std::string message, std::string help) {
+    Diagnostic d;
+    d.code = code;
+    d.message = std::move(message);
+    d.help = {std::move(help)};
+    return d;
+}
+
+Diagnostic no_hours(const std::string& scene) {
+    return choice_error("X521", "\"" + scene + "\" has no time of day",
+                        "leave --time out; builtin:atrium and builtin:lights have one");
+}
+
+Result<scene::Camera> placed_camera(const std::string& choice) {
+    const std::vector<double> n = numbers(choice);
+    const std::string help = "--camera EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG: metres and degrees";
+    if (n.size() != 7)
+        return choice_error("X520", "a camera is a name or seven numbers, not \"" + choice + "\"", help);
+    for (size_t i = 0; i < n.size(); ++i) {
+        const NumberRange& range = i == 6 ? kFieldOfView : kPlace;
+        if (n[i] < range.least || n[i] > range.most)
+            return choice_error(
+                "X520",
+                "the camera's number " + std::to_string(i + 1) + " is out of range: \"" + choice + "\"",
+                std::string(i == 6 ? "the field of view lies from " : "a coordinate lies from ") +
+                    describe(range));
+    }
+    const glm::vec3 eye(n[0], n[1], n[2]), at(n[3], n[4], n[5]);
+    if (glm::distance(eye, at) < 1e-6f)
+        return choice_error("X520", "this camera looks nowhere: \"" + choice + "\"",
+                            "eye and target must differ");
+    const glm::vec3 forward = glm::normalize(at - eye);
+    const glm::vec3 up = std::abs(forward.y) > 0.999f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
+    scene::Camera camera;
+    camera.name = "placed";
+    camera.transform = glm::inverse(glm::lookAt(eye, at, up));
+    camera.fov_y_rad = static_cast<float>(glm::radians(n[6]));
+    return camera;
+}
+
+bool is_inside(const scene::Camera& camera, const scene::Bounds& bounds) {
+    const glm::vec3 eye(camera.transform[3]);
+    return glm::all(glm::greaterThan(eye, bounds.min)) && glm::all(glm::lessThan(eye, bounds.max));
+}
+
+scene::Camera default_camera(const scene::Scene& scene, const CameraChoice& choice) {
+    if (scene.cameras.empty()) return scene::framing_camera(scene, choice.aspect);
+    scene::Camera camera = scene.cameras.front();
+    const bool portrait = choice.aspect < 1 && choice.scene.starts_with(kBuiltinPrefix);
+    if (!portrait || is_inside(camera, world_bounds(scene))) return camera;
+    const float sideways = std::tan(camera.fov_y_rad / 2) * kShownAspect;
+    camera.fov_y_rad = 2 * std::atan(sideways / choice.aspect);
+    return camera;
+}
+
+// Loads with progress on stderr.
+Result<scene::Scene> load_file(const std::string& name, const SceneLimits& limits, Diagnostics& warnings) {
+    const auto begin = std::chrono::steady_clock::now();
+    ProgressText text("loading " + std::filesystem::path(name).filename().string(),
+                      isatty(STDERR_FILENO) == 1);
+    scene::LoadOptions options;
+    options.progress = [&](const scene::LoadProgress& now) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+        std::fputs(text.at(elapsed.count(), now.what, now.done, now.total).c_str(), stderr);
+    };
+    Result<scene::Scene> scene = scene::load_gltf(name, warnings, limits, options);
+    std::fputs(text.finish().c_str(), stderr);
+    return scene;
+}
+
+}  // namespace
+
+Status expect_scene(const std::string& name) {
+    if (name.starts_with(kBuiltinPrefix) || std::filesystem::path(name).extension() != ".json") return Unit{};
+    const std::optional<std::string> text = read_file(name, GraphLimits{}.json_bytes);
+    if (!text || text->find("\"passes\"") == std::string::npos ||
+        text->find("\"asset\"") != std::string::npos)
+        return Unit{};
+    return choice_error("X522", "\"" + name + "\" is a graph, not a scene",
+                        "to render a scene through it: weft render --graph " + name);
+}
+
+Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits, Diagnostics& warnings) {
+    const bool builtin = choice.name.starts_with(kBuiltinPrefix);
+    const std::string name = builtin ? choice.name.substr(kBuiltinPrefix.size()) : choice.name;
+    if (choice.hour && !(builtin && scene::has_hours(name))) return no_hours(choice.name);
+    scene::BuiltinOptions options;
+    options.hour = choice.hour;
+    options.lights = choice.lights.value_or(options.lights);
+    options.seed = choice.seed;
+    Result<scene::Scene> scene =
+        builtin ? scene::make_builtin(name, options) : load_file(name, limits, warnings);
+    if (!scene) return scene;
+    SceneLimits rest = limits;  // what surrounds a scene draws from the same budget
+    rest.memory_bytes -= std::min(rest.memory_bytes, scene->memory_bytes);
+    if (Status applied = apply_environment(*scene, choice.env, rest); !applied) return applied.take_errors();
+    const bool has_seeded_lights = builtin && name == "lights";
+    if (choice.lights && !has_seeded_lights)
+        scene->lights = scene::seeded_lights(*scene, *choice.lights, choice.seed);
+    return scene;
+}
+
+Result<scene::Camera> choose_camera(const scene::Scene& scene, const CameraChoice& choice) {
+    const std::string& wanted = choice.camera;
+    if (wanted.empty()) return default_camera(scene, choice);
+    const auto found = std::find_if(scene.cameras.begin(), scene.cameras.end(),
+                                    [&](const scene::Camera& camera) { return camera.name == wanted; });
+    if (found != scene.cameras.end()) return *found;
+    if (wanted.find(',') != std::string::npos) return placed_camera(wanted);
+    std::vector<std::string> names;
+    for (const scene::Camera& camera : scene.cameras) names.push_back(camera.name);
+    std::string known = "this scene has no cameras of its own: give seven numbers, or leave --camera out";
+    for (size_t i = 0; i < names.size(); ++i) known = (i == 0 ? "its cameras are " : known + ", ") + names[i];
+    Diagnostic fault = choice_error("S130", "the scene has no camera \"" + wanted + "\"", known);
+    const std::string guess = did_you_mean_text(wanted, names);
+    if (!guess.empty()) fault.help.insert(fault.help.begin(), guess);
+    return fault;
+}
+
+}  // namespace weft::viewer

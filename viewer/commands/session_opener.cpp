@@ -1,0 +1,152 @@
+#include "viewer/commands/session_opener.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "graph/parse/debug_view.h"
+#include "viewer/commands/scene_source.h"
+#include "viewer/files/files.h"
+#include "weft/load/load_graph.h"
+#include "weft/registry.h"
+#include "weft/render/import_catalog.h"
+
+namespace weft::viewer {
+namespace {
+
+// The environment is in cd/m²; how much of that makes a white pixel, the exposure says.
+void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
+    constexpr float kMiddleGrey = 0.18f, kMostStops = 6;
+    const float mean = mean_luminance(scene.environment);
+    if (mean <= 0) return;
+    const float stops = std::log2(mean / kMiddleGrey) + exposure_ev;
+    if (std::abs(stops) <= kMostStops) return;
+    Diagnostic d;
+    d.code = "S182";
+    d.severity = Severity::warning;
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "%.0f stops too %s for the exposure of %g EV", std::abs(stops),
+                  stops < 0 ? "dark" : "bright", exposure_ev);
+    d.message = "the environment \"" + scene.environment.name + "\" is " + text.data();
+    std::snprintf(text.data(), text.size(), "its values are taken as cd/m²: --exposure %.1f shows it",
+                  exposure_ev - stops);
+    d.help = {text.data()};
+    report({d});
+}
+
+}  // namespace
+
+render::SessionInput session_input(const RenderOptions& options, const scene::Scene& scene,
+                                   const scene::Camera& camera, const PassCatalog& passes) {
+    const std::filesystem::path root = shipped_root();
+    render::SessionInput input;
+    input.graph_path = options.graph.empty() ? (root / "graphs" / "deferred.json").string() : options.graph;
+    input.reader = reader_up_to(options.limits.graph.json_bytes);
+    input.shader_root = root / "shaders";
+    input.shader_cache = shader_cache();
+    input.shader_worker = find_shader_worker();
+    input.limits = options.limits;
+    input.passes = &passes;
+    input.size = options.size;
+    input.graph_root = root / "graphs";
+    input.tier = options.tier;
+    input.params = options.params;
+    input.observed = options.observed;
+    if (!options.resource.empty()) input.observed.push_back(options.resource);
+    input.debug = options.debug;
+    if (!options.debug.empty()) input.observed.emplace_back(kDebugView);
+    input.camera = camera;
+    input.exposure_ev = options.exposure_ev.value_or(scene.exposure_ev);
+    input.queues = options.queues;
+    input.check_plan = options.validate;
+    input.timestamps = !options.stats.empty() && !options.validate;
+    input.drop_barriers_before = options.drop_barriers_before;
+    return input;
+}
+
+Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options) {
+    vk::DeviceOptions device_options;
+    device_options.validate = options.validate;
+    device_options.device = options.device;
+    device_options.queues = options.queues;
+    device_options.timeout_ns = static_cast<uint64_t>(options.timeout_s * 1e9);
+    return vk::Device::create(device_options);
+}
+
+SessionOpener::SessionOpener(const RenderOptions& options, Attempts attempts)
+    : options_(options), attempts_(attempts), passes_(registered_passes()) {}
+
+// Before a scene is loaded and a device made: both take their time.
+Status SessionOpener::check_graph() {
+    const render::SessionInput session = session_input(options_, {}, {}, passes_);
+    const ImportCatalog imports = render::scene_imports(options_.size);
+    const DeviceProfile profile;
+    const FileReader reader = [&](const std::string& path) {
+        files_.insert(std::filesystem::absolute(path).lexically_normal());
+        return session.reader(path);
+    };
+    return check_request({.path = session.graph_path,
+                          .reader = reader,
+                          .shader_root = session.shader_root,
+                          .shader_cache = {},
+                          .passes = passes_,
+                          .imports = imports,
+                          .profile = profile,
+                          .params = options_.params,
+                          .limits = options_.limits,
+                          .graph_root = session.graph_root,
+                          .tier = options_.tier,
+                          .debug = options_.debug});
+}
+
+Status SessionOpener::load_scene() {
+    Diagnostics warnings;
+    Result<scene::Scene> scene =
+        open_scene({options_.scene, options_.env, options_.hour, options_.lights, options_.seed},
+                   options_.limits.scene, warnings);
+    if (!options_.quiet) report(warnings);
+    if (!scene) return scene.take_errors();
+    warn_of_exposure(*scene, options_.exposure_ev.value_or(scene->exposure_ev));
+    const float aspect = static_cast<float>(options_.size.width) / static_cast<float>(options_.size.height);
+    Result<scene::Camera> camera = choose_camera(*scene, {options_.scene, options_.camera, aspect});
+    if (!camera) return camera.take_errors();
+    camera_ = *camera;
+    scene_ = std::move(*scene);
+    return Unit{};
+}
+
+Result<OpenSession> SessionOpener::open_checked() {
+    if (!scene_)
+        if (Status s = load_scene(); !s) return s.take_errors();
+    if (!device_) {
+        Result<std::unique_ptr<vk::Device>> device = open_device(options_);
+        if (!device) return device.take_errors();
+        device_ = std::move(*device);
+    }
+    Diagnostics warnings;
+    const render::SessionInput input = session_input(options_, *scene_, camera_, passes_);
+    Result<std::unique_ptr<render::Session>> session =
+        attempts_ == Attempts::one
+            ? render::Session::create(*device_, std::move(*scene_), input, warnings, &files_)
+            : render::Session::create(*device_, *scene_, input, warnings, &files_);
+    if (!options_.quiet) report(warnings);
+    if (session) return OpenSession{std::move(device_), std::move(*session)};
+    can_be_mended_ = exit_code_for(session.errors()) == ExitCode::invalid_input;
+    return session.take_errors();
+}
+
+Result<OpenSession> SessionOpener::open() {
+    can_be_mended_ = false;
+    files_.clear();
+    if (Status s = expect_scene(options_.scene); !s) return s.take_errors();
+    Status good = check_graph();
+    if (good) return open_checked();
+    can_be_mended_ = true;
+    return good.take_errors();
+}
+
+Result<OpenSession> open_session(const RenderOptions& options) {
+    return SessionOpener(options, SessionOpener::Attempts::one).open();
+}
+
+}  // namespace weft::viewer

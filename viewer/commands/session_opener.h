@@ -1,0 +1,47 @@
+// Purpose: opens a session step by step: graph, scene, camera, device, session. After a fault in the graph's
+// files the scene and the device are kept, so that trying again is cheap. Errors: as open_session().
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "viewer/commands/session_setup.h"
+#include "weft/scene/scene.h"
+
+namespace weft::viewer {
+
+class SessionOpener {
+ public:
+    // With one attempt the scene is handed over to the session, which needs less memory.
+    enum class Attempts : uint8_t { one, many };
+    // `options` outlives it.
+    SessionOpener(const RenderOptions& options, Attempts attempts);
+
+    // Warnings go to stderr. With many attempts it may be called again after an error; never after a success.
+    [[nodiscard]] Result<OpenSession> open();
+
+    // After an error: an edit of files() may mend it.
+    [[nodiscard]] bool can_be_mended() const { return can_be_mended_; }
+    // What was looked at of the graph, its includes and its shaders, whether it is there or not. Absolute
+    // paths.
+    [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
+
+ private:
+    [[nodiscard]] Status check_graph();
+    [[nodiscard]] Status load_scene();
+    [[nodiscard]] Result<OpenSession> open_checked();
+
+    const RenderOptions& options_;
+    const Attempts attempts_;
+    const PassCatalog passes_;
+    std::optional<scene::Scene> scene_;
+    scene::Camera camera_;
+    std::unique_ptr<vk::Device> device_;
+    std::set<std::filesystem::path> files_;
+    bool can_be_mended_ = false;
+};
+
+}  // namespace weft::viewer

@@ -1,0 +1,100 @@
+#include "viewer/commands/tier_check.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "graph/syntax/merge.h"
+
+namespace weft::viewer {
+namespace {
+
+// What one tier doesn't use another may.
+constexpr std::array kUnusedCodes{"W130", "W132", "W133", "W134", "W135", "W136"};
+
+class Findings {
+ public:
+    void add(Diagnostics found) {
+        ++variants_;
+        for (Diagnostic& d : found) {
+            const auto [it, is_new] = seen_.try_emplace(std::tuple(d.code, d.file, d.line, d.column),
+                                                        Seen{all_.size(), variants_, variants_, 1});
+            // One that says two things of one place says both.
+            if (is_new || it->second.first == variants_) {
+                all_.push_back(std::move(d));
+            } else if (it->second.last != variants_) {
+                it->second.last = variants_;
+                ++it->second.variants;
+            }
+        }
+    }
+
+    // Those that all variants give.
+    Diagnostics take_common() {
+        Diagnostics kept;
+        for (const auto& [place, seen] : seen_)
+            if (seen.variants == variants_) kept.push_back(std::move(all_[seen.index]));
+        return kept;
+    }
+
+    // Warnings that something is unused hold only where all tiers agree.
+    Diagnostics take() {
+        std::vector<bool> used(all_.size(), false);
+        for (const auto& [place, seen] : seen_) {
+            const bool says_unused =
+                std::ranges::find(kUnusedCodes, all_[seen.index].code) != kUnusedCodes.end();
+            used[seen.index] = says_unused && seen.variants < variants_;
+        }
+        Diagnostics kept;
+        for (size_t i = 0; i < all_.size(); ++i)
+            if (!used[i]) kept.push_back(std::move(all_[i]));
+        return kept;
+    }
+
+ private:
+    struct Seen {
+        size_t index;
+        size_t first;     // the variant that said so first
+        size_t last;      // the variant that said so last
+        size_t variants;  // how many said so
+    };
+    Diagnostics all_;
+    std::map<std::tuple<std::string, std::string, uint32_t, uint32_t>, Seen> seen_;
+    size_t variants_ = 0;
+};
+
+}  // namespace
+
+CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options) {
+    CheckedGraph checked;
+    const Result<JsonDoc> document = read_offline(file, options);
+    if (!document) {
+        checked.found = document.errors();
+        return checked;
+    }
+    std::vector<std::string> tiers{options.tier};
+    if (options.tier.empty()) {
+        for (const std::string& name : tier_names(*document)) tiers.push_back(name);
+        checked.tiers = tiers.size() - 1;
+    }
+    Findings findings, views;
+    SharedByTiers shared;
+    for (const std::string& tier : tiers) {
+        OfflineOptions of_tier = options;
+        of_tier.tier = tier;
+        Diagnostics found;
+        Result<OfflinePlan> made =
+            compile_offline(*document, of_tier, found, tiers.size() > 1 ? &shared : nullptr);
+        if (!made) found.insert(found.end(), made.errors().begin(), made.errors().end());
+        if (made) views.add(std::move(made->view_faults));
+        if (made && !checked.plan) checked.plan = std::move(made->plan);
+        findings.add(std::move(found));
+    }
+    checked.found = findings.take();
+    // A view of what only some tiers have is no fault: the others list it as unavailable.
+    for (Diagnostic& d : views.take_common()) checked.found.push_back(std::move(d));
+    return checked;
+}
+
+}  // namespace weft::viewer

@@ -1,0 +1,51 @@
+#include "viewer/commands/view_start.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "viewer/commands/session_opener.h"
+#include "weft/render/file_watch.h"
+
+namespace weft::viewer {
+namespace {
+
+// False: it was told to end first.
+bool wait_for_change(render::FileWatch& watch, EndSignals& end) {
+    std::atomic<bool> is_over = false, has_changed = false;
+    std::thread waiter([&] {
+        while (!is_over && !has_changed) has_changed = watch.wait();
+    });
+    while (!has_changed && !is_over) is_over = end.within(std::chrono::milliseconds(50));
+    if (is_over) watch.wake();
+    waiter.join();
+    return has_changed;
+}
+
+// Without a file there is nothing to be edited: more likely its name is misspelt.
+bool is_there(const std::string& graph) {
+    std::error_code error;
+    return graph.empty() || std::filesystem::is_regular_file(graph, error);
+}
+
+}  // namespace
+
+Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, bool waits, EndSignals& end) {
+    SessionOpener opener(options, SessionOpener::Attempts::many);
+    Result<std::unique_ptr<render::FileWatch>> watch = render::FileWatch::create();
+    if (!watch) return watch.take_errors();
+    for (;;) {
+        Result<OpenSession> open = opener.open();
+        if (open) return std::optional(std::move(*open));
+        if (!waits || !opener.can_be_mended() || !is_there(options.graph)) return open.take_errors();
+        // An edit before this moment was not seen.
+        if ((*watch)->watch(opener.files())) continue;
+        report(open.errors());
+        std::fprintf(stderr, "weft: waiting for the graph to be mended\n");
+        if (!wait_for_change(**watch, end)) return std::optional<OpenSession>();
+    }
+}
+
+}  // namespace weft::viewer

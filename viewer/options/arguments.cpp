@@ -1,0 +1,119 @@
+#include "viewer/options/arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "viewer/options/numbers.h"
+#include "weft/result.h"
+
+namespace weft::viewer {
+namespace {
+
+struct FutureFlag {
+    const char* name;
+    const char* what;
+};
+constexpr std::array kFutureRenderFlags{
+    FutureFlag{"--profile", "rendering to a profile"},
+};
+
+struct FutureFlags {
+    const char* command;
+    std::span<const FutureFlag> flags;
+};
+constexpr std::array kFutureViewFlags{
+    FutureFlag{"--sandbox", "pictures that are written from a sandbox while it runs"},
+};
+constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
+                                  FutureFlags{"view", kFutureViewFlags}};
+
+// Parameters are passed to shaders as 32-bit floats.
+constexpr NumberRange kParam{-3.4e38, 3.4e38, ""};
+constexpr uint64_t kMostSide_px = 16'384;
+
+bool is_truth(const std::string& text) {
+    return text == "true" || text == "false";
+}
+
+// ": did you mean …?", or empty.
+std::string with_guess(const std::string& text, const std::vector<std::string>& known) {
+    const std::string guess = did_you_mean_text(text, known);
+    return guess.empty() ? "" : ": " + guess;
+}
+
+}  // namespace
+
+std::string size_fault(const std::string& text) {
+    const size_t by = text.find('x');
+    const auto is_side = [](const std::string& side) {
+        return whole_number_fault(side, 1, kMostSide_px).empty();
+    };
+    if (by != std::string::npos && is_side(text.substr(0, by)) && is_side(text.substr(by + 1))) return "";
+    return "a size is WIDTHxHEIGHT in pixels, each 1 to 16384, not \"" + text + "\"";
+}
+
+Extent3D parse_size(const std::string& text) {
+    const size_t by = std::min(text.find('x'), text.size() - 1);
+    Extent3D size;
+    size.width = static_cast<uint32_t>(whole_number(text.substr(0, by)).value_or(1));
+    size.height = static_cast<uint32_t>(whole_number(text.substr(by + 1)).value_or(1));
+    return size;
+}
+
+std::string param_fault(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) return "a parameter is NAME=VALUE, not \"" + text + "\"";
+    const std::string value = text.substr(equals + 1);
+    if (is_truth(value)) return "";
+    if (!finite_number(value)) return "\"" + value + "\" is not a number, true or false";
+    return number_fault(value, kParam);
+}
+
+std::string choice_fault(const std::string& text, const std::vector<std::string>& choices) {
+    if (std::ranges::find(choices, text) != choices.end()) return "";
+    std::string all;
+    for (const std::string& choice : choices) all += (all.empty() ? "" : ", ") + choice;
+    return "\"" + text + "\" is not one of " + all + with_guess(text, choices);
+}
+
+std::string plot_fault(const std::string& text) {
+    return text.size() > 4 && text.ends_with(".svg") ? "" : "a plot is an .svg, not \"" + text + "\"";
+}
+
+std::string env_fault(const std::string& text) {
+    const bool is_file = text.find_first_of("./") != std::string::npos;
+    return text == "sky" || text == "none" || is_file
+               ? ""
+               : "an environment is sky, none or a Radiance picture (FILE.hdr), not \"" + text + "\"" +
+                     with_guess(text, {"sky", "none"});
+}
+
+std::map<std::string, double> parse_params(const std::vector<std::string>& texts) {
+    std::map<std::string, double> params;
+    for (const std::string& text : texts) {
+        const size_t equals = text.find('=');
+        const std::string value = text.substr(equals + 1);
+        params[text.substr(0, equals)] =
+            is_truth(value) ? (value == "true" ? 1 : 0) : finite_number(value).value_or(0);
+    }
+    return params;
+}
+
+std::string future_fault(const std::vector<std::string>& arguments) {
+    if (arguments.empty()) return "";
+    const auto says = [&](const char* word) { return std::ranges::find(arguments, word) != arguments.end(); };
+    if (arguments[0] == "view" && !says("--headless") && !says("--help") && !says("-h"))
+        return "`view` is not there yet in this version of weft; `view --headless` is";
+    for (const FutureFlags& command : kFutureFlags) {
+        if (arguments.front() != command.command) continue;
+        for (const std::string& argument : arguments)
+            for (const FutureFlag& flag : command.flags)
+                if (argument.substr(0, argument.find('=')) == flag.name)
+                    return std::string(flag.name) + ": " + flag.what +
+                           " are not there yet in this version of weft";
+    }
+    return "";
+}
+
+}  // namespace weft::viewer

@@ -1,0 +1,31 @@
+// Purpose: checks of flags' values, for CLI11: each names what the value must be, and writes numbers in the
+// one form that CLI11 reads the same everywhere.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "viewer/options/numbers.h"
+
+namespace CLI {
+class Validator;
+}
+
+namespace weft::viewer {
+
+inline constexpr uint64_t kMostSeed = 0xFFFFFFFF;
+inline constexpr uint64_t kMostLights = 65'536;
+inline constexpr uint64_t kMostQueues = 4;
+inline constexpr NumberRange kTimeout{0.001, 3600, "s"};
+
+[[nodiscard]] CLI::Validator size_validator();
+[[nodiscard]] CLI::Validator param_validator();
+[[nodiscard]] CLI::Validator env_validator();
+[[nodiscard]] CLI::Validator plot_validator();
+[[nodiscard]] CLI::Validator number_in(const NumberRange& range);
+[[nodiscard]] CLI::Validator fraction_in(const NumberRange& range);
+[[nodiscard]] CLI::Validator whole_number_in(uint64_t least, uint64_t most);
+[[nodiscard]] CLI::Validator choice_validator(std::vector<std::string> choices);
+
+}  // namespace weft::viewer

@@ -1,0 +1,20 @@
+#include "viewer/output/formatted.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace weft::viewer {
+
+std::string formatted(const char* format, ...) {
+    va_list values, again;
+    va_start(values, format);
+    va_copy(again, values);
+    const int length = std::vsnprintf(nullptr, 0, format, values);
+    va_end(values);
+    std::string text(length > 0 ? static_cast<size_t>(length) : 0, '\0');
+    std::vsnprintf(text.data(), text.size() + 1, format, again);
+    va_end(again);
+    return text;
+}
+
+}  // namespace weft::viewer

@@ -1,0 +1,77 @@
+#include "viewer/output/output.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <span>
+
+#include "file/file_target.h"
+#include "file/write_file.h"
+
+namespace weft::viewer {
+namespace {
+
+ExitCode outcome(const Status& status, ExitCode code = ExitCode::ok) {
+    if (status) return code;
+    report(status.errors());
+    return exit_code_for(status.errors());
+}
+
+// The plain file that a path leads to; empty: it leads to none. Streams may be shared.
+std::filesystem::path plain_file(const std::string& path) {
+    const FileTarget target = find_target(path);
+    if (path.empty() || target.error != 0 || target.kind != TargetKind::file) return {};
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(target.path, error);
+    return error ? std::filesystem::path() : std::filesystem::weakly_canonical(whole, error);
+}
+
+Status expect_own_file(const std::string& path, std::span<const std::string> others, const char* what) {
+    const std::filesystem::path file = plain_file(path);
+    for (const std::string& other : others) {
+        if (file.empty() || file != plain_file(other)) continue;
+        Diagnostic d;
+        d.code = "X510";
+        d.file = path;
+        d.message = std::string("the file cannot be written: it is ") + what;
+        d.help = {"name another file"};
+        return d;
+    }
+    return Unit{};
+}
+
+}  // namespace
+
+void prepare_output() {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    // Descriptors are given out from the lowest free number: this fills the gaps up to 2. Standard output and
+    // standard error cannot be written through it, which is an error as it would be if they were closed.
+    int descriptor = 0;
+    while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDONLY);
+    if (descriptor > STDERR_FILENO) close(descriptor);
+}
+
+ExitCode check_outputs(const std::vector<std::string>& paths, const std::vector<std::string>& inputs) {
+    ExitCode code = ExitCode::ok;
+    for (size_t i = 0; i < paths.size(); ++i) {
+        if (paths[i].empty()) continue;
+        code = outcome(check_writable(paths[i]), code);
+        code =
+            outcome(expect_own_file(paths[i], inputs, "an input of this command, which would be lost"), code);
+        code = outcome(expect_own_file(paths[i], std::span(paths).first(i), "another output, too"), code);
+    }
+    return code;
+}
+
+ExitCode print_data(std::string_view data, ExitCode code) {
+    return outcome(write_stdout(data), code);
+}
+
+ExitCode output_data(const std::string& path, std::string_view data) {
+    return path.empty() ? print_data(data) : outcome(write_file(path, data));
+}
+
+}  // namespace weft::viewer

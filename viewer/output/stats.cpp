@@ -1,0 +1,121 @@
+#include "viewer/output/stats.h"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "check/needed_barriers.h"
+#include "viewer/output/port_bytes.h"
+
+namespace weft::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json distribution(std::vector<double> values) {
+    std::erase_if(values, [](double v) { return v < 0; });
+    if (values.empty()) return nullptr;
+    std::sort(values.begin(), values.end());
+    const auto quantile = [&](double q) {
+        return values[std::min(values.size() - 1,
+                               static_cast<size_t>(q * static_cast<double>(values.size())))];
+    };
+    return {{"min", values.front()}, {"median", quantile(0.5)}, {"p99", quantile(0.99)}};
+}
+
+Json passes_json(const StatsInput& input) {
+    Json passes = Json::array();
+    const ResolvedGraph& graph = input.plan.graph;
+    for (uint32_t p = 0; p < input.plan.schedule.order.size(); ++p) {
+        const PassDecl& pass = graph.passes[input.plan.schedule.order[p]];
+        std::vector<double> times;
+        for (const vk::FrameTiming& frame : input.timings)
+            for (const vk::PassTiming& timing : frame.passes)
+                if (timing.pass == pass.name) times.push_back(timing.gpu_ms);
+        passes.push_back({{"name", pass.name},
+                          {"queue", input.plan.schedule.queue[p]},
+                          {"gpu_ms", distribution(std::move(times))},
+                          {"bytes", port_bytes(graph, pass)},
+                          {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)}});
+    }
+    return passes;
+}
+
+Json cpu_json(const std::vector<vk::FrameTiming>& timings) {
+    std::vector<double> record, submit, frame;
+    for (const vk::FrameTiming& t : timings) {
+        record.push_back(t.record_ms);
+        submit.push_back(t.submit_ms);
+        frame.push_back(t.record_ms + t.submit_ms + t.wait_ms);
+    }
+    return {
+        {"record", distribution(record)}, {"submit", distribution(submit)}, {"frame", distribution(frame)}};
+}
+
+Json validation_json(vk::Device& device) {
+    Json validation{{"messages", device.messages().count()}, {"layers", Json::array()}};
+    for (const vk::LayerInfo& layer : device.info().layers)
+        validation["layers"].push_back({{"name", layer.name}, {"version", layer.version}});
+    return validation;
+}
+
+const ResourceDecl* resource_behind(const FramePlan& plan, const std::string& reference) {
+    return find_resource(plan.graph, reference.substr(0, reference.find_first_of("@[.")));
+}
+
+}  // namespace
+
+std::string stats_json(const StatsInput& input) {
+    const FramePlan& plan = input.plan;
+    const std::optional<uint32_t> needed = count_needed_barriers(plan);
+    const Json stats{
+        {"graph", plan.graph.name},
+        {"tier", input.tier.empty() ? Json(nullptr) : Json(input.tier)},
+        {"device", input.device.info().name},
+        {"driver", input.device.info().driver},
+        {"size", {plan.graph.output_extent.width, plan.graph.output_extent.height}},
+        {"frames", input.frames},
+        {"plan_hash", plan.hash},
+        {"output_sha256", sha256(input.output.bytes)},
+        {"validation", validation_json(input.device)},
+        {"passes", passes_json(input)},
+        {"cpu_ms", cpu_json(input.timings)},
+        {"memory",
+         {{"sum_bytes", plan.memory.sum_bytes},
+          {"peak_live_bytes", plan.memory.peak_live_bytes},
+          {"heap_bytes", plan.memory.heap_bytes}}},
+        {"barriers",
+         {{"emitted", plan.barriers.emitted}, {"needed", needed ? Json(*needed) : Json(nullptr)}}},
+        {"submissions", plan.submissions.batches.size()},
+        {"pipelines_built_on_frame_thread", input.pipelines_built_on_frame_thread},
+    };
+    return stats.dump(2) + "\n";
+}
+
+bool is_pre_exposed(const FramePlan& plan, const std::string& reference) {
+    const ResourceDecl* resource = resource_behind(plan, reference);
+    return resource && resource->pre_exposed;
+}
+
+bool is_buffer(const FramePlan& plan, const std::string& reference) {
+    const ResourceDecl* resource = resource_behind(plan, reference);
+    return resource && resource->kind == ResourceKind::buffer;
+}
+
+std::string sha256(const std::vector<std::byte>& bytes) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int length = 0;
+    EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr);
+    std::string text;
+    for (unsigned int i = 0; i < length; ++i) {
+        constexpr const char* kHex = "0123456789abcdef";
+        text += kHex[digest[i] >> 4];
+        text += kHex[digest[i] & 15];
+    }
+    return text;
+}
+
+}  // namespace weft::viewer

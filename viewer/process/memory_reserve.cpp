@@ -1,0 +1,30 @@
+#include "viewer/process/memory_reserve.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace weft::viewer {
+namespace {
+
+constexpr size_t kReserve_bytes = size_t{16} << 20;
+
+// A handler of `new` has no arguments, so what it frees has to be reached from everywhere.
+std::atomic<void*>& reserve() {
+    static std::atomic<void*> memory = std::malloc(kReserve_bytes);  // never written: no page of it is taken
+    return memory;
+}
+
+void release_reserve() {
+    std::free(reserve().exchange(nullptr));
+    throw std::bad_alloc();
+}
+
+}  // namespace
+
+void hold_memory_reserve() {
+    reserve();
+    std::set_new_handler(release_reserve);
+}
+
+}  // namespace weft::viewer

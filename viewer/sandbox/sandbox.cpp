@@ -1,0 +1,241 @@
+#include "viewer/sandbox/sandbox.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <set>
+
+#include "file/file_target.h"
+#include "viewer/output/output.h"
+#include "viewer/sandbox/sandbox_needs.h"
+#include "viewer/sandbox/sandbox_parts.h"
+
+namespace weft::viewer {
+
+Diagnostic no_sandbox(const std::string& why, const std::string& help) {
+    Diagnostic d;
+    d.code = "X595";
+    d.message = "there is no sandbox here, and nothing was run: " + why;
+    if (!help.empty()) d.help.push_back(help);
+    d.help.emplace_back("run untrusted graphs in a container, or without --sandbox what you trust");
+    return d;
+}
+
+Status lock_this_process(const OpenRules& rules) {
+    if (Status s = restrict_files(rules); !s) return s;
+    return restrict_calls(landlock_version());
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file that the child is to write, in a folder that it has for itself.
+struct StagedFile {
+    fs::path wanted, folder;
+    [[nodiscard]] fs::path staged() const { return folder / wanted.filename(); }
+};
+
+// Moves on the way out what was written, and leaves no folder behind.
+class Stage {
+ public:
+    Stage() = default;
+    ~Stage() {
+        std::error_code error;
+        for (const StagedFile& file : files_) fs::remove_all(file.folder, error);
+    }
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    Status add(const std::string& output, OpenRules& rules) {
+        const FileTarget target = find_target(output);
+        if (target.kind != TargetKind::file) {
+            if (target.descriptor >= 0) descriptors_.insert(target.descriptor);
+            if (target.kind == TargetKind::stream) rules.devices.push_back(target.path);
+            files_.push_back({target.path, {}});
+            return Unit{};
+        }
+        const fs::path wanted = fs::absolute(target.path);
+        std::string folder = (wanted.parent_path() / ".weft-XXXXXX").string();
+        if (mkdtemp(folder.data()) == nullptr) {
+            Diagnostic d;
+            d.code = "X510";
+            d.file = output;
+            d.message = std::string("no file can be made beside it: ") + std::strerror(errno);
+            d.help = {"check that its folder exists and can be written"};
+            return d;
+        }
+        files_.push_back({wanted, folder});
+        rules.write.emplace_back(folder);
+        return Unit{};
+    }
+
+    // What the child calls its outputs.
+    void rename(const std::vector<std::string*>& outputs) const {
+        size_t next = 0;
+        for (std::string* output : outputs) {
+            if (output->empty()) continue;
+            const StagedFile& file = files_[next++];
+            if (!file.folder.empty()) *output = file.staged().string();
+        }
+    }
+
+    [[nodiscard]] Diagnostics move_all() const {
+        Diagnostics errors;
+        for (const StagedFile& file : files_) {
+            struct stat made {
+            }, old{};
+            if (file.folder.empty() || lstat(file.staged().c_str(), &made) != 0 || !S_ISREG(made.st_mode))
+                continue;
+            // What is replaced keeps its permissions.
+            if (stat(file.wanted.c_str(), &old) == 0) (void)chmod(file.staged().c_str(), old.st_mode & 0777);
+            if (::rename(file.staged().c_str(), file.wanted.c_str()) == 0) continue;
+            Diagnostic d;
+            d.code = "X510";
+            d.file = file.wanted.string();
+            d.message = std::string("the file cannot be written: ") + std::strerror(errno);
+            d.help = {"check its folder"};
+            errors.push_back(std::move(d));
+        }
+        return errors;
+    }
+
+    // Descriptors that are outputs: /dev/fd/N.
+    [[nodiscard]] const std::set<int>& descriptors() const { return descriptors_; }
+
+    // The child is not the one to clean up.
+    void forget() { files_.clear(); }
+
+ private:
+    std::vector<StagedFile> files_;
+    std::set<int> descriptors_;
+};
+
+// Of the files that the program which started this one left open, the child gets the standard streams and
+// `kept`.
+void close_others(const std::set<int>& kept) {
+    unsigned from = STDERR_FILENO + 1;
+    for (const int descriptor : kept) {
+        const auto number = static_cast<unsigned>(descriptor);
+        if (number > from) (void)close_range(from, number - 1, 0);
+        from = std::max(from, number + 1);
+    }
+    (void)close_range(from, ~0u, 0);
+}
+
+constexpr int kForwarded[] = {SIGINT, SIGTERM, SIGHUP};
+
+sigset_t awaited_signals() {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGCHLD);
+    for (const int signal : kForwarded) sigaddset(&set, signal);
+    return set;
+}
+
+// Until the child has ended. Signals that would end this process go to the child.
+void await(pid_t child, const sigset_t& signals) {
+    for (;;) {
+        siginfo_t ended{};
+        if (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) != 0) return;
+        if (ended.si_pid == child) return;
+        int signal = 0;
+        sigwait(&signals, &signal);
+        if (signal != SIGCHLD) kill(child, signal);
+    }
+}
+
+// Ends all processes that the child has left behind: the sandbox lets none of them leave the child's group.
+// Returns how the child ended, as waitpid() tells it.
+int end_group(pid_t child) {
+    kill(-child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    while (waitpid(-child, nullptr, 0) > 0) {
+    }
+    return status;
+}
+
+ExitCode conclude(int status, const Stage& stage) {
+    if (WIFSIGNALED(status)) {
+        Diagnostic d;
+        d.code = "X596";
+        d.message =
+            std::string("what ran in the sandbox was ended by a signal: ") + strsignal(WTERMSIG(status));
+        d.help = {
+            "a driver may crash on a shader that is valid, and a library on a file: nothing was written"};
+        const bool asked = WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM;
+        if (!asked) report({d});
+        return ExitCode::failed;
+    }
+    if (const Diagnostics errors = stage.move_all(); !errors.empty()) {
+        report(errors);
+        return ExitCode::failed;
+    }
+    return static_cast<ExitCode>(WEXITSTATUS(status));
+}
+
+}  // namespace
+
+std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
+    OpenRules rules = rules_of_program(needs.device);
+    for (const std::string& path : needs.read)
+        if (!path.empty()) rules.read.emplace_back(path);
+    Stage stage;
+    std::vector<std::string> outputs;
+    for (const std::string* output : needs.outputs) outputs.push_back(*output);
+    if (const ExitCode code = check_outputs(outputs, needs.inputs); code != ExitCode::ok) return code;
+    for (const std::string* output : needs.outputs) {
+        if (output->empty()) continue;
+        if (Status s = stage.add(*output, rules); !s) {
+            report(s.errors());
+            return ExitCode::failed;
+        }
+    }
+    std::fflush(nullptr);
+    const sigset_t signals = awaited_signals();
+    sigset_t before;
+    pthread_sigmask(SIG_BLOCK, &signals, &before);
+    const pid_t parent = getpid();
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    const pid_t child = fork();
+    if (child < 0) {
+        report({no_sandbox(std::string("no process can be started: ") + std::strerror(errno), {})});
+        return ExitCode::failed;
+    }
+    setpgid(child, child);  // here and in the child: one of them is the first
+    if (child > 0) {
+        await(child, signals);
+        return conclude(end_group(child), stage);
+    }
+
+    // The terminal takes its group for one in the background, which may write all the same.
+    std::signal(SIGTTOU, SIG_IGN);
+    close_others(stage.descriptors());
+    stage.rename(needs.outputs);
+    stage.forget();
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);
+    // Drivers keep machine code there, which later runs would execute: what runs in here must not write it.
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    setenv("__GL_SHADER_DISK_CACHE", "0", 1);
+    if (Status s = lock_this_process(rules); !s) {
+        report(s.errors());
+        std::fflush(nullptr);
+        _exit(static_cast<int>(ExitCode::failed));
+    }
+    return std::nullopt;
+}
+
+}  // namespace weft::viewer

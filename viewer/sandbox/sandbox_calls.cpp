@@ -1,0 +1,293 @@
+// The half of the sandbox that says which system calls there are: a seccomp filter, a list of what a render
+// needs. Everything else fails with EPERM: sockets, mounts, other processes, new namespaces, kernel modules.
+#include <fcntl.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sched.h>
+#include <sys/ioctl.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "viewer/sandbox/sandbox_parts.h"
+
+namespace weft::viewer {
+namespace {
+
+#if defined(__x86_64__)
+constexpr uint32_t kProcessor = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr uint32_t kProcessor = AUDIT_ARCH_AARCH64;
+#else
+constexpr uint32_t kProcessor = 0;
+#endif
+
+// Files that Landlock judges, and descriptors.
+constexpr long kFileCalls[] = {SYS_read,
+                               SYS_write,
+                               SYS_readv,
+                               SYS_writev,
+                               SYS_pread64,
+                               SYS_pwrite64,
+                               SYS_preadv,
+                               SYS_pwritev,
+                               SYS_preadv2,
+                               SYS_pwritev2,
+                               SYS_lseek,
+                               SYS_close,
+                               SYS_close_range,
+                               SYS_dup,
+                               SYS_dup3,
+                               SYS_flock,
+                               SYS_fsync,
+                               SYS_fdatasync,
+                               SYS_sync_file_range,
+                               SYS_ftruncate,
+                               SYS_fallocate,
+                               SYS_fadvise64,
+                               SYS_fstat,
+                               SYS_newfstatat,
+                               SYS_statx,
+                               SYS_statfs,
+                               SYS_fstatfs,
+                               SYS_faccessat,
+                               SYS_faccessat2,
+                               SYS_readlinkat,
+                               SYS_getdents64,
+                               SYS_getcwd,
+                               SYS_chdir,
+                               SYS_renameat,
+                               SYS_renameat2,
+                               SYS_unlinkat,
+                               SYS_mkdirat,
+                               SYS_umask,
+                               SYS_pipe2,
+                               SYS_sendfile,
+                               SYS_copy_file_range,
+                               SYS_memfd_create,
+                               SYS_eventfd2,
+                               SYS_timerfd_create,
+                               SYS_timerfd_settime,
+                               SYS_epoll_create1,
+                               SYS_epoll_ctl,
+                               SYS_epoll_pwait,
+                               SYS_ppoll,
+                               SYS_pselect6,
+                               SYS_inotify_init1,
+                               SYS_inotify_add_watch,
+                               SYS_inotify_rm_watch};
+// Memory.
+constexpr long kMemoryCalls[] = {SYS_mmap,    SYS_munmap, SYS_mprotect,   SYS_mremap,
+                                 SYS_madvise, SYS_msync,  SYS_mincore,    SYS_mlock,
+                                 SYS_munlock, SYS_brk,    SYS_membarrier, SYS_get_mempolicy};
+// Threads, and the processes that this one starts.
+constexpr long kThreadCalls[] = {SYS_futex,
+                                 SYS_set_robust_list,
+                                 SYS_get_robust_list,
+                                 SYS_rseq,
+                                 SYS_set_tid_address,
+                                 SYS_execve,
+                                 SYS_exit,
+                                 SYS_exit_group,
+                                 SYS_wait4,
+                                 SYS_waitid,
+                                 SYS_sched_yield,
+                                 SYS_sched_getaffinity,
+                                 SYS_sched_getparam,
+                                 SYS_sched_getscheduler,
+                                 SYS_getpriority,
+                                 SYS_getcpu,
+                                 SYS_prctl,
+                                 SYS_getrlimit,
+                                 SYS_setrlimit,
+                                 SYS_getrusage,
+                                 SYS_rt_sigaction,
+                                 SYS_rt_sigprocmask,
+                                 SYS_rt_sigreturn,
+                                 SYS_rt_sigtimedwait,
+                                 SYS_rt_sigpending,
+                                 SYS_rt_sigsuspend,
+                                 SYS_sigaltstack,
+                                 SYS_restart_syscall};
+// Sockets that socketpair() made: none of these names another.
+constexpr long kSocketCalls[] = {SYS_recvfrom, SYS_shutdown, SYS_getsockopt, SYS_setsockopt};
+// Time, and what this process is.
+constexpr long kOtherCalls[] = {
+    SYS_nanosleep, SYS_clock_nanosleep, SYS_clock_gettime, SYS_clock_getres, SYS_gettimeofday, SYS_times,
+    SYS_uname,     SYS_sysinfo,         SYS_getrandom,     SYS_getpid,       SYS_getppid,      SYS_gettid,
+    SYS_getuid,    SYS_geteuid,         SYS_getgid,        SYS_getegid,      SYS_getresuid,    SYS_getresgid,
+    SYS_getgroups, SYS_getpgid,         SYS_getsid,        SYS_capget};
+#if defined(__x86_64__)
+// Older forms of these.
+constexpr long kOldCalls[] = {SYS_stat,   SYS_lstat,      SYS_access, SYS_readlink, SYS_rename,
+                              SYS_unlink, SYS_mkdir,      SYS_pipe,   SYS_dup2,     SYS_poll,
+                              SYS_select, SYS_epoll_wait, SYS_time,   SYS_getpgrp,  SYS_arch_prctl,
+                              SYS_vfork,  SYS_fork};
+#else
+constexpr std::array<long, 0> kOldCalls{};
+#endif
+
+constexpr uint32_t word_of(size_t argument) {
+    return static_cast<uint32_t>(offsetof(seccomp_data, args) + 8 * argument);
+}
+constexpr uint32_t upper_word_of(size_t argument) {
+    return word_of(argument) + 4;  // both processors are little-endian
+}
+
+class Filter {
+ public:
+    Filter() {
+        load(offsetof(seccomp_data, arch));
+        end_unless(BPF_JEQ, kProcessor, SECCOMP_RET_KILL_PROCESS);
+        load(offsetof(seccomp_data, nr));
+#if defined(__x86_64__)
+        constexpr uint32_t kX32Calls = 0x40000000;
+        end_if(BPF_JGE, kX32Calls, refused(EPERM));
+#endif
+    }
+
+    void answer(long call, uint32_t verdict) {
+        end_if(BPF_JEQ, static_cast<uint32_t>(call), verdict);
+    }
+    void allow(long call) {
+        answer(call, SECCOMP_RET_ALLOW);
+    }
+
+    // `call` is refused if `test` (BPF_JEQ, BPF_JSET) with a word of an argument is true; or unless it is.
+    void refuse_if(long call, uint32_t word, uint16_t test, uint32_t value) {
+        std::vector<sock_filter> block{loaded(word), jump(test, value, 0, 1), end(refused(EPERM)),
+                                       loaded(offsetof(seccomp_data, nr))};
+        only_for(call, block);
+    }
+    void refuse_unless(long call, uint32_t word, uint16_t test, uint32_t value) {
+        std::vector<sock_filter> block{loaded(word), jump(test, value, 1, 0), end(refused(EPERM)),
+                                       loaded(offsetof(seccomp_data, nr))};
+        only_for(call, block);
+    }
+    // As above, for `word` without the bits that are not in `mask`.
+    void refuse_unless_masked(long call, uint32_t word, uint32_t mask, uint32_t value) {
+        std::vector<sock_filter> block{loaded(word), sock_filter{BPF_ALU | BPF_AND | BPF_K, 0, 0, mask},
+                                       jump(BPF_JEQ, value, 1, 0), end(refused(EPERM)),
+                                       loaded(offsetof(seccomp_data, nr))};
+        only_for(call, block);
+    }
+    // open(…, O_RDONLY | O_TRUNC) cuts a file off without asking for the right to write.
+    void refuse_truncating_reads(long call, size_t flags) {
+        std::vector<sock_filter> block{
+            loaded(word_of(flags)), sock_filter{BPF_ALU | BPF_AND | BPF_K, 0, 0, O_ACCMODE | O_TRUNC},
+            jump(BPF_JEQ, O_RDONLY | O_TRUNC, 0, 1), end(refused(EPERM)), loaded(offsetof(seccomp_data, nr))};
+        only_for(call, block);
+    }
+
+    // The rest is refused. 0, or the error.
+    int install() {
+        code_.push_back(end(refused(EPERM)));
+        const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
+        if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return errno;
+        return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0 ? 0 : errno;
+    }
+
+    static uint32_t refused(int error) {
+        return SECCOMP_RET_ERRNO | static_cast<uint32_t>(error);
+    }
+
+ private:
+    static sock_filter loaded(uint32_t offset) {
+        return {BPF_LD | BPF_W | BPF_ABS, 0, 0, offset};
+    }
+    static sock_filter end(uint32_t verdict) {
+        return {BPF_RET | BPF_K, 0, 0, verdict};
+    }
+    static sock_filter jump(uint16_t test, uint32_t value, uint8_t if_true, uint8_t if_false) {
+        return {static_cast<uint16_t>(BPF_JMP | test | BPF_K), if_true, if_false, value};
+    }
+    void load(uint32_t offset) {
+        code_.push_back(loaded(offset));
+    }
+    void end_if(uint16_t test, uint32_t value, uint32_t verdict) {
+        code_.push_back(jump(test, value, 0, 1));
+        code_.push_back(end(verdict));
+    }
+    void end_unless(uint16_t test, uint32_t value, uint32_t verdict) {
+        code_.push_back(jump(test, value, 1, 0));
+        code_.push_back(end(verdict));
+    }
+    void only_for(long call, const std::vector<sock_filter>& block) {
+        code_.push_back(jump(BPF_JEQ, static_cast<uint32_t>(call), 0, static_cast<uint8_t>(block.size())));
+        code_.insert(code_.end(), block.begin(), block.end());
+    }
+
+    std::vector<sock_filter> code_;
+};
+
+// Calls that are fine with some arguments.
+void add_judged_calls(Filter& filter, int landlock_version) {
+    // Threads and children, in the namespaces that there are. The flags of clone3 lie in memory: glibc then
+    // takes clone.
+    filter.answer(SYS_clone3, Filter::refused(ENOSYS));
+    filter.refuse_if(SYS_clone, word_of(0), BPF_JSET,
+                     CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER |
+                         CLONE_NEWPID | CLONE_NEWNET);
+    filter.allow(SYS_clone);
+    // A pair of sockets that know only each other. Datagram sockets could send to others by name.
+    filter.refuse_unless(SYS_socketpair, word_of(0), BPF_JEQ, AF_UNIX);
+    filter.refuse_unless_masked(SYS_socketpair, word_of(1), 0xf, SOCK_STREAM);
+    filter.allow(SYS_socketpair);
+    filter.refuse_unless(SYS_sendto, word_of(4), BPF_JEQ, 0);
+    filter.refuse_unless(SYS_sendto, upper_word_of(4), BPF_JEQ, 0);
+    filter.allow(SYS_sendto);
+    // A descriptor can be told to send signals to any process of the user when something happens to it.
+    for (const uint32_t owner : {F_SETOWN, F_SETOWN_EX, F_SETSIG})
+        filter.refuse_if(SYS_fcntl, word_of(1), BPF_JEQ, owner);
+    filter.allow(SYS_fcntl);
+    for (const uint32_t owner : {FIOSETOWN, SIOCSPGRP})
+        filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, owner);
+    // Nothing is typed into the user's terminal.
+    constexpr uint32_t kTypeLinux = 0x541C;  // TIOCLINUX
+    filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, TIOCSTI);
+    filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, kTypeLinux);
+    filter.allow(SYS_ioctl);
+    // The limits of this process only.
+    filter.refuse_unless(SYS_prlimit64, word_of(0), BPF_JEQ, 0);
+    filter.allow(SYS_prlimit64);
+    // From version 6 on, Landlock keeps signals inside. Before, a process signals itself.
+    if (landlock_version < 6)
+        filter.refuse_unless(SYS_tgkill, word_of(0), BPF_JEQ, static_cast<uint32_t>(getpid()));
+    filter.allow(SYS_tgkill);
+    if (landlock_version >= 6) filter.allow(SYS_kill);
+    if (landlock_version < 3) filter.refuse_truncating_reads(SYS_openat, 2);
+    filter.allow(SYS_openat);
+    filter.answer(SYS_openat2, Filter::refused(ENOSYS));  // its flags lie in memory
+#if defined(__x86_64__)
+    if (landlock_version < 3) filter.refuse_truncating_reads(SYS_open, 1);
+    filter.allow(SYS_open);
+#endif
+}
+
+}  // namespace
+
+Status restrict_calls(int landlock_version) {
+    if (kProcessor == 0) return no_sandbox("there is no list of system calls for this processor", {});
+    Filter filter;
+    for (const std::span<const long> calls :
+         {std::span<const long>(kFileCalls), std::span<const long>(kMemoryCalls),
+          std::span<const long>(kThreadCalls), std::span<const long>(kSocketCalls),
+          std::span<const long>(kOtherCalls), std::span<const long>(kOldCalls)})
+        for (const long call : calls) filter.allow(call);
+    add_judged_calls(filter, landlock_version);
+    if (const int error = filter.install(); error != 0)
+        return no_sandbox(std::string("the kernel takes no seccomp filter: ") + std::strerror(error),
+                          "it needs CONFIG_SECCOMP_FILTER");
+    return Unit{};
+}
+
+}  // namespace weft::viewer

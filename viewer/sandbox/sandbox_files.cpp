@@ -1,0 +1,103 @@
+// The half of the sandbox that says which files may be opened: Landlock, since Linux 5.13.
+#include <fcntl.h>
+#include <linux/landlock.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "viewer/sandbox/sandbox_parts.h"
+
+namespace weft::viewer {
+namespace {
+
+// Debian 12's header knows the second version of Landlock; the kernel may know more.
+constexpr uint64_t kTruncate = 1ull << 14;       // version 3
+constexpr uint64_t kDeviceControl = 1ull << 15;  // version 5
+constexpr uint64_t kTcp = 3;                     // version 4: bind and connect
+constexpr uint64_t kScopes = 3;                  // version 6: abstract sockets and signals
+struct RulesetAttributes {
+    uint64_t files, tcp, scopes;
+};
+
+constexpr uint64_t kReadFile = LANDLOCK_ACCESS_FS_READ_FILE;
+constexpr uint64_t kReadFolder = kReadFile | LANDLOCK_ACCESS_FS_READ_DIR;
+constexpr uint64_t kRun = LANDLOCK_ACCESS_FS_EXECUTE;
+constexpr uint64_t kWriteFile = LANDLOCK_ACCESS_FS_WRITE_FILE | kTruncate;
+constexpr uint64_t kWriteFolder =
+    kReadFolder | kWriteFile | LANDLOCK_ACCESS_FS_MAKE_REG | LANDLOCK_ACCESS_FS_REMOVE_FILE;
+// The rights that can be given for a single file.
+constexpr uint64_t kOfFiles = kReadFile | kRun | kWriteFile | kDeviceControl;
+
+RulesetAttributes handled_by(int version) {
+    RulesetAttributes all{(1ull << 13) - 1, 0, 0};  // the first version has 13 rights
+    if (version >= 2) all.files |= LANDLOCK_ACCESS_FS_REFER;
+    if (version >= 3) all.files |= kTruncate;
+    if (version >= 4) all.tcp = kTcp;
+    if (version >= 5) all.files |= kDeviceControl;
+    if (version >= 6) all.scopes = kScopes;
+    return all;
+}
+
+size_t attribute_bytes(int version) {
+    return version >= 6 ? 24 : version >= 4 ? 16 : 8;
+}
+
+// 0, or the error.
+int allow(int ruleset, const std::filesystem::path& path, uint64_t rights) {
+    const int opened = open(path.c_str(), O_PATH | O_CLOEXEC);
+    if (opened < 0) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;
+    struct stat status {};
+    const bool is_folder = fstat(opened, &status) == 0 && S_ISDIR(status.st_mode);
+    landlock_path_beneath_attr attributes{};
+    attributes.allowed_access = is_folder ? rights : rights & kOfFiles;
+    attributes.parent_fd = opened;
+    const long failed = syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &attributes, 0u);
+    const int error = failed == 0 ? 0 : errno;
+    close(opened);
+    // Pipes and sockets that were handed over have no place in a file system, and need no rule.
+    return error == EBADFD ? 0 : error;
+}
+
+int allow_all(int ruleset, const OpenRules& rules, uint64_t handled) {
+    const std::pair<const std::vector<std::filesystem::path>*, uint64_t> kinds[] = {
+        {&rules.read, kReadFolder},
+        {&rules.run, kReadFolder | kRun},
+        {&rules.write, kWriteFolder},
+        {&rules.devices, kReadFolder | kWriteFile | kDeviceControl}};
+    for (const auto& [paths, rights] : kinds)
+        for (const std::filesystem::path& path : *paths)
+            if (const int error = allow(ruleset, path, rights & handled); error != 0) return error;
+    return 0;
+}
+
+}  // namespace
+
+int landlock_version() {
+    const long version =
+        syscall(SYS_landlock_create_ruleset, nullptr, size_t{0}, LANDLOCK_CREATE_RULESET_VERSION);
+    return version < 0 ? 0 : static_cast<int>(version);
+}
+
+Status restrict_files(const OpenRules& rules) {
+    const int version = landlock_version();
+    if (version == 0)
+        return no_sandbox(std::string("the kernel has no Landlock: ") + std::strerror(errno),
+                          "Landlock came with Linux 5.13; it must be compiled in and named in the kernel's "
+                          "lsm= line (cat /sys/kernel/security/lsm)");
+    const RulesetAttributes attributes = handled_by(version);
+    const long made = syscall(SYS_landlock_create_ruleset, &attributes, attribute_bytes(version), 0u);
+    if (made < 0) return no_sandbox(std::string("Landlock takes no rules: ") + std::strerror(errno), {});
+    const int ruleset = static_cast<int>(made);
+    int error = allow_all(ruleset, rules, attributes.files);
+    if (error == 0 && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) error = errno;
+    if (error == 0 && syscall(SYS_landlock_restrict_self, ruleset, 0u) != 0) error = errno;
+    close(ruleset);
+    if (error != 0) return no_sandbox(std::string("Landlock refuses: ") + std::strerror(error), {});
+    return Unit{};
+}
+
+}  // namespace weft::viewer

@@ -1,0 +1,86 @@
+#include "viewer/schema/graph_schema.h"
+
+#include <nlohmann/json.hpp>
+
+#include "viewer/schema/format_schema.h"
+
+namespace weft::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Names = std::set<std::string>;
+constexpr const char* kWordEnds = "(?![A-Za-z0-9_])";
+
+Json one_of(const Names& names) {
+    return {{"enum", names}};
+}
+
+// "(a|b)"; for no names what nothing matches.
+std::string any_of(const Names& names) {
+    if (names.empty()) return "(?!)";
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "(" : "|") + name;
+    return text + ")";
+}
+
+// A name alone, which editors propose, or with more behind it.
+Json reference_to(const Names& resources, const Names& passes) {
+    const std::string more = "(@" + any_of(passes) + kWordEnds +
+                             "|\\[-([1-9]|1[0-6])\\]|\\.(mip|layer)\\(.+\\)|\\.(depth|stencil))";
+    return {{"anyOf",
+             {one_of(resources), {{"type", "string"}, {"pattern", "^" + any_of(resources) + more + "+$"}}}}};
+}
+
+// Ports: the keys of an object, or what a list's references begin with.
+Json ports(const Names& names) {
+    return {{"propertyNames", one_of(names)}, {"items", {{"pattern", "^" + any_of(names) + kWordEnds}}}};
+}
+
+Json pass_schema(const PassNames& pass) {
+    Names blended = pass.attachments;
+    blended.insert({"color", "alpha"});
+    Json properties{
+        {"resolve", {{"additionalProperties", {{"anyOf", {one_of(pass.attachments), {{"type", "null"}}}}}}}},
+        {"state",
+         {{"properties",
+           {{"blend", {{"propertyNames", one_of(blended)}}},
+            {"writeMask", {{"propertyNames", one_of(pass.attachments)}}}}}}}};
+    if (!pass.is_open) {
+        properties["in"] = ports(pass.in);
+        properties["out"] = ports(pass.out);
+        properties["params"] = {{"propertyNames", one_of(pass.params)}};
+        properties["constants"] = {{"propertyNames", one_of(pass.constants)}};
+    }
+    return {{"properties", std::move(properties)}};
+}
+
+Json passes_schema(const GraphNames& names) {
+    Json properties = Json::object();
+    for (const auto& [name, pass] : names.passes) properties[name] = pass_schema(pass);
+    return {{"properties", std::move(properties)}};
+}
+
+}  // namespace
+
+std::string graph_schema(const GraphNames& names) {
+    Json schema = Json::parse(format_schema());
+    Json& definitions = schema["definitions"];
+    Names passes;
+    for (const auto& [name, unused] : names.passes) passes.insert(name);
+    definitions["reference"] = reference_to(names.resources, passes);
+    definitions["passName"] = one_of(passes);
+    definitions["tierName"] = one_of(names.tiers);
+    definitions["drawList"] = one_of(names.draw_lists);
+    definitions["paramName"] = one_of(names.params);
+    definitions["computeShader"] = one_of(names.compute_shaders);
+    definitions["fullscreenShader"] = one_of(names.fullscreen_shaders);
+    definitions["rasterShader"] = one_of(names.raster_shaders);
+    definitions["ownPasses"] = passes_schema(names);
+    const Json own{{"properties", {{"passes", {{"$ref", "#/definitions/ownPasses"}}}}}};
+    schema["allOf"] = {own};
+    schema["allOf"].push_back(
+        {{"properties", {{"tiers", {{"additionalProperties", {{"properties", {{"patch", own}}}}}}}}}});
+    return schema.dump(1, ' ') + "\n";
+}
+
+}  // namespace weft::viewer

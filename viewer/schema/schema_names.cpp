@@ -1,0 +1,160 @@
+#include "viewer/schema/schema_names.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "graph/parse/expression.h"
+#include "graph/syntax/merge.h"
+#include "graph/syntax/read_graph.h"
+#include "shader/compile/glsl_compile.h"
+#include "viewer/files/files.h"
+#include "weft/registry.h"
+#include "weft/shader/compile_shader.h"
+
+namespace weft::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr uint32_t kPortSet = 1;
+constexpr int kMostFolders = 3;        // below the graph's own
+constexpr size_t kMostFiles = 10'000;  // looked at, for graphs that lie in large folders
+
+ShaderRoots shader_roots(const SchemaOptions& options) {
+    const fs::path shipped = shipped_root() / "shaders";
+    return {{fs::absolute(options.file).parent_path(), shipped},
+            shipped / "include",
+            shader_cache(),
+            find_shader_worker(),
+            options.limits.shader};
+}
+
+bool is_hidden(const fs::path& path) {
+    return path.filename().string().starts_with(".");
+}
+
+void add_shader(const fs::path& root, const fs::path& file, GraphNames& names) {
+    const fs::path name = file.lexically_relative(root);
+    if (file.extension() == ".comp") names.compute_shaders.insert(name.generic_string());
+    if (file.extension() == ".frag") names.fullscreen_shaders.insert(name.generic_string());
+    if (file.extension() == ".vert" && file.stem() == file.parent_path().filename())
+        names.raster_shaders.insert(name.parent_path().generic_string());
+}
+
+void list_shaders(const fs::path& root, GraphNames& names) {
+    std::error_code error;
+    fs::recursive_directory_iterator at(root, fs::directory_options::skip_permission_denied, error);
+    size_t seen = 0;
+    for (; !error && at != fs::recursive_directory_iterator() && seen < kMostFiles;
+         at.increment(error), ++seen) {
+        if (at.depth() >= kMostFolders || is_hidden(at->path())) at.disable_recursion_pending();
+        if (at->is_regular_file(error)) add_shader(root, at->path(), names);
+    }
+}
+
+std::string text_of(const JsonNode& node, std::string_view key) {
+    const JsonNode* value = node.find(key);
+    return value != nullptr && value->kind == JsonKind::string ? value->string : "";
+}
+
+std::set<std::string> keys_of(const JsonNode& node, std::string_view section) {
+    std::set<std::string> keys;
+    if (const JsonNode* value = node.find(section))
+        for (const JsonMember& member : value->members)
+            if (is_identifier(member.key)) keys.insert(member.key);
+    return keys;
+}
+
+class NameGatherer {
+ public:
+    explicit NameGatherer(const SchemaOptions& options)
+        : roots_(shader_roots(options)), compiler_(roots_), custom_(registered_passes()) {
+        for (const fs::path& root : roots_.roots) list_shaders(root, names_);
+    }
+
+    void add(const JsonNode& root) {
+        names_.resources.merge(keys_of(root, "resources"));
+        names_.params.merge(keys_of(root, "params"));
+        if (const JsonNode* imports = root.find("imports"))
+            for (const JsonMember& import : imports->members)
+                if (is_identifier(import.key))
+                    (text_of(import.value, "kind") == "drawlist" ? names_.draw_lists : names_.resources)
+                        .insert(import.key);
+        if (const JsonNode* passes = root.find("passes"))
+            for (const JsonMember& pass : passes->members)
+                if (is_identifier(pass.key)) add_pass(pass.value, names_.passes[pass.key]);
+    }
+
+    GraphNames take(const std::vector<std::string>& tiers) {
+        names_.tiers.insert(tiers.begin(), tiers.end());
+        return std::move(names_);
+    }
+
+ private:
+    void add_pass(const JsonNode& node, PassNames& pass) {
+        pass.attachments.merge(keys_of(node, "out"));
+        const std::string type = text_of(node, "type");
+        const auto custom = custom_.find(type);
+        if (custom != custom_.end()) return add_custom(custom->second, pass);
+        const ShaderProgram* program = compiled(type, text_of(node, "shader"));
+        if (program == nullptr)
+            pass.is_open = true;
+        else
+            add_interface(program->interface, pass);
+    }
+
+    static void add_custom(const PassType& type, PassNames& pass) {
+        for (const PortDecl& port : type.ports) (port.is_output ? pass.out : pass.in).emplace(port.name);
+        for (const ParamDecl& param : type.params) pass.params.emplace(param.name);
+    }
+
+    static void add_interface(const ShaderInterface& interface, PassNames& pass) {
+        for (const ShaderBinding& binding : interface.bindings) {
+            if (binding.set != kPortSet || binding.name == "Params") continue;
+            if (binding.reads) pass.in.insert(binding.name);
+            if (binding.writes) pass.out.insert(binding.name);
+        }
+        for (const StageVariable& output : interface.fragment_outputs) pass.out.insert(output.name);
+        for (const BlockMember& member : interface.params.members) pass.params.insert(member.name);
+        for (const SpecConstant& constant : interface.spec_constants)
+            if (!constant.name.starts_with("HAS_")) pass.constants.insert(constant.name);
+    }
+
+    // Null: there is no such shader, or it is no good.
+    const ShaderProgram* compiled(const std::string& type, const std::string& shader) {
+        std::optional<ProgramKind> kind;
+        if (type == "compute") kind = ProgramKind::compute;
+        if (type == "fullscreen") kind = ProgramKind::fullscreen;
+        if (type == "raster") kind = ProgramKind::raster;
+        if (!kind || shader.empty()) return nullptr;
+        const auto [program, is_new] = programs_.try_emplace({type, shader});
+        if (is_new) {
+            Result<ShaderProgram> made = compile_shader(shader, *kind, roots_, compiler_);
+            if (made) program->second = std::move(*made);
+        }
+        return program->second ? &*program->second : nullptr;
+    }
+
+    ShaderRoots roots_;
+    shader::StageCompiler compiler_;
+    PassCatalog custom_;
+    std::map<std::pair<std::string, std::string>, std::optional<ShaderProgram>> programs_;
+    GraphNames names_;
+};
+
+}  // namespace
+
+Result<GraphNames> gather_names(const SchemaOptions& options) {
+    Result<JsonDoc> document = read_graph(options.file, reader_up_to(options.limits.graph.json_bytes),
+                                          {(shipped_root() / "graphs").string(), options.limits.graph});
+    if (!document) return document.take_errors();
+    const std::vector<std::string> tiers = tier_names(*document);
+    NameGatherer gatherer(options);
+    const Result<JsonDoc> plain = merge(*document);
+    gatherer.add(plain ? plain->root : document->root);
+    for (const std::string& tier : tiers)
+        if (const Result<JsonDoc> merged = merge(*document, tier)) gatherer.add(merged->root);
+    return gatherer.take(tiers);
+}
+
+}  // namespace weft::viewer
