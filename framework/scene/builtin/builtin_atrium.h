@@ -1,4 +1,5 @@
-// Purpose: the default scene, "atrium", made from nothing but numbers, as it looks at an hour of its day.
+// Purpose: the default scene, "atrium", generated without any file, with the light of a chosen hour of the
+// day.
 #pragma once
 
 #include "weft/scene/scene.h"

@@ -1,4 +1,4 @@
-// The arcade around the court: arches, their wall, the columns and corner piers that carry them.
+// The arcade around the court: arches, the wall above them, and the columns and corner piers below.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,12 +12,13 @@ constexpr float kPi = 3.14159265f;
 constexpr uint32_t kArchSegments = 14;
 constexpr float kPierHalf = 0.36f;
 
-// From the lathe's frame (axis up) to an arch's: axis from front to back, angle 0 at the crown.
+// Converts the frame of a turned shape (axis up) to that of an arch: axis from front to back, angle 0 at the
+// crown.
 glm::mat4 arch_frame(glm::vec3 center) {
     return glm::translate(glm::mat4(1), center) * glm::rotate(glm::mat4(1), -0.5f * kPi, glm::vec3(1, 0, 0));
 }
 
-// The ring of wedges, proud of the wall on both sides.
+// The ring of wedge stones. It protrudes from the wall on both sides.
 void add_arch_ring(MeshBuilder& builder, glm::vec3 center) {
     constexpr float kFront = -kWallHalf - 0.05f;
     constexpr float kBack = kWallHalf + 0.03f;
@@ -105,7 +106,7 @@ std::vector<glm::vec3> inward_loop(float half_x, float half_z, float y) {
     return {{-half_x, y, half_z}, {-half_x, y, -half_z}, {half_x, y, -half_z}, {half_x, y, half_z}};
 }
 
-// The string course between the storeys.
+// The cornice: a band of stone between the two storeys.
 void add_cornice(Parts& parts) {
     MeshBuilder builder;
     builder.add_sweep({{0, -0.06f},

@@ -1,4 +1,4 @@
-// How the atrium's parts get into its scene.
+// Adds meshes, instances and materials to the atrium's scene.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,7 +12,8 @@ namespace {
 constexpr float kPlanHalfX = kCourtHalfX + kWalkDepth;
 constexpr float kPlanHalfZ = kCourtHalfZ + kWalkDepth;
 
-// Share of the sky seen from the floor, without what stands on it: the court is open, the walkway covered.
+// Fraction of the sky visible from the floor, ignoring objects on the floor: the court is open, the walkway
+// is covered.
 float open_sky(glm::vec2 p) {
     const float inside = std::min(kCourtHalfX - std::abs(p.x), kCourtHalfZ - std::abs(p.y));
     if (inside > 0) return 0.62f + 0.38f * smooth_step(0.3f, 2.8f, inside);
@@ -85,7 +86,8 @@ uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface&
     material.name = name;
     material.alpha_mode = AlphaMode::mask;
     material.double_sided = true;
-    material.specular = 0.45f;  // waxy, but without shadows a full sheen against the sun turns leaves white
+    material.specular = 0.45f;  // leaves are waxy, but scattered specular light without shadows would turn
+                                // backlit leaves white
     material.base_color_texture.texture = textures.color;
     material.metallic_roughness_texture.texture = textures.metallic_roughness;
     material.normal_texture.texture = textures.normal;

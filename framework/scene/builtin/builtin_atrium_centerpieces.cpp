@@ -1,4 +1,4 @@
-// The atrium's two set pieces: a laid table in the walkway and an armillary sphere in the court.
+// Two groups of objects: a laid table in the walkway and an armillary sphere in the court.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/builtin/builtin_atrium_parts.h"
@@ -13,7 +13,7 @@ glm::mat4 at_point(glm::vec3 point) {
     return glm::translate(glm::mat4(1), point);
 }
 
-// Boards along x; the legs are built lying down, the way their grain runs.
+// Boards run along x. The legs are built lying down, so that their wood grain runs along them.
 Mesh table() {
     MeshBuilder wood;
     wood.add_bevelled_box({-0.8f, 0.74f, -0.36f}, {0.8f, kTableTop, 0.36f}, 0.01f);

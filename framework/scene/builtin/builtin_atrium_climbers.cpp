@@ -31,12 +31,12 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
-// A place on whatever carries the plant.
+// A point and normal on the surface that the plant climbs.
 struct Hold {
     glm::vec3 position;
     glm::vec3 outward;
 };
-using Carrier = std::function<Hold(float, float)>;  // of two numbers in 0..1
+using Carrier = std::function<Hold(float, float)>;  // maps two numbers in 0..1 to a point on that surface
 
 Mesh climber(uint32_t count, float half_m, uint32_t seed, const Carrier& carrier) {
     Random random(seed);
@@ -57,7 +57,7 @@ Mesh climber(uint32_t count, float half_m, uint32_t seed, const Carrier& carrier
     return builder.finish("climber");
 }
 
-// Winds around a column, thick at the foot and thinner above.
+// A path that winds around a column; the plant is thick at the foot and thinner above.
 Hold around_column(float a, float b) {
     const float y = kFloor + 0.1f + 2.75f * (0.4f * b * b + 0.6f * b);
     const float turn = a * 2 * kPi * (1 - 0.55f * b) + 4.0f * b;
@@ -65,7 +65,7 @@ Hold around_column(float a, float b) {
     return {outward * 0.255f + glm::vec3(0, y, 0), outward};
 }
 
-// Spills over the gallery's parapet: broad above, drawn to a point below. In the side's frame.
+// A surface that hangs over the gallery's parapet: wide above, pointed below. In the coordinates of one side.
 Hold over_parapet(float a, float b) {
     const float drop = 1.35f * b;
     const float x = (a - 0.5f) * 1.5f * (1 - 0.6f * b) + 0.1f * std::sin(5 * b);
@@ -73,7 +73,7 @@ Hold over_parapet(float a, float b) {
     return {{x, 6.14f - drop, out}, glm::normalize(glm::vec3(0, 0.6f * (1 - b), 1))};
 }
 
-// Up a corner pier for the first part of `a`, then in a bow over the neighbouring arch.
+// A path up a corner pier for the first part of `a`, then in a curve over the neighbouring arch.
 Hold over_arch(float a, float b) {
     constexpr float kUpright = 0.45f;
     const float side = (b - 0.5f) * 2;
@@ -87,7 +87,7 @@ Hold over_arch(float a, float b) {
             {0, 0, 1}};
 }
 
-// The woody stems that carry the leaves: the carrier followed along `b` (or `a`) from root to tip.
+// The woody stems that carry the leaves. Each vine is a list of points from root to tip.
 Mesh stems(const std::vector<std::vector<Hold>>& vines, float radius_m) {
     MeshBuilder builder;
     for (const std::vector<Hold>& vine : vines) {
@@ -117,7 +117,7 @@ std::vector<std::vector<Hold>> arch_vines() {
     return vines;
 }
 
-// Boxed in by the parapet's top: what the hanging ivy grows from.
+// The trough on top of the parapet, in which the hanging ivy grows.
 Mesh trough() {
     MeshBuilder builder;
     builder.add_box({-0.58f, 5.98f, -0.1f}, {0.58f, 6.16f, 0.16f});

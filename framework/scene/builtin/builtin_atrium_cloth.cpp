@@ -11,7 +11,7 @@ constexpr float kPi = 3.14159265f;
 constexpr float kBannerWidth = 1.2f;  // one repeat of the cloth's pattern
 constexpr float kRodRadius = 0.018f;
 
-// Hangs from y = 0 in the plane z = 0, front towards +z, with a pointed hem and folds that deepen downwards.
+// Hangs from y = 0 in the plane z = 0 and faces +z. The hem is pointed and the folds get deeper downwards.
 Mesh banner(float length, uint32_t seed) {
     constexpr uint32_t kCols = 17;
     constexpr uint32_t kRows = 9;
@@ -34,7 +34,7 @@ Mesh banner(float length, uint32_t seed) {
     return builder.finish("banner");
 }
 
-// Half a pair of curtains, drawn aside to x = -1.05 · side and tied at `tie` of its length.
+// Half of a pair of curtains, pulled aside to x = -1.05 · side and tied at the fraction `tie` of its length.
 Mesh curtain(float side, float length) {
     constexpr uint32_t kCols = 21;
     constexpr uint32_t kRows = 8;
@@ -42,7 +42,7 @@ Mesh curtain(float side, float length) {
     MeshBuilder builder;
     builder.add_grid(kCols, kRows, [&](uint32_t i, uint32_t j) {
         const float across = static_cast<float>(i) / (kCols - 1);
-        const float u = side > 0 ? across : 1 - across;  // 0 at the column
+        const float u = side > 0 ? across : 1 - across;  // 0 at the side of the column
         const float t = 1 - static_cast<float>(j) / (kRows - 1);
         const float above = std::clamp(t / kTie, 0.0f, 1.0f);
         const float below = std::clamp((t - kTie) / (1 - kTie), 0.0f, 1.0f);
@@ -72,7 +72,7 @@ Mesh rod(float half_length, bool brackets) {
 }
 
 struct Hanging {
-    float along;  // along the side, from its middle
+    float along;  // position along the side, from its middle
     uint32_t cloth;
 };
 

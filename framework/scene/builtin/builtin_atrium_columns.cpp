@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 constexpr uint32_t kSegments = 16;
-constexpr float kShaftLow = 0.34f;  // above the floor
+constexpr float kShaftLow = 0.34f;  // height above the floor
 constexpr float kShaftHigh = 2.42f;
 constexpr float kCapitalHigh = kSpring - kFloor - 0.12f;
 

@@ -10,7 +10,7 @@ namespace {
 struct WoodColors {
     glm::vec3 dark;
     glm::vec3 light;
-    uint32_t boards;  // across the surface; grain along u
+    uint32_t boards;  // number of boards across the surface; the grain runs along u
     float gap_m;
 };
 
@@ -53,7 +53,7 @@ Surface clay(const NoiseBank& bank) {
     });
 }
 
-// The roof tiles' own colours vary from tile to tile: 0.25 m wide and long.
+// Each roof tile has its own colour and is 0.25 m wide and long.
 Surface roof_tiles(const NoiseBank& bank) {
     return make_surface(kTextureSize, 2, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
@@ -77,7 +77,7 @@ struct ClothColors {
     glm::vec3 border;
 };
 
-// Metallic-looking thread is only bright thread: cloth stays a dielectric.
+// The thread looks metallic only because it is bright: the cloth is a dielectric.
 Surface cloth(const NoiseBank& bank, const ClothColors& colors) {
     constexpr float kPeriod = 1.2f;
     return make_surface(kTextureSize, kPeriod, [&](uint32_t x, uint32_t y) {

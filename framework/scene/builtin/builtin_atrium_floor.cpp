@@ -14,7 +14,7 @@ constexpr float kStepBevel = 0.025f;
 constexpr float kDadoLow = kFloor + 0.1f;
 constexpr float kDadoHigh = kDadoLow + 1.2f;
 
-// Around the court so that the right-hand side of travel is the court.
+// A closed path around the court; the court is on the right-hand side of the direction of travel.
 std::vector<glm::vec3> inward_loop(float half_x, float half_z) {
     return {{-half_x, 0, half_z}, {-half_x, 0, -half_z}, {half_x, 0, -half_z}, {half_x, 0, half_z}};
 }
@@ -100,7 +100,7 @@ void add_outer_walls(Parts& parts) {
     place(parts, builder.finish("walkway_walls"), m.plaster_red);
 }
 
-// What the building shows to a camera outside: plain walls on a strip of earth.
+// The building as seen from outside: plain walls on a strip of earth.
 void add_outside(Parts& parts) {
     constexpr float kThick = 0.3f;
     const std::vector<glm::vec3> inward = inward_loop(kOuterX + kThick, kOuterZ + kThick);
@@ -112,7 +112,7 @@ void add_outside(Parts& parts) {
     place(parts, builder.finish("outside_ground"), parts.materials.soil);
 }
 
-// Boards over beams; each beam is built along x, the way its grain runs.
+// Boards over beams. Each beam is built along x, which is the direction of its grain.
 void add_ceiling(Parts& parts) {
     const Materials& m = parts.materials;
     MeshBuilder builder;
@@ -160,8 +160,8 @@ void add_pilasters(Parts& parts) {
     }
 }
 
-// Double doors of boards in a stone frame. Boards run along x in the texture, so each leaf is built lying
-// down.
+// Double doors made of boards in a stone frame. Boards run along x in the texture, so each leaf is built
+// lying down.
 void add_doors(Parts& parts) {
     const Materials& m = parts.materials;
     MeshBuilder stone;

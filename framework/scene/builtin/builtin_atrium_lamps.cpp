@@ -1,4 +1,4 @@
-// The atrium's small lamps, which are lit at night: garlands of bulbs over the court, and candles around the
+// The atrium's small lamps, which are on at night: strings of bulbs over the court, and candles around the
 // pool.
 #include <cmath>
 
@@ -14,7 +14,7 @@ constexpr uint32_t kWireParts = 10;
 constexpr float kBulbRadius = 0.045f;
 constexpr uint32_t kCandlesAlongSide = 8, kCandlesAcross = 4;
 
-// From hook to hook: `share` 0 to 1.
+// A point on the wire between two hooks; `share` runs from 0 to 1.
 glm::vec3 on_wire(float z, float share) {
     const float from_middle = 2 * share - 1;
     return {from_middle * kCourtHalfX, kHookY - kSag * (1 - from_middle * from_middle), z};

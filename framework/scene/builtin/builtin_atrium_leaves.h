@@ -1,4 +1,4 @@
-// Purpose: scattering leaf cards, for trees and climbers alike.
+// Purpose: distributes leaf cards for trees and climbing plants.
 #pragma once
 
 #include "scene/procedural/procedural_mesh.h"
@@ -9,7 +9,8 @@ namespace weft::scene::atrium {
 // A uniformly distributed direction.
 [[nodiscard]] glm::vec3 on_sphere(Random& random);
 
-// A card whose front faces `facing`, rolled around it by `roll_rad`, of half the given side.
+// A card whose front faces `facing`, rotated around that direction by `roll_rad`. `half` is half of its side
+// length.
 [[nodiscard]] Card facing_card(glm::vec3 center, glm::vec3 facing, float roll_rad, float half_m);
 
 }  // namespace weft::scene::atrium

@@ -8,9 +8,9 @@ namespace weft::scene::atrium {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kLanternY = 3.05f;  // middle of the glass
+constexpr float kLanternY = 3.05f;  // height of the middle of the glass
 constexpr float kLanternAcross =
-    2.35f;  // behind the arcade's middle line: near enough to the wall to light it
+    2.35f;  // behind the arcade's centre line, near enough to the wall to light it
 
 // Six panes in an iron cage under a pointed hood, on a chain from the ceiling.
 Mesh lantern_frame() {
@@ -30,7 +30,7 @@ Mesh lantern_frame() {
     return builder.finish("lantern_frame");
 }
 
-// Each pane shows the whole glow picture.
+// Each pane shows the whole glow texture.
 Mesh lantern_glass() {
     MeshBuilder builder;
     constexpr float kHalf = 0.16f;

@@ -1,4 +1,4 @@
-// Purpose: how the atrium's material files turn a surface into a material.
+// Purpose: turns the surfaces of the atrium's material files into materials.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace weft::scene::atrium {
 
 inline constexpr uint32_t kTextureSize = 512;
 
-// Reads the bank, made for 512 texels, from a surface of `size` texels without breaking its repeat.
+// Reads the noise bank, made for 512 texels, at a texel of a surface of `size` texels; the result still
+// tiles.
 struct NoiseAt {
     const NoiseBank& bank;
     uint32_t x;
@@ -35,12 +36,12 @@ struct NoiseAt {
     return {bank, x * stride, y * stride};
 }
 
-// An opaque material with the surface's three textures repeating at its period.
+// An opaque material; the surface's three textures repeat every `period_m`.
 uint32_t add_material(Parts& parts, const std::string& name, const Surface& surface);
-// The same for leaves: masked, double-sided, textures clamped to one card.
+// The same for leaves: alpha-masked, double-sided, textures clamped because they cover one card.
 uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface& surface);
-// How much of the sky's light a surface gets, by height: `values` from `low_m` up to `high_m`, for meshes
-// whose v is the negated height.
+// Fraction of the sky's light that reaches a surface, by height: `values` are spread evenly from `low_m` to
+// `high_m`. For meshes whose v is the negated height.
 void shade_by_height(Parts& parts, uint32_t material, const std::vector<float>& values, float low_m,
                      float high_m);
 

@@ -35,7 +35,7 @@ Surface gold(const NoiseBank& bank) {
     });
 }
 
-// Scratches run along u.
+// The scratches run along u.
 Surface brushed_steel(const NoiseBank& bank) {
     return make_surface(kTextureSize, 0.5f, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
@@ -62,7 +62,7 @@ Surface iron(const NoiseBank& bank) {
     });
 }
 
-// Seen through old glass: brightest in the middle, where the flame is. Clamped, one picture per pane.
+// A flame seen through old glass: brightest in the middle. Clamped: each pane shows the picture once.
 uint32_t glow_texture(Parts& parts) {
     constexpr uint32_t kPane = 64;
     std::vector<glm::vec3> glow(kPane * kPane);

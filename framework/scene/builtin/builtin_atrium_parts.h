@@ -1,7 +1,7 @@
-// Purpose: what the files that build the atrium share: its measures, its materials and the scene in the
-// making. Axes: y up, the court's long side along z, its middle at the origin. Units: metres. Plan: the court
-// is open to the sky; a walkway runs around it behind an arcade. The long sides (x = ±6) carry an upper
-//   gallery with a tiled roof, the short ones (z = ±9) a terrace with a balustrade.
+// Purpose: data that the files that build the atrium share: dimensions, materials, and the unfinished scene.
+// Axes: y up, the court's long side along z, its middle at the origin. Units: metres. Layout: the court is
+// open to the sky; a walkway runs around it behind an arcade. The long sides (x = ±6) have an upper gallery
+// with a tiled roof, the short sides (z = ±9) a terrace with a balustrade.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,12 +15,12 @@
 
 namespace weft::scene::atrium {
 
-inline constexpr float kCourtHalfX = 6;  // to the arcade's middle line
+inline constexpr float kCourtHalfX = 6;  // from the origin to the centre line of the arcade
 inline constexpr float kCourtHalfZ = 9;
 inline constexpr float kBay = 3;
-inline constexpr float kWalkDepth = 3.2f;  // arcade's middle line to the outer wall
+inline constexpr float kWalkDepth = 3.2f;  // from the arcade's centre line to the outer wall
 inline constexpr float kFloor = 0.16f;     // the walkway lies one step above the court
-inline constexpr float kSpring = 3.06f;    // where arches start
+inline constexpr float kSpring = 3.06f;    // height at which the arches start
 inline constexpr float kArchRadius = 1.2f;
 inline constexpr float kArchOuter = 1.43f;
 inline constexpr float kWallHalf = 0.28f;  // half thickness of the arcade's wall
@@ -28,7 +28,7 @@ inline constexpr float kWallTop = 4.62f;
 inline constexpr float kUpperFloor = 5.0f;
 inline constexpr float kCeiling = 4.56f;
 inline constexpr float kEaves = 7.9f;
-inline constexpr float kPoolHalfX = 1.75f;  // to the outside of the rim
+inline constexpr float kPoolHalfX = 1.75f;  // from the origin to the outside of the rim
 inline constexpr float kPoolHalfZ = 4.0f;
 inline constexpr float kPoolRim = 0.42f;
 
@@ -41,12 +41,12 @@ struct Materials {
     uint32_t bark, soil, citrus, ivy, fern, blossom, cypress, lily, orange;
 };
 
-// Something that stands on the floor and keeps sky light from the ground around it.
+// An object on the floor that blocks sky light for the floor around it.
 struct Footprint {
     glm::vec2 center{0};   // x, z
     glm::vec2 half{0.2f};  // half extents
     bool round = true;
-    float reach_m = 0.35f;  // how far the darkening goes
+    float reach_m = 0.35f;  // distance over which the darkening fades out
     float strength = 0.6f;
 };
 
@@ -91,10 +91,11 @@ uint32_t place(Parts& parts, Mesh mesh, uint32_t material);
 uint32_t add_mesh(Parts& parts, Mesh mesh);
 void place_copy(Parts& parts, uint32_t mesh, uint32_t material, const glm::mat4& transform);
 
-// What shows as `displayed` at the hour's exposure: lamps look alike by day and night. cd or cd/m².
+// Intensity (cd or cd/m²) that looks like `displayed` at the hour's exposure, so lamps look the same by day
+// and night.
 [[nodiscard]] float lamp_intensity(const Parts& parts, float displayed);
 
-// A timber along x whose top is hidden: two flanks, the underside and both ends.
+// A beam along x without its top face: two sides, the underside and both ends.
 void add_beam(MeshBuilder& builder, glm::vec3 low, glm::vec3 high);
 
 [[nodiscard]] glm::mat4 moved(glm::vec3 to, float turn_y_rad = 0, float scale = 1);

@@ -63,7 +63,7 @@ Mesh citrus_trunk() {
     return wood.finish("citrus_trunk");
 }
 
-// A round crown of twigs on a short trunk, with a few oranges; stands in a pot of scale 1.3.
+// A round crown of twigs on a short trunk, with a few oranges, in a pot of scale 1.3.
 void add_citrus_trees(Parts& parts, const PotMeshes& pots) {
     const Materials& m = parts.materials;
     Random random(31);
@@ -86,7 +86,7 @@ void add_citrus_trees(Parts& parts, const PotMeshes& pots) {
     }
 }
 
-// A tuft of arching fronds: each a strip that rises, bends over and hangs.
+// A tuft of curved fronds. Each frond is a strip that rises, bends over and hangs.
 Mesh fern_tuft(uint32_t count, float length, uint32_t seed) {
     Random random(seed);
     MeshBuilder builder;
@@ -144,7 +144,7 @@ void add_cypresses(Parts& parts) {
     constexpr uint32_t kCards = 105;
     constexpr float kHeight = 9.6f;
     for (uint32_t i = 0; i < kCards; ++i) {
-        // Denser towards the top, the part that shows above the roofs.
+        // Denser towards the top, because only the top is visible above the roofs.
         const float t = 0.03f + 0.97f * std::pow((static_cast<float>(i) + random.unit()) / kCards, 1.25f);
         const float y = kHeight * (1 - t);
         const float turn = static_cast<float>(i) * 2.39996f;
@@ -174,7 +174,7 @@ void add_plants(Parts& parts) {
     add_ferns(parts, pots);
     add_cypresses(parts);
     for (const glm::vec3& at : {glm::vec3(8.6f, kFloor, 4.2f), glm::vec3(8.75f, kFloor, 4.85f)}) {
-        place_pot(parts, pots, at, at.z, 0.9f);  // not yet planted
+        place_pot(parts, pots, at, at.z, 0.9f);  // a pot without a plant
     }
 }
 

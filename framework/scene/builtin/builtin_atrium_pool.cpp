@@ -14,7 +14,7 @@ constexpr float kWaterLevel = 0.3f;
 constexpr float kPoolFloor = 0.04f;
 constexpr float kPadRadius = 0.2f;
 
-// Two drifts of floating leaves that don't lie on one another. Returns x, z and radius of each.
+// Two groups of floating leaves that do not overlap. Returns x, z and radius of each leaf.
 std::vector<glm::vec3> scatter_pads(Random& random) {
     std::vector<glm::vec3> pads;
     for (int attempt = 0; attempt < 400 && pads.size() < 12; ++attempt) {
@@ -32,7 +32,7 @@ std::vector<glm::vec3> scatter_pads(Random& random) {
     return pads;
 }
 
-// A shallow dish with a turned-up rim; the texture's mask cuts the round outline and the notch.
+// A shallow dish with a raised rim; the texture's alpha mask cuts the round outline and the notch.
 void add_pad(MeshBuilder& builder) {
     constexpr uint32_t kSides = 10;
     constexpr std::array<glm::vec2, 3> kProfile{{{0.015f, 0}, {0.145f, 0.002f}, {kPadRadius, 0.02f}}};
@@ -56,7 +56,7 @@ void add_lilies(Parts& parts) {
     }
 }
 
-// A foot, a stem and two bowls, from the pool's floor upwards.
+// A foot, a stem and two bowls, listed from the pool's floor upwards.
 Mesh fountain_stone() {
     MeshBuilder builder;
     builder.add_lathe({{0.36f, kPoolFloor},
@@ -99,7 +99,7 @@ void add_pool(Parts& parts) {
     const Materials& m = parts.materials;
     const float x = kPoolHalfX;
     const float z = kPoolHalfZ;
-    // Outwards is to the right of this loop.
+    // The outside is to the right of this loop.
     const std::vector<glm::vec3> loop{{x, 0, z}, {x, 0, -z}, {-x, 0, -z}, {-x, 0, z}};
     MeshBuilder builder;
     builder.add_sweep({{0.07f, 0}, {0.07f, 0.06f}, {0.05f, 0.08f}, {0.01f, 0.08f}}, loop, true);

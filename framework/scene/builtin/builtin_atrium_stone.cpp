@@ -28,7 +28,7 @@ Surface ashlar(const NoiseBank& bank) {
     });
 }
 
-// Dressed stone at a place that lies `joint_m` from the nearest joint.
+// Cut stone at a point that lies `joint_m` from the nearest joint.
 Texel dressed_stone(const NoiseAt& n, float joint_m) {
     const float bed = n.grain(2);
     const float face = smooth_step(0.002f, 0.007f, joint_m);
@@ -48,7 +48,7 @@ Surface trim_stone(const NoiseBank& bank) {
                         [&](uint32_t x, uint32_t y) { return dressed_stone(noise_at(bank, x, y), 1); });
 }
 
-// Long stones laid end to end along u, each of its own shade.
+// Long stones laid end to end along u; each has its own brightness.
 Surface coping_stone(const NoiseBank& bank) {
     return make_surface(kTextureSize, 1.5f, [&](uint32_t x, uint32_t y) {
         const Block block = block_at({2, 1, 0}, x, y, kTextureSize, 1.5f);
@@ -65,7 +65,7 @@ Surface slab_stone(const NoiseBank& bank) {
         const Block block = block_at({2, 2, 0.5f}, x, y, kTextureSize, 2);
         Texel texel = dressed_stone(noise_at(bank, x + block.id % 391, y + block.id % 277), block.edge_m);
         texel.color_srgb *= 0.9f + 0.1f * hash_unit(block.id, 12, 5);
-        texel.roughness *= 0.7f;  // trodden smooth
+        texel.roughness *= 0.7f;  // smoothed by footsteps
         return texel;
     });
 }
@@ -175,7 +175,7 @@ void make_stone_materials(Parts& parts) {
     m.ashlar = add_material(parts, "limestone_ashlar", ashlar(bank));
     shade_by_height(parts, m.ashlar, {0.7f, 0.9f, 1, 1, 1, 1, 1, 0.95f, 0.5f}, 0, kWallTop);
     m.trim = add_material(parts, "limestone_trim", trim_stone(bank));
-    // The same stone where it faces the walkway and sees little sky, and where it is floor.
+    // The same stone on faces towards the walkway, which see little sky, and on floors.
     m.trim_shaded = copy_material(parts, m.trim, "limestone_trim_shaded");
     shade_by_height(parts, m.trim_shaded, {0.42f, 0.42f}, 0, 1);
     m.trim_floor = add_material(parts, "limestone_slabs", slab_stone(bank));

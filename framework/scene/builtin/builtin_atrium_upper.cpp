@@ -1,4 +1,4 @@
-// Above the cornice: the galleries under tiled roofs on the long sides, the terraces on the short ones.
+// The upper storey: galleries under tiled roofs on the long sides, terraces on the short sides.
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_parts.h"
@@ -14,7 +14,8 @@ constexpr float kBackWallX = 8.5f;
 constexpr float kEndZ = kCourtHalfZ - kWallHalf;  // where the gallery meets its closed ends
 constexpr float kRoofEndZ = kCourtHalfZ + kWalkDepth + 0.35f;
 
-// Everything below is built for the side whose court lies towards +z, its middle line on z = 0, x along it.
+// All functions below build one side in local coordinates: the court lies towards +z, x runs along the side,
+// and z = 0 is its centre line.
 void add_parapet(Parts& parts, const std::vector<glm::mat4>& sides) {
     const Materials& m = parts.materials;
     const std::vector<glm::vec3> path{{-kEndZ, 0, 0}, {kEndZ, 0, 0}};
@@ -32,7 +33,7 @@ void add_parapet(Parts& parts, const std::vector<glm::mat4>& sides) {
                     {-0.18f, kParapetTop},
                     {-0.18f, kParapetTop - 0.1f}},
                    path, false);
-    for (int i = -5; i <= 5; ++i) {  // piers between the panels, under the posts
+    for (int i = -5; i <= 5; ++i) {  // piers between the panels, below the posts
         const float x = static_cast<float>(i) * 1.5f;
         trim.add_box({x - 0.16f, kUpperFloor + 0.1f, 0.02f}, {x + 0.16f, kParapetTop - 0.08f, 0.17f});
     }
@@ -97,7 +98,7 @@ void add_roof(Parts& parts, const std::vector<glm::mat4>& sides) {
     wood.add_rectangle({-kRoofEndZ, roof_height(-3.4f) - 0.01f, -3.4f}, {2 * kRoofEndZ, 0, 0},
                        {0, roof_height(0.95f) - roof_height(-3.4f), 4.35f});
     const uint32_t wood_mesh = add_mesh(parts, wood.finish("roof_timber"));
-    // A rafter along x, turned to follow the slope.
+    // A rafter built along x, then rotated to follow the roof's slope.
     add_beam(wood, {-0.85f, -0.06f, -0.05f}, {0.6f, 0.06f, 0.05f});
     const uint32_t rafter = add_mesh(parts, wood.finish("rafter"));
     const uint32_t tiles = add_mesh(parts, tiled_roof());

@@ -1,5 +1,6 @@
-// Purpose: "brushed", metal with a grain on a dark table: anisotropic surfaces beside plain ones of the same
-// roughness. Grain runs around what is turned and along what is flat; one plate has it in a texture.
+// Purpose: "brushed", a scene of brushed metal on a dark table: anisotropic surfaces beside isotropic ones of
+// the same roughness. The grain runs around turned objects and along flat ones; one plate reads its grain
+// from a texture.
 #pragma once
 
 #include "weft/scene/scene.h"

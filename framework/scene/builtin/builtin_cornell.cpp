@@ -35,7 +35,7 @@ Mesh wall(const char* name, glm::vec3 origin, glm::vec3 right, glm::vec3 up) {
     return builder.finish(name);
 }
 
-// A block on the floor over four corners (x, z) that go round it counter-clockwise, seen from above.
+// A block on the floor. The four corners (x, z) are in counter-clockwise order, seen from above.
 Mesh block(const char* name, const std::array<glm::vec2, 4>& corners, float height) {
     MeshBuilder builder;
     const auto at = [](glm::vec2 corner, float y) { return glm::vec3(corner.x, y, corner.y) * kUnit_m; };
@@ -73,7 +73,7 @@ void add_ceiling_lamp(Scene& scene) {
     light.intensity = 900;
     light.position = glm::vec3(278, 540, 279.5f) * kUnit_m;
     light.direction = {0, -1, 0};
-    // Its brightness falls towards the ceiling, as that of a flat lamp does.
+    // Like a flat lamp, the light is weaker in directions close to the ceiling.
     light.inner_cone_rad = glm::radians(25.0f);
     light.outer_cone_rad = glm::radians(89.0f);
     scene.lights.push_back(light);
@@ -93,12 +93,12 @@ void finish(Scene& scene) {
     scene.bounds_max = bounds.max;
 }
 
-// Things around the middle of the floor, so that each has its image below it and some in each other.
+// Objects around the middle of the floor: the floor reflects each of them, and some reflect each other.
 void add_mirror_things(Scene& scene) {
     struct Thing {
         const char* name;
         glm::vec3 color;
-        float turn_rad;  // about the middle, from the camera's side
+        float turn_rad;  // rotation about the middle, seen from the camera
     };
     const std::array<Thing, 6> things{{{"coral", {0.80f, 0.22f, 0.15f}, 0.75f},
                                        {"saffron", {0.85f, 0.55f, 0.08f}, 1.75f},
@@ -131,10 +131,10 @@ Scene make_cornell() {
     scene.name = "cornell";
     add_box_walls(scene);
     add_ceiling_lamp(scene);
-    // A lens of 35 mm over a film of 25 mm.
+    // The field of view of a 35 mm lens with a 25 mm film.
     scene.cameras.push_back(front_camera(glm::vec3(278, 273, -800) * kUnit_m,
                                          glm::vec3(278, 273, 0) * kUnit_m, 2 * std::atan(0.0125f / 0.035f)));
-    // Stands in for what the walls send each other.
+    // Replaces the indirect light between the walls.
     scene.sky_zenith = scene.sky_horizon = glm::vec3(2.6f, 2.2f, 1.8f);
     scene.exposure_ev = -4.2f;
     finish(scene);

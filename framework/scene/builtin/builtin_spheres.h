@@ -1,6 +1,5 @@
-// Purpose: "spheres", a 7 × 7 grid on a ground: roughness grows to the right, metalness to the back. One
-// light, no
-//   textures, so that every pixel can be computed a second time in a test.
+// Purpose: "spheres", a 7 × 7 grid of spheres on a ground: roughness increases to the right, metalness to the
+// back. It has one light and no textures, so that a test can compute every pixel independently.
 #pragma once
 
 #include "weft/scene/scene.h"

@@ -27,7 +27,7 @@ uint32_t add_material(Scene& scene, const char* name, glm::vec3 color, float rou
     return static_cast<uint32_t>(scene.materials.size() - 1);
 }
 
-// What a lamp looks like: its light's own luminance.
+// An emissive material with the luminance of the lamp's light.
 uint32_t add_glow(Scene& scene, const char* name, glm::vec3 luminance) {
     const uint32_t material = add_material(scene, name, glm::vec3(0), 1);
     scene.materials[material].emissive = luminance;
@@ -39,7 +39,7 @@ void add(Scene& scene, MeshBuilder& builder, const char* name, uint32_t material
     scene.instances.push_back({name, static_cast<uint32_t>(scene.meshes.size() - 1), material, glm::mat4(1)});
 }
 
-// A lamp's own axes: x its width, y up, looking along −z.
+// The local axes of a lamp: x along its width, y up, facing −z.
 glm::mat4 lamp_axes(glm::vec3 at, glm::vec3 target) {
     return glm::inverse(glm::lookAt(at, target, glm::vec3(0, 1, 0)));
 }
@@ -80,7 +80,7 @@ void add_room(Scene& scene) {
     add(scene, walls, "back wall", add_material(scene, "plaster", {0.34f, 0.33f, 0.35f}, 0.85f));
 }
 
-// Hangs in folds; `from` is the upper left corner, seen from the front.
+// A curtain with folds; `from` is the upper left corner, seen from the front.
 void add_curtain(Scene& scene, const char* name, glm::vec3 from, float width_m, float height_m,
                  uint32_t material) {
     constexpr uint32_t kColumns = 96;
@@ -155,7 +155,8 @@ std::vector<Leaf> grow_leaves() {
     return leaves;
 }
 
-// How far `at` is inside of a leaf, between two arcs that meet in its tips; in the picture's own measure.
+// Distance from `at` to the edge of a leaf, positive inside, in units of the picture. Two arcs that meet at
+// the tips bound a leaf.
 float inside_leaf(const Leaf& leaf, glm::vec2 at) {
     const glm::vec2 way = at - leaf.at;
     const float half = leaf.length * 0.5f, width = half * 0.42f;
@@ -164,7 +165,7 @@ float inside_leaf(const Leaf& leaf, glm::vec2 at) {
     return radius - glm::length(place + glm::vec2(0, radius - width));
 }
 
-// The shadow of leaves before a lamp with a round window.
+// The shadow of leaves in front of a lamp with a round window.
 uint32_t add_foliage_picture(Scene& scene) {
     const std::vector<Leaf> leaves = grow_leaves();
     std::vector<glm::vec3> texels;
@@ -180,7 +181,7 @@ uint32_t add_foliage_picture(Scene& scene) {
     return add_color_texture(scene, "foliage", kPictureSize_px, texels);
 }
 
-// Rows of round holes, every second one shifted; fewer towards the poles.
+// Rows of round holes; every second row is shifted. Rows near the poles have fewer holes.
 uint32_t add_lantern_picture(Scene& scene) {
     constexpr float kRows = 10;
     std::vector<glm::vec3> texels;
@@ -219,7 +220,8 @@ void add_leaf_spot(Scene& scene, uint32_t iron) {
     add(scene, housing, "leaf spot", iron);
 }
 
-// Doors as they stand around a window of `half` m: each turned out from the axis by its angle.
+// Barn doors around a window of half size `half` (metres); each is rotated away from the axis by its own
+// angle.
 void add_doors(MeshBuilder& builder, const glm::mat4& axes, glm::vec2 half, const glm::vec4& doors) {
     constexpr float kLong_m = 0.3f;
     for (int i = 0; i < 4; ++i) {
@@ -284,7 +286,7 @@ void add_lantern(Scene& scene, uint32_t iron) {
     LightFunction function;
     function.name = "lantern";
     function.picture = add_lantern_picture(scene);
-    // Less close by than the inverse square would have, and none at all from 3.4 m on.
+    // Weaker than the inverse square near the light, and zero from 3.4 m on.
     function.curve = {0.1f, 0.7f, 1.6f, 0};
     function.reach_m = 3.4f;
     light.function = add_function(scene, function);

@@ -1,5 +1,5 @@
-// Purpose: "stage", a set under four kinds of lamps with what shapes them: a spot with a picture, a rectangle
-// with barn doors, two tubes, and a lantern with holes all around and a falloff of its own.
+// Purpose: "stage", a film set with four kinds of shaped light: a spot with a projected picture, a rectangle
+// with barn doors, two tubes, and a lantern with holes on all sides and a custom falloff.
 #pragma once
 
 #include "weft/scene/scene.h"

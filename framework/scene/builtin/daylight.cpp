@@ -9,11 +9,11 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 constexpr float kSunrise = 6, kSunset = 19;
-// The moon takes over where neither gives light.
+// The moon is the light source before dawn and after dusk.
 constexpr float kDawn = 6.2f, kDusk = 19.3f;
-constexpr float kHighestSine = 0.785f;  // of the sun's elevation
+constexpr float kHighestSine = 0.785f;  // sine of the sun's highest elevation
 constexpr float kEvening = 17;
-constexpr float kEveningAzimuth = -0.770f;  // from +z towards +x
+constexpr float kEveningAzimuth = -0.770f;  // angle from +z towards +x
 
 struct Key {
     float hour;

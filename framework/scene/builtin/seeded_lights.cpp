@@ -9,12 +9,12 @@ namespace weft::scene {
 namespace {
 
 constexpr float kTau = 6.283185307f;
-// How many lights reach a point, in the mean.
+// Mean number of lights that reach a point.
 constexpr float kOverlap = 24;
-// Moving lights are all there is: nothing else must be drowned by them.
+// Moving lights are used without other lights, so they can be brighter.
 constexpr float kNightGain = 6;
 
-// std::uniform_real_distribution is not the same everywhere; the engine is.
+// std::uniform_real_distribution differs between standard libraries; the engine does not.
 class Random {
  public:
     explicit Random(uint32_t seed) : engine_(seed) {}
@@ -28,13 +28,13 @@ class Random {
     std::mt19937 engine_;
 };
 
-// A full turn through the hues, bright enough in each that none looks black.
+// A colour by hue, `turn` in [0, 1). Each channel has a minimum, so that no colour looks black.
 glm::vec3 hue(float turn) {
     const glm::vec3 phase = kTau * (glm::vec3(turn) + glm::vec3(0, 1, 2) / 3.0f);
     return 0.55f + 0.45f * glm::vec3(std::cos(phase.x), std::cos(phase.y), std::cos(phase.z));
 }
 
-// Of a sphere that holds kOverlap of `count` lights in a box of this size.
+// Radius of a sphere that contains on average kOverlap of `count` lights in a box of this size.
 float range_for(glm::vec3 size, uint32_t count) {
     const float volume = std::max(size.x * size.y * size.z, 1e-3f);
     const float share = volume * kOverlap / static_cast<float>(count);
@@ -47,7 +47,7 @@ std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t se
     Random random(seed);
     const glm::vec3 size = scene.bounds_max - scene.bounds_min;
     const float range_m = range_for(size, count);
-    // Middle grey, 0.18, of a surface that sends back half of it, at a quarter of the range.
+    // At a quarter of its range, a light shows a surface of 50 % albedo as middle grey (0.18).
     const float illuminance_lx = 0.18f * kTau * std::exp2(-scene.exposure_ev);
     std::vector<Light> lights(count);
     for (uint32_t i = 0; i < count; ++i) {
@@ -74,7 +74,7 @@ std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t se
         const glm::vec3 room = glm::min(light.position - scene.bounds_min, scene.bounds_max - light.position);
         const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();
         const float x = nearest * random.unit(), z = nearest * random.unit();
-        // Both axes stay within the room to the nearest wall, however they are turned.
+        // Both axes are at most the distance to the nearest wall, for every rotation.
         light.path.across = {x * std::cos(turn), 0, z * std::sin(turn)};
         light.path.along = {-x * std::sin(turn), 0, z * std::cos(turn)};
         light.path.turns_per_s = (random.unit() < 0.5f ? -1.0f : 1.0f) / (4 + 8 * random.unit());

@@ -19,7 +19,7 @@ uint32_t load_index(const uint8_t* bytes, ComponentType type) {
     return load<uint32_t>(bytes);
 }
 
-// The bytes from `offset` on, when `count` elements fit into them.
+// The bytes of `count` elements, starting at `offset`; nullopt when they do not all lie inside the view.
 std::optional<std::span<const uint8_t>> range_of(const Document& document, uint32_t view, uint64_t offset,
                                                  uint64_t stride, uint64_t count, uint64_t element) {
     const std::span<const uint8_t> bytes = view_bytes(document, view);

@@ -1,6 +1,6 @@
-// Purpose: random access to the elements of one accessor as floats or indices, whatever its component type,
-// stride and sparse part. Its extent is checked once more against the bytes when it is opened; after that
-// every element below count() is readable.
+// Purpose: random access to the elements of one accessor as floats or indices, for every component type and
+// stride, dense or sparse. open() checks the accessor's extent against the loaded bytes once more. After
+// that, every element below count() is readable.
 #pragma once
 
 #include <cassert>
@@ -13,7 +13,7 @@
 
 namespace weft::scene::gltf {
 
-// Looks at every sparse index once. An accessor may be opened many times, by each primitive that uses it.
+// Checks all sparse indices once per file: several primitives may open the same accessor.
 void check_sparse_indices(Document& document);
 
 class AccessorReader {
@@ -22,7 +22,7 @@ class AccessorReader {
     [[nodiscard]] static std::optional<AccessorReader> open(const Document& document, uint32_t accessor);
 
     [[nodiscard]] uint64_t count() const { return count_; }
-    // Normalised integers become [0, 1] or [-1, 1], others keep their value.
+    // Normalised integers are mapped to [0, 1] or [-1, 1]; other values are returned unchanged.
     [[nodiscard]] float component(uint64_t element, uint32_t component) const;
     [[nodiscard]] uint32_t index(uint64_t element) const;
 
@@ -34,7 +34,7 @@ class AccessorReader {
     }
 
  private:
-    // The bytes of one element; empty for a zero-filled one.
+    // The bytes of one element; empty when the element has no stored data and is zero.
     [[nodiscard]] std::span<const uint8_t> element_bytes(uint64_t element) const;
 
     std::span<const uint8_t> data_;
@@ -48,7 +48,7 @@ class AccessorReader {
 
     ComponentType sparse_type_ = ComponentType::u32;
     uint64_t sparse_count_ = 0;
-    std::span<const uint8_t> sparse_indices_;  // ascending
+    std::span<const uint8_t> sparse_indices_;  // in ascending order
     std::span<const uint8_t> sparse_values_;
 };
 

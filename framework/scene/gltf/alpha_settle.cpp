@@ -18,7 +18,7 @@ bool is_opaque(const Mesh& mesh) {
     return std::ranges::all_of(mesh.colors, [](const glm::vec4& color) { return color.a >= 1; });
 }
 
-// By material: a mesh that is drawn with it lets light through.
+// For each material: true if a translucent mesh uses it.
 std::vector<bool> with_translucent_meshes(const BuiltMeshes& built, size_t materials) {
     std::vector<bool> translucent(materials, false);
     for (const std::vector<BuiltPrimitive>& primitives : built.of_gltf_mesh) {
@@ -36,7 +36,7 @@ void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures
                   std::vector<Material>& materials) {
     const std::vector<bool> translucent = with_translucent_meshes(built, materials.size());
     std::vector<std::optional<bool>> opaque(
-        textures.size());  // each is looked at once, however many materials show it
+        textures.size());  // each texture is inspected only once, even when many materials use it
     const auto is_opaque_texture = [&](uint32_t texture) {
         if (!opaque[texture]) opaque[texture] = is_opaque(textures[texture]);
         return *opaque[texture];

@@ -1,4 +1,4 @@
-// Purpose: transparent materials that let nothing through become opaque ones.
+// Purpose: makes materials opaque that are marked as transparent but have an alpha of 1 everywhere.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace weft::scene::gltf {
 
-// Blending with an alpha of 1 is the same picture, and opaque surfaces are drawn by every graph. The alpha is
-// that of factor, texture and vertex colours; `materials` hold texture indices of the scene.
+// Blending with an alpha of 1 gives the same picture, and every graph draws opaque surfaces. Alpha is the
+// product of material factor, texture and vertex colour. `materials` hold indices of scene textures.
 void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures,
                   std::vector<Material>& materials);
 

@@ -1,6 +1,6 @@
-// Purpose: everything that can be checked in a glTF's JSON before any buffer is read: types, ranges, indices,
-// extents of accessors and views, the shape of the node tree, extensions. What passes is handed on as a
-// smaller JSON text whose buffers are named by number, so that the parser behind it never sees a URI.
+// Purpose: checks everything that the JSON of a glTF alone can show, before any buffer is read: types,
+// ranges, indices, extents of accessors and views, the node tree, extensions. The result is a reduced JSON
+// text whose buffers have numbers instead of names, so the JSON parser used later never sees a URI.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@
 namespace weft::scene::gltf {
 
 struct BufferSource {
-    std::optional<std::string> uri;  // none: the binary chunk of the .glb
+    std::optional<std::string> uri;  // none: the buffer is the binary chunk of the .glb
     uint64_t length_bytes = 0;
 };
 
 struct ImageSource {
     std::string name;
     std::string uri;
-    uint32_t view = kNone;  // used when `uri` is empty
+    uint32_t view = kNone;  // buffer view of the image; used when `uri` is empty
 };
 
-// What `extras.weft` says of a light, within the ranges of light_check.h.
+// The light's `extras.weft`, with values inside the ranges of light_check.h.
 struct LightSource {
-    std::optional<LightType> shape;         // capsule or rectangle, in place of the light's own type
-    glm::vec2 half_size_m{0};               // as Light's
+    std::optional<LightType> shape;         // capsule or rectangle; replaces the light's own type
+    glm::vec2 half_size_m{0};               // same meaning as Light::half_size_m
     std::optional<LightFunction> function;  // its picture is the index of a glTF texture
 };
 
@@ -36,7 +36,7 @@ struct CheckedJson {
     std::string text;  // without images, animations, skins and extras; buffer i has the URI "i"
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
-    std::vector<LightSource> lights;  // by light; empty: none says anything
+    std::vector<LightSource> lights;  // one entry per light; empty when no light has extras
 };
 
 // nullopt after errors were reported.

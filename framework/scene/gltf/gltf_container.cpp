@@ -26,7 +26,7 @@ struct Chunk {
     std::span<const uint8_t> bytes;
 };
 
-// The chunk at `at`, which moves past it; nullopt when the file ends inside it.
+// Returns the chunk at offset `at` and advances `at` past it; nullopt when the file ends inside the chunk.
 std::optional<Chunk> next_chunk(std::span<const uint8_t> file, size_t& at) {
     if (file.size() - at < kChunkHeaderBytes) return std::nullopt;
     const size_t length = read_u32(file, at);

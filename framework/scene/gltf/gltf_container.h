@@ -1,6 +1,6 @@
-// Purpose: finds the JSON text and the binary chunk of a .gltf or .glb without copying them, and refuses JSON
-// whose size, depth or number of values would cost a parser more than the file is worth. Source: "glTF 2.0
-// Specification", chapter 4, "GLB File Format Specification".
+// Purpose: finds the JSON text and the binary chunk of a .gltf or .glb without copying them, and rejects JSON
+// whose size, depth or number of values exceeds the limits. Source: "glTF 2.0 Specification", chapter 4, "GLB
+// File Format Specification".
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ struct Container {
     std::optional<std::span<const uint8_t>> binary;  // present in a .glb with a BIN chunk
 };
 
-// Views into `file`. nullopt after an error was reported.
+// The result refers to the bytes of `file`. nullopt after an error was reported.
 [[nodiscard]] std::optional<Container> open_container(std::span<const uint8_t> file, Report& report);
 
-// How many values the JSON holds; nullopt after an error was reported. Brackets and commas inside strings do
-// not count.
+// Number of values in the JSON; nullopt after an error was reported. Brackets and commas inside strings are
+// not counted.
 [[nodiscard]] std::optional<uint64_t> count_values(std::string_view json, const SceneLimits& limits,
                                                    Report& report);
 

@@ -1,6 +1,6 @@
-// Purpose: a glTF file after every check, as plain data: what the builders of meshes, textures and instances
-// read. Indices refer to the vectors of Document; kNone means absent. TextureSlot::texture of `materials` is
-// still a glTF texture index here, with its sampler already applied.
+// Purpose: a glTF file as plain data after all checks. The builders of meshes, textures and instances read
+// it. Indices refer to the vectors of Document; kNone means absent. TextureSlot::texture of `materials` is
+// still the index of a glTF texture here; the texture's sampler is already applied to the slot.
 #pragma once
 
 #include <cstdint>
@@ -44,11 +44,12 @@ struct Sparse {
     ComponentType index_type = ComponentType::u32;
     uint32_t value_view = kNone;
     uint64_t value_offset_bytes = 0;
-    bool ascends = false;  // its indices do, within the accessor's count: check_sparse_indices()
+    bool ascends = false;  // true if the indices ascend and are below the accessor's count: see
+                           // check_sparse_indices()
 };
 
 struct Accessor {
-    uint32_t view = kNone;  // none: zeros
+    uint32_t view = kNone;  // kNone: all elements are zero
     uint64_t offset_bytes = 0;
     uint64_t count = 0;
     ComponentType type = ComponentType::f32;
@@ -87,7 +88,7 @@ struct Node {
     uint32_t light = kNone;
 };
 
-// An image still encoded: its own bytes, or a view of a buffer.
+// An image that is not decoded yet: either its own bytes or a view of a buffer.
 struct EncodedImage {
     std::string name;
     std::vector<uint8_t> bytes;
@@ -101,11 +102,11 @@ struct Document {
     std::vector<Accessor> accessors;
     std::vector<MeshSource> meshes;
     std::vector<EncodedImage> images;
-    std::vector<uint32_t> texture_images;  // the image of each glTF texture, or kNone
+    std::vector<uint32_t> texture_images;  // for each glTF texture its image, or kNone
     std::vector<Material> materials;
-    std::vector<Light> lights;                   // in the space of their node
-    std::vector<LightFunction> light_functions;  // `picture` is a glTF texture
-    std::vector<std::optional<Camera>> cameras;  // none: of a kind that is not drawn
+    std::vector<Light> lights;                   // in the coordinate space of their node
+    std::vector<LightFunction> light_functions;  // `picture` is the index of a glTF texture
+    std::vector<std::optional<Camera>> cameras;  // nullopt: a kind of camera that is not supported
     std::vector<Node> nodes;
     std::vector<uint32_t> roots;
 };
@@ -115,7 +116,7 @@ struct Document {
     return std::span(document.buffers[range.buffer]).subspan(range.offset_bytes, range.length_bytes);
 }
 
-// offset + stride * (count - 1) + element, or nullopt when that does not fit 64 bits. 0 for a count of 0.
+// offset + stride * (count - 1) + element; 0 for a count of 0. nullopt when the sum does not fit 64 bits.
 [[nodiscard]] constexpr std::optional<uint64_t> extent_bytes(uint64_t offset, uint64_t stride, uint64_t count,
                                                              uint64_t element) {
     if (count == 0) return 0;

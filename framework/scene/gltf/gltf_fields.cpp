@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-// Beyond this a float32 overflows as soon as two such numbers are multiplied.
+// The product of two larger numbers overflows a float32.
 constexpr double kMaxNumber = 1e18;
 constexpr double kMaxWhole = 9007199254740992.0;  // 2^53
 

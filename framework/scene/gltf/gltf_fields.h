@@ -1,6 +1,7 @@
-// Purpose: reads the members of one JSON object with their types and ranges checked, reporting each fault
-// with its JSON pointer. Every reader returns nothing after a fault, so a caller can go on and find the next
-// one. Errors: S107 too many items, S108 wrong or missing value, S110 an index that names nothing.
+// Purpose: reads the members of one JSON object, checks their types and ranges, and reports each fault with
+// its JSON pointer. After a fault every reader returns an empty value, so the caller can continue and find
+// the next fault. Errors: S107 too many items, S108 wrong or missing value, S110 an index past the end of its
+// array.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ enum class Need : uint8_t { optional, required };
 
 class Fields {
  public:
-    // `object` must be a JSON object and outlive this, as must `report`.
+    // `object` must be a JSON object. `object` and `report` must outlive this.
     Fields(const nlohmann::json& object, std::string pointer, Report& report)
         : object_(&object), pointer_(std::move(pointer)), report_(&report) {}
 
@@ -34,7 +35,8 @@ class Fields {
     uint32_t index(const char* key, Need need, size_t size, const char* array) const;
     std::vector<uint32_t> indices(const char* key, uint64_t max_items, size_t size, const char* array) const;
     std::optional<double> number(const char* key, Need need) const;
-    // An optional number; outside [min, max] it is a warning, because whoever reads it clamps it.
+    // An optional number. A value outside [min, max] is a warning only, because the code that reads it clamps
+    // it.
     void number_in(const char* key, double min, double max) const;
     // Exactly `length` numbers; empty when absent or wrong.
     std::vector<double> numbers(const char* key, size_t length) const;
@@ -45,11 +47,11 @@ class Fields {
     [[nodiscard]] std::optional<Fields> extension(const char* name) const;
     // 0 when absent or not an array.
     size_t array_size(const char* key, uint64_t max_items) const;
-    // Calls `visit` for every object of an array. Items that are no objects are reported and passed over.
+    // Calls `visit` for every object of an array. Items that are not objects are reported and skipped.
     void each(const char* key, uint64_t max_items, const std::function<void(const Fields&)>& visit) const;
 
     void wrong(const char* key, const std::string& found, const std::string& wanted) const;
-    // As `wrong`, naming the present value.
+    // Like `wrong`, with the current value in the message.
     void wrong(const char* key, const std::string& wanted) const;
 
  private:
@@ -61,11 +63,11 @@ class Fields {
     Report* report_;
 };
 
-// A value as a person would name it in a message: `"text"`, `3.5`, "an array of 2"; never longer than a line.
+// A value in the form that messages use: `"text"`, `3.5`, "an array of 2"; never longer than a line.
 [[nodiscard]] std::string describe(const nlohmann::json& value);
 [[nodiscard]] std::string describe(double value);
 
-// The value of a whole number within ±2^53, also when written as 3.0.
+// The value of a whole number within ±2^53; 3.0 counts as the whole number 3.
 [[nodiscard]] std::optional<int64_t> whole_number(const nlohmann::json& value);
 
 }  // namespace weft::scene::gltf

@@ -11,8 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-// Removes what is never read, so that a small file cannot become a large model, and writes numbers the way
-// the parser behind expects them: whole ones without a fraction, those of extensions always as floating
+// Removes members that are never read, so that a small file cannot become a large model. Writes numbers in
+// the form that tinygltf expects: whole numbers without a fraction, numbers of extensions always as floating
 // point.
 void normalise(json& value, bool in_extension) {
     if (value.is_object()) {
@@ -37,7 +37,7 @@ void normalise(json& value, bool in_extension) {
     }
 }
 
-// `extras.weft` of each light, which is read although extras are not; null where there is none.
+// `extras.weft` of each light, or null. These are the only extras that are read.
 json light_extras(const json& root) {
     json extras = json::array();
     const json* lights = nullptr;
@@ -64,7 +64,7 @@ std::optional<json> parse_json(std::string_view text, Report& report) {
                         cut ? "the file is truncated: copy or export it again"
                             : "correct the syntax at this place, or name a .gltf or .glb");
     } catch (const std::bad_alloc&) {
-        throw;  // no fault of the file: load_gltf() reports it
+        throw;  // out of memory is not a fault of the file: load_gltf() reports it
     } catch (const std::exception& fault) {
         report.error("S102", {}, std::string("the JSON cannot be read: ") + fault.what(),
                      "export the scene again");
@@ -82,7 +82,7 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     normalise(*root, false);
     Checker c{Fields(*root, "", report), limits, report};
     check_header(c);
-    // Wrong sizes would only be repeated by every index that relies on them.
+    // Each index would otherwise report the same wrong array size again.
     if (report.failed()) return std::nullopt;
     check_geometry(c);
     check_materials(c);

@@ -13,7 +13,7 @@ namespace {
 constexpr size_t kMostNamed = 16;
 
 struct Key {
-    std::string_view raw;  // between its quotes
+    std::string_view raw;  // the text between the quotes
     size_t at = 0;
 };
 
@@ -41,7 +41,8 @@ class Scan {
     }
 
  private:
-    // From its first quote to its last; a colon behind makes it a key of the innermost object.
+    // Skips one string, from its first quote to its last. A string followed by a colon is a key of the
+    // innermost object.
     void pass_string() {
         const size_t begin = at_;
         for (++at_; at_ < json_.size() && json_[at_] != '"'; ++at_)
@@ -56,7 +57,8 @@ class Scan {
         const size_t first = first_keys_.back();
         first_keys_.pop_back();
         const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first);
-        std::vector<std::string> texts;  // what the keys refer to from here on, where one is escaped
+        std::vector<std::string> texts;  // unescaped keys; the views in `keys_` point into this vector if any
+                                         // key is escaped
         if (std::any_of(begin, keys_.end(), is_escaped)) {
             for (auto key = begin; key != keys_.end(); ++key) texts.push_back(unescaped(key->raw));
             for (size_t i = 0; i < texts.size(); ++i) keys_[first + i].raw = texts[i];
@@ -84,8 +86,8 @@ class Scan {
     Report& report_;
     size_t at_ = 0;
     size_t named_ = 0;
-    std::vector<Key> keys_;           // of all objects that are open
-    std::vector<size_t> first_keys_;  // of each open object, into keys_
+    std::vector<Key> keys_;           // keys of all open objects
+    std::vector<size_t> first_keys_;  // for each open object, the index of its first key in keys_
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
-// Purpose: finds keys that stand twice in one object of a glTF's JSON, which the parser behind would pass
-// over: the last one counts there, the first one elsewhere. Keys are compared as they are meant, whatever way
-// they are escaped. Malformed JSON is left to the parser. Errors: S114, with line and column of the second
-// key; the first 16 are named.
+// Purpose: finds duplicate keys in one object of a glTF's JSON. JSON parsers accept them, and some use the
+// first and some the last. Keys are compared after their escapes are decoded. Malformed JSON is not reported
+// here but by the JSON parser. Errors: S114, with line and column of the second key; at most 16 are reported.
 #pragma once
 
 #include <string_view>

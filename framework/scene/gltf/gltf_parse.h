@@ -1,5 +1,5 @@
-// Purpose: checked JSON and loaded bytes to a Document, through tinygltf. tinygltf gets a file callback that
-// hands out the loaded buffers by number: it never opens a file, and is built without code that could.
+// Purpose: converts checked JSON and loaded bytes to a Document with tinygltf. tinygltf gets a file callback
+// that returns the loaded buffers by number: it never opens a file, and is built without code that could.
 #pragma once
 
 #include <optional>

@@ -25,7 +25,7 @@ class Loader {
         return bytes;
     }
 
-    // Copies of the binary chunk count too: many buffers may ask for it.
+    // Copies of the binary chunk are counted too: many buffers may refer to it.
     bool reserve(uint64_t bytes, const std::string& pointer) {
         if (bytes > bytes_left_) {
             report_fault(ReadFault::too_large, "the buffers exceed the limit", pointer);
@@ -47,8 +47,8 @@ class Loader {
     }
 
     std::optional<std::vector<uint8_t>> read(const std::string& uri, const std::string& pointer) {
-        // Two limits hold: the bytes of all files together, and the memory budget. The file's size is
-        // compared with both before the file is read.
+        // Two limits apply: the total bytes of all files, and the memory budget. The file's size is compared
+        // with both before the file is read.
         FileBytes file = folder_.read(uri, std::min(bytes_left_, memory_.left_bytes()));
         if (!file.fault) return std::move(file.bytes);
         report_fault(*file.fault, file.message, pointer);

@@ -1,5 +1,5 @@
-// Purpose: the bytes behind a glTF's buffers and images, from data: URIs, the .glb's own chunk, or files
-// below the scene's folder. This is the only place where a URI of a glTF meets the file system. Errors: S101
+// Purpose: loads the bytes of a glTF's buffers and images from data: URIs, the .glb's own chunk, or files
+// below the scene's folder. Only this file turns a URI of a glTF into a path of the file system. Errors: S101
 // missing file, S102 broken data: URI, S103 URI that leaves the folder, S104 fewer bytes than byteLength,
 // S107 more bytes than the limits.
 #pragma once

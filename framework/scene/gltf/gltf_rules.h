@@ -1,4 +1,4 @@
-// Purpose: what the rules about one part of a glTF need to know of the others while its JSON is checked.
+// Purpose: state that the rules for the parts of a glTF share while its JSON is checked.
 #pragma once
 
 #include <cstdint>
@@ -24,11 +24,11 @@ struct Checker {
     const SceneLimits& limits;
     Report& report;
     CheckedJson out{};
-    std::map<std::string, size_t> sizes{};  // of the file's arrays, by name
+    std::map<std::string, size_t> sizes{};  // sizes of the file's arrays, by the array's name
     std::vector<uint64_t> view_lengths{};
     std::vector<uint64_t> view_strides{};
     std::vector<AccessorShape> accessors{};
-    uint64_t sparse_values = 0;  // of all accessors so far
+    uint64_t sparse_values = 0;  // of all accessors checked so far
 };
 
 [[nodiscard]] bool is_known_extension(std::string_view name);
@@ -37,8 +37,9 @@ void check_header(Checker& c);     // asset, extensions, array sizes
 void check_geometry(Checker& c);   // buffers, views, accessors, meshes
 void check_materials(Checker& c);  // images, textures, samplers, materials
 void check_nodes(Checker& c);      // lights, cameras, nodes, scenes
-// `extras` holds `extras.weft` of each light, or null.
+// `extras` has one entry per light: its `extras.weft`, or null.
 void check_light_extras(Checker& c, const nlohmann::json& extras);
-void check_motion(Checker& c);  // skins, morph targets, animations: what is shown at rest
+void check_motion(Checker& c);  // skins, morph targets and animations: warns that they are drawn in their
+                                // rest pose
 
 }  // namespace weft::scene::gltf

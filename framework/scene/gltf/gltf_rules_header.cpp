@@ -23,7 +23,7 @@ void check_version(const Fields& asset, const char* key, bool fine, const std::s
                  "export the scene as glTF 2.0");
 }
 
-// glTF 1.0 names its things by the keys of objects where 2.0 has arrays, and need not say its version.
+// glTF 1.0 stores objects by key where glTF 2.0 has arrays, and may omit its version.
 bool is_gltf_1(const Fields& root) {
     if (root.has("asset")) {
         const std::optional<Fields> asset = root.object("asset", Need::optional);
@@ -77,7 +77,7 @@ bool is_known_extension(std::string_view name) {
 
 void check_header(Checker& c) {
     check_asset(c);
-    // All else in a file of another version would be wrong, too.
+    // A file of another version would fail all other checks too.
     if (c.report.failed()) return;
     check_extensions(c);
     for (const char* name :

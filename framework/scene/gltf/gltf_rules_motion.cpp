@@ -16,7 +16,7 @@ std::vector<std::string> labels_of(const Checker& c, const char* array, const ch
     return labels;
 }
 
-// `node "hip", node "knee" and 3 more`
+// For example `node "hip", node "knee" and 3 more`.
 std::string first_of(const std::set<uint32_t>& nodes, const std::vector<std::string>& labels) {
     std::string text;
     size_t named = 0;
@@ -80,7 +80,7 @@ void check_animations(Checker& c, const std::vector<std::string>& nodes) {
 }  // namespace
 
 void check_motion(Checker& c) {
-    // Arrays of wrong items were reported before, and their labels would not match.
+    // Arrays with wrong items were reported before; the labels would not match them.
     if (c.report.failed()) return;
     const std::vector<std::string> nodes = labels_of(c, "nodes", "node");
     const std::vector<std::string> meshes = labels_of(c, "meshes", "mesh");

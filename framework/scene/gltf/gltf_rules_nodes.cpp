@@ -38,7 +38,8 @@ void check_light(const Fields& light, Report& report) {
     if (!report.failed()) warn_of_cones(*cone, report);
 }
 
-// The far plane and the aspect ratio are not used: the one is infinite, the other that of the picture.
+// The far plane and the aspect ratio are not used: the far plane is at infinity, and the picture sets the
+// aspect ratio.
 void warn_of_unused(const Fields& perspective, double near, Report& report) {
     const std::optional<double> far = perspective.number("zfar", Need::optional);
     if (far && *far <= near)
@@ -74,9 +75,9 @@ void check_camera(Checker& c, const Fields& camera, size_t self) {
     warn_of_unused(*perspective, near.value_or(0), c.report);
 }
 
-// With at most one parent a node, the nodes are a forest exactly when every walk upwards ends.
+// Every node has at most one parent, so the nodes are a forest if and only if every walk to the root ends.
 void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
-    std::vector<uint32_t> depth(parent.size(), 0);  // 0: not known yet
+    std::vector<uint32_t> depth(parent.size(), 0);  // 0: not computed yet
     std::vector<uint32_t> path;
     for (uint32_t start = 0; start < parent.size(); ++start) {
         path.clear();
@@ -105,7 +106,7 @@ void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
     }
 }
 
-// Rotations are brought to length 1, as other loaders do it; none of length 0 is a rotation.
+// Rotations are normalised to length 1, as other loaders do. A quaternion of length 0 is an error.
 void check_rotation(const Fields& node, Report& report) {
     constexpr double kRounding = 0.01, kNone_length = 1e-6;
     const std::vector<double> xyzw = node.numbers("rotation", 4);
@@ -119,7 +120,7 @@ void check_rotation(const Fields& node, Report& report) {
                 "write rotations as unit quaternions [x, y, z, w]");
 }
 
-// Legal, and used to hide things, but seldom meant.
+// A scale of 0 is legal and used to hide objects, but it is usually a mistake.
 void check_scale(const Fields& node, Report& report) {
     const std::vector<double> scale = node.numbers("scale", 3);
     const auto zeros = std::count(scale.begin(), scale.end(), 0.0);
@@ -134,7 +135,7 @@ void check_scale(const Fields& node, Report& report) {
                 "give the node a scale above 0, or remove it");
 }
 
-// Column by column. What a translation, a rotation and a scale give has 0, 0, 0, 1 as its last row.
+// The matrix is column-major. Translation, rotation and scale always give the last row 0, 0, 0, 1.
 void check_matrix(const Fields& node, Report& report) {
     const std::vector<double> m = node.numbers("matrix", 16);
     if (m.empty()) return;
@@ -188,7 +189,7 @@ void check_scene(Checker& c, const Fields& scene, const std::vector<uint32_t>& p
                    "list each root node once");
 }
 
-// One scene is loaded; whoever expected another should read which there are. At most eight are named.
+// Only one scene is loaded, so the warning lists the others. It names at most eight.
 void warn_of_other_scenes(Checker& c, uint32_t chosen) {
     constexpr uint32_t kMaxNamed = 8;
     if (c.sizes["scenes"] < 2) return;

@@ -27,7 +27,7 @@ bool is_gltf_name(const fs::path& file) {
     return extension == ".gltf" || extension == ".glb";
 }
 
-// `path` itself, or the one glTF file in it when it is a folder; empty after an error was reported.
+// `path` itself, or the only glTF file in it when it is a folder; empty after an error was reported.
 fs::path find_file(const fs::path& path, gltf::Report& report) {
     std::error_code failed;
     if (!fs::is_directory(path, failed)) {
@@ -65,13 +65,13 @@ FileBytes read_scene_file(const fs::path& file, const SceneLimits& limits, Memor
     return bytes;
 }
 
-// The parsed JSON, the texts that are copied out of it, and the parser's own model of it: more than the
-// largest that was measured.
+// Estimated memory of the parsed JSON, of the strings copied from it and of tinygltf's model. The estimate
+// exceeds the largest measured use.
 constexpr uint64_t kBytesPerJsonByte = 3, kBytesPerJsonValue = 400;
-// What is left of that while the scene is built.
+// The share of this memory that remains in use while the scene is built: one quarter.
 constexpr uint64_t kJsonPartOfDocument = 4;
 
-// A material for primitives that name none, added only when one needs it.
+// The index of a default material, which is added only if a primitive has no material; else kNone.
 uint32_t default_material(const gltf::BuiltMeshes& built, Scene& scene) {
     for (const std::vector<gltf::BuiltPrimitive>& primitives : built.of_gltf_mesh) {
         for (const gltf::BuiltPrimitive& primitive : primitives) {
@@ -92,7 +92,7 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     gltf::BuiltMeshes built = gltf::build_meshes(document, limits, options, memory, report);
     scene.materials = std::move(document.materials);
     scene.light_functions = std::move(document.light_functions);
-    if (report.failed()) return scene;  // what did not fit would only be asked for again
+    if (report.failed()) return scene;  // loading textures would only report the exhausted memory again
     scene.textures = gltf::build_textures(document, limits, options, memory, report, scene.materials,
                                           scene.light_functions);
     if (!report.failed()) gltf::settle_alpha(built, scene.textures, scene.materials);
@@ -109,7 +109,7 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     return scene;
 }
 
-// What the JSON says, without its files.
+// Reads and checks the JSON only, without the files that it refers to.
 std::optional<gltf::CheckedJson> read_json(std::string_view json, const SceneLimits& limits,
                                            MemoryBudget& memory, uint64_t& taken_bytes,
                                            gltf::Report& report) {

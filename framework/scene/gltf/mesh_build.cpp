@@ -28,9 +28,9 @@ bool reads_second_uvs(const Material& material) {
     return false;
 }
 
-// Positions, normals, tangents and uvs; colours and second uvs where a mesh has them.
+// Bytes of positions, normals, tangents and uvs; colours and second uvs are optional.
 constexpr uint64_t kHostBytesPerVertex = 12 + 12 + 16 + 8, kHostBytesPerColor = 16, kHostBytesPerSecondUv = 8;
-// With the copy on the GPU, 16 and 24 bytes, and what is on its way there.
+// Adds the copy on the GPU (16 + 24 bytes) and the staging buffer that fills it (24 bytes).
 constexpr uint64_t kBytesPerVertex = kHostBytesPerVertex + 16 + 24 + 24;
 constexpr uint64_t kBytesPerColor = kHostBytesPerColor + 8, kBytesPerSecondUv = kHostBytesPerSecondUv + 8,
                    kBytesPerIndex = 4 + 4 + 2;
@@ -46,7 +46,7 @@ class Builder {
     Builder(const Document& document, const SceneLimits& limits, MemoryBudget& memory, Report& report)
         : document_(document), limits_(limits), memory_(memory), report_(report) {}
 
-    // The mesh of a primitive at `pointer`; without indices when nothing is left of it. `label` is for
+    // The mesh of a primitive at `pointer`; it has no indices when no triangle remains. `label` is used in
     // messages.
     Mesh build(const Primitive& primitive, const std::string& label, const std::string& pointer) {
         Mesh mesh;
@@ -71,8 +71,8 @@ class Builder {
         shrink(mesh);
         return mesh;
     }
-    // Keeps what `mesh` takes, with its name, and gives back what building it took. False after a limit was
-    // reached: all that follows would be beyond it, too.
+    // Charges the final size of `mesh` and its name to the memory budget, and releases the memory used to
+    // build it. Returns false after a limit was reached; all later meshes would exceed the limit too.
     bool settle(const Mesh& mesh, const std::string& pointer) {
         memory_.give_back(taken_bytes_);
         taken_bytes_ = 0;
@@ -89,8 +89,8 @@ class Builder {
         return true;
     }
 
-    // While the mesh is built, beside its indices: each vertex may be doubled where its uvs are mirrored, and
-    // flat shading copies all streams.
+    // Peak memory while the mesh is built, without its indices. Vertices with mirrored uvs are duplicated,
+    // and flat shading copies all vertex streams.
     [[nodiscard]] uint64_t most_memory_of(const Primitive& primitive,
                                           const std::vector<uint32_t>& indices) const {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
@@ -98,7 +98,7 @@ class Builder {
         const bool flat = primitive.normal == kNone;
         const bool splits = primitive.uv != kNone && (flat || primitive.tangent == kNone);
         const uint64_t read = std::min(range, corners), drawn = flat ? corners : read;
-        constexpr uint64_t kScratch = 24, kFrame = 16;  // sums, sides and twins of a vertex; of a triangle
+        constexpr uint64_t kScratch = 24, kFrame = 16;  // bytes of temporary data per vertex and per triangle
         uint64_t vertex_bytes = kHostBytesPerVertex + kScratch;
         if (primitive.color != kNone) vertex_bytes += kHostBytesPerColor;
         if (primitive.second_uv != kNone) vertex_bytes += kHostBytesPerSecondUv;
@@ -106,7 +106,7 @@ class Builder {
                (range + read) * sizeof(uint32_t) + corners / 3 * kFrame;
     }
 
-    // Doubled vertices let streams grow by more than they need.
+    // Duplicating vertices can leave streams with more capacity than they need.
     static void shrink(Mesh& mesh) {
         mesh.positions.shrink_to_fit();
         mesh.normals.shrink_to_fit();
@@ -136,7 +136,7 @@ class Builder {
         return bumpy ? material.normal_texture.uv_set : material.anisotropy_texture.uv_set;
     }
 
-    // Only where a texture of the material reads them.
+    // Second uvs are read only if a texture of the material uses them.
     void read_second_uvs(const Primitive& primitive, const StreamSource& from, Mesh& mesh) {
         if (primitive.material == kNone) return;
         const Material& material = document_.materials[primitive.material];
@@ -157,7 +157,8 @@ class Builder {
         if (primitive.indices != kNone && !reader) return indices;
         uint64_t count = reader ? reader->count() : vertices;
         const uint64_t triangles = triangle_count(primitive.mode, count);
-        // Counted before they are read, and whether or not they are good: primitives may share their indices.
+        // Counted before the indices are read and validated: primitives may share indices, which makes them
+        // cheap to repeat.
         triangles_ = saturating_add(triangles_, triangles);
         if (triangles_ > limits_.triangles) {
             report_over_limit(pointer, triangles_, "triangles", limits_.triangles);
@@ -170,7 +171,7 @@ class Builder {
                          "export the mesh as triangles");
             count -= count % 3;
         }
-        // The corners as they stand in the file, and three for each triangle of a strip or fan.
+        // The indices in the file, plus three for each triangle of a strip or fan.
         const bool lists = primitive.mode == kTriangles;
         if (!take(count * sizeof(uint32_t) + (lists ? 0 : triangles * 3 * sizeof(uint32_t)), pointer))
             return indices;
@@ -191,7 +192,7 @@ class Builder {
         return triangle_list(primitive.mode, std::move(indices));
     }
 
-    // Counts what the primitive will take before anything is allocated for it.
+    // Counts the vertices of the primitive before memory for them is allocated.
     bool within_limits(const std::vector<uint32_t>& indices, bool flat, const std::string& pointer) {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
         vertices_ += std::max<uint64_t>(uint64_t{*high} - *low + 1, flat ? indices.size() : 0);
@@ -226,8 +227,8 @@ class Builder {
         indices.resize(kept);
     }
 
-    // Renumbers `indices` to the vertices they use and returns those, ascending: primitives that share one
-    // large buffer must not each bring all of it along.
+    // Renumbers `indices` to the vertices they use and returns those vertices in ascending order. Without
+    // this, every primitive that shares one large buffer would copy the whole buffer.
     static std::vector<uint32_t> make_compact(std::vector<uint32_t>& indices) {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
         const uint32_t first = *low;
@@ -248,8 +249,8 @@ class Builder {
     MemoryBudget& memory_;
     Report& report_;
     bool is_full_ = false;
-    uint64_t taken_bytes_ = 0;  // for the primitive at hand
-    std::string label_;         // of it
+    uint64_t taken_bytes_ = 0;  // charged for the primitive that is being built
+    std::string label_;         // of the primitive that is being built
     uint64_t triangles_ = 0;
     uint64_t vertices_ = 0;
 };
@@ -277,7 +278,7 @@ std::string mesh_name(const MeshSource& source, size_t mesh, size_t primitive) {
     return source.primitives.size() > 1 ? name + "/" + std::to_string(primitive) : name;
 }
 
-// For messages: `mesh "Body"`, or `part 2 of mesh "Body"`.
+// Text for messages: `mesh "Body"`, or `part 2 of mesh "Body"`.
 std::string primitive_label(const MeshSource& source, size_t mesh, size_t primitive) {
     const std::string whole = label("mesh", mesh, source.name);
     return source.primitives.size() > 1 ? "part " + std::to_string(primitive) + " of " + whole : whole;

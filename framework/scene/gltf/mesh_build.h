@@ -1,7 +1,7 @@
-// Purpose: glTF primitives to meshes: vertices that triangles use, in one index type, with every stream
-// filled. Errors: S104 an accessor past its bytes, S107 over a limit, S111 an index past the vertices.
-// Warnings: S151 a primitive that is not made of triangles, S152 what is not finite, S156 nothing left to
-// draw.
+// Purpose: converts glTF primitives to meshes that contain only used vertices, have one index type, and have
+// every stream filled. Errors: S104 an accessor past its bytes, S107 over a limit, S111 an index past the
+// vertices. Warnings: S151 a primitive that is not made of triangles, S152 a value that is not finite, S156
+// no triangles remain.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,17 @@
 namespace weft::scene::gltf {
 
 struct BuiltPrimitive {
-    uint32_t mesh = kNone;      // in BuiltMeshes::meshes
-    uint32_t material = kNone;  // glTF material
+    uint32_t mesh = kNone;      // index into BuiltMeshes::meshes
+    uint32_t material = kNone;  // index of the glTF material
 };
 
 struct BuiltMeshes {
     std::vector<Mesh> meshes;
-    std::vector<std::vector<BuiltPrimitive>> of_gltf_mesh;  // what each glTF mesh became
+    std::vector<std::vector<BuiltPrimitive>> of_gltf_mesh;  // for each glTF mesh, the primitives built from
+                                                            // it
 };
 
-// Faults are reported and leave their primitive out.
+// A primitive with a fault is reported and skipped.
 [[nodiscard]] BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits,
                                        const LoadOptions& options, MemoryBudget& memory, Report& report);
 

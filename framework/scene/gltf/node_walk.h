@@ -1,6 +1,5 @@
-// Purpose: the node tree of a glTF to instances, lights and cameras in the world.
-// Errors: S107 too many instances, or too much memory.
-// Warnings: S152 a transform that is not finite or has no extent.
+// Purpose: converts the node tree of a glTF to instances, lights and cameras in world space. Errors: S107 too
+// many instances, or too much memory. Warnings: S152 a transform that is not finite or has no extent.
 #pragma once
 
 #include "scene/gltf/gltf_document.h"
@@ -11,7 +10,7 @@
 
 namespace weft::scene::gltf {
 
-// Fills scene.instances, lights and cameras. `default_material` stands in where a primitive names none.
+// Fills scene.instances, lights and cameras. Primitives without a material get `default_material`.
 void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t default_material,
                  const SceneLimits& limits, MemoryBudget& memory, Report& report, Scene& scene);
 

@@ -14,7 +14,7 @@
 namespace weft::scene::gltf {
 namespace {
 
-// What makes two uses of an image the same texture.
+// Two uses of an image share one texture if all these members are equal.
 struct Use {
     uint32_t image = kNone;
     TexelMeaning meaning = TexelMeaning::linear_data;
@@ -43,7 +43,7 @@ std::vector<SlotUse> slot_uses(const Document& document, std::vector<Material>& 
         add_texture(slot.texture, meaning, alpha_cutoff);
     };
     for (Material& material : materials) {
-        // The cutoff applies to the product of texture and factor.
+        // The cutoff is compared with the product of texture and factor.
         const bool mask = material.alpha_mode == AlphaMode::mask && material.base_color.a > 0;
         const float cutoff = mask ? material.alpha_cutoff / material.base_color.a : -1;
         add(material.base_color_texture, TexelMeaning::srgb_color, cutoff > 0 && cutoff <= 1 ? cutoff : -1);
@@ -75,7 +75,7 @@ void report_undecodable(Report& report, uint32_t image, const std::string& name,
                  "save it as PNG or JPEG again");
 }
 
-// All mips, four bytes a texel.
+// Bytes of the full mip chain, at four bytes per texel.
 uint64_t mip_bytes(ImageSize size) {
     uint64_t bytes = 0;
     for (;; size = {std::max(1u, size.width_px / 2), std::max(1u, size.height_px / 2), 0}) {
@@ -84,16 +84,16 @@ uint64_t mip_bytes(ImageSize size) {
     }
 }
 
-// While one texture is made: what the decoder takes, and its first mips as floats.
+// Temporary memory while one texture is made: the decoder's, and the first mips as floats.
 uint64_t scratch_bytes(const ImageSize& size) {
     return saturating_add(size.decoder_bytes, saturating_mul(size.texels(), 6));
 }
 
-// Beside what is decoded already, so much is in the hands of all threads, unless one image takes more.
+// Limit of temporary memory for all threads together; a single larger image may exceed it.
 constexpr uint64_t kInHandBytes = 64ull << 20;
 
-// What textures take at once. Those that are decoded stay; the GPU gets one after the other, which is freed
-// then, so that the largest is there three times, with its staging.
+// Peak memory of all textures. Decoded textures stay in memory. They are uploaded one at a time, and each is
+// freed after its upload, so the largest exists three times at the peak: decoded, in staging, and on the GPU.
 class TextureMemory {
  public:
     void add(const ImageSize& size, size_t name_bytes) {
@@ -112,7 +112,7 @@ class TextureMemory {
     uint64_t kept_bytes_ = 0, largest_bytes_ = 0, scratch_bytes_ = 0, largest_scratch_bytes_ = 0;
 };
 
-// The size of every image, by its index, once each; nullopt where one is undecodable or beyond a limit.
+// The size of every image, read at most once. nullopt where an image cannot be decoded or exceeds a limit.
 class ImageSizes {
  public:
     ImageSizes(const Document& document, const SceneLimits& limits, Report& report)
@@ -146,7 +146,7 @@ class ImageSizes {
     std::map<uint32_t, std::optional<ImageSize>> sizes_;
 };
 
-// True when every image and the memory of all stay within the limits; nothing is decoded.
+// True when every image and their total memory stay within the limits; nothing is decoded here.
 bool sizes_within_limits(const Document& document, const std::map<Use, uint32_t>& uses,
                          const SceneLimits& limits, MemoryBudget& memory, Report& report) {
     bool fine = true;
@@ -181,16 +181,16 @@ Texture make_texture(const std::string& name, const ImageSize& size, std::vector
     return texture;
 }
 
-// One image and the textures it becomes.
+// One image and the textures made from it.
 struct ImageJob {
     uint32_t image = kNone;
     std::vector<Use> uses;
     size_t first_texture = 0;
-    std::string error;  // filled by the job, as is the next
+    std::string error;  // the job fills `error` and the next member
     bool is_out_of_memory = false;
 };
 
-// By image, in the file's order; `texture_of` gets the index that each use will have.
+// One job per image, in the file's order. Fills `texture_of` with the future texture index of each use.
 std::vector<ImageJob> jobs_for(std::map<Use, uint32_t>& texture_of) {
     std::vector<ImageJob> jobs;
     uint32_t textures = 0;
@@ -215,7 +215,7 @@ void decode(const Document& document, ByteBudget& in_hand, ImageJob& job, std::v
                 make_texture(document.images[job.image].name, decoded.size,
                              last_use ? std::move(decoded.rgba) : decoded.rgba, job.uses[i]);
         }
-    } catch (const std::bad_alloc&) {  // nothing else throws here
+    } catch (const std::bad_alloc&) {  // nothing else can throw here
         job.is_out_of_memory = true;
     }
 }

@@ -1,6 +1,6 @@
-// Purpose: decodes the images that materials and lights use, once each, and makes one texture for every
-// meaning they are used with: an image that is both colour and data becomes an sRGB and a linear texture.
-// Errors: S106 an image over the limits or the memory that is left, S112 an image that cannot be decoded.
+// Purpose: decodes each image that materials and lights use once, and makes one texture for each kind of use:
+// an image used as both colour and data becomes an sRGB and a linear texture. Errors: S106 an image over the
+// limits or the remaining memory, S112 an image that cannot be decoded.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@
 
 namespace weft::scene::gltf {
 
-// The images are decoded side by side; the result does not depend on how many threads there are. Returns the
-// textures and points the slots of `materials`, and the pictures of `functions`, from glTF textures to them.
-// A slot whose texture has no image becomes empty.
+// Decodes images in parallel; the result does not depend on the number of threads. Returns the textures, and
+// changes the texture indices in `materials` and `functions` from glTF textures to the returned ones. A slot
+// whose texture has no image becomes empty.
 [[nodiscard]] std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
                                                   const LoadOptions& options, MemoryBudget& memory,
                                                   Report& report, std::vector<Material>& materials,

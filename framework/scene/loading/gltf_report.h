@@ -1,5 +1,5 @@
-// Purpose: gathers what is wrong with one glTF file, so that all of it can be told at once. A hostile file
-// cannot make it grow without bound: past a number of entries it only counts.
+// Purpose: collects all faults of one glTF file, so that they can be reported together. After a maximum
+// number of entries it only counts, so a hostile file cannot make it grow without limit.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace weft::scene::gltf {
 
-// A name from the file as messages show it: at most 64 bytes, and no part of a character.
+// A name from the file, shortened for messages: at most 64 bytes, never cut inside a character.
 [[nodiscard]] std::string shortened(const std::string& name);
-// `mesh "Body"`, or `mesh 3` where it has no name.
+// Text such as `mesh "Body"`, or `mesh 3` for a mesh without a name.
 [[nodiscard]] std::string label(const char* kind, size_t index, const std::string& name);
 
 class Report {

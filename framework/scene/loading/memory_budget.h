@@ -1,7 +1,7 @@
-// Purpose: the one budget that loading a scene draws from (scene.memoryBytes). What is about to be allocated
-// is taken from it first: the file's bytes, the scene's streams and mips, what loading needs beside them, and
-// the copy on the GPU. Sums are checked for overflow. Errors: S107 (S106 for images), with place and remedy,
-// when more is asked for than left.
+// Purpose: the memory budget for loading a scene (scene.memoryBytes). Code takes bytes from it before it
+// allocates: for the file, the scene's streams and mips, temporary data, and the copy on the GPU. Sums are
+// checked for overflow. Errors: S107 (S106 for images), with place and remedy, when more is requested than
+// remains.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class MemoryBudget {
  public:
     explicit MemoryBudget(uint64_t limit_bytes) : limit_bytes_(limit_bytes) {}
 
-    // False: that is not left, and nothing is taken.
+    // Returns false and takes nothing when fewer than `bytes` remain.
     [[nodiscard]] bool take(uint64_t bytes) {
         if (bytes > left_bytes()) return false;
         taken_bytes_ += bytes;
@@ -32,7 +32,7 @@ class MemoryBudget {
     uint64_t taken_bytes_ = 0;
 };
 
-// Sums and products that stay at the largest number where they would not fit.
+// Sums and products that stop at the largest number instead of overflowing.
 [[nodiscard]] constexpr uint64_t saturating_add(uint64_t a, uint64_t b) {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
 }
@@ -42,7 +42,7 @@ class MemoryBudget {
 
 namespace gltf {
 
-// What is asked for, and where: `what` begins the message ("the mesh"), `remedy` the help.
+// A request with its texts: `what` is the subject of the message ("the mesh"), `remedy` is the help.
 struct MemoryRequest {
     uint64_t bytes = 0;
     const char* code = "S107";

@@ -23,7 +23,7 @@ FileBytes read_file(const fs::path& file, uint64_t max_bytes, LastLink link) {
     });
     switch (read.fault) {
         case FileFault::none:
-            // A file that shrank since it was measured must not leave a tail of zeros.
+            // If the file became shorter after its size was read, the bytes must not end in zeros.
             if (read.size_bytes == result.bytes.size()) return result;
             [[fallthrough]];
         case FileFault::unreadable:

@@ -1,6 +1,5 @@
-// Purpose: independent jobs on several threads, with a bound on the memory they have in hand at once. What a
-// job leaves in its own place is the same whatever the number of threads; only the order of execution
-// differs.
+// Purpose: runs independent jobs on several threads, with a limit on the memory that they use at once. The
+// number of threads changes only the order of execution, not the result of a job.
 #pragma once
 
 #include <condition_variable>
@@ -11,12 +10,12 @@
 
 namespace weft::scene {
 
-// Runs job(0) to job(count - 1), in this order but side by side, on `threads` threads, the caller's among
-// them; 0 threads: as many as the machine has. Returns when all are done. Jobs must not throw.
+// Runs job(0) to job(count - 1) in parallel, starting them in this order, on `threads` threads including the
+// caller's; 0: one thread per processor. Returns when all jobs are done. Jobs must not throw.
 void run_on_threads(size_t count, uint32_t threads, const std::function<void(size_t)>& job);
 
-// Bytes that jobs take before they work and give back after: whoever would exceed the limit waits, unless
-// nobody else holds any.
+// A limit on the temporary memory of all jobs. A job takes bytes before it works and gives them back
+// afterwards. A job that would exceed the limit waits, unless no other job holds any bytes.
 class ByteBudget {
  public:
     explicit ByteBudget(uint64_t limit_bytes) : limit_bytes_(limit_bytes) {}

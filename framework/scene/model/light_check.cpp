@@ -7,7 +7,7 @@
 namespace weft::scene {
 namespace {
 
-constexpr float kMaxIntensity = 1e12f;  // the sun's disc has 1.6e9 cd/m²
+constexpr float kMaxIntensity = 1e12f;  // for comparison: the sun's disc has 1.6e9 cd/m²
 constexpr float kMaxLength_m = 1e9f;
 constexpr float kMinHalfSize_m = 1e-4f;
 constexpr float kMaxHalfSize_m = 1e6f;
@@ -19,7 +19,7 @@ constexpr size_t kMaxNamed = 8;
 class Faults {
  public:
     void add(const char* what) { text_ += (text_.empty() ? "" : ", ") + std::string(what); }
-    // True where the value had to be changed.
+    // Returns true if the value was changed.
     void clamp(float& value, float low, float high, const char* what) {
         const float within = std::isnan(value) ? low : std::clamp(value, low, high);
         if (within == value) return;
@@ -40,7 +40,7 @@ bool within_world(const glm::vec3& v) {
     return finite(v) && std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= kMaxLength_m;
 }
 
-// Some unit vector across a unit vector; level where that is possible.
+// A unit vector perpendicular to a unit vector; horizontal where possible.
 glm::vec3 across(const glm::vec3& direction) {
     const glm::vec3 level(-direction.z, 0, direction.x);
     const float length = glm::length(level);
@@ -107,7 +107,7 @@ Diagnostic warning(std::string message, std::string help) {
     return diagnostic;
 }
 
-// `pictures` are those of the functions before, and become those up to this one.
+// `pictures` holds the pictures of the functions before this one; this function's picture is added.
 std::string picture_fault(const LightFunction& function, const Scene& scene, std::set<uint32_t>& pictures) {
     if (function.picture == kNone) return {};
     if (function.picture >= scene.textures.size()) return "its picture is none of the scene's textures";

@@ -1,5 +1,5 @@
-// Purpose: makes lights that can be drawn of whatever a file or a program says: finite, within the ranges
-// below, cones of at most 90°, unit vectors. Units: scene.h's.
+// Purpose: corrects lights from files and programs so that they can be drawn: finite values within the ranges
+// below, cones of at most 90°, unit vectors. Units: those of scene.h.
 #pragma once
 
 #include <span>
@@ -13,12 +13,12 @@ namespace weft::scene {
 inline constexpr uint32_t kMaxLights = 65'536;
 inline constexpr uint32_t kMaxLightPictures = 64;
 
-// What was wrong, for people ("its range was negative"); empty where nothing was. A light that can't be
-// mended gets an intensity of 0.
+// Returns a text for users that lists the faults ("its range was negative"); empty when there were none. A
+// light that cannot be corrected gets an intensity of 0.
 [[nodiscard]] std::string mend(Light& light);
 [[nodiscard]] std::string mend(LightFunction& function);
 
-// S158 for each thing that would be mended in the scene, the first few of them by name.
+// One S158 per light that needs a correction; the first few are named.
 [[nodiscard]] Diagnostics light_warnings(const Scene& scene);
 
 }  // namespace weft::scene

@@ -8,7 +8,8 @@
 namespace weft::scene {
 namespace {
 
-// Scaling by the largest component first keeps the squares of tiny and huge vectors inside float's range.
+// Divides by the largest component first, so that the squares of tiny and huge vectors stay within float's
+// range.
 glm::vec3 normalized_or(const glm::vec3& v, const glm::vec3& fallback) {
     const float largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (!(largest > 0) || !std::isfinite(largest)) return fallback;
@@ -17,7 +18,8 @@ glm::vec3 normalized_or(const glm::vec3& v, const glm::vec3& fallback) {
     return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
 
-// Frisvad's branchless basis needs care near -z; choosing the smallest axis does not.
+// Chooses the axis with the smallest component. Unlike Frisvad's branchless basis, this needs no special case
+// near -z.
 glm::vec3 any_orthogonal(const glm::vec3& n) {
     const glm::vec3 a = glm::abs(n);
     const glm::vec3 axis = a.x <= a.y && a.x <= a.z ? glm::vec3(1, 0, 0)
@@ -26,9 +28,9 @@ glm::vec3 any_orthogonal(const glm::vec3& n) {
     return normalized_or(glm::cross(n, axis), glm::vec3(1, 0, 0));
 }
 
-// What one triangle says about its three corners.
+// The uv frame of one triangle, used for its three corners.
 struct UvFrame {
-    glm::vec3 tangent{0};  // towards growing u; zero when the uvs are degenerate
+    glm::vec3 tangent{0};  // direction of increasing u; zero when the uvs are degenerate
     bool mirrored = false;
 };
 
@@ -54,15 +56,15 @@ float corner_angle(const Mesh& mesh, const uint32_t* corner, int k) {
     return std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f));
 }
 
-// Appends a copy of `stream[from]`, unless the mesh has no such stream.
+// Appends a copy of `stream[from]`, unless the stream is empty.
 template <class T>
 void append_copy(std::vector<T>& stream, size_t from) {
     if (stream.empty()) return;
-    const T copy = stream[from];  // by value: the vector may move while it grows
+    const T copy = stream[from];  // a copy, not a reference: emplace_back may reallocate the vector
     stream.push_back(copy);
 }
 
-// Tangents are not there yet.
+// Tangents are not copied: they do not exist yet at this point.
 uint32_t duplicate_vertex(Mesh& mesh, uint32_t vertex) {
     append_copy(mesh.positions, vertex);
     append_copy(mesh.normals, vertex);
@@ -72,8 +74,8 @@ uint32_t duplicate_vertex(Mesh& mesh, uint32_t vertex) {
     return static_cast<uint32_t>(mesh.positions.size() - 1);
 }
 
-// Makes every vertex belong to triangles of one uv orientation. Returns it per vertex: true is mirrored in
-// glTF's sense, where v grows along cross(normal, tangent).
+// Splits vertices so that each belongs to triangles of one uv orientation. Returns for each vertex: true if
+// mirrored in glTF's sense, where v increases along cross(normal, tangent).
 std::vector<uint8_t> split_mirrored(Mesh& mesh, const std::vector<UvFrame>& frames) {
     enum : uint8_t { unseen, upright, mirrored };
     std::vector<uint8_t> side(mesh.positions.size(), unseen);
@@ -98,7 +100,7 @@ std::vector<uint8_t> split_mirrored(Mesh& mesh, const std::vector<UvFrame>& fram
     return side;
 }
 
-// The element of each index; nothing of a stream that is not there.
+// The element of `stream` at each index; empty when the stream is empty.
 template <class T>
 std::vector<T> picked(const std::vector<T>& stream, const std::vector<uint32_t>& indices) {
     std::vector<T> out;
@@ -115,7 +117,7 @@ void generate_normals(Mesh& mesh) {
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const uint32_t* corner = &mesh.indices[i];
         const glm::vec3 p0 = mesh.positions[corner[0]];
-        // The length of the cross product is twice the area: the weight comes for free.
+        // The cross product's length is twice the area, so no extra weight is needed.
         const glm::vec3 area = glm::cross(mesh.positions[corner[1]] - p0, mesh.positions[corner[2]] - p0);
         for (int k = 0; k < 3; ++k) mesh.normals[corner[k]] += area;
     }
@@ -138,7 +140,7 @@ void make_flat(Mesh& mesh) {
 glm::vec3 orthonormal_tangent(const glm::vec3& normal, const glm::vec3& tangent) {
     const glm::vec3 unit = normalized_or(tangent, glm::vec3(0));
     const glm::vec3 projected = unit - normal * glm::dot(normal, unit);
-    // Below this the direction is rounding noise.
+    // A shorter vector is only rounding noise and has no useful direction.
     if (!(glm::dot(projected, projected) > 1e-8f)) return any_orthogonal(normal);
     return normalized_or(projected, glm::vec3(1, 0, 0));
 }

@@ -16,9 +16,9 @@ glm::vec3 position_at(const Light& light, double time_s) {
 }
 namespace {
 
-constexpr float kFramingDistance = 1.9f;  // in bounding radii
+constexpr float kFramingDistance = 1.9f;  // distance of the camera, in bounding radii
 
-// Above this many transformed vertices the corners of each mesh's box stand in for its vertices.
+// With more transformed vertices than this, the corners of each mesh's box are used instead of its vertices.
 constexpr uint64_t kMaxExactVertices = 100'000'000;
 
 uint64_t instanced_vertices(const Scene& scene) {
@@ -70,8 +70,8 @@ Camera framing_camera(const Scene& scene, float aspect) {
         glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0), glm::vec4(back, 0),
                   glm::vec4(centre + back * (kFramingDistance * radius), 1));
     constexpr float kHalfHorizontal = 0.39269908170f;  // 22.5°
-    // A portrait is narrower than the scene is wide: there the horizontal field holds the bounding sphere,
-    // whose edge is seen at asin(1 / 1.9).
+    // For a portrait picture the horizontal field of view must contain the bounding sphere, whose edge
+    // appears at asin(1 / 1.9).
     static const float kHalfSphere = std::asin(1 / kFramingDistance);
     const float half_horizontal = aspect < 1 ? kHalfSphere : kHalfHorizontal;
     camera.fov_y_rad = 2 * std::atan(std::tan(half_horizontal) / std::max(aspect, 1e-6f));

@@ -10,8 +10,9 @@ namespace weft::scene {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr float kMostStored = 32768;  // what glm puts into the shared-exponent format at most
-constexpr float kMostScale = 65536;   // with it, more than the sun's disc
+constexpr float kMostStored = 32768;  // largest value that glm stores in the shared-exponent format
+constexpr float kMostScale = 65536;   // multiplied with kMostStored: more than the luminance of the sun's
+                                      // disc
 
 constexpr uint32_t kBeamColumns = 32;
 
@@ -21,8 +22,8 @@ struct Level {
     std::vector<glm::vec3> texels;
 };
 
-// Which source texels lie under one texel of a shorter row or column, and where they begin and end, in source
-// texels.
+// The range of source texels that one texel of a shorter row or column covers, and where the range begins and
+// ends, in source texels.
 struct Cover {
     uint32_t first = 0;
     uint32_t last = 0;  // inclusive
@@ -39,7 +40,7 @@ Cover cover(uint32_t index, uint32_t from, uint32_t to) {
             end};
 }
 
-// Rows weigh by the solid angle of what they give.
+// Rows are weighted by the solid angle that they cover.
 Level half_of(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> texels) {
     Level half{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};
     half.texels.resize(size_t{half.width_px} * half.height_px);
@@ -64,8 +65,8 @@ Level half_of(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> 
     return half;
 }
 
-// Towards the poles texels become slivers, which would show as a star in blurred reflections: each row gets
-// the mean of as many texels as span a square one at the equator.
+// Near the poles texels become narrow, which would show as a star in blurred reflections. Each texel becomes
+// the mean of as many texels of its row as cover a square texel at the equator.
 Level evened_towards_poles(const Level& level) {
     Level even = level;
     const int64_t width = level.width_px;
@@ -94,15 +95,17 @@ std::vector<uint32_t> packed(std::span<const glm::vec3> texels, float scale) {
     return words;
 }
 
-// The integrals of the basis over texels part into one along the row and one down the column.
+// The integral of each basis function over a texel is a product of an integral along the row and one down the
+// column.
 struct RowIntegrals {
-    glm::dvec3 one{0}, sine{0}, cosine{0}, sine_twice{0}, cosine_twice{0};  // radiance × f(azimuth)
+    glm::dvec3 one{0}, sine{0}, cosine{0}, sine_twice{0}, cosine_twice{0};  // sums of radiance × f(azimuth)
 };
 
 RowIntegrals integrate_row(std::span<const glm::vec3> row) {
     RowIntegrals sums;
     const double step = 2 * kPi / double(row.size());
-    // The mean of sin over a texel is that of its middle times a factor, and so for all the others.
+    // The mean of sin over a texel is the value at its middle times a factor; the same holds for the other
+    // functions.
     const double once = 2 * std::sin(step / 2), twice = std::sin(step);
     for (size_t x = 0; x < row.size(); ++x) {
         const double azimuth = (double(x) + 0.5) * step - kPi;
@@ -146,8 +149,7 @@ std::array<glm::vec3, 9> irradiance_over_pi(uint32_t width_px, uint32_t height_p
     for (uint32_t y = 0; y < height_px; ++y)
         add_row(moments, integrate_row(texels.subspan(size_t{y} * width_px, width_px)), kPi * y / height_px,
                 kPi * (y + 1) / height_px);
-    // The square of each harmonic's factor, times the share of its order that a cosine lobe keeps: 1, 2/3,
-    // 1/4.
+    // The square of each harmonic's factor, times the factor of its order for a cosine lobe: 1, 2/3, 1/4.
     constexpr double k0 = 1 / (4 * kPi), k1 = 3 / (4 * kPi) * 2 / 3, k2 = 15 / (4 * kPi) / 4;
     constexpr std::array<double, 9> kFactors{k0, k1, k1, k1, k2, k2, k2, k2 / 12, k2 / 4};
     std::array<glm::vec3, 9> coefficients{};
@@ -160,7 +162,7 @@ struct Beam {
     glm::dvec3 flux{0};  // radiance × solid angle
 };
 
-// A level of the chain as beams, from as few texels as show where light comes from.
+// Converts a level of the mip chain to beams, with just enough texels to show the directions of the light.
 std::vector<Beam> beams_of(const Level& level) {
     std::vector<Beam> beams;
     for (uint32_t y = 0; y < level.height_px; ++y) {
@@ -185,7 +187,7 @@ glm::dvec3 side(int i) {
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
 }
 
-// Irradiance / π on the side that gets least.
+// The smallest irradiance / π over all directions.
 glm::dvec3 darkest_side(const std::vector<Beam>& beams) {
     glm::dvec3 least(std::numeric_limits<double>::max());
     for (int i = 0; i < kSides; ++i) {
@@ -206,9 +208,9 @@ bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec
     return true;
 }
 
-// Three orders of harmonics swing below zero around a small bright sun, which would paint its far side in the
-// colour of the sky alone. A window that dampens the higher orders, no more than it takes: P.-P. Sloan,
-// "Deringing Spherical Harmonics", 2017.
+// With three orders, harmonics become negative around a small bright sun; clamped to zero, the side away from
+// the sun would then have only the colour of the sky. The coefficients get a window that reduces the higher
+// orders only as much as needed: P.-P. Sloan, "Deringing Spherical Harmonics", 2017.
 std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients, const Level& level) {
     constexpr double kMostOfIt = 0.7;
     const glm::dvec3 least = darkest_side(beams_of(level)) * kMostOfIt;

@@ -4,20 +4,21 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
-// jpeglib.h uses FILE and size_t without including what declares them.
+// jpeglib.h uses FILE and size_t without including their headers.
 #include <jerror.h>
 #include <jpeglib.h>
 
 namespace weft::scene {
 namespace {
 
-// libjpeg's pools and tables, beside rows and coefficients.
+// Memory of libjpeg's pools and tables, in addition to rows and coefficients.
 constexpr uint64_t kLibraryBytes = 1 << 20;
-// Each scan of a progressive picture goes over all of it. Encoders write ten; 64 coefficients of three
-// channels that come one by one are below 200, and no encoder does that.
+// Each scan of a progressive picture processes the whole picture, so many scans cost much time. Encoders
+// write about ten. Even 64 coefficients of three channels in separate scans, which no encoder writes, would
+// be fewer than 200.
 constexpr int kMostScans = 100;
 
-// libjpeg reports an error by a jump over its frames, back into functions that own nothing.
+// libjpeg reports an error with longjmp, so the functions it leaves must not own resources.
 struct Reader {
     jpeg_decompress_struct info{};
     jpeg_error_mgr errors{};
@@ -44,7 +45,8 @@ Reader& reader_of(j_common_ptr common) {
     std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg's way
 }
 
-// Negative levels are warnings. What comes after the end of the file would be made up.
+// Negative levels are warnings. libjpeg invents data after the end of the file, so this warning becomes an
+// error.
 void hear(j_common_ptr common, int level) {
     if (level < 0 && common->err->msg_code == JWRN_JPEG_EOF)
         fail_with(reader_of(common), "the file ends before the picture does");
@@ -59,7 +61,7 @@ uint64_t padded(uint32_t side_px) {
     return (uint64_t{side_px} + 63) / 64 * 64;
 }
 
-// Rows for colour conversion, and the coefficients of a picture that does not come in one scan.
+// Memory of rows for colour conversion, and of coefficients if the picture has several scans.
 uint64_t decoder_bytes(jpeg_decompress_struct& info) {
     const auto channels = static_cast<uint64_t>(info.num_components);
     const uint64_t row_bytes = padded(info.image_width) * channels;
@@ -74,7 +76,7 @@ void begin(Reader& reader) {
     jpeg_read_header(&reader.info, TRUE);
 }
 
-// False: `error` says why.
+// Returns false after a fault, with its text in `error`.
 bool read_header(Reader& reader, ImageSize& size) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
     begin(reader);
@@ -82,7 +84,7 @@ bool read_header(Reader& reader, ImageSize& size) {
     return true;
 }
 
-// Files hold inverted CMYK, as Adobe's programs write it: 255 is no ink.
+// Files hold inverted CMYK, as Adobe's programs write it: 255 means no ink.
 void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
     for (uint32_t x = 0; x < width_px; ++x, cmyk += 4, rgba += 4) {
         for (int c = 0; c < 3; ++c) rgba[c] = static_cast<uint8_t>((cmyk[c] * cmyk[3] + 127) / 255);
@@ -90,7 +92,7 @@ void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
     }
 }
 
-// The header was read. False: `error` says why.
+// The header must have been read. Returns false after a fault, with its text in `error`.
 bool decode_rows(Reader& reader, uint64_t most_bytes) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
     jpeg_decompress_struct& info = reader.info;

@@ -1,5 +1,5 @@
-// Purpose: JPEG to 8-bit RGBA with libjpeg-turbo: baseline and progressive, grey, YCbCr, RGB, CMYK and YCCK.
-// How much memory and how many scans a file may take follows from its header. Errors: as image_decode.h says.
+// Purpose: decodes JPEG to 8-bit RGBA with libjpeg-turbo: baseline and progressive, grey, YCbCr, RGB, CMYK
+// and YCCK. The limits on memory and scans follow from the file's header. Errors: see image_decode.h.
 #pragma once
 
 #include "weft/scene/image_decode.h"

@@ -1,4 +1,4 @@
-// Purpose: the pictures that lights throw, made alike in size, as one array of textures holds them.
+// Purpose: resizes the pictures that lights project to one size, so that they fit into one array texture.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,11 @@ namespace weft::scene {
 inline constexpr uint32_t kLightPictureSize_px = 256;
 
 struct LightPictures {
-    std::vector<std::vector<uint8_t>> mips;  // sRGB, of all layers one behind the other; the full chain
-    std::vector<uint32_t> layer_of;          // of each of Scene::light_functions; kNone: it has no picture
-    uint32_t layers = 0;  // at most kMaxLightPictures: light_warnings() names what is left out
+    std::vector<std::vector<uint8_t>> mips;  // for each mip level the sRGB texels of all layers, one layer
+                                             // after another; full mip chain
+    std::vector<uint32_t> layer_of;          // for each of Scene::light_functions its layer; kNone: it has no
+                                             // picture
+    uint32_t layers = 0;  // at most kMaxLightPictures; light_warnings() reports the pictures that are ignored
 };
 
 [[nodiscard]] LightPictures light_pictures(const Scene& scene);

@@ -9,8 +9,9 @@
 namespace weft::scene {
 namespace {
 
-// The picture as three floats, a quarter of that twice while the mips are made, and the mips in four bytes a
-// texel. The picture is gone when the mips, their staging and their copy on the GPU stand beside each other.
+// Bytes per texel at the peak: the picture as three floats, the float levels while the mips are made (a
+// quarter, twice), and the mips at four bytes per texel. The picture is freed before the mips are copied to
+// staging and to the GPU.
 constexpr uint64_t kBytesPerTexel = sizeof(glm::vec3) + 2 * sizeof(glm::vec3) / 4 + 6;
 
 Diagnostic fault(const char* code, const std::filesystem::path& file, std::string message, std::string help) {

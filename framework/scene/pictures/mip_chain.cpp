@@ -9,7 +9,7 @@
 namespace weft::scene {
 namespace {
 
-// A mip in the space it is filtered in: linear light for colours, [-1, 1] for normals.
+// A mip level in the space in which it is filtered: linear light for colours, [-1, 1] for normals.
 struct Level {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
@@ -111,7 +111,7 @@ double coverage(const std::vector<uint8_t>& rgba, float cutoff) {
     return static_cast<double>(passing) / (static_cast<double>(rgba.size()) / 4);
 }
 
-// The factor on alpha that lets as many texels through as mip 0 does.
+// The factor for alpha with which as many texels pass the cutoff as in mip 0.
 float alpha_scale_for(const Level& level, float cutoff, double wanted) {
     float low = 0;
     float high = 8;
@@ -143,7 +143,7 @@ std::vector<std::vector<uint8_t>> build_mip_chain(uint32_t width_px, uint32_t he
     Level level{width_px, height_px, {}};
     while (level.width_px > 1 || level.height_px > 1) {
         if (mips.size() == 1) {
-            // Mip 0 stays in bytes: as floats it would be four times the largest image.
+            // Mip 0 stays in bytes: as floats it would need four times the memory of the largest image.
             level = halve(width_px, height_px, [&](uint32_t x, uint32_t y) {
                 return decoder.decode(&mips[0][(size_t{y} * width_px + x) * 4]);
             });

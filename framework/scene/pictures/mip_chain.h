@@ -1,7 +1,7 @@
-// Purpose: the full mip chain of an 8-bit RGBA image, filtered as its meaning asks: colour in linear light,
-// normals renormalised, masks with the coverage of mip 0. Shapes: `rgba` has width_px * height_px * 4 bytes,
-// row 0 on top. Source: sRGB: IEC 61966-2-1. Odd sizes: area-weighted boxes. Coverage: I. Castaño, "Computing
-// Alpha Mipmaps", 2010.
+// Purpose: makes the full mip chain of an 8-bit RGBA image. The filter depends on the image's meaning:
+// colours are filtered in linear light, normals are renormalised, masks keep the coverage of mip 0. Shapes:
+// `rgba` has width_px * height_px * 4 bytes, row 0 on top. Source: sRGB: IEC 61966-2-1. Odd sizes:
+// area-weighted boxes. Coverage: I. Castaño, "Computing Alpha Mipmaps", 2010.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ enum class TexelMeaning : uint8_t { srgb_color, linear_data, normal };
 
 struct MipOptions {
     TexelMeaning meaning = TexelMeaning::linear_data;
-    float alpha_cutoff = -1;  // in [0, 1] for a mask whose coverage should last; negative otherwise
+    float alpha_cutoff = -1;  // in [0, 1] for a mask whose coverage all mips shall keep; negative otherwise
 };
 
 [[nodiscard]] std::vector<std::vector<uint8_t>> build_mip_chain(uint32_t width_px, uint32_t height_px,

@@ -13,17 +13,18 @@ namespace weft::scene {
 namespace {
 
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
-// The signature, the length and the name of IHDR, then width and height.
+// Offsets in the file: width and height follow the signature and the length and name of IHDR.
 constexpr size_t kWidthAt = 16, kHeightAt = 20, kDepthAt = 24, kColorTypeAt = 25;
-constexpr size_t kAroundChunkBytes = 12;  // its length, name and checksum
+constexpr size_t kAroundChunkBytes = 12;  // length, name and checksum of a chunk
 constexpr uint32_t kMaxSide_px = 0x7FFFFFFF;
-// libpng's structures, and zlib's window and tables.
+// Memory of libpng's structures and of zlib's window and tables.
 constexpr uint64_t kLibraryBytes = 256 << 10;
-// What one chunk may make libpng allocate; the chunks that are read (PLTE, tRNS) have 768 bytes at most.
+// The most memory that libpng may allocate for one chunk. The chunks that are read (PLTE, tRNS) have at most
+// 768 bytes.
 constexpr png_alloc_size_t kChunkBytes = 64 << 10;
 
-// Compressed data that is smaller than this is never refused: tables of a short stream outweigh what they
-// encode.
+// Files with less compressed data than this are always accepted: in a short stream, tables are larger than
+// the data.
 constexpr uint64_t kLeastDataBytes = 512;
 
 uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
@@ -31,7 +32,7 @@ uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
            uint32_t{encoded[at + 3]};
 }
 
-// What the picture inflates to: its rows, each with a byte that names its filter. Interlaced ones have more,
+// Size of the inflated picture: each row has one extra byte for its filter. Interlaced pictures have more,
 // shorter rows.
 uint64_t inflated_bytes(std::span<const uint8_t> encoded, const ImageSize& size) {
     constexpr std::array<uint64_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};
@@ -52,12 +53,12 @@ uint64_t compressed_bytes(std::span<const uint8_t> encoded) {
     return sum_bytes;
 }
 
-// libpng inflates all data, also what comes after the last row, and compressed data unfolds a thousandfold.
+// libpng inflates all data, even after the last row, and compressed data can expand a thousandfold.
 bool holds_more_than_its_size_needs(std::span<const uint8_t> encoded, const ImageSize& size) {
     return compressed_bytes(encoded) > 2 * inflated_bytes(encoded, size) + kLeastDataBytes;
 }
 
-// libpng reports an error by a jump over its frames, back into decode_rows(), which owns nothing.
+// libpng reports an error with longjmp to decode_rows(), so the functions it leaves must not own resources.
 struct Reader {
     std::span<const uint8_t> encoded;
     size_t at = 0;
@@ -90,7 +91,7 @@ void read_bytes(png_structp png, png_bytep out, size_t bytes) {
 void limit(png_structp png) {
     png_set_user_limits(png, kMaxSide_px, kMaxSide_px);
     png_set_chunk_malloc_max(png, kChunkBytes);
-    // A negative count stands for all chunks that the picture can be decoded without.
+    // A negative count means all chunks that the decoder does not need.
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
 }
 
@@ -101,7 +102,8 @@ void ask_for_rgba8(png_structp png) {
     png_set_add_alpha(png, 0xFF, PNG_FILLER_AFTER);
 }
 
-// False: `error` says why. `width` is that of the header, which the result was allocated for.
+// Returns false after a fault, with its text in `error`. `width` is the header's, for which the result was
+// allocated.
 bool decode_rows(Reader& reader, uint32_t width, uint32_t height) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng's way
     limit(reader.png);
@@ -136,7 +138,7 @@ std::optional<ImageSize> read_png_size(std::span<const uint8_t> encoded) {
     if (size.width_px == 0 || size.height_px == 0 || size.width_px > kMaxSide_px ||
         size.height_px > kMaxSide_px)
         return std::nullopt;
-    // Two rows of four channels of two bytes: this one and the one before it.
+    // Two rows of four channels with two bytes each: the current and the previous row.
     size.decoder_bytes = kLibraryBytes + uint64_t{size.width_px} * 16;
     return size;
 }

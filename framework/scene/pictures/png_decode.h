@@ -1,7 +1,7 @@
-// Purpose: PNG to 8-bit RGBA with libpng, row by row into the result. Every kind of PNG is read: palettes,
-// transparency by colour, 1 to 16 bits a channel (the high byte is kept), interlaced ones. Chunks that say
-// how colours are meant (gAMA, iCCP) are passed over, as glTF asks, and so are texts. Errors: as
-// image_decode.h says.
+// Purpose: decodes PNG to 8-bit RGBA with libpng, row by row into the result. All kinds of PNG are supported:
+// palettes, colour-key transparency, 1 to 16 bits per channel (only the high byte is used), interlaced
+// pictures. Colour profiles (gAMA, iCCP) are ignored, as glTF requires, and so are text chunks. Errors: see
+// image_decode.h.
 #pragma once
 
 #include "weft/scene/image_decode.h"

@@ -10,7 +10,8 @@
 namespace weft::scene {
 namespace {
 
-constexpr uint32_t kShortestCoded = 8, kLongestCoded = 32767;  // row lengths that may be run-length encoded
+constexpr uint32_t kShortestCoded = 8, kLongestCoded = 32767;  // range of row lengths that may be run-length
+                                                               // encoded
 constexpr size_t kMaxHeaderBytes = 65536;
 constexpr float kMostExposure = 1e8f;
 
@@ -18,7 +19,7 @@ class Lines {
  public:
     explicit Lines(std::string_view text) : text_(text) {}
 
-    // nullopt where the text ends before the line does.
+    // The next line; nullopt when the text ends before the line does.
     std::optional<std::string_view> next() {
         const size_t end = text_.find('\n', at_);
         if (end == std::string_view::npos) return std::nullopt;
@@ -49,7 +50,7 @@ std::optional<Number> leading_number(std::string_view& text) {
     return value;
 }
 
-// "-Y height +X width"
+// The resolution line has the form "-Y height +X width".
 bool read_resolution(std::string_view line, RadianceHeader& header) {
     if (!line.starts_with("-Y ")) return false;
     line.remove_prefix(3);
@@ -80,7 +81,7 @@ std::string read_variables(Lines& lines, RadianceHeader& header) {
     return "its header is cut short";
 }
 
-// Reads on from a place and remembers whether it ran out of bytes.
+// Reads bytes in order and records whether it reached the end too early.
 class Source {
  public:
     Source(std::span<const uint8_t> bytes, size_t begin) : bytes_(bytes), at_(begin) {}
@@ -103,7 +104,8 @@ class Source {
 
 using Rgbe = std::array<uint8_t, 4>;
 
-// Channel by channel: a count over 128 repeats one byte, others are followed by as many bytes.
+// Each channel is stored separately: a count above 128 repeats one byte, other counts precede that many
+// bytes.
 bool read_coded_row(Source& source, std::vector<Rgbe>& row) {
     for (int i = 0; i < 4; ++i) source.next();
     for (size_t channel = 0; channel < 4; ++channel) {

@@ -1,9 +1,8 @@
-// Purpose: Radiance pictures ("#?RADIANCE", 32-bit_rle_rgbe), flat or run-length encoded, to linear RGB. stb
-// reads them too, but where a file ends early its decoder never does.
-// Shapes: row 0 on top; only "-Y height +X width", which is what programs write. What EXPOSURE lines of the
-// header say has been multiplied in is divided out.
-// Errors: `error` says what was found; there are no texels then. NaN and infinity don't exist in this format.
-// Source: G. Ward, "Real Pixels", in "Graphics Gems II", 1991.
+// Purpose: decodes Radiance pictures ("#?RADIANCE", 32-bit_rle_rgbe), flat or run-length encoded, to linear
+// RGB. stb also reads this format, but does not return when a file ends early. Shapes: row 0 on top; only "-Y
+// height +X width", which is the form that programs write. Texels are divided by the factor that EXPOSURE
+// lines of the header give. Errors: `error` has the reason, and there are no texels. The format cannot hold
+// NaN or infinity. Source: G. Ward, "Real Pixels", in "Graphics Gems II", 1991.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +18,7 @@ struct RadianceHeader {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
     float exposure = 1;
-    size_t data_begin = 0;  // in bytes
+    size_t data_begin = 0;  // offset in bytes
     std::string error;
 };
 [[nodiscard]] RadianceHeader read_radiance_header(std::span<const uint8_t> encoded);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kCreaseCosine = 0.82f;  // about 35°
 
-// A stretch of a profile without sharp corners, with its normals.
+// A part of a profile without sharp corners, with its normals.
 struct ProfileRun {
     Profile points;
     std::vector<glm::vec2> normals;
@@ -69,7 +69,8 @@ glm::vec3 any_perpendicular(glm::vec3 direction) {
     return glm::normalize(glm::cross(axis, direction));
 }
 
-// Offset directions at both ends of each path segment, lengthened so that mitred neighbours meet.
+// Offset directions at both ends of each path segment, lengthened so that neighbouring segments meet at the
+// corner.
 glm::vec3 mitre(glm::vec3 before, glm::vec3 after) {
     const glm::vec3 up{0, 1, 0};
     const glm::vec3 a = glm::cross(before, up);
@@ -90,7 +91,7 @@ uint32_t MeshBuilder::add_vertex(glm::vec3 position, glm::vec3 normal, glm::vec2
 void MeshBuilder::add_triangle(uint32_t a, uint32_t b, uint32_t c) {
     const glm::vec3 p = mesh_.positions[a];
     const glm::vec3 area = glm::cross(mesh_.positions[b] - p, mesh_.positions[c] - p);
-    if (glm::dot(area, area) < 1e-16f) return;  // poles of turned shapes
+    if (glm::dot(area, area) < 1e-16f) return;  // triangles without area, at the poles of turned shapes
     mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
 }
 

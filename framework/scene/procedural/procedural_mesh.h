@@ -1,13 +1,11 @@
-// Purpose: build indexed triangle meshes from a few shapes: rectangles, bevelled boxes, turned (lathe) and
-// swept
-//   profiles, tubes, grids and cards. Every shape gives positions, normals and texture coordinates; finish()
-//   adds tangents and bounds.
-// Units: metres; texture coordinates are metres too (a material's texture transform sets the repeat), except
-// for cards,
-//   which span a given rectangle of the texture. v grows downwards.
-// Conventions: front faces counter-clockwise; a profile is walked so that the surface lies on its right:
-// upwards on the
-//   outside of a turned shape, downwards on its inside. Corners sharper than about 35° stay sharp.
+// Purpose: builds indexed triangle meshes from a few shapes: rectangles, bevelled boxes, turned (lathe) and
+// swept profiles, tubes, grids and cards. Every shape has positions, normals and texture coordinates;
+// finish() adds tangents and bounds.
+// Units: metres; texture coordinates are in metres too (a material's texture transform sets the repeat),
+// except for cards, which cover a given rectangle of the texture. v increases downwards.
+// Conventions: front faces are counter-clockwise. The surface lies to the right of its profile: profiles go
+// upwards on the outside of a turned shape and downwards on its inside. Corners sharper than about 35° stay
+// sharp.
 #pragma once
 
 #include <functional>
@@ -30,8 +28,9 @@ struct LatheShape {
     uint32_t segments = 20;
     float from_rad = 0;
     float to_rad = 6.283185307f;
-    float period_m = 1;  // of the texture: a full turn gets a whole number of repeats, so that no seam shows
-    float u_span_m = 0;  // 0: as long as the mean circumference
+    float period_m = 1;  // period of the texture: a full turn has a whole number of repeats, so that no seam
+                         // is visible
+    float u_span_m = 0;  // 0: the mean circumference
 };
 
 struct TubeShape {
@@ -44,7 +43,7 @@ struct Card {
     glm::vec3 center{0};
     glm::vec3 right{1, 0, 0};  // half extents
     glm::vec3 up{0, 1, 0};
-    glm::vec3 normal_center{0};  // normals point away from here when `soft_normals`
+    glm::vec3 normal_center{0};  // if `soft_normals`, normals point away from this point
     bool soft_normals = false;
     glm::vec2 uv_min{0};
     glm::vec2 uv_max{1};
@@ -52,23 +51,23 @@ struct Card {
 
 class MeshBuilder {
  public:
-    // Applies to every shape added from here on. Rigid or uniformly scaled, no mirroring.
+    // Applies to every shape added afterwards. Rotation, translation and uniform scale only, no mirroring.
     void set_transform(const glm::mat4& transform) { transform_ = transform; }
-    // Added to every texture coordinate, so that like shapes don't show the same piece of texture.
+    // Added to every texture coordinate, so that similar shapes show different parts of the texture.
     void set_uv_offset(glm::vec2 offset) { uv_offset_ = offset; }
 
     // `origin` is the lower left corner seen from the front; the normal is cross(right, up). Texture
     // coordinates are positions along the two edges, so neighbouring rectangles join.
     void add_rectangle(glm::vec3 origin, glm::vec3 right, glm::vec3 up);
-    // A flat polygon fan from two equally long rows of points, `low` and `high`, both left to right from the
-    // front.
+    // A flat strip between two rows of points of equal length, `low` and `high`, both from left to right seen
+    // from the front.
     void add_strip(const std::vector<glm::vec3>& low, const std::vector<glm::vec3>& high, glm::vec3 right,
                    glm::vec3 up);
-    // Smooth surface over cols × rows points; the front is where cross(d/dcol, d/drow) points.
+    // Smooth surface over cols × rows points; its front faces cross(d/dcol, d/drow).
     void add_grid(uint32_t cols, uint32_t rows, const std::function<GridPoint(uint32_t, uint32_t)>& point);
     void add_lathe(const Profile& profile, const LatheShape& shape);
-    // Along a horizontal path of at least two points; offsets point to its right (cross(direction, up));
-    // mitred corners.
+    // Sweeps a profile along a horizontal path of at least two points. Offsets point to the path's right
+    // (cross(direction, up)); corners are mitred.
     void add_sweep(const Profile& profile, const std::vector<glm::vec3>& path, bool closed);
     void add_box(glm::vec3 low, glm::vec3 high);
     void add_bevelled_box(glm::vec3 low, glm::vec3 high, float bevel_m);
@@ -83,7 +82,7 @@ class MeshBuilder {
     struct BoxExtent {
         glm::vec3 center;
         glm::vec3 half;
-        glm::vec3 inner;  // half, less the bevel
+        glm::vec3 inner;  // half extents minus the bevel
     };
 
     uint32_t add_vertex(glm::vec3 position, glm::vec3 normal, glm::vec2 uv);

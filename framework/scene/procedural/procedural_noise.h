@@ -1,11 +1,9 @@
-// Purpose: seeded, tileable noise for textures made at start-up. The same numbers on every run: integer
-// hashes and
-//   plain float arithmetic only, no library random numbers.
+// Purpose: seeded, tileable noise for textures made at start-up. Every run gives the same numbers: only
+// integer hashes and plain float arithmetic are used, no random numbers of the library.
 // Shapes: a Field is a square of floats that wraps at its edges. Noise values lie in about 0..1 with mean
 // 0.5. Sources: integer mixer by Wellons ("Prospecting for Hash Functions", 2018); gradient noise after
-// Perlin,
-//   "Improving Noise" (SIGGRAPH 2002); cells after Worley, "A Cellular Texture Basis Function" (SIGGRAPH
-//   1996).
+// Perlin, "Improving Noise" (SIGGRAPH 2002); cells after Worley, "A Cellular Texture Basis Function"
+// (SIGGRAPH 1996).
 #pragma once
 
 #include <cstdint>
@@ -39,7 +37,8 @@ struct Field {
     }
 };
 
-// Fractal gradient noise: `cells` lattice cells across at the first octave, doubled at each further one.
+// Parameters of fractal gradient noise: the first octave has `cells` lattice cells per side; each next octave
+// doubles them.
 struct FractalShape {
     uint32_t cells_x = 4;
     uint32_t cells_y = 4;
@@ -48,8 +47,8 @@ struct FractalShape {
 };
 [[nodiscard]] Field fractal_noise(uint32_t size, const FractalShape& shape, uint32_t seed);
 
-// Distance to the nearest and second nearest of one jittered point per cell, in cells, and that point's
-// identity.
+// Cell noise with one jittered point per cell: distance to the nearest and second nearest point, in cells,
+// and the nearest point's id.
 struct Cell {
     float nearest = 0;
     float second = 0;
@@ -57,12 +56,12 @@ struct Cell {
 };
 [[nodiscard]] Cell worley(glm::vec2 position, uint32_t cells_x, uint32_t cells_y, uint32_t seed);
 
-// Three fields that materials share (each reads them at its own offset), so that a scene pays for noise once.
+// Noise fields that all materials share at different offsets, so that a scene computes them only once.
 struct NoiseBank {
     Field coarse;  // 3 cells across
-    Field medium;  // 12
-    Field fine;    // 64
-    Field grain;   // 12 × 128: stretched along x, for wood and brushed metal
+    Field medium;  // 12 cells
+    Field fine;    // 64 cells
+    Field grain;   // 12 × 128 cells: stretched along x, for wood and brushed metal
 };
 [[nodiscard]] NoiseBank make_noise_bank(uint32_t size);
 

@@ -6,7 +6,7 @@
 namespace weft::scene {
 namespace {
 
-// Half width of a leaf at `t` along the midrib (0 stalk, 1 tip), as a share of its width.
+// Half width of a leaf at `t` along the midrib (0 at the stalk, 1 at the tip), as a fraction of its width.
 float leaf_half_width(LeafShape shape, float t) {
     if (t <= 0 || t >= 1) return 0;
     const float bulge = std::sin(3.14159265f * std::pow(t, 0.75f));
@@ -23,7 +23,7 @@ float leaf_half_width(LeafShape shape, float t) {
     return 0;
 }
 
-// Five lobes around the leaf's middle; positive inside. `along` 0..1, `across` -0.5..0.5.
+// Five lobes around the leaf's middle; positive inside. `along` is in 0..1, `across` in -0.5..0.5.
 float ivy_inside(float along, float across) {
     const glm::vec2 p{along - 0.32f, across};
     const float angle = std::atan2(p.y, p.x);
@@ -33,7 +33,7 @@ float ivy_inside(float along, float across) {
 }
 
 struct LeafSample {
-    float inside = -1;  // > 0 inside, in texels
+    float inside = -1;  // distance to the leaf's edge in texels, positive inside
     float rib = 0;      // 1 on the midrib or a side vein
 };
 
@@ -107,7 +107,7 @@ float diamond_distance(glm::vec2 p, float radius) {
 void draw_leaf(Surface& surface, const LeafStroke& leaf) {
     const glm::vec2 along{std::cos(leaf.angle), std::sin(leaf.angle)};
     const glm::vec2 across{-along.y, along.x};
-    // Lobes of ivy reach behind the stalk's joint and beyond the nominal width.
+    // The lobes of ivy extend behind the joint of the stalk and beyond the nominal width.
     const float spill = leaf.shape == LeafShape::ivy ? 0.45f : 0.05f;
     const glm::vec2 middle = leaf.base + along * (leaf.length * 0.5f);
     const glm::vec2 half{leaf.length * (0.5f + spill) + 1, leaf.width * (0.5f + spill) + 1};
@@ -126,7 +126,7 @@ void draw_leaf(Surface& surface, const LeafStroke& leaf) {
             texel.alpha = std::max(texel.alpha, std::clamp(0.5f + sample.inside * 0.5f, 0.0f, 1.0f));
             if (sample.inside < 0) continue;
             const float rim = smooth_step(0.0f, leaf.width * 0.2f, sample.inside);
-            const float side = s > 0 ? 1.04f : 0.94f;  // the two halves catch light differently
+            const float side = s > 0 ? 1.04f : 0.94f;  // the two halves differ in brightness
             texel.color_srgb = leaf.color_srgb * (side * (0.8f + 0.2f * rim) * (1 + 0.28f * sample.rib));
             const float fold = std::abs(s) / leaf.width;
             texel.height_m = leaf.depth_m + (fold * 0.010f - sample.rib * 0.002f) + 0.002f * rim;

@@ -1,5 +1,5 @@
-// Purpose: pieces of texture recipes: courses of blocks, marble veins, planks, weaves and leaf outlines.
-// Units: positions are texels of a surface of `size` texels unless said otherwise; colours are
+// Purpose: building blocks for texture recipes: rows of blocks, marble veins, planks, weaves and leaf
+// outlines. Units: positions are texels of a surface of `size` texels unless stated otherwise; colours are
 // display-encoded.
 #pragma once
 
@@ -12,7 +12,8 @@
 
 namespace weft::scene {
 
-// Courses of equal blocks; each next course is shifted by `shift` of a block. Everything wraps.
+// Rows of equal blocks; each row is shifted by `shift` of a block against the previous one. The pattern
+// wraps.
 struct BlockLayout {
     uint32_t columns = 3;
     uint32_t rows = 6;
@@ -32,27 +33,28 @@ struct Block {
 // stone.
 [[nodiscard]] float marble_vein(const NoiseBank& bank, uint32_t x, uint32_t y, uint32_t offset);
 
-// Over and under threads of a plain weave: height 0..1 at a texel, `threads` across the surface.
+// Height (0..1) of a plain weave at a texel; the surface has `threads` threads per side.
 [[nodiscard]] float weave_height(uint32_t x, uint32_t y, uint32_t size, uint32_t threads);
 
-// Signed distance to the eight-pointed star made of two squares, and to a diamond; in the unit of `p`.
+// Signed distance to an eight-pointed star made of two squares, and to a diamond; in the unit of `p`.
 [[nodiscard]] float star_distance(glm::vec2 p, float radius);
 [[nodiscard]] float diamond_distance(glm::vec2 p, float radius);
 
-// Leaves drawn over one another into a surface whose alpha starts at 0. Lengths in texels, angles in radians.
+// Leaves are drawn on top of each other into a surface whose alpha starts at 0. Lengths in texels, angles in
+// radians.
 enum class LeafShape : uint8_t { pointed, round, ivy, needle };
 struct LeafStroke {
-    glm::vec2 base{0};  // where the stalk joins
-    float angle = 0;    // of the midrib; 0 points right, π/2 down
+    glm::vec2 base{0};  // the joint with the stalk
+    float angle = 0;    // direction of the midrib; 0 points right, π/2 down
     float length = 100;
     float width = 40;
     LeafShape shape = LeafShape::pointed;
     glm::vec3 color_srgb{0.3f, 0.5f, 0.2f};
-    float depth_m = 0;  // drawn later and higher lies on top
+    float depth_m = 0;  // a leaf drawn later covers earlier ones if it is higher
 };
 void draw_leaf(Surface& surface, const LeafStroke& leaf);
 void draw_stalk(Surface& surface, glm::vec2 from, glm::vec2 to, float width, glm::vec3 color_srgb);
-// Spreads the leaves' colour under the transparent texels, so that filtering brings in no dark rim.
+// A surface with the leaves' colour in its transparent texels, so that filtering causes no dark edges.
 [[nodiscard]] Surface blank_leaf_surface(uint32_t size_px, float period_m, glm::vec3 color_srgb);
 
 }  // namespace weft::scene

@@ -1,10 +1,8 @@
-// Purpose: from a per-texel recipe to the textures of a metallic-roughness material: colour with alpha,
-// metallic-
-//   roughness, and a normal map derived from heights, each with its full mip chain.
-// Units: heights and periods in metres, so that a normal map's slopes are those of the real surface.
-// Conventions: colours are authored and stored display-encoded (sRGB), averaged as light. Row 0 is on top; a
-// normal's
-//   green channel points up the picture (glTF's convention).
+// Purpose: makes the textures of a metallic-roughness material from a function per texel: colour with alpha,
+// metallic-roughness, and a normal map derived from heights, each with its full mip chain.
+// Units: heights and periods in metres, so that the slopes of a normal map are those of the real surface.
+// Conventions: colours are specified and stored display-encoded (sRGB) and averaged in linear light. Row 0 is
+// on top; a normal's green channel points up the picture (glTF's convention).
 #pragma once
 
 #include <cstdint>
@@ -25,7 +23,7 @@ struct Texel {
     float alpha = 1;
 };
 
-// A square that repeats every `period_m`.
+// A square texture that repeats every `period_m`.
 struct Surface {
     uint32_t size_px = 0;
     float period_m = 1;
@@ -45,21 +43,21 @@ struct SurfaceTextures {
     uint32_t normal = kNone;
 };
 
-// Adds the three textures. `keep_coverage` rescales alpha in the lower mips so that masked leaves don't thin
-// out with distance (Castaño, "Computing Alpha Mipmaps", 2010), for a cutoff of 0.5.
+// Adds the three textures. `keep_coverage` rescales alpha in the lower mips so that masked leaves keep their
+// coverage at a distance (Castaño, "Computing Alpha Mipmaps", 2010), for a cutoff of 0.5.
 [[nodiscard]] SurfaceTextures add_surface(Scene& scene, const std::string& name, const Surface& surface,
                                           bool keep_coverage = false);
 
-// A one-channel picture in 0..1 as a linear texture (occlusion).
+// Adds a one-channel picture with values in 0..1 as a linear texture (occlusion).
 [[nodiscard]] uint32_t add_gray_texture(Scene& scene, const std::string& name, uint32_t width_px,
                                         uint32_t height_px, const std::vector<float>& values);
 
-// A colour picture in 0..1, display-encoded (emission).
+// Adds a display-encoded colour picture with values in 0..1 (emission).
 [[nodiscard]] uint32_t add_color_texture(Scene& scene, const std::string& name, uint32_t size_px,
                                          const std::vector<glm::vec3>& srgb);
 
-// Linear interpolation and the cubic step, on floats and vectors alike.
+// Linear interpolation and smoothstep, for floats and vectors.
 [[nodiscard]] float smooth_step(float low, float high, float x);
-[[nodiscard]] glm::vec3 rgb(uint32_t hex);  // 0xRRGGBB to 0..1
+[[nodiscard]] glm::vec3 rgb(uint32_t hex);  // converts 0xRRGGBB to 0..1
 
 }  // namespace weft::scene
