@@ -42,7 +42,7 @@ void BatchClock::end_batch(uint32_t batch) {
 }
 
 bool BatchClock::covers(const Actor& actor) const {
-    // What came before the frames is known to all other queues; on its own it needs barriers.
+    // Other queues are already synchronised with work before the first frame; the same queue needs barriers.
     if (actor.batch_count == 0) return actor.queue != queue_;
     return known_[queue_][actor.queue] >= actor.batch_count;
 }

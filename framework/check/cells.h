@@ -1,5 +1,5 @@
-// Purpose: what the replay knows of each subresource: its layout, whose values it holds, which queue family
-// owns it, and which accesses are still to be waited for.
+// Purpose: the replay's state of each subresource: its layout, the origin of its content, the queue family
+// that owns it, and the accesses that later ones must still wait for.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace weft::check {
 struct Content {
     enum class Kind : uint8_t {
         undefined,
-        outside,      // an import's
+        outside,      // content of an import
         initial,      // a persistent resource's first-frame value
-        carried,      // what a persistent resource held at the end of `frame`
-        written,      // by `pass`
-        overwritten,  // by `pass`, through `through`
+        carried,      // a persistent resource's content at the end of `frame`
+        written,      // written by `pass`
+        overwritten,  // destroyed by `pass`, which wrote the same memory through resource `through`
     } kind = Kind::undefined;
     PassId pass = kNoId;
     uint32_t frame = 0;
@@ -34,26 +34,28 @@ struct Cell {
     Content content;
     bool has_write = false;
     AccessRecord write;                      // the last write or transition
-    std::vector<AccessRecord> reads;         // since then, those that are not implied by later ones
-    uint32_t owner = kNoFamily;              // the family that may use it; kNoFamily: the next one to do so
-    uint32_t released_to = kNoFamily;        // on its way to that family, and
-    Layout released_in = Layout::undefined;  // into that layout
-    uint64_t last_batch = 0;                 // of barriers, counted over all queues, that was on this cell
+    std::vector<AccessRecord> reads;         // reads since that write, without those that later reads imply
+    uint32_t owner = kNoFamily;              // the queue family that owns it; kNoFamily: the next family that
+                                             // uses it becomes the owner
+    uint32_t released_to = kNoFamily;        // set between release and acquire: the family that will own it,
+    Layout released_in = Layout::undefined;  // and the layout it will have
+    uint64_t last_batch = 0;                 // number of the last barrier batch on this cell, counted over
+                                             // all queues
 };
 
-// Those of one resource.
+// All cells of one resource.
 class Cells {
  public:
     explicit Cells(const ResourceDecl& resource);
 
-    // The resource that has begun to take over all of this one's memory since its last use, and waited for
-    // that use. A third one that takes the memory over waits for that resource, and so for this one. The
-    // parts of that resource itself take their memory over one by one.
+    // The resource that has taken over all of this one's memory since its last use and has waited for that
+    // use. A third resource that takes over the memory waits for that resource, and so also for this one.
+    // Does not apply to the cells of `superseded_by` itself: each of them takes over its memory separately.
     ResourceId superseded_by = kNoId;
 
     [[nodiscard]] auto begin() { return cells_.begin(); }
     [[nodiscard]] auto end() { return cells_.end(); }
-    // Calls `visit` for each cell of the range; what lies beyond the resource is left out.
+    // Calls `visit` for each cell of the range; parts outside the resource are ignored.
     template <class Visit>
     void each(const SubresourceRange& range, Visit visit) {
         const uint32_t last_mip = std::min(whole_.mips, range.mip + range.mips);
@@ -69,7 +71,7 @@ class Cells {
 
  private:
     SubresourceRange whole_;
-    std::vector<Cell> cells_;  // by aspect, mip, layer
+    std::vector<Cell> cells_;  // indexed by aspect, mip, layer
 };
 
 }  // namespace weft::check

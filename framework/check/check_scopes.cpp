@@ -8,7 +8,7 @@
 namespace weft::check {
 namespace {
 
-// What one pass binds at one place of a scope.
+// One attachment that a pass binds.
 struct Bound {
     const AttachmentDecl* decl = nullptr;
     const UseDecl* use = nullptr;
@@ -28,7 +28,7 @@ bool same_place(const Bound& a, const Bound& b) {
            a.use->state.layout == b.use->state.layout;
 }
 
-// Every attachment of one has its like among those of the other.
+// True if every attachment of `all` matches one of `others`.
 bool same_places(const std::vector<Bound>& all, const std::vector<Bound>& others) {
     return all.size() == others.size() && std::all_of(all.begin(), all.end(), [&](const Bound& a) {
                return std::any_of(others.begin(), others.end(),
@@ -92,7 +92,7 @@ class ScopeRule {
         if (!loads || !reads(bound.use->access)) fault("it does not draw over what is in " + name(bound));
     }
 
-    // Only drawing is ordered inside a scope.
+    // Inside a scope only attachment accesses are ordered.
     void check_other_uses(const PassDecl& pass, const std::vector<Bound>& before,
                           const std::vector<Bound>& after) {
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {

@@ -1,5 +1,5 @@
-// Purpose: whether every pass that draws into the rendering scope of the pass before it may do so: the same
-// attachments, seen and never cleared, and nothing that has to be recorded between the two. Errors: C306.
+// Purpose: checks every pass that continues the rendering scope of the previous pass: it must use the same
+// attachments, load them without clearing, and need no commands between the two passes. Errors: C306.
 #pragma once
 
 #include "check/fault_list.h"

@@ -88,7 +88,7 @@ void check_lifetimes(const FramePlan& plan, FaultList& faults) {
     }
 }
 
-// The passes that use a resource, for naming both sides of a collision.
+// The passes that use a resource; a message about a collision names the passes of both resources.
 std::string users(const FramePlan& plan, FaultList& faults, ResourceId resource) {
     const LifetimeSpan& span = plan.lifetimes.spans[resource];
     if (span.first > span.last || span.last >= plan.schedule.order.size()) return "unused";
@@ -207,7 +207,7 @@ constexpr StageMask kTransferStages = stage::kCopy | stage::kHost;
 constexpr StageMask kComputeStages =
     kTransferStages | stage::kClear | stage::kDrawIndirect | stage::kComputeShader;
 
-// A queue can neither run nor wait for stages that it does not have.
+// A queue must support all stages that its passes and barriers use.
 void check_stages(const FramePlan& plan, FaultList& faults) {
     for (size_t position = 0; position < plan.barriers.steps.size(); ++position) {
         const QueueKind kind = plan.schedule.queues[plan.schedule.queue[position]].kind;
@@ -227,8 +227,8 @@ void check_stages(const FramePlan& plan, FaultList& faults) {
     }
 }
 
-// Vulkan knows a release and an acquisition as the halves of one transfer by what they name: both must name
-// the same range, however many barriers that takes.
+// Vulkan pairs the release and acquire halves of a queue family transfer by their parameters, so both halves
+// must name the same range.
 void check_transfers(const FramePlan& plan, FaultList& faults) {
     std::vector<const BarrierDecl*> halves;
     for (const PassStep& step : plan.barriers.steps)

@@ -1,6 +1,5 @@
-// Purpose: what can be judged without playing the plan: that every live pass is there once and in order, that
-// lifetimes cover all uses, that placements lie inside their heaps, that hand-overs and barriers speak of the
-// same things.
+// Purpose: checks that need no replay: every live pass occurs once and in order, lifetimes cover all uses,
+// placements lie inside their heaps, alias barriers and other barriers are consistent.
 #pragma once
 
 #include "check/fault_list.h"
@@ -8,7 +7,7 @@
 
 namespace weft::check {
 
-// False when the plan is too broken to be played.
+// Returns false when the plan is too broken for a replay.
 [[nodiscard]] bool check_structure(const FramePlan& plan, FaultList& faults);
 
 }  // namespace weft::check

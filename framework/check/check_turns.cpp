@@ -12,13 +12,13 @@ bool takes_turns(const PassDecl& pass) {
     return pass.turns > 1;
 }
 
-// Neither pass can run in a frame without the other.
+// True if neither pass can run in a frame without the other.
 bool run_together(const PassDecl& a, const PassDecl& b) {
     if (takes_turns(a) != takes_turns(b)) return false;
     return !takes_turns(a) || (a.turns == b.turns && a.turn == b.turn);
 }
 
-// The passes that must follow a pass, by the edges of the graph.
+// The transitive successors of each pass in the graph.
 class Followers {
  public:
     explicit Followers(const ResolvedGraph& graph) : next_(graph.passes.size()) {
@@ -50,7 +50,7 @@ class Followers {
     std::map<PassId, std::vector<uint8_t>> known_;
 };
 
-// The parts of one resource that a pass with turns writes, and all passes that write one of them.
+// The parts of one resource that a pass with perFrame turns writes, and all passes that write one of them.
 class TurnedResource {
  public:
     TurnedResource(const FramePlan& plan, ResourceId resource, Followers& followers, FaultList& faults)
@@ -86,8 +86,8 @@ class TurnedResource {
 
     struct Part {
         std::vector<PassId> writers;
-        bool overwritten = false;  // some writer does not see what was there
-        bool turned = false;       // some writer takes turns
+        bool overwritten = false;  // some writer discards the previous content
+        bool turned = false;       // some writer takes turns, so it does not run in every frame
     };
 
     template <class Visit>
@@ -113,7 +113,7 @@ class TurnedResource {
 
     void check_read(PassId reader, const UseDecl& use, const VersionSource& source) {
         for_each_part(source.range, [&](const Part& part, const SubresourceRange& cell) {
-            // Where every writer changes what is there, a read names the content as it stands.
+            // If every writer modifies the previous content, a read sees the current content in any frame.
             if (!part.turned || !part.overwritten) return;
             const bool before = source.producer == kNoId;
             const PassId named = before ? last_of(part) : source.producer;
@@ -162,7 +162,8 @@ class TurnedResource {
     std::vector<Part> parts_;
 };
 
-// In a frame in which the pass does not run its barriers still do, and nothing writes the content anew.
+// In a frame in which a pass does not run, its barriers still run, but nothing rewrites content that they
+// discard.
 void check_dropped_content(const FramePlan& plan, FaultList& faults) {
     for (const PassStep& step : plan.barriers.steps) {
         const PassDecl& pass = plan.graph.passes[step.pass];

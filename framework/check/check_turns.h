@@ -1,7 +1,7 @@
-// Purpose: whether passes that take turns leave what others read: in a frame any set of turns may run, and
-// still each read must see the version that its declaration names. Culled passes count as writers: a plan may
-// not leave out a pass because another one overwrites its work, if the other one runs in other frames.
-// Errors: C331 content that is dropped, C332.
+// Purpose: checks reads of passes that take turns (`perFrame`): in a frame any set of turns may run, and each
+// read must still see the version that its declaration names. Culled passes count as writers: a plan must not
+// omit a pass because another one overwrites its result, if the other one runs in different frames. Errors:
+// C331 content that is discarded, C332.
 #pragma once
 
 #include "check/fault_list.h"

@@ -1,5 +1,5 @@
-// Purpose: collects what is wrong with a plan, once for each cause: the same two passes and resource are
-// reported once, however many subresources and frames show it.
+// Purpose: collects the faults of a plan and reports each cause once: the same two passes and resource give
+// one message, in however many subresources and frames the fault occurs.
 #pragma once
 
 #include <set>
@@ -10,26 +10,26 @@
 
 namespace weft::check {
 
-// Who touched a resource last, for messages.
+// The last user of a resource, for messages.
 struct Actor {
-    PassId pass = kNoId;  // kNoId: the program around the graph
+    PassId pass = kNoId;  // kNoId: the program outside the graph
     uint32_t frame = 0;
-    bool transition = false;  // a layout transition before that pass
+    bool transition = false;  // true: a layout transition before that pass
     QueueIndex queue = 0;
-    uint32_t batch_count = 0;  // of its queue, up to and with its own batch; 0: before all frames
-    uint32_t scope = 0;        // what drew: its rendering scope, counted over all frames from 1; else 0
-    uint32_t barriers = 0;     // the batches of barriers that its queue had recorded before
+    uint32_t batch_count = 0;  // batches of its queue up to and including its own; 0: before all frames
+    uint32_t scope = 0;        // for drawing: its rendering scope, counted over all frames from 1; else 0
+    uint32_t barriers = 0;     // number of barrier batches recorded earlier on its queue
 };
 
 class FaultList {
  public:
     explicit FaultList(const FramePlan& plan) : plan_(plan) {}
 
-    // `loc` is where the use at fault was written.
+    // `loc` is the place in the source of the faulty use.
     void add(const char* code, SourceLoc loc, const std::string& message, const std::string& help);
     [[nodiscard]] bool any(const char* code) const;
-    [[nodiscard]] std::string pass_name(PassId pass) const;              // quoted
-    [[nodiscard]] std::string resource_name(ResourceId resource) const;  // quoted
+    [[nodiscard]] std::string pass_name(PassId pass) const;              // in quotes
+    [[nodiscard]] std::string resource_name(ResourceId resource) const;  // in quotes
     [[nodiscard]] std::string actor_text(const Actor& actor, uint32_t current_frame) const;
     [[nodiscard]] Diagnostics take() { return std::move(faults_); }
 

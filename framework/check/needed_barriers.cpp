@@ -8,7 +8,7 @@
 namespace weft {
 namespace {
 
-// `barriers` is a list of `plan`, which is left as it was.
+// `barriers` is a list inside `plan`; the function restores it before it returns.
 uint32_t needed_of(const FramePlan& plan, std::vector<BarrierDecl>& barriers) {
     uint32_t needed = 0;
     for (size_t i = 0; i < barriers.size(); ++i) {

@@ -1,4 +1,5 @@
-// Purpose: how many of a plan's barriers are needed: without one of them the checker finds a fault.
+// Purpose: counts a plan's necessary barriers: a barrier is necessary if the checker finds a fault without
+// it.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +9,9 @@
 
 namespace weft {
 
-// Of the barriers of a frame, as BarrierPlan::emitted counts them; each is left out by itself. The plan is
-// sound. The checker runs once for each barrier, so the work grows with passes × barriers: nothing where that
-// product is above `most_work`.
+// Counts the barriers of a frame, like BarrierPlan::emitted; removes one at a time. The plan must be free of
+// faults. The checker runs once per barrier, so the work is passes × barriers; nullopt if this exceeds
+// `most_work`.
 [[nodiscard]] std::optional<uint32_t> count_needed_barriers(FramePlan plan, uint64_t most_work = 100'000);
 
 }  // namespace weft

@@ -6,8 +6,8 @@
 namespace weft::check {
 namespace {
 
-// The graphics pipeline in logical order. Compute has one stage behind the indirect read; the others stand
-// alone.
+// The graphics pipeline in logical order. In compute, only the indirect read is logically earlier. Other
+// stages have no order.
 constexpr std::array kGraphicsOrder{
     stage::kDrawIndirect,   stage::kVertexInput,       stage::kVertexShader, stage::kEarlyFragmentTests,
     stage::kFragmentShader, stage::kLateFragmentTests, stage::kColorOutput};

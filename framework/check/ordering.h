@@ -1,8 +1,8 @@
-// Purpose: what happens before what on one queue, by the rules of Vulkan's execution and memory dependencies
-// (Vulkan 1.3 specification, chapter "Synchronization and Cache Control").
-// A barrier orders everything earlier in its source stages before everything later in its destination stages,
-// and chains with barriers whose scopes meet. Memory is made available by a barrier whose source names the
-// writing stage and access, and visible to the stages and accesses of the destination.
+// Purpose: the happens-before relation on one queue, by the rules of Vulkan's execution and memory
+// dependencies (Vulkan 1.3 specification, chapter "Synchronization and Cache Control"). A barrier orders
+// everything earlier in its source stages before everything later in its destination stages, and chains with
+// barriers whose scopes intersect. A barrier whose source names the writing stage and access makes memory
+// available, and makes it visible to its destination stages and accesses.
 #pragma once
 
 #include <array>
@@ -14,35 +14,36 @@
 
 namespace weft::check {
 
-// Stages that a source mask stands for: those named and, in one pipeline, the logically earlier ones.
+// All stages of a source mask: the named ones and those logically earlier in the same pipeline.
 [[nodiscard]] StageMask with_earlier(StageMask stages);
-// Stages that a destination mask stands for: those named and the logically later ones.
+// All stages of a destination mask: the named ones and the logically later ones.
 [[nodiscard]] StageMask with_later(StageMask stages);
 
 [[nodiscard]] Scopes scopes_of(const BarrierDecl& barrier);
 
-// One access, or layout transition, and how far its effects have been carried since.
+// One access or layout transition, with the later stages that are ordered after it and see its effects.
 class AccessRecord {
  public:
     AccessRecord() = default;
-    // A transition has no stages of its own: it is done when its barrier's destination stages start.
+    // A layout transition has no stage of its own: it is complete when its barrier's destination stages
+    // start.
     AccessRecord(const Actor& actor, StageMask stages, AccessMask access, bool is_write);
     static AccessRecord transition(const Actor& actor, const Scopes& scopes);
 
-    // Carries one vkCmdPipelineBarrier2: `all` are its barriers, of any resource, because their execution
-    // parts hold for everything; `on_memory` are those on the memory that this access touched.
+    // Applies one vkCmdPipelineBarrier2. `all` has its barriers on all resources, because execution
+    // dependencies apply to every resource; `on_memory` has those on the memory of this access.
     void pass_barriers(const StageChain& all, std::span<const Scopes> on_memory);
-    // Carries the batches of `log`, the log of this access's queue, that were recorded since it was followed
-    // last. None of them is on the memory that this access touched.
+    // Applies the batches of `log`, the log of this access's queue, that were recorded since the last call.
+    // None of them may be on the memory of this access.
     void follow(const BarrierLog& log);
 
-    // Every stage of this access is in, or chained to, the barrier's source.
+    // True if every stage of this access is in the barrier's source scope, or chains to it.
     [[nodiscard]] bool ordered_before(const Scopes& scopes) const;
-    // Every stage of this access is over before any of `stages` starts.
+    // True if every stage of this access completes before any of `stages` starts.
     [[nodiscard]] bool ordered_before(StageMask stages) const;
     [[nodiscard]] bool visible_to(StageMask stages, AccessMask access) const;
-    // A barrier before made this write available, and what it made wait chains to this one's source, or to
-    // all of `stages`.
+    // True if an earlier barrier made this write available and chains to the source of `scopes` (or to all of
+    // `stages`).
     [[nodiscard]] bool available_before(const Scopes& scopes) const {
         return (available_reach_ & scopes.src_execution) != 0;
     }
@@ -63,11 +64,12 @@ class AccessRecord {
     StageMask stages_ = 0;
     AccessMask access_ = 0;
     bool is_write_ = false;
-    uint32_t followed_ = 0;                         // batches of barriers of its queue
-    StageMask available_reach_ = 0;                 // later stages known to come after it was made available
-    std::array<StageMask, stage::kCount> reach_{};  // by own stage: later stages known to come after it
+    uint32_t followed_ = 0;                         // number of barrier batches of its queue already applied
+    StageMask available_reach_ = 0;                 // later stages ordered after the barrier that made it
+                                                    // available
+    std::array<StageMask, stage::kCount> reach_{};  // index: own stage; later stages ordered after it
     StageMask transition_reach_ = 0;
-    std::array<AccessMask, stage::kCount> visible_{};  // by later stage
+    std::array<AccessMask, stage::kCount> visible_{};  // index: later stage
 };
 
 }  // namespace weft::check

@@ -38,7 +38,9 @@ std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
         ring[resource.age] = id;
     }
     for (std::vector<ResourceId>& ring : rings)
-        if (std::find(ring.begin(), ring.end(), kNoId) != ring.end()) ring.clear();  // C301 says so
+        if (std::find(ring.begin(), ring.end(), kNoId) != ring.end())
+            ring.clear();  // check_structure() reports this
+                           // as C301
     return rings;
 }
 
@@ -110,8 +112,8 @@ void Replay::prologue() {
     barriers(prologue.after, kNoId);
 }
 
-// What was this frame's becomes what was a frame ago, and the oldest copy is free. What nobody has written
-// yet stays.
+// Each resource of a ring gets the content that the next newer one had; the oldest copy becomes the newest.
+// First-frame values that no pass has overwritten stay valid.
 void Replay::rotate_rings() {
     for (const std::vector<ResourceId>& ring : rings_) {
         if (ring.size() < 2) continue;
@@ -202,7 +204,7 @@ void Replay::uses(const PassStep& step, bool goes_on) {
         const AttachmentOps* ops = ops_of(step, u);
         const AccessState state = effective_state(use, ops);
         if (writes(use.access) || (ops && ops->store != StoreOp::none))
-            // Inside a scope nothing is stored yet, and nothing lost.
+            // Inside a scope the store operation has no effect yet, so the content is kept.
             write(actor_of_use(step.pass, u), use, state, !ops || goes_on || ops->store == StoreOp::store);
     }
 }
@@ -218,9 +220,9 @@ void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state)
     });
 }
 
-// A later read by the same stages of the same queue has been through fewer barriers: whatever comes after it
-// comes after the earlier one as well. Two passes are kept, because a pass that goes on to write does not
-// wait for itself.
+// Keeps the two latest similar reads: later reads passed fewer barriers, so waiting for a later read of the
+// same stages and queue implies waiting for the earlier one. Two passes are kept, because a pass that also
+// writes does not wait for its own read.
 void Replay::note_read(Cell& cell, const AccessRecord& record) {
     const Actor& by = record.actor();
     const auto alike = [&](const AccessRecord& other) {
@@ -242,11 +244,11 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
         expect_free_memory(by, use.resource, use.loc, state.stages, nullptr);
     cells_[use.resource].superseded_by = kNoId;
     cells_[use.resource].each(use.range, [&](Cell& cell) {
-        // Whoever drops a buffer's content needs no ownership from before; an image has its transition for
-        // that.
+        // A pass that discards a buffer's content needs no ownership transfer; for an image, the transition
+        // from `undefined` does this.
         if (resource.kind == ResourceKind::buffer && !reads(use.access)) cell.owner = family();
         expect_owner(by, use, cell);
-        // A use that also reads was put into the list of reads by read(): it does not wait for itself.
+        // read() has added this pass to the reads if it also reads; a pass does not wait for its own read.
         std::erase_if(cell.reads, [&](const AccessRecord& r) {
             return r.actor().pass == by.pass && r.actor().frame == frame_;
         });

@@ -1,5 +1,4 @@
-// What barriers do to the replay: what they wait for, what they carry on, which layouts and owners they
-// change.
+// Effects of barriers in the replay: ordering, visibility, layouts and ownership.
 #include <map>
 #include <utility>
 
@@ -28,8 +27,8 @@ void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
     std::vector<Scopes> scopes;
     scopes.reserve(batch.size());
     for (const BarrierDecl& barrier : batch) scopes.push_back(scopes_of(barrier));
-    // What the batch waits for is judged by what came before the batch, so transitions are checked first,
-    // then everything outstanding is carried through, then the transitions take effect.
+    // The batch waits only for work before the batch. So all transitions are checked first, then all pending
+    // records are updated, and then the transitions take effect.
     for (size_t i = 0; i < batch.size(); ++i)
         if (moves(batch[i]) || changes_image(batch[i])) transition(batch[i], scopes[i], before);
     carry(batch, scopes);
@@ -57,7 +56,7 @@ void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId befo
     if (drops_content(barrier)) overwrite_neighbours(before, barrier.resource);
 }
 
-// One half of a transfer: released on the family that had it, then acquired by the one that gets it.
+// One half of an ownership transfer: first the release on the old family, then the acquire on the new one.
 void Replay::transfer(const BarrierDecl& barrier, PassId before) {
     const ResourceDecl& resource = plan_.graph.resources[barrier.resource];
     const Scopes scopes = scopes_of(barrier);
@@ -118,8 +117,8 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
     if (drops_content(barrier)) expect_free_memory(by, barrier.resource, resource.loc, 0, &barrier);
 }
 
-// Barriers order only what their own queue did. Only the records on the barriers' memory are carried here;
-// the others follow the log when they are asked.
+// Barriers order only earlier work of their own queue. Only records on the barriers' memory are updated here;
+// the others apply the log later, when they are checked.
 void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes) {
     StageChain all;
     std::map<ResourceId, std::vector<size_t>> on_resource;  // indices into `batch`

@@ -1,4 +1,4 @@
-// Imports are left to the program around the graph between two frames, and it to them.
+// Passes imports from the program outside the graph to the frame and back.
 #include <vector>
 
 #include "check/replay.h"
@@ -18,7 +18,7 @@ void Replay::enter_imports() {
         if (!resource.import) continue;
         const AccessState& entry = resource.import->entry;
         const bool pending = (entry.access & access::kAllWrites) != 0;
-        // The program comes after all that the first queue did in the frame before.
+        // The program's accesses come after all work of the first queue in the previous frame.
         const Actor outside{kNoId, frame_, false, 0, clock_.batches_begun(0), 0, logs_[0].count()};
         for (Cell& cell : cells_[id]) {
             const AccessRecord record(outside, entry.stages, entry.access, pending);
@@ -40,7 +40,8 @@ void Replay::leave_imports() {
         if (!resource.import) continue;
         UseDecl outside;
         outside.resource = id;
-        outside.access = Access::storage_write;  // sees nothing that expect_order() would leave to reads
+        outside.access = Access::storage_write;  // a write access, because expect_order() checks fewer
+                                                 // conditions for reads
         outside.loc = resource.loc;
         const AccessState& exit = resource.import->exit;
         const bool writes_next = (exit.access & access::kAllWrites) != 0;

@@ -1,5 +1,4 @@
-// What the replay expects of each access: order, visibility, layout, content, memory that nobody else still
-// uses.
+// Checks of each access in the replay: order, visibility, layout, content, exclusive use of memory.
 #include <algorithm>
 
 #include "check/replay.h"
@@ -11,8 +10,8 @@ bool Replay::ordered(const AccessRecord& record, StageMask stages) const {
     return record.actor().queue == clock_.queue() && record.ordered_before(stages);
 }
 
-// A barrier that relies on a semaphore must chain with its wait, which holds back all stages but no command
-// without any.
+// A barrier that relies on a semaphore must chain with the semaphore's wait, which blocks all stages. A
+// barrier with an empty source does not chain with it.
 bool Replay::ordered(const AccessRecord& record, const Scopes& scopes) const {
     if (covered(record)) return scopes.src_execution != 0;
     return record.actor().queue == clock_.queue() && record.ordered_before(scopes);
@@ -43,7 +42,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
                           bool is_write) {
     if (cell.has_write) follow(cell.write);
     const bool judged_as_read = is_write && reads(use.access);
-    // Called for every subresource of every use: texts are made for faults only.
+    // This function runs for every subresource of every use, so texts are built only for faults.
     const auto who = [&] { return faults_.actor_text(by, frame_); };
     const auto what = [&] { return faults_.resource_name(use.resource) + range_text(cell.range); };
     const bool image = plan_.graph.resources[use.resource].kind == ResourceKind::image;
@@ -53,7 +52,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
                         faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
                         " left it in " + layout_text(cell.layout),
                     "a barrier before " + who() + " must change the layout");
-    // The rasteriser keeps the order of what is drawn in one rendering scope.
+    // The rasteriser keeps the order of draws within one rendering scope.
     const auto drawn_before = [&](const AccessRecord& record) {
         return by.scope != 0 && record.actor().scope == by.scope;
     };
@@ -79,7 +78,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
     }
 }
 
-// In any frame.
+// True if any pass of any frame writes the range.
 bool Replay::anybody_writes(ResourceId resource, const SubresourceRange& range) const {
     const auto write_it = [&](const UseDecl& use) {
         return use.resource == resource && writes(use.access) && overlaps(use.range, range);
@@ -90,15 +89,15 @@ bool Replay::anybody_writes(ResourceId resource, const SubresourceRange& range) 
     });
 }
 
-// Of `age` frames ago, or the first-frame value while there was no such frame, or for good where nobody is
-// left who writes it.
+// True for the content of `age` frames ago, or for the first-frame value if no such frame existed or if no
+// pass writes the resource any more.
 bool Replay::is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const {
     const Content& found = cell.content;
     if (wanted != kNoId)
         return found.kind == Content::Kind::written && found.pass == wanted && found.frame == frame_;
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.ring == kNoId) return found.kind == Content::Kind::outside;
-    const uint32_t age = std::max(resource.age, 1u);  // a ring of one keeps what the frame before left
+    const uint32_t age = std::max(resource.age, 1u);  // a ring of one keeps the content of the previous frame
     const bool never_written = resource.history > 0 && !anybody_writes(resource.ring, cell.range);
     if (frame_ < age || never_written) return found.kind == Content::Kind::initial;
     return found.kind == Content::Kind::carried && found.frame == frame_ - age;
@@ -122,7 +121,7 @@ void Replay::expect_owner(const Actor& by, const UseDecl& use, Cell& cell) {
 }
 
 void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint) {
-    // A use may have a source for each of thousands of layers: the search begins where the last one ended.
+    // A use may have a source for each of thousands of layers: the search starts at the previous match.
     const auto holds_cell = [&](const VersionSource& s) { return contains(s.range, cell.range); };
     const auto begin = use.sources.begin() + static_cast<std::ptrdiff_t>(std::min(hint, use.sources.size()));
     auto source = std::find_if(begin, use.sources.end(), holds_cell);
@@ -153,12 +152,12 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
                 "the order of passes, an attachment's store operation, or a shared placement is wrong");
 }
 
-// `resource` is about to be written: whoever else uses its memory must be done. `transition` is the barrier
-// that writes first, or null when the pass itself does, in `stages`.
+// Checks that no other resource in the same memory is still in use before `resource` is written. `transition`
+// is the barrier that writes first; it is null if the pass itself does, in `stages`.
 void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                                 const BarrierDecl* transition) {
     const Scopes scopes = transition ? scopes_of(*transition) : Scopes{};
-    // A barrier makes available what was written through the owners that it names, and nothing else.
+    // A barrier makes available only writes through the resources that it names.
     const auto is_flushed = [&](ResourceId owner, const AccessRecord& record) {
         const std::vector<ResourceId>& from = transition->hand_over_from;
         if (std::find(from.begin(), from.end(), owner) != from.end()) return flushed(record, scopes);

@@ -26,7 +26,7 @@ constexpr const char* kFullscreenVertex = "fullscreen.vert";
 struct StageFile {
     ShaderStage stage = ShaderStage::compute;
     std::string path;
-    bool shared = false;  // in the include root
+    bool shared = false;  // the file is in the include root
 };
 
 std::string extension_of(ProgramKind kind) {
@@ -56,7 +56,7 @@ std::vector<StageFile> stage_files(const std::string& reference, ProgramKind kin
     return {};
 }
 
-// References of this kind that exist, for "did you mean".
+// Existing references of this kind, for "did you mean".
 std::vector<std::string> known_references(ProgramKind kind, const SourceReader& reader) {
     if (kind != ProgramKind::raster) return reader.known_references(extension_of(kind));
     std::vector<std::string> folders;
@@ -85,7 +85,7 @@ Diagnostic not_found(const std::string& reference, ProgramKind kind, const Stage
     return diagnostic;
 }
 
-// The extension is the stage, so a wrong one is a wrong reference.
+// The extension determines the stage, so a wrong extension is an error in the reference.
 std::optional<Diagnostic> wrong_extension(const std::string& reference, ProgramKind kind,
                                           const SourceReader& reader) {
     const std::string wanted = extension_of(kind);
@@ -138,7 +138,7 @@ void report(const InterfaceFaults& faults, const std::vector<CompiledStage>& sta
         FoundWord found{find_declaration(fault.subject, source, reader.sources()),
                         static_cast<uint32_t>(fault.subject.size())};
         if (fault.subject.empty()) found = find_words(fault.words, source, reader.sources());
-        // GL_EXT_spirv_intrinsics can ask for anything, under no name of its own.
+        // GL_EXT_spirv_intrinsics can request any capability without naming an extension of its own.
         if (found.position.line == 0 && fault.code == "W208")
             found = find_words("spirv_*", source, reader.sources());
         Diagnostic diagnostic = diagnostic_at(found.position, fault.code, fault.message);
@@ -191,12 +191,12 @@ Result<ShaderProgram> build_program(const std::string& reference, ProgramKind ki
     return program;
 }
 
-// The cache is a file like any other: what comes from it passes the same gate.
+// Cache files are not trusted: their modules pass the same checks as compiled ones.
 std::optional<ShaderProgram> cached_program(const std::string& reference, ProgramKind kind,
                                             const ShaderRoots& roots, SourceReader& reader) {
     auto program = load_cached(reference, kind, roots, reader);
     if (!program) return std::nullopt;
-    // A refused module is compiled again, for the error's place.
+    // A rejected module is compiled again, because only a compilation can give the error's place.
     const auto refused = [&](const ShaderModule& module) {
         return spirv_fault(module.spirv).has_value() ||
                !gate_faults(module.stage, module.spirv, {roots.target, roots.limits}).empty();

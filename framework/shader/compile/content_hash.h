@@ -1,5 +1,6 @@
-// Purpose: 64-bit FNV-1a over bytes, for cache keys and checksums. Not for secrets: it finds accidents, not
-// forgers. Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm".
+// Purpose: 64-bit FNV-1a over bytes, for cache keys and checksums. It detects accidental changes, not
+// deliberate ones: do not use it for security. Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash
+// Algorithm".
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@ namespace weft::shader {
 
 class ContentHash {
  public:
-    // Lengths go in too, so that "ab","c" and "a","bc" differ.
+    // The length is hashed too, so that "ab","c" and "a","bc" give different hashes.
     void add(std::string_view bytes) {
         add(static_cast<uint64_t>(bytes.size()));
         for (const char byte : bytes) mix(static_cast<uint8_t>(byte));

@@ -16,7 +16,7 @@ IncludeAnswer refused(std::string why) {
     return {false, {}, std::move(why)};
 }
 
-// The same rules whoever asks, the worker or this process's own compiler.
+// The include rules are the same for the worker and for compilation in this process.
 IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) {
     return [&reader, limits, followed = uint64_t{0},
             refusal = std::pair<std::string, std::string>()](const IncludeRequest& request) mutable {
@@ -26,8 +26,8 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
             return refused("more than " + std::to_string(limits.includes) + " includes");
         const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
         if (lookup.source == nullptr) {
-            // "x" is asked for twice, beside and not; why the first was refused says more than that the
-            // second is not there.
+            // glslang requests "x" twice: beside the including file, then in the include root. If the first
+            // request was refused, its reason is the more useful one to report.
             if (lookup.refused) refusal = {request.name, lookup.reason};
             return refused(refusal.first == request.name ? refusal.second : lookup.reason);
         }
@@ -36,7 +36,7 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
     };
 }
 
-// Nothing when the worker's answer is none.
+// nullopt when the worker's answer is malformed.
 std::optional<GlslOutcome> outcome_of(Message answer) {
     if (answer.texts.empty()) return std::nullopt;
     if (answer.kind == MessageKind::failed) return GlslOutcome{false, {}, {}, std::move(answer.texts[0])};
@@ -47,7 +47,7 @@ std::optional<GlslOutcome> outcome_of(Message answer) {
 
 }  // namespace
 
-// What the worker says last; in between it asks for includes.
+// Returns the worker's last message and answers its include requests before that.
 std::optional<Message> StageCompiler::converse(ShaderStage stage, const SourceText& source,
                                                const IncludeReader& includes) {
     const Message request{MessageKind::compile, static_cast<uint64_t>(stage), {source.name, source.text}};

@@ -1,8 +1,8 @@
-// Purpose: stages of GLSL to SPIR-V, with includes read by a SourceReader: in the worker program, which has
-// limits on memory and processor time, or in this process. The worker is started for the first stage, serves
-// all that follow, and is replaced when it had to be killed. Numbers of bindings and free locations are
-// provisional until link_stages() has dealt them out. Errors: W202 GLSL error, W203 include not found or
-// outside the roots, W207 over the limits, or the worker crashed; X570 there is no worker to start.
+// Purpose: compiles stages of GLSL to SPIR-V, in the worker program, which has limits on memory and processor
+// time, or in this process. A SourceReader reads the includes. The worker starts with the first stage, serves
+// all later stages, and is replaced after it had to be killed. Binding numbers and free locations are
+// provisional until link_stages() assigns them. Errors: W202 GLSL error, W203 include not found or outside
+// the roots, W207 over the limits, or the worker crashed; X570 the worker cannot be started.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ struct CompiledStage {
     ShaderStage stage = ShaderStage::compute;
     const SourceText* source = nullptr;
     std::vector<uint32_t> spirv;
-    std::set<std::string> unplaced;  // stage inputs and outputs that state no location
+    std::set<std::string> unplaced;  // stage inputs and outputs without an explicit location
 };
 
-// For one thread.
+// Not thread-safe: use one object per thread.
 class StageCompiler {
  public:
     explicit StageCompiler(const ShaderRoots& roots) : program_(roots.worker), limits_(roots.limits) {}

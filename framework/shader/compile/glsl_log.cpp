@@ -32,7 +32,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// "name:12: rest": names may hold colons, so the known ones are tried, longest first.
+// The form is "name:12: rest". Names may contain colons, so the known names are tried, longest first.
 SourcePosition take_position(std::string_view& text, const SourceReader& reader, const SourceText& main) {
     std::vector<const SourceText*> sources = reader.sources();
     std::ranges::sort(sources, [](const auto* a, const auto* b) { return a->name.size() > b->name.size(); });
@@ -90,7 +90,7 @@ std::vector<std::string> identifiers(const SourceReader& reader, const std::stri
     return {words.begin(), words.end()};
 }
 
-// Who included the file, outwards to the stage's own.
+// Adds the chain of files that include the faulty file, from the innermost to the stage's own file.
 void note_includers(Diagnostic& diagnostic, const SourceText* source, const SourceReader& reader) {
     for (int depth = 0; source != nullptr && !source->included_by.empty() && depth < 32; ++depth) {
         const SourceText* parent = reader.find(source->included_by);
@@ -141,7 +141,7 @@ Diagnostics parse_glsl_log(const std::string& log, const SourceReader& reader, c
         if (!text.starts_with(kErrorPrefix) || is_summary(text)) continue;
         diagnostics.push_back(
             to_diagnostic(parse_line(text.substr(kErrorPrefix.size()), reader, main), reader));
-        // The parser gives up at its first error, but goes on in the file that included the faulty one.
+        // glslang stops at the first error in a file, but continues in the file that includes it.
         if (diagnostics.back().line > 0) break;
     }
     if (diagnostics.empty()) {

@@ -1,5 +1,5 @@
-// Purpose: glslang's log becomes diagnostics that name the file the fault is in, which may be an included
-// one. Lines look like "ERROR: name:12: 'token' : message".
+// Purpose: converts glslang's log to diagnostics that name the faulty file, which may be an included one. Log
+// lines look like "ERROR: name:12: 'token' : message".
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace weft::shader {
 
-// Faults that the log places nowhere belong to `main`. Never empty: a failure without a message is one too.
+// Faults without a place in the log are assigned to `main`. The result is never empty: a failed compilation
+// without a message becomes a diagnostic too.
 [[nodiscard]] Diagnostics parse_glsl_log(const std::string& log, const SourceReader& reader,
                                          const SourceText& main);
 

@@ -15,10 +15,11 @@ namespace {
 
 constexpr int kGlslVersion = 460;
 constexpr const char* kPortSet = "1";
-// Raise when the options below change what the same text compiles to.
+// Increase this number when a change of the options below changes the SPIR-V of the same text.
 constexpr int kOptionsRevision = 1;
 
-// glslang wants this once a process; the static ties it to the first compilation, whichever thread does it.
+// glslang must be initialised once per process; the static variable does this at the first compilation,
+// thread-safely.
 void start_glslang() {
     struct Process {
         Process() { glslang::InitializeProcess(); }
@@ -46,7 +47,8 @@ class Includer final : public glslang::TShader::Includer {
     }
 
  private:
-    // glslang asks "beside" first and then again without; an empty name with a text is its form of failure.
+    // glslang tries the including file's folder first and the include root second. An empty name with a text
+    // reports a failure to glslang.
     IncludeResult* include(const IncludeRequest& request) {
         IncludeAnswer answer = reader_(request);
         auto text = std::make_unique<std::string>(std::move(answer.text));
@@ -101,9 +103,9 @@ std::set<std::string> unplaced_variables(const glslang::TIntermediate& intermedi
 
 std::vector<uint32_t> to_spirv(const glslang::TIntermediate& intermediate) {
     glslang::SpvOptions options;
-    options.generateDebugInfo = true;  // reflection and validation messages live on the names
+    options.generateDebugInfo = true;  // reflection and validation messages need the names
     options.disableOptimizer = true;
-    spv::SpvBuildLogger logger;  // what it would say, spirv-val says better
+    spv::SpvBuildLogger logger;  // its messages are ignored: spirv-val reports the same faults more clearly
     std::vector<uint32_t> words;
     glslang::GlslangToSpv(intermediate, words, &logger, &options);
     return words;

@@ -1,8 +1,8 @@
-// Purpose: glslang, and nothing around it: one stage's text to SPIR-V. It opens no file; includes come from a
-// callback. It trusts its input with memory and time: a few hundred bytes of macros can cost gigabytes, and
-// deep nesting the stack. The worker program runs it under limits (shader/worker); glsl_compile.h is the way
-// in for everybody else. Numbers of bindings and free locations are provisional until link_stages().
-// Errors: `log`, in glslang's own form.
+// Purpose: runs glslang on the text of one stage and returns SPIR-V. It opens no file; a callback supplies
+// includes. glslang does not limit memory or time: a few hundred bytes of macros can use gigabytes, and deep
+// nesting can overflow the stack. The worker program therefore runs it under limits (shader/worker); all
+// other code calls glsl_compile.h. Binding numbers and free locations are provisional until link_stages().
+// Errors: `log`, in glslang's format.
 #pragma once
 
 #include <cstddef>
@@ -17,30 +17,30 @@
 namespace weft::shader {
 
 struct IncludeRequest {
-    std::string name;      // what stands between the quotes
-    std::string includer;  // the name of the text that asks
+    std::string name;      // the text between the quotes
+    std::string includer;  // the name of the including text
     size_t depth = 1;
-    bool beside = false;  // "x" may lie beside the file that asks, <x> not
+    bool beside = false;  // true for "x", which may lie beside the including file; false for <x>
 };
 
 struct IncludeAnswer {
     bool found = false;
-    std::string name;  // what the compiler shall call it
-    std::string text;  // or why it can't be had
+    std::string name;  // the name that the compiler uses for this text
+    std::string text;  // the text, or the reason why it is unavailable
 };
 using IncludeReader = std::function<IncludeAnswer(const IncludeRequest&)>;
 
 struct GlslOutcome {
     bool good = false;
     std::vector<uint32_t> spirv;
-    std::set<std::string> unplaced;  // stage inputs and outputs that state no location
-    std::string log;                 // when it is not good
+    std::set<std::string> unplaced;  // stage inputs and outputs without an explicit location
+    std::string log;                 // glslang's log, when the compilation failed
 };
 
 [[nodiscard]] GlslOutcome run_glslang(ShaderStage stage, const std::string& name, const std::string& text,
                                       const IncludeReader& includes);
 
-// Changes whenever the same text may give other words.
+// Changes whenever the same text may compile to different SPIR-V.
 [[nodiscard]] std::string compiler_version();
 
 }  // namespace weft::shader

@@ -1,5 +1,5 @@
-// Purpose: numbers and texts one after another, for cache files and for what the compiler's worker and its
-// caller say to each other. Layout: u64 little-endian; a text is its length and its bytes.
+// Purpose: serialises numbers and texts, for cache files and for the messages between compiler worker and
+// caller. Layout: numbers are u64 little-endian; a text is its length followed by its bytes.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class PayloadWriter {
     std::string payload_;
 };
 
-// Every read past the end fails, and so do all after it.
+// After a read past the end, that read and all later ones fail.
 class PayloadReader {
  public:
     explicit PayloadReader(std::string_view payload) : rest_(payload) {}

@@ -1,6 +1,6 @@
-// Purpose: small binary files that are either whole or ignored. Layout, little-endian:
+// Purpose: small binary files that are either complete or ignored. Layout, little-endian:
 //   8 bytes magic "WEFTSHD1" | u64 payload length | u64 hash of the payload | payload
-// Written beside their place and renamed into it, so a reader never meets half a file.
+// A file is written under a temporary name and then renamed, so a reader never sees an incomplete file.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace weft::shader {
 
-// The payload; nothing when the file is absent, cut short, damaged or larger than 64 MiB.
+// The payload; nullopt when the file is absent, incomplete, damaged or larger than 64 MiB.
 [[nodiscard]] std::optional<std::string> read_sealed(const std::filesystem::path& file);
 
-// A cache that cannot be written is no error: the next run compiles again.
+// A cache that cannot be written is not an error: the next run compiles again.
 void write_sealed(const std::filesystem::path& file, std::string_view payload);
 
 }  // namespace weft::shader

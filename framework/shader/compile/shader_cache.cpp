@@ -52,7 +52,8 @@ std::string pack_manifest(const SourceReader& reader) {
     return writer.payload();
 }
 
-// True when every place the manifest lists is as it was; the reader has then read what compiling would read.
+// True when every place in the manifest is unchanged. The reader has then read the same texts as a
+// compilation would.
 bool still_so(const std::string& manifest, SourceReader& reader) {
     PayloadReader payload(manifest);
     const auto count = payload.number();

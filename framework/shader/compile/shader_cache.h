@@ -1,7 +1,7 @@
-// Purpose: compiled programs on disk, by content. A manifest for each reference lists every place that
-// compiling it looked at (found or not) with the hashes of the texts; when looking again gives the same, the
-// words are stored under the hash of all contents. Anything missing, changed or damaged means "compile
-// again".
+// Purpose: a cache of compiled programs on disk, addressed by content. The manifest of a reference lists
+// every place that its compilation examined (found or not), with hashes of the texts. If examining the places
+// again gives the same result, the SPIR-V is loaded by the hash of all contents. Anything missing, changed or
+// damaged leads to a new compilation.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,13 @@
 
 namespace weft::shader {
 
-// Of everything that decides the words: compiler, reference, kind, and the texts that were read.
+// Hash of all inputs that determine the SPIR-V: compiler, reference, kind, and the texts that were read.
 [[nodiscard]] uint64_t content_hash_of(const std::string& reference, ProgramKind kind,
                                        const SourceReader& reader);
 
-// Reference, modules and content hash; the interface is left to reflection. The words are not validated yet.
-// `reader`, a new one, has read what compiling would read when something is returned.
+// Fills reference, modules and content hash, but not the interface, which reflection computes. The SPIR-V is
+// not validated yet. If a program is returned, `reader` (which must be new) has read the same texts as a
+// compilation would.
 [[nodiscard]] std::optional<ShaderProgram> load_cached(const std::string& reference, ProgramKind kind,
                                                        const ShaderRoots& roots, SourceReader& reader);
 

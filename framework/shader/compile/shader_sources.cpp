@@ -16,7 +16,7 @@ namespace {
 constexpr int kMaxSuggestionDepth = 3;
 constexpr size_t kMaxSuggestionEntries = 2000;
 
-// Neither absolute nor climbing: what is left stays below its root unless a link leads away.
+// The path is relative and has no "..", so it stays below its root unless a symbolic link leads out.
 bool is_plain_relative(const fs::path& path) {
     if (path.empty() || path.has_root_path() || path.native().find('\0') != std::string::npos) return false;
     return std::ranges::none_of(path, [](const fs::path& part) { return part == ".." || part.empty(); });

@@ -1,6 +1,6 @@
-// Purpose: reads shader files, only from under the given roots, and remembers every place it looked at, so
-// that a cache can tell whether looking again would give the same texts. What it reads has the limits of the
-// roots: bytes of a file, files and bytes of a program.
+// Purpose: reads shader files below the given roots only, and records every place that it examined, so that a
+// cache can check whether another look gives the same texts. The limits of the roots apply: bytes per file,
+// files and bytes per program.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace weft::shader {
 
-// One look at one place: what was there, or that nothing was.
+// The result of examining one place: the hash of the text there, or that no file exists.
 struct SourceProbe {
     size_t root = 0;
     std::string relative;
@@ -25,10 +25,10 @@ struct SourceProbe {
     uint64_t text_hash = 0;
 };
 
-// A source, or why there is none.
+// A source, or the reason why there is none.
 struct SourceLookup {
     const SourceText* source = nullptr;
-    bool refused = false;  // it was there, or might have been, but must not be read
+    bool refused = false;  // the file exists or may exist, but must not be read
     std::string reason;
 };
 
@@ -36,22 +36,23 @@ class SourceReader {
  public:
     explicit SourceReader(const ShaderRoots& roots);
 
-    // The first root that has it.
+    // Reads from the first root that contains the file.
     [[nodiscard]] SourceLookup read_reference(const std::string& relative);
-    // Only the include root.
+    // Reads from the include root only.
     [[nodiscard]] SourceLookup read_shared(const std::string& relative);
-    // "x.glsl": beside the file that includes it, then the include root. <x.glsl>: the include root.
+    // "x.glsl": searched beside the including file, then in the include root. <x.glsl>: in the include root
+    // only.
     [[nodiscard]] SourceLookup read_include(const std::string& requested, const std::string& includer,
                                             bool beside);
-    // Looks again; true when it would find the same.
+    // Examines the place again; true when the result is the same.
     [[nodiscard]] bool still_so(const SourceProbe& probe);
 
     [[nodiscard]] const std::vector<SourceProbe>& probes() const { return probes_; }
-    // Every file it looked for, absolute, there or not; of a link also what it leads to.
+    // Absolute paths of all files that were searched, existing or not; for a symbolic link also its target.
     [[nodiscard]] const std::vector<std::filesystem::path>& places() const { return places_; }
     [[nodiscard]] std::vector<const SourceText*> sources() const;
     [[nodiscard]] const SourceText* find(std::string_view name) const;
-    // References with this extension below the searched roots, for suggestions.
+    // References with this extension below the searched roots, for suggestions in messages.
     [[nodiscard]] std::vector<std::string> known_references(const std::string& extension) const;
 
  private:
@@ -64,8 +65,9 @@ class SourceReader {
     SourceLookup load(size_t root, const std::filesystem::path& relative, const std::filesystem::path& file);
 
     ShaderLimits limits_;
-    std::vector<Root> roots_;                     // the searched ones, then the include root
-    std::vector<std::filesystem::path> folders_;  // their real paths: links must not lead out of all of them
+    std::vector<Root> roots_;                     // the searched roots, then the include root
+    std::vector<std::filesystem::path> folders_;  // their real paths: a symbolic link must lead into one of
+                                                  // them
     std::map<std::pair<size_t, std::string>, SourceText> texts_;
     std::vector<SourceProbe> probes_;
     std::vector<std::filesystem::path> places_;

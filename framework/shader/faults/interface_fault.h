@@ -1,5 +1,5 @@
-// Purpose: a fault in what a shader asks for or hands on, before it is placed in a source file. SPIR-V keeps
-// names, not places: the place is found by looking for the name in the sources.
+// Purpose: a fault in the interface of a shader that has no place in a source file yet. SPIR-V keeps names
+// but no places, so the place is found by searching the sources for the name.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 namespace weft::shader {
 
 struct InterfaceFault {
-    // "W205" stages that do not fit together, "W206" an interface no pass can offer, "W208" and "W209" what
-    // the SPIR-V gate refuses
+    // "W205" stages that do not match, "W206" an unsupported interface, "W208" and "W209" SPIR-V that the
+    // gate rejects
     std::string code;
     ShaderStage stage = ShaderStage::compute;
-    std::string subject;  // the name to look for in the source; empty when the fault has none
+    std::string subject;  // the name to search for in the source; empty when the fault has none
     std::string message;
     std::string help;
-    // Where there is no name to look for: what may stand for the fault in the source; see find_words().
+    // Used without a name: words whose position in the source is reported; see find_words().
     std::string words = {};
 };
 

@@ -112,7 +112,7 @@ Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::
     diagnostic.code = std::move(code);
     diagnostic.message = std::move(message);
     if (position.source == nullptr) return diagnostic;
-    // What is wrong with a file as a whole is shown at its beginning.
+    // A fault of the whole file is reported at its beginning.
     diagnostic.file = position.source->path;
     diagnostic.line = std::max(position.line, 1u);
     diagnostic.column = std::max(position.column, 1u);

@@ -1,5 +1,5 @@
 // Purpose: places in shader sources, for diagnostics. SPIR-V keeps names but no places, so a declaration is
-// found again by looking for its name in the text. Units: lines and columns count from 1; 0 is "unknown".
+// found by searching the text for its name. Units: lines and columns count from 1; 0 means unknown.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 namespace weft::shader {
 
 struct SourceText {
-    std::string name;  // what the compiler calls it: the path below its root, unique in a program
-    std::string path;  // what users are shown
+    std::string name;  // name used by the compiler: the path below its root, unique in a program
+    std::string path;  // path shown to users
     std::string text;
     size_t root = 0;           // index into the reader's roots
     std::string relative;      // path below that root
-    std::string included_by;   // name of the file that asked first; empty for the stages themselves
-    std::string include_text;  // what that file wrote between the quotes
+    std::string included_by;   // name of the first file that included this one; empty for a stage's own file
+    std::string include_text;  // the text between the quotes of that include
 };
 
 struct SourcePosition {
@@ -27,13 +27,14 @@ struct SourcePosition {
     uint32_t column = 0;
 };
 
-// Where a name is declared, as far as text can tell: the first whole word outside comments that something a
-// declaration ends with follows. Looks in `first`, then in the others; unknown in `first` when it is nowhere.
+// The place where a name is declared, found by a text search: the first whole word outside comments that is
+// followed by a character that can end a declarator. Searches `first`, then the others. If not found:
+// `first`, with an unknown line.
 [[nodiscard]] SourcePosition find_declaration(const std::string& name, const SourceText* first,
                                               const std::vector<const SourceText*>& others);
 
-// Where the first of some words stands outside comments, whichever it is; looks in `first`, then in the
-// others. `words` are separated by spaces; one that ends in "*" is the beginning of a word.
+// The earliest place of any of the words outside comments. Searches `first`, then the others. `words` are
+// separated by spaces; a word that ends in "*" is a prefix.
 struct FoundWord {
     SourcePosition position;
     uint32_t length = 0;
@@ -41,13 +42,13 @@ struct FoundWord {
 [[nodiscard]] FoundWord find_words(const std::string& words, const SourceText* first,
                                    const std::vector<const SourceText*>& others);
 
-// The same text with comments turned to spaces, so that offsets stay.
+// The same text with comments replaced by spaces, so that offsets stay the same.
 [[nodiscard]] std::string without_comments(std::string text);
 
-// Line `line` (from 1) of a text, without its end.
+// Line `line` (from 1) of a text, without its newline.
 [[nodiscard]] std::string line_of(const std::string& text, uint32_t line);
 
-// File, line, column and excerpt filled in; a null source leaves them empty.
+// A diagnostic with file, line, column and excerpt; a null source leaves these fields empty.
 [[nodiscard]] Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::string message);
 
 }  // namespace weft::shader

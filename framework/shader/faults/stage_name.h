@@ -1,4 +1,4 @@
-// Purpose: what messages call a shader stage.
+// Purpose: the names of shader stages in messages.
 #pragma once
 
 #include "weft/shader_interface.h"

@@ -11,7 +11,7 @@ namespace {
 namespace sc = shader_capability;
 using enum CapabilityRule;
 
-// Remedies. Rows with the same one give one error.
+// Remedies. Several faults with the same remedy give one error.
 constexpr const char* kOtherDevice = "leave it out, or choose another device";
 constexpr const char* kCubes = "use samplerCube, one cube for each port, or choose another device";
 constexpr const char* kGather = "use constant offsets with textureGatherOffset(), or four texelFetch()";
@@ -65,7 +65,7 @@ constexpr std::array kTable{
     free_row(SpvCapabilityStorageImageExtendedFormats, "StorageImageExtendedFormats"),
     free_row(SpvCapabilityStorageImageWriteWithoutFormat, "StorageImageWriteWithoutFormat"),
     free_row(SpvCapabilityDemoteToHelperInvocation, "DemoteToHelperInvocation"),
-    // Each device has these; the interface says which declarations a pass can bind (W206).
+    // Every device has these. The interface check decides which declarations a pass can bind (W206).
     free_row(SpvCapabilitySampled1D, "Sampled1D"),
     free_row(SpvCapabilityImage1D, "Image1D"),
     free_row(SpvCapabilitySampledBuffer, "SampledBuffer"),

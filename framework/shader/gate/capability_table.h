@@ -1,5 +1,5 @@
-// Purpose: the capabilities of SPIR-V that glslang 12 can emit, and which of them a shader may use. One
-// table: the gate judges by it, and docs/shaders.md shows it. A capability that is not in it is refused.
+// Purpose: the SPIR-V capabilities that glslang 12 can emit, and which of them a shader may use. The gate
+// uses this one table, and docs/shaders.md shows it. A capability that is not in the table is rejected.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 namespace weft::shader {
 
 enum class CapabilityRule : uint8_t {
-    always,   // each device that Weft runs on is made with it
-    device,   // if the device offers it: `needs`
-    compute,  // in compute stages, if the device offers it: `needs`, where that is not 0
-    never,    // no device is made with it
+    always,   // enabled on every device that Weft creates
+    device,   // allowed if the device supports the feature `needs`
+    compute,  // allowed in compute stages; if `needs` is not 0, only if the device supports it
+    never,    // never enabled on a device
 };
 
 struct CapabilityRow {
@@ -21,14 +21,14 @@ struct CapabilityRow {
     const char* name = "";
     CapabilityRule rule = CapabilityRule::never;
     ShaderCapabilityMask needs = 0;
-    // What asks for it in GLSL, for the error's place: whole words separated by spaces; "dmat*" is a
-    // beginning.
+    // GLSL words that lead to this capability, separated by spaces, to find the error's place; "dmat*" is a
+    // prefix.
     const char* words = "";
     const char* remedy = "";
 };
 
 [[nodiscard]] std::span<const CapabilityRow> capability_table();
-// Null: not in the table.
+// Null when the capability is not in the table.
 [[nodiscard]] const CapabilityRow* find_capability(uint32_t capability);
 
 }  // namespace weft::shader

@@ -17,7 +17,7 @@
 namespace weft::shader {
 namespace {
 
-// Core since Vulkan 1.3 or SPIR-V 1.6, so that no device need be made with more.
+// Core since Vulkan 1.3 or SPIR-V 1.6, so devices need no further feature for them.
 constexpr std::array<std::string_view, 2> kExtensions{"SPV_EXT_demote_to_helper_invocation",
                                                       "SPV_KHR_non_semantic_info"};
 constexpr std::array<std::string_view, 2> kInstructionSets{"GLSL.std.450", "NonSemantic.DebugPrintf"};
@@ -30,7 +30,7 @@ bool offered(const CapabilityRow& row, const ShaderTarget& target) {
     return (row.needs & ~target.capabilities) == 0;
 }
 
-// Why not; empty: it is allowed.
+// The reason why the capability is rejected; empty if it is allowed.
 std::string refusal(const CapabilityRow& row, ShaderStage stage, const ShaderTarget& target) {
     switch (row.rule) {
         case CapabilityRule::always:
@@ -61,7 +61,7 @@ class CapabilityCheck {
             return;
         }
         const std::string why = refusal(*row, stage_, rules_.target);
-        // A capability often implies others: one message for one remedy.
+        // A capability often implies others: report each remedy only once.
         if (why.empty() || !said_.insert(row->remedy).second) return;
         const std::string remedy = row->rule == CapabilityRule::compute && stage_ != ShaderStage::compute
                                        ? "do it in a compute pass"
@@ -69,8 +69,8 @@ class CapabilityCheck {
         fault(std::string("the capability ") + row->name + ", " + why, row->words, remedy);
     }
 
-    // What allowed capabilities bring with them is in kExtensions: another one is a fault of its own only
-    // where no capability was.
+    // kExtensions has all extensions that allowed capabilities need. Another extension is reported only if no
+    // capability was: a rejected capability already explains it.
     void extension(const std::string& name) {
         if (!faults_.empty() || std::ranges::find(kExtensions, name) != kExtensions.end()) return;
         fault("the SPIR-V extension " + name + ", which no device is made with", words_of_extension(name),
@@ -84,7 +84,8 @@ class CapabilityCheck {
     }
 
  private:
-    // "SPV_AMD_gcn_shader" comes from "#extension GL_AMD_gcn_shader"; some come under another maker's name.
+    // "SPV_AMD_gcn_shader" comes from "#extension GL_AMD_gcn_shader"; for some extensions the vendor prefix
+    // differs.
     static std::string words_of_extension(const std::string& name) {
         const size_t maker_end = name.find('_', 4);
         if (!name.starts_with("SPV_") || maker_end == std::string::npos) return {};
@@ -108,7 +109,7 @@ class CapabilityCheck {
     std::set<std::string> said_;
 };
 
-// Uses that Vulkan ties to a feature of the device and SPIR-V to no capability.
+// Checks uses that need a device feature in Vulkan but no capability in SPIR-V.
 class FeatureCheck {
  public:
     FeatureCheck(ShaderStage stage, InterfaceFaults& faults) : stage_(stage), faults_(faults) {}

@@ -1,7 +1,7 @@
-// Purpose: what a SPIR-V module may ask for. An allow-list of capabilities, extensions and instruction
-// sets, joined with what the device offers, and caps on the memory that a module's own variables take. It
-// reads any words without harm. spirv-val must pass as well: it proves that the capability of each
-// instruction is declared. Units: bytes, words. Errors: W208 a capability, extension or use that is not
+// Purpose: decides which SPIR-V modules are allowed: an allow-list of capabilities, extensions and
+// instruction sets, limited to those that the device supports, and limits on the memory of a module's own
+// variables. It is safe for any input. spirv-val must accept the module too: it proves that the capability of
+// each instruction is declared. Units: bytes, words. Errors: W208 a capability, extension or use that is not
 // allowed, W209 more storage or depth than allowed.
 #pragma once
 
@@ -20,7 +20,7 @@ struct GateRules {
     ShaderLimits limits;
 };
 
-// Nothing: the module may go on.
+// Empty when the module is allowed.
 [[nodiscard]] InterfaceFaults gate_faults(ShaderStage stage, std::span<const uint32_t> spirv,
                                           const GateRules& rules);
 

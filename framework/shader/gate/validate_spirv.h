@@ -1,5 +1,5 @@
-// Purpose: the gate that every module passes before it leaves: spirv-val with Vulkan 1.3's rules. Drivers
-// trust their input, and a malformed module can crash them.
+// Purpose: validates every module with spirv-val and the rules of Vulkan 1.3. Drivers do not check their
+// input, so a malformed module can crash them.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace weft::shader {
 
-// What is wrong with the module, or nothing.
+// The text of spirv-val's error; nullopt for a valid module.
 [[nodiscard]] std::optional<std::string> spirv_fault(const std::vector<uint32_t>& spirv);
 
 }  // namespace weft::shader

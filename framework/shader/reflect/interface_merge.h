@@ -1,5 +1,6 @@
-// Purpose: the interface of a program, from the final SPIR-V of its stages. What no stage uses is left out.
-// Errors: W205 stages that declare one thing in two ways, W206 an interface no pass can offer; as faults.
+// Purpose: computes the interface of a program from the final SPIR-V of its stages. Unused declarations are
+// omitted. Faults: W205 stages that declare the same name differently, W206 an interface that no pass can
+// offer.
 #pragma once
 
 #include <vector>

@@ -100,7 +100,7 @@ uint32_t array_count(spvc_compiler compiler, spvc_type type, bool& is_runtime) {
 
 namespace {
 
-// The stride SPIR-V states is the outermost dimension's; members speak of single elements.
+// SPIR-V states the stride of the outermost dimension; this returns the stride of one element.
 uint32_t element_stride(spvc_compiler compiler, spvc_type block, spvc_type type, unsigned index) {
     const unsigned dimensions = spvc_type_get_num_array_dimensions(type);
     unsigned stride = 0;

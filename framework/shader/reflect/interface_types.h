@@ -1,5 +1,5 @@
-// Purpose: SPIRV-Cross types in Weft's words: block members, scalar types, image dimensions and formats.
-// Included only by the reflection sources: it is the one header that shows SPIRV-Cross.
+// Purpose: converts SPIRV-Cross types to Weft's types: block members, scalar types, image dimensions and
+// formats. Only the reflection sources include this header, because it exposes SPIRV-Cross.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,19 @@
 
 namespace weft::shader {
 
-// Empty for types that blocks and stage variables of Weft cannot have (16 and 64 bits, pointers, opaque
+// nullopt for types that blocks and stage variables of Weft cannot have (16 and 64 bits, pointers, opaque
 // types).
 [[nodiscard]] std::optional<ScalarType> to_scalar(spvc_basetype type);
 [[nodiscard]] std::optional<ImageDim> to_dim(SpvDim dim);
-// `undefined` both for "none declared" and for formats that Weft does not have.
+// `undefined` when no format is declared, and for formats that Weft does not support.
 [[nodiscard]] Format to_format(SpvImageFormat format);
 
-// Names of members whose type Weft cannot express are added to `foreign`, as "block.member".
+// Adds the names of members with unsupported types to `foreign`, as "block.member".
 [[nodiscard]] std::vector<BlockMember> block_members(spvc_compiler compiler, spvc_type_id block,
                                                      std::vector<std::string>& foreign);
 
-// Product of all dimensions: 0 for "not an array"; a runtime dimension counts as 1 and sets `is_runtime`.
+// Product of all dimensions: 0 if the type is not an array; a runtime dimension counts as 1 and sets
+// `is_runtime`.
 [[nodiscard]] uint32_t array_count(spvc_compiler compiler, spvc_type type, bool& is_runtime);
 
 }  // namespace weft::shader

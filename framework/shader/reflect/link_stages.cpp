@@ -17,8 +17,8 @@ std::string key_of(const ReflectedBinding& reflected) {
     return reflected.is_params ? "Params" : reflected.binding.name;
 }
 
-// Unused declarations stay in the words, so they are numbered too, after the used ones, where no layout
-// looks.
+// Unused declarations stay in the SPIR-V and need numbers too. They come after the used ones; no descriptor
+// set layout contains their numbers.
 std::map<std::string, uint32_t> number_ports(const std::vector<StageReflection>& reflections) {
     std::set<std::string> used;
     std::set<std::string> unused;
@@ -48,7 +48,7 @@ void move_to(CompiledStage& stage, ReflectedVariable& variable, uint32_t locatio
     if (variable.location_word) stage.spirv[*variable.location_word] = location;
 }
 
-// By name, each at the lowest run of locations that nothing else takes.
+// Assigns locations in the order of names: each variable gets the lowest run of free locations.
 void place_free_variables(CompiledStage& stage, std::vector<ReflectedVariable>& variables) {
     std::set<uint32_t> taken;
     std::vector<ReflectedVariable*> free;
@@ -90,7 +90,7 @@ std::string list_of(const std::vector<ReflectedVariable>& outputs) {
     return text.empty() ? "it writes nothing but gl_Position" : "it writes " + text;
 }
 
-// Inputs without a location take the one of the output of the same name.
+// An input without a location gets the location of the output with the same name.
 void join_by_name(CompiledStage& stage, std::vector<ReflectedVariable>& inputs,
                   const std::vector<ReflectedVariable>& outputs, InterfaceFaults& faults) {
     for (ReflectedVariable& input : inputs) {
@@ -106,7 +106,7 @@ void join_by_name(CompiledStage& stage, std::vector<ReflectedVariable>& inputs,
                           list_of(outputs)});
         stage.unplaced.erase(name);
         input.location_word.reset();
-        input.columns = 0;  // reported: the location check below passes over it
+        input.columns = 0;  // already reported: the location check below skips it
     }
 }
 

@@ -1,6 +1,6 @@
-// Purpose: the stages of one program get numbers that agree. Resources of set 1 are numbered by name over all
-// stages, the used ones first; inputs and outputs without a location are joined by name; then every input
-// must find an output of its type. Only numbers inside the SPIR-V change. Errors: W205, as faults.
+// Purpose: gives the stages of one program matching numbers. Resources of set 1 are numbered by name over all
+// stages, used ones first. Inputs and outputs without a location are matched by name. Then every input must
+// have an output of its type. Only numbers inside the SPIR-V change. Faults: W205.
 #pragma once
 
 #include <vector>

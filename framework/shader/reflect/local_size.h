@@ -1,5 +1,5 @@
-// Purpose: whether a compute shader states its local size. SPIR-V does not tell: without a statement it is 1
-// × 1 × 1, as if that had been asked for.
+// Purpose: finds out whether a compute shader declares its local size. SPIR-V cannot tell: a missing
+// declaration and an explicit 1 × 1 × 1 give the same module.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace weft::shader {
 
-// `sources`: the shader's file and all that it includes. Comments do not count.
+// `sources`: the shader's file and all files that it includes. Comments are ignored.
 [[nodiscard]] bool states_local_size(std::span<const SourceText* const> sources);
 
 }  // namespace weft::shader

@@ -80,7 +80,7 @@ void Reflector::describe_image(ReflectedBinding& reflected, spvc_type type) {
                                                      : NumericClass::float_like;
 }
 
-// NonReadable is GLSL's writeonly, NonWritable its readonly. In blocks they count when every member has them.
+// NonReadable is GLSL's writeonly, NonWritable its readonly. A block has one only if all its members have it.
 void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, bool is_buffer) {
     bool non_readable = spvc_compiler_has_decoration(compiler_, id, SpvDecorationNonReadable) == SPVC_TRUE;
     bool non_writable = spvc_compiler_has_decoration(compiler_, id, SpvDecorationNonWritable) == SPVC_TRUE;
@@ -95,7 +95,8 @@ void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, boo
     }
     binding.reads = !non_readable;
     binding.writes = !non_writable;
-    // The feature vertexPipelineStoresAndAtomics, which has no capability: no device is made with it.
+    // This needs the feature vertexPipelineStoresAndAtomics, which has no capability and is not enabled on
+    // any device.
     if (binding.writes && result_.stage == ShaderStage::vertex && used_.contains(id))
         fault(binding.name, "the vertex stage can write to \"" + binding.name + "\"",
               "declare it `readonly`; fragment and compute stages write");

@@ -1,7 +1,7 @@
-// Purpose: what one stage's SPIR-V declares, through SPIRV-Cross: resources, parameters, specialisation
-// constants, stage inputs and outputs, and where in the words their numbers stand, so that linking can change
-// them. Errors: W206 for what Weft's interface has no word for. The SPIR-V must come from the compiler or
-// have passed spirv-val.
+// Purpose: reads the declarations of one stage's SPIR-V with SPIRV-Cross: resources, parameters,
+// specialisation constants, stage inputs and outputs, and the positions of their numbers in the SPIR-V, so
+// that linking can change them. Errors: W206 for declarations that Weft does not support. The SPIR-V must
+// come from the compiler or have passed spirv-val.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace weft::shader {
 
-// Index into the module's words of a decoration's number.
+// Position of a decoration's number in the module's words.
 using WordIndex = std::optional<uint32_t>;
 
 struct ReflectedBinding {
     ShaderBinding binding;
     bool is_params = false;  // a uniform block named Params
-    bool used = false;       // reached from main(), whatever the specialisation constants say
+    bool used = false;       // reachable from main() for some value of the specialisation constants
     WordIndex set_word;
     WordIndex binding_word;
 };

@@ -1,5 +1,5 @@
-// Purpose: the state of one stage's reflection: SPIRV-Cross's handles and what has been found so far. Only
-// the reflection sources include this.
+// Purpose: the state of one stage's reflection: SPIRV-Cross's handles and the results so far. Only the
+// reflection sources include this.
 #pragma once
 
 #include <cstdint>

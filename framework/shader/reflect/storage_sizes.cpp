@@ -1,6 +1,6 @@
-// How much memory the variables of a module take, and how deep its types and calls go: nothing behind the
-// gate need fear a `float s[1 << 28]`, or a chain of 50,000 functions. Private memory is what an invocation
-// takes if every call is copied into its caller, which is what drivers do. Sums saturate.
+// Checks the memory of a module's variables and the depth of its types and calls, so that a driver never
+// receives a `float s[1 << 28]` or a chain of 50,000 functions. Private memory is the memory of one
+// invocation when every call is inlined, as drivers do. Sums saturate.
 #include <spirv.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ uint64_t times(uint64_t a, uint64_t b) {
 struct TypeSize {
     uint64_t bytes = 0;
     uint32_t depth = 0;
-    bool specialised = false;  // an array's length is no literal
+    bool specialised = false;  // the array's length is a specialisation constant
 };
 
 struct Variable {
@@ -42,7 +42,7 @@ struct Variable {
 struct Function {
     uint64_t own_bytes = 0, own_code_bytes = 0;
     std::vector<uint32_t> calls;
-    uint64_t bytes = 0, code_bytes = 0;  // with all that it calls, at each call anew
+    uint64_t bytes = 0, code_bytes = 0;  // total including all callees, counted once per call
     uint32_t depth = 0;
     enum class State : uint8_t { unseen, open, done } state = State::unseen;
 };
@@ -166,16 +166,16 @@ class StorageCheck {
         }
     }
 
-    // An array or a struct that is copied as a whole is a private value of that size on its way.
+    // Copying a whole array or struct needs a private value of that size.
     void value(const TypeSize& size) {
-        constexpr uint64_t kMostInRegisters = 64;  // mat4
+        constexpr uint64_t kMostInRegisters = 64;  // the size of a mat4
         if (size.bytes <= kMostInRegisters) return;
         uint64_t& own = functions_[function_].own_bytes;
         own = plus(own, size.bytes);
     }
 
-    // The call tree below the entry point, without recursion: a chain of calls is as long as its author
-    // likes.
+    // Sums the call tree below the entry point without recursion, because a module can have a call chain of
+    // any length.
     void add_up_calls() {
         std::vector<std::pair<uint32_t, size_t>> open{{entry_, 0}};
         while (!open.empty()) {
@@ -255,7 +255,7 @@ class StorageCheck {
                                raise_limit_text("shader.sharedBytes");
     }
 
-    // The fault stands at the largest variable.
+    // The fault is reported at the largest variable.
     void report(uint32_t storage, const std::string& what, uint64_t limit, std::string help, uint64_t bytes) {
         if (bytes <= limit) return;
         const Variable* largest = nullptr;

@@ -1,6 +1,6 @@
-// weft-shader-worker MEMORY_BYTES STAGE_MS: compiles GLSL for a process that it cannot harm. It takes its own
-// limits before it reads anything, opens no file, and knows only what comes in through descriptor 0.
-// Exit codes: 0 the caller hung up, 2 bad arguments, 86 out of memory.
+// weft-shader-worker MEMORY_BYTES STAGE_MS: compiles GLSL in a process of its own, isolated from its caller.
+// It sets its own limits before it reads any input, opens no file, and gets all data through descriptor 0.
+// Exit codes: 0 the caller closed the connection, 2 bad arguments, 86 out of memory.
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -19,11 +19,12 @@
 namespace weft::shader {
 namespace {
 
-// Requests come from the program that spawned this one: a bound against mistakes only.
+// Requests come from the trusted parent process; this limit only catches mistakes.
 constexpr uint64_t kMostFrameBytes = 1ull << 31;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kCanLimitAddresses = false;  // their shadow memory takes terabytes; the caller watches instead
+constexpr bool kCanLimitAddresses = false;  // sanitizers reserve terabytes of shadow memory; the caller
+                                            // watches the resident memory instead
 #else
 constexpr bool kCanLimitAddresses = true;
 #endif
@@ -45,8 +46,8 @@ bool set_limit(int resource, uint64_t soft, uint64_t hard) {
     return setrlimit(static_cast<__rlimit_resource_t>(resource), &limit) == 0;
 }
 
-// For the next stage, beyond what earlier ones took. A soft limit: only it can be raised again, up to the
-// hard limit that the process was started with.
+// Sets the limit for the next stage, in addition to the time already used. It is a soft limit, because the
+// process can raise only a soft limit again, up to its initial hard limit.
 bool limit_cpu_time(const WorkerLimits& limits) {
     rusage used{};
     rlimit limit{};
@@ -56,7 +57,7 @@ bool limit_cpu_time(const WorkerLimits& limits) {
     return set_limit(RLIMIT_CPU, std::min(soft, limit.rlim_max), limit.rlim_max);
 }
 
-// Nothing that the input makes the compiler do may reach beyond this process.
+// The input may make the compiler misbehave, so nothing may affect other processes.
 bool lock_up(const WorkerLimits& limits) {
     std::set_new_handler([] { _exit(kOutOfMemoryExit); });
     const bool memory = !kCanLimitAddresses || set_limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);
@@ -64,7 +65,7 @@ bool lock_up(const WorkerLimits& limits) {
            set_limit(RLIMIT_NOFILE, 0, 0) && limit_cpu_time(limits);
 }
 
-// False: the caller has gone.
+// Returns false when the caller has closed the connection.
 bool receive(char* to, size_t bytes) {
     while (bytes > 0) {
         const ssize_t got = read(STDIN_FILENO, to, bytes);

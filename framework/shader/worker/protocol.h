@@ -1,8 +1,8 @@
-// Purpose: what the compiler's worker and its caller say to each other, over one stream socket. A frame is
-// the length of its payload as u64, little-endian, and the payload: kind, number, count of texts, texts (see
-// shader/payload.h). The worker says hello; then, for each `compile`, it asks for includes one by one and
-// ends with `done` or `failed`. Nothing that comes in is believed: frames have a limit, and a payload that
-// does not parse is as good as none.
+// Purpose: the messages between compiler worker and caller, over one stream socket. A frame is the length of
+// its payload as u64, little-endian, followed by the payload: kind, number, count of texts, texts (see
+// shader/payload.h). The worker starts with `hello`. For each `compile` it requests includes one by one and
+// ends with `done` or `failed`. No side trusts its input: frames have a maximum size, and a malformed payload
+// is treated like a missing one.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 namespace weft::shader {
 
 enum class MessageKind : uint64_t {
-    hello,      // compiler_version()
-    compile,    // number: the stage; name, text
-    include,    // number: 2 × depth + beside; name, includer
-    source,     // name, text
-    no_source,  // why
-    done,       // SPIR-V, the names of unplaced variables
-    failed,     // glslang's log
+    hello,      // text: compiler_version()
+    compile,    // number: the stage; texts: name, source text
+    include,    // number: 2 × depth + beside; texts: name, includer
+    source,     // texts: name, source text
+    no_source,  // text: the reason
+    done,       // texts: SPIR-V, then the names of unplaced variables
+    failed,     // text: glslang's log
 };
 
 struct Message {
@@ -37,7 +37,7 @@ inline constexpr size_t kMostLogBytes = 64 << 10;
 [[nodiscard]] uint64_t payload_bytes(std::string_view header);
 [[nodiscard]] std::optional<Message> parse_payload(std::string_view payload);
 
-// SPIR-V as bytes, little-endian. Nothing when the bytes are no whole words.
+// SPIR-V as bytes, little-endian. bytes_to_words() returns nullopt when the size is not a multiple of 4.
 [[nodiscard]] std::string words_to_bytes(const std::vector<uint32_t>& words);
 [[nodiscard]] std::optional<std::vector<uint32_t>> bytes_to_words(std::string_view bytes);
 

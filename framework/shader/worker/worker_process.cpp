@@ -19,7 +19,7 @@ namespace weft::shader {
 namespace {
 
 constexpr std::chrono::milliseconds kWatchEvery{20};
-// Beside the SPIR-V: names of variables, and frames of requests.
+// Allowance for data other than SPIR-V: names of variables, and request frames.
 constexpr uint64_t kFrameSlackBytes = 1 << 20;
 
 Diagnostic cannot_start(const std::filesystem::path& program, const std::string& why) {
@@ -35,7 +35,7 @@ std::chrono::milliseconds milliseconds_of(const timeval& time) {
     return std::chrono::milliseconds(time.tv_sec * 1000 + time.tv_usec / 1000);
 }
 
-// 0, or the error. Everything but descriptors 0 to 2 is closed, and of those only 0 leads anywhere.
+// Returns 0 or the error. The child has only descriptors 0 to 2; 0 is the socket, the others are /dev/null.
 int spawn(const std::filesystem::path& program, const ShaderLimits& limits, int socket, pid_t& pid) {
     posix_spawn_file_actions_t actions;
     if (const int error = posix_spawn_file_actions_init(&actions); error != 0) return error;
@@ -44,7 +44,7 @@ int spawn(const std::filesystem::path& program, const ShaderLimits& limits, int 
         posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
 
-    // The caller's ignored or blocked signals are its own affair.
+    // The child must not inherit the caller's ignored or blocked signals.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none, all;
@@ -99,7 +99,7 @@ void WorkerProcess::give_up_on() {
     kill_for(WorkerEnd::babbled);
 }
 
-// What became of it by itself says more than the reason to kill it.
+// If the worker ended by itself, its exit status replaces `reason`.
 void WorkerProcess::kill_for(WorkerEnd reason) {
     if (pid_ < 0) return;
     close(socket_);
@@ -131,7 +131,8 @@ bool WorkerProcess::observe() {
     const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.data(), "re"), &std::fclose);
     std::array<char, 1024> line{};
     if (!file || std::fgets(line.data(), line.size(), file.get()) == nullptr) return false;
-    // The second field is the program's name in brackets and may hold anything; the third is the state.
+    // The second field is the program's name in brackets and may contain any character; the third is the
+    // state.
     const char* rest = std::strrchr(line.data(), ')');
     char state = 0;
     unsigned long long user = 0, system = 0;
@@ -154,7 +155,7 @@ std::chrono::milliseconds WorkerProcess::used() {
     return used_;
 }
 
-// Waits in short steps, and looks at the worker's memory and time between them.
+// Waits in short steps and checks the worker's memory and time after each.
 bool WorkerProcess::ready(short events) {
     while (pid_ >= 0) {
         pollfd socket{socket_, events, 0};
@@ -188,7 +189,7 @@ bool WorkerProcess::send(const Message& message) {
     return true;
 }
 
-// It has hung up, so it is leaving; how, is worth the wait, unless it sleeps instead.
+// The worker closed its socket, so it is about to exit. Waits for its exit status, unless it only sleeps.
 void WorkerProcess::wait_for_end() {
     constexpr std::chrono::milliseconds kStep{1}, kMostSleep{1000};
     std::chrono::milliseconds slept{0};

@@ -1,9 +1,9 @@
-// Purpose: the compiler's worker as its caller sees it: a process that is spawned without a shell, has no
-// descriptor but its socket and an empty environment, and is killed when it takes too long, takes too much
-// memory, or says what makes no sense. Memory is bounded by the worker's own address-space limit and, because
-// sanitizers do without one, watched from here as well. Time is the worker's processor time, or time that it
-// sleeps while an answer is due: a busy machine, which lets it wait for a processor, does not use it up.
-// Errors: X570 the worker cannot be started, or is of another version.
+// Purpose: the compiler worker, seen from its caller: a process that is started without a shell, with only
+// its socket as descriptor and an empty environment. It is killed when it exceeds its time or memory or sends
+// invalid messages. The worker limits its own address space; sanitizer builds cannot, so this class also
+// watches its resident memory. Time is the worker's processor time, or the time it sleeps while an answer is
+// due; waiting for a processor on a busy machine does not count. Errors: X570 the worker cannot be started,
+// or has another version.
 #pragma once
 
 #include <sys/types.h>
@@ -24,7 +24,7 @@ enum class WorkerEnd : uint8_t { running, out_of_memory, out_of_time, crashed, b
 
 class WorkerProcess {
  public:
-    // `version`: the compiler_version() that it shall have.
+    // `version`: the compiler_version() that the worker must report.
     [[nodiscard]] static Result<std::unique_ptr<WorkerProcess>> start(const std::filesystem::path& program,
                                                                       const ShaderLimits& limits,
                                                                       const std::string& version);
@@ -32,18 +32,18 @@ class WorkerProcess {
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-    // From now on it may use this much time.
+    // Sets the time limit, counted from now.
     void allow(std::chrono::milliseconds time);
-    // Processor time since it was started.
+    // Processor time since the worker's start.
     [[nodiscard]] std::chrono::milliseconds used();
 
-    // Both fail for good: the process is gone then, and end() says why.
+    // After a failure of either function the process has ended, and end() has the reason.
     [[nodiscard]] bool send(const Message& message);
     [[nodiscard]] std::optional<Message> receive();
     [[nodiscard]] WorkerEnd end() const { return end_; }
-    [[nodiscard]] int signal() const { return signal_; }  // of a crash; 0: it left by itself
+    [[nodiscard]] int signal() const { return signal_; }  // signal of a crash; 0: the worker exited normally
 
-    // It said what no worker says.
+    // Kills the worker after it sent an invalid message.
     void give_up_on();
 
  private:
@@ -52,7 +52,7 @@ class WorkerProcess {
 
     [[nodiscard]] bool ready(short events);
     [[nodiscard]] bool read_exactly(char* to, size_t bytes);
-    // Reads used_ from the system. True: the process sleeps.
+    // Updates used_ from the system. Returns true if the process sleeps.
     bool observe();
     [[nodiscard]] uint64_t resident_bytes() const;
     void wait_for_end();
