@@ -1,5 +1,5 @@
-// Purpose: a file in the making. It takes its place in a folder in one step, or nothing is left of it.
-// Errors are values of errno; 0 is success.
+// Purpose: a temporary file that becomes visible under its final name in one step. On failure no temporary
+// file remains. Errors are values of errno; 0 is success.
 #pragma once
 
 #include <signal.h>
@@ -11,11 +11,11 @@
 
 namespace weft {
 
-// Writes everything, however many calls that takes.
+// Writes all data, with several calls of write() if necessary.
 [[nodiscard]] int write_all(int descriptor, std::string_view data);
 
-// SIGINT, SIGTERM and SIGHUP wait until it is gone, so that they cannot end the program between making a
-// draft with a name and removing it.
+// Blocks SIGINT, SIGTERM and SIGHUP while it exists, so that they cannot end the program between creation and
+// removal of a named draft.
 class EndSignalsBlocked {
  public:
     EndSignalsBlocked();
@@ -36,12 +36,12 @@ class FileDraft {
     FileDraft(const FileDraft&) = delete;
     FileDraft& operator=(const FileDraft&) = delete;
 
-    // Name::none needs a file system that can make files without a name; Name::random works everywhere.
+    // Name::none requires a file system that supports unnamed files; Name::random works on every file system.
     [[nodiscard]] int open(const std::string& folder, Name name);
-    // The draft gets the permissions of `old`, where there is one, and its owner if this process may give
-    // files away.
+    // Copies the permissions of `old` to the draft, if `old` exists, and its owner, if this process may
+    // change owners.
     [[nodiscard]] int fill(std::string_view data, const std::optional<struct stat>& old, bool sync);
-    // Replaces `name` in the folder. False for `sync`: the folder is not flushed to the disk.
+    // Replaces `name` in the folder. With `sync` false the folder is not flushed to the disk.
     [[nodiscard]] int place(const std::string& name, bool sync);
 
  private:
@@ -53,7 +53,7 @@ class FileDraft {
 
     int folder_ = -1;
     int file_ = -1;
-    std::string name_;  // of the draft; empty while it has none
+    std::string name_;  // name of the draft; empty while it has none
 };
 
 }  // namespace weft

@@ -12,15 +12,15 @@ namespace weft {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kMostLinks = 40;  // as the kernel
+constexpr int kMostLinks = 40;  // the same limit as in the Linux kernel
 
-// Entries of /proc/self/fd look like links, but what they are read as need not be a path ("pipe:[4711]").
+// Entries of /proc/self/fd look like links, but their target need not be a path ("pipe:[4711]").
 bool is_in_proc(const fs::path& folder) {
     struct statfs system {};
     return statfs(folder.c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
 }
 
-// The number of a descriptor of this process, or -1.
+// The number of a descriptor of this process; -1 if the path does not name one.
 int own_descriptor(const fs::path& path) {
     std::error_code error;
     const fs::path folder = fs::canonical(path.parent_path(), error);
@@ -42,7 +42,7 @@ TargetKind kind_of(const std::optional<struct stat>& old) {
     return S_ISDIR(old->st_mode) ? TargetKind::folder : TargetKind::stream;
 }
 
-// The last link of a path, followed to its end. Links in the middle of a path are the kernel's business.
+// Follows the link at the end of the path, repeatedly. The kernel resolves links in the middle of the path.
 FileTarget follow_links(fs::path at) {
     FileTarget target;
     for (int links = 0; is_link(at); ++links) {
@@ -75,7 +75,7 @@ FileTarget find_target(const std::string& path) {
     else if (errno != ENOENT)
         target.error = errno;
     if (target.kind == TargetKind::file) target.kind = kind_of(target.old);
-    // "name/" asks for a folder, which is not there.
+    // "name/" names a folder, which does not exist.
     if (target.kind == TargetKind::file && !target.path.has_filename()) target.kind = TargetKind::folder;
     return target;
 }

@@ -1,5 +1,5 @@
-// Purpose: where a path given by a user leads: links are followed, and descriptors of this process are
-// recognised. Errors are values of errno.
+// Purpose: resolves a path given by a user: follows links and recognises descriptors of this process. Errors
+// are values of errno.
 #pragma once
 
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 namespace weft {
 
 enum class TargetKind : uint8_t {
-    file,        // a plain file, or a name that is free
+    file,        // a regular file, or an unused name
     stream,      // a pipe, a device or a socket
     descriptor,  // an open descriptor of this process: /dev/stdout, /dev/fd/N
     folder,
@@ -19,12 +19,12 @@ enum class TargetKind : uint8_t {
 
 struct FileTarget {
     TargetKind kind = TargetKind::file;
-    std::filesystem::path path;      // after the links at its end
-    int descriptor = -1;             // of TargetKind::descriptor; not owned
-    std::optional<struct stat> old;  // what is there now
-    int error = 0;                   // errno of the search: it leads nowhere
+    std::filesystem::path path;      // the path after following links at its end
+    int descriptor = -1;             // for TargetKind::descriptor; not owned
+    std::optional<struct stat> old;  // status of the existing file
+    int error = 0;                   // errno of the resolution; the path cannot be resolved
 
-    // The folder that holds the file: "." for a bare name.
+    // The folder of the file: "." for a name without a folder.
     [[nodiscard]] std::string folder() const {
         return path.has_parent_path() ? path.parent_path().string() : ".";
     }

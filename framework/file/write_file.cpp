@@ -62,7 +62,8 @@ Status check_file(const std::string& path, const FileTarget& target) {
     struct stat status {};
     if (stat(folder.c_str(), &status) != 0) return cannot_write(path, errno, target);
     if (!S_ISDIR(status.st_mode)) return cannot_write(path, ENOTDIR, target);
-    // A read-only file can be replaced by who may write in its folder, but read-only is meant to protect it.
+    // Write permission in the folder is enough to replace a read-only file, but its owner marked it read-only
+    // to protect it.
     if (target.old && faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
         return cannot_write(path, errno, target);
     if (faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return Unit{};
@@ -70,7 +71,7 @@ Status check_file(const std::string& path, const FileTarget& target) {
     return cannot_write(path, "no file can be made in its folder: " + reason(error), remedy(error, target));
 }
 
-// The result of closing counts, too.
+// An error of close() is reported too.
 int write_and_close(int descriptor, std::string_view data) {
     const int error = write_all(descriptor, data);
     const bool closed = close(descriptor) == 0;
@@ -96,8 +97,8 @@ int write_draft(const FileTarget& target, std::string_view data, bool sync, File
     return error;
 }
 
-// Errors that a draft without a name may meet where one with a name succeeds: the file system makes no such
-// files, or /proc is not there to name it by.
+// True for errors of an unnamed draft that a named draft may avoid: the file system does not support unnamed
+// files, or /proc, which is needed to name one later, is not mounted.
 bool is_worth_a_name(int error) {
     return error == EOPNOTSUPP || error == EISDIR || error == EINVAL || error == ENOENT || error == EPERM;
 }
@@ -120,7 +121,7 @@ Status check_writable(const std::string& path) {
 }
 
 Status write_file(const std::string& path, std::string_view data, Durability durability) {
-    // The target may have changed since it was checked before.
+    // The target may have changed since the first check.
     if (Status writable = check_writable(path); !writable) return writable;
     const FileTarget target = find_target(path);
     const bool sync = durability == Durability::on_disk;

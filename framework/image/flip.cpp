@@ -13,9 +13,9 @@
 namespace weft::image {
 namespace {
 
-constexpr float kColorExponent = 0.7f;    // q_c
-constexpr float kFeatureExponent = 0.5f;  // q_f
-// Differences up to kKnee (p_c) of the largest possible one take up kKneeError (p_t) of the range.
+constexpr float kColorExponent = 0.7f;    // q_c in the paper
+constexpr float kFeatureExponent = 0.5f;  // q_f in the paper
+// Differences up to kKnee (p_c) times the largest possible one map to [0, kKneeError (p_t)].
 constexpr float kKnee = 0.4f;
 constexpr float kKneeError = 0.95f;
 
@@ -43,7 +43,7 @@ Plane blurred(const Plane& plane, const std::vector<WeightedGaussian>& kernels) 
     return result;
 }
 
-// What the eye makes of a picture at that distance.
+// The picture as the eye perceives it at that distance.
 std::vector<glm::vec3> perceived(const Planes& ycxcz, const SensitivityKernels& kernels) {
     const Planes blur{blurred(ycxcz[0], kernels[0]), blurred(ycxcz[1], kernels[1]),
                       blurred(ycxcz[2], kernels[2])};
@@ -55,7 +55,7 @@ std::vector<glm::vec3> perceived(const Planes& ycxcz, const SensitivityKernels& 
     return lab;
 }
 
-// The length of a gradient whose parts are `kernel` along x and along y.
+// The length of the gradient: `kernel` is applied along x and along y.
 std::vector<float> strength(const Plane& luminance, const std::vector<float>& kernel,
                             const std::vector<float>& smooth) {
     const Plane x = filter_columns(filter_rows(luminance, kernel), smooth);
@@ -90,7 +90,7 @@ struct Kernels {
         : sensitivity(sensitivity_kernels(pixels_per_degree)),
           detectors(feature_kernels(pixels_per_degree)) {}
 
-    // How far from a texel lies what counts for it.
+    // Radius of the neighbourhood that affects a texel.
     [[nodiscard]] uint32_t radius_px() const {
         size_t taps = std::max({detectors.edge.size(), detectors.point.size(), detectors.smooth.size()});
         for (const std::vector<WeightedGaussian>& sums : sensitivity)
@@ -107,7 +107,7 @@ Image rows_of(const Image& picture, uint32_t first, uint32_t end) {
     return to_display({picture.width_px, end - first, picture.encoding, {at(first), at(end)}});
 }
 
-// A picture as the eye model of FLIP sees it: filtered colours, and the edges and points in it.
+// A picture in FLIP's model of the eye: filtered colours, and detected edges and points.
 struct Seen {
     std::vector<glm::vec3> lab;
     Features found;
@@ -135,10 +135,9 @@ Plane flip_of_rows(const Image& reference, const Image& test, const Kernels& ker
     return map;
 }
 
-// The picture is compared in bands of about so many texels, so that what is computed for each texel stays
-// small.
+// The picture is processed in bands of about this many texels, to limit the memory of temporary data.
 constexpr uint64_t kBandTexels = 1 << 19;
-// Of a band: two pictures, three planes twice, and what the filters hold.
+// Per texel of a band: two pictures, three planes of each, and the temporary data of the filters.
 constexpr uint64_t kBytesPerBandTexel = 128;
 
 uint32_t band_rows(uint32_t width_px, uint32_t radius_px) {
@@ -153,8 +152,8 @@ uint64_t flip_band_bytes(uint32_t width_px, uint32_t height_px, float pixels_per
     return rows * width_px * kBytesPerBandTexel;
 }
 
-// A band is computed with as many rows around it as the kernels reach, so that its own are the same as those
-// of the whole.
+// Each band includes as many extra rows on both sides as the kernels reach, so that its result is the same as
+// for the whole picture.
 Plane flip_map(const Image& reference, const Image& test, float pixels_per_degree) {
     assert(same_size(reference, test) && !reference.texels.empty());
     const Kernels kernels(pixels_per_degree);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// A sensitivity to cycles per degree f: the sum of a · exp(-b · f²). In space: a √(π/b) exp(-π² d² / b).
+// One term a · exp(-b · f²) of a sensitivity at f cycles per degree. In space: a √(π/b) exp(-π² d² / b).
 struct Term {
     double a, b;
 };
@@ -20,10 +20,10 @@ constexpr std::array<std::array<Term, 2>, 3> kSensitivities{{
 }};
 constexpr double kWidest = 0.04;
 
-// The width of the detectors in degrees of the field of view.
+// Width of the feature detectors, in degrees of the field of view.
 constexpr double kFeatureWidth = 0.082;
 
-// Three standard deviations.
+// The radius is three standard deviations.
 int radius_of(double deviation_px) {
     return static_cast<int>(std::ceil(3 * deviation_px));
 }
@@ -35,7 +35,7 @@ std::vector<double> sample(int radius, const Function& function) {
     return taps;
 }
 
-// Positive taps are made to add up to 1, negative ones to -1.
+// Scales positive taps to a sum of 1 and negative taps to a sum of -1.
 std::vector<float> normalized(const std::vector<double>& taps) {
     double positive = 0, negative = 0;
     for (const double tap : taps) (tap > 0 ? positive : negative) += std::abs(tap);
@@ -52,7 +52,7 @@ SensitivityKernels sensitivity_kernels(float pixels_per_degree) {
     SensitivityKernels kernels;
     for (size_t channel = 0; channel < kernels.size(); ++channel) {
         double all = 0;
-        std::vector<double> volumes;  // under the two-dimensional terms, as sampled
+        std::vector<double> volumes;  // integrals of the sampled two-dimensional terms
         for (const Term& term : kSensitivities[channel]) {
             if (term.a == 0) continue;
             const std::vector<double> taps = sample(radius, [&](double x_px) {

@@ -5,7 +5,8 @@
 namespace weft::image {
 namespace {
 
-// Rec.709 primaries, white at x = 0.3127, y = 0.3290. glm's columns: what red, green and blue contribute.
+// Rec.709 primaries, white at x = 0.3127, y = 0.3290. The columns are the contributions of red, green and
+// blue.
 const glm::mat3 kToXyz{{0.4123908f, 0.2126390f, 0.0193308f},
                        {0.3575843f, 0.7151687f, 0.1191948f},
                        {0.1804808f, 0.0721923f, 0.9505322f}};

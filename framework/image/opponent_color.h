@@ -1,4 +1,4 @@
-// Purpose: the colour spaces that FLIP filters and compares in. Units: linear RGB in [0, 1] with Rec.709
+// Purpose: the colour spaces in which FLIP filters and compares. Units: linear RGB in [0, 1] with Rec.709
 // primaries; XYZ with Y = 1 for white; YCxCz and L*a*b* with Y and L* in [0, 100] (black has Y = -16). White
 // is RGB (1, 1, 1), so greys have no chroma. Source: IEC 61966-2-1; B. Kolpatzik and C. Bouman, "Optimized
 // Error Diffusion for Image Display", 1992 (YCxCz: L*a*b* without its cube root, so that filtering is
@@ -11,10 +11,10 @@
 namespace weft::image {
 
 [[nodiscard]] glm::vec3 linear_to_ycxcz(glm::vec3 rgb);
-// May leave [0, 1].
+// Results may lie outside [0, 1].
 [[nodiscard]] glm::vec3 ycxcz_to_linear(glm::vec3 ycxcz);
 
-// L*a*b* with chroma scaled by lightness: differences in colour matter less in the dark.
+// L*a*b* with chroma scaled by lightness, because colour differences are less visible in dark areas.
 [[nodiscard]] glm::vec3 linear_to_hunt_lab(glm::vec3 rgb);
 
 // City-block distance in lightness plus Euclidean distance in chroma.

@@ -15,8 +15,8 @@ void append(Diagnostics& to, Diagnostics from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-// Faults of meaning know their place in the text; this adds the place in the document as it is written, and
-// the tier in which they are faults.
+// Semantic faults already have a place in the text. This adds their place in the document as written, and the
+// tier in which they occur.
 void complete(const JsonDoc& document, const LoadInput& input, Diagnostics& faults) {
     for (Diagnostic& fault : faults) {
         fault.tier = input.tier;

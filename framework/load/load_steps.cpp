@@ -26,7 +26,7 @@ void append(Diagnostics& to, Diagnostics from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-// A shader that cannot be found is the graph's fault: the error points there.
+// A missing shader is a fault of the graph, so the error points to the graph.
 void locate(const GraphDesc& graph, const PassDesc& pass, Diagnostics& faults) {
     for (Diagnostic& fault : faults) {
         if (fault.code != "W201") continue;
@@ -41,7 +41,7 @@ bool says_no_compiler(const Diagnostic& fault) {
     return fault.code == "X570";
 }
 
-// Messages name files below the graph's folder as its own path names that.
+// Messages name files below the graph's folder in the same way as the graph's own path.
 ShaderRoots shader_roots(const LoadInput& input) {
     return {{std::filesystem::path(input.path).parent_path(), input.shader_root},
             input.shader_root / "include",
@@ -84,7 +84,7 @@ ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input, Di
     ShaderCatalog catalog;
     std::set<std::pair<std::string, ProgramKind>> known;
     shader::StageCompiler compiler(roots);
-    bool no_compiler = false;  // said once
+    bool no_compiler = false;  // true after the missing compiler was reported
     for (const auto& [name, pass] : graph.passes) {
         const std::optional<ProgramKind> kind = program_kind(pass);
         if (!kind || pass.shader.empty() || !known.emplace(pass.shader, *kind).second) continue;

@@ -1,5 +1,5 @@
-// Purpose: the steps of loading one tier of a graph, for load_graph() and for the choice of formats, which
-// looks at all tiers.
+// Purpose: the steps that load one tier of a graph. load_graph() uses them, and so does the choice of
+// formats, which loads all tiers.
 #pragma once
 
 #include <map>
@@ -9,10 +9,10 @@
 
 namespace weft {
 
-// What the author asks for in this tier: merged, parsed, and the debug view added.
+// The merged and parsed graph of this tier, with the debug view added.
 [[nodiscard]] Result<GraphDesc> described(const JsonDoc& document, const LoadInput& input);
-// All programs that the graph names. A shader that passes of several types name is compiled for each: all but
-// one of them get a message.
+// All programs that the graph names. A shader that passes of several types name is compiled once per type;
+// only one type can be right, so the others get a message.
 [[nodiscard]] ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input,
                                             Diagnostics& faults);
 [[nodiscard]] Result<ResolvedGraph> resolved(const GraphDesc& desc, const ShaderCatalog& shaders,

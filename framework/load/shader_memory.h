@@ -1,7 +1,7 @@
-// Purpose: what is kept between loads of a graph that is loaded again and again: its programs, each with the
-// places that compiling it looked at, so that only what changed is compiled; and the places that the last
-// load looked at, whether it found something there or not and whether it succeeded or not, so that one can
-// wait for them to change. For one thread at a time.
+// Purpose: keeps data between repeated loads of a graph. It keeps the graph's programs, each with the places
+// examined by its compilation, so that only changed programs are compiled. It also keeps all places examined
+// by the last load, existing or not and successful or not, so that a caller can watch them for changes. Not
+// thread-safe.
 #pragma once
 
 #include <filesystem>
@@ -17,12 +17,12 @@ namespace weft {
 
 class ShaderMemory {
  public:
-    // Before a load.
+    // Call this before a load.
     void begin();
-    // After one that succeeded: forgets what it had no use for.
+    // Call this after a successful load: discards programs that the load did not use.
     void forget_unused();
 
-    // Null where nothing is known, or looking again doesn't give the same texts.
+    // Null if the program is not stored, or if its sources have changed.
     [[nodiscard]] const ShaderProgram* find(const std::string& reference, ProgramKind kind,
                                             const ShaderRoots& roots);
     void remember(const ShaderProgram& program, ProgramKind kind, const ShaderRoots& roots,
@@ -30,9 +30,9 @@ class ShaderMemory {
 
     void add_file(std::filesystem::path file) { files_.insert(std::move(file)); }
     void add_files_of(const shader::SourceReader& reader);
-    // Absolute, of the load since begin().
+    // Absolute paths examined since begin().
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
-    // How many programs were asked for, since ever, and how many of them find() didn't have.
+    // Total number of calls of find(), and number of calls without a result.
     [[nodiscard]] uint64_t requests() const { return requests_; }
     [[nodiscard]] uint64_t misses() const { return misses_; }
 

@@ -14,7 +14,8 @@ bool has_alternatives(const GraphDesc& desc) {
     return std::ranges::any_of(desc.resources, [](const auto& r) { return r.second.formats.size() > 1; });
 }
 
-// Of tiers with faults nothing is asked: whoever loads them hears of the faults. "": the file as it is.
+// Tiers with faults are ignored here: their faults are reported when they are loaded. "": the file without a
+// tier.
 std::vector<TierVariant> load_tiers(const JsonDoc& document, const std::vector<std::string>& tiers,
                                     LoadInput input) {
     std::vector<TierVariant> variants;
@@ -35,7 +36,7 @@ std::vector<std::string> all_tiers(const JsonDoc& document) {
     return tiers;
 }
 
-// Raises `skipped` to the formats that were chosen; true when that changed anything.
+// Raises `skipped` to the formats that were chosen; returns true if this changed `skipped`.
 bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& skipped) {
     bool changed = false;
     for (const auto& [name, resource] : desc.resources) {
@@ -51,7 +52,8 @@ bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& sk
     return changed;
 }
 
-// Resolves with the formats as they stand; true when it had to go on to a later one.
+// Resolves the graph with the current choice of formats; returns true if some image needed a later
+// alternative.
 bool raise_for(const TierVariant& variant, const LoadInput& input, SkippedFormats& skipped) {
     Diagnostics unheard;
     const Result<ResolvedGraph> graph = resolved(variant.desc, variant.shaders, input, skipped, unheard);

@@ -1,18 +1,19 @@
-// Purpose: a format with alternatives is the first that the device supports for what any tier does with it:
-// so images keep their contents from tier to tier. load_graph.h has the way to find them once for all tiers.
+// Purpose: chooses the format of images with alternatives: the first one that the device supports for the
+// uses of all tiers together, so that images keep their contents when the tier changes. load_graph.h explains
+// how to compute this once for all tiers.
 #pragma once
 
 #include "weft/load/load_graph.h"
 
 namespace weft {
 
-// One tier of a graph, for what it does with its images.
+// One tier of a graph; its uses of images affect the choice.
 struct TierVariant {
     GraphDesc desc;
     ShaderCatalog shaders;
 };
 
-// For the tier of `input`, with its parameters and observers; the other tiers have none.
+// Includes the tier of `input` with its parameters and observers; the other tiers have none.
 [[nodiscard]] SkippedFormats formats_with_others(const JsonDoc& document, const TierVariant& own,
                                                  const LoadInput& input);
 

@@ -1,5 +1,5 @@
-// Purpose: how a pass touches memory through one of its uses, once the load and store operations of
-// attachments are counted in, and what these operations do to content.
+// Purpose: the memory accesses of a pass through one of its uses, including the load and store operations of
+// attachments, and the effects of these operations on content.
 #pragma once
 
 #include "weft/plan.h"
@@ -9,15 +9,16 @@ namespace weft::null {
 struct EffectiveUse {
     StageMask stages = stage::kNone;
     AccessMask access = access::kNone;
-    bool reads = false;          // something of the old content is looked at
-    bool writes = false;         // memory is written, if only with what was there
-    bool loses_old = false;      // the pass needs the old content, or a clear, and gets neither
-    bool loses_written = false;  // what is there after the pass is undefined
+    bool reads = false;          // reads at least some of the previous content
+    bool writes = false;         // writes memory, even if it only writes back the previous content
+    bool loses_old = false;      // the pass needs the previous content or a clear, but has neither
+    bool loses_written = false;  // the content is undefined after the pass
 };
-[[nodiscard]] bool draws_to(const PassDecl& pass, uint32_t use);  // as an attachment
+[[nodiscard]] bool draws_to(const PassDecl& pass, uint32_t use);  // true if the use is an attachment
 [[nodiscard]] EffectiveUse effective_use(const PassDecl& pass, const PassStep& step, uint32_t use);
 
-// A use of several stages writes in one of them, and nobody knows in which: drawn by `choice`.
+// A use with several stages writes in one of them, which is not known: one is picked pseudo-randomly from
+// `choice`.
 [[nodiscard]] StageMask drawn_stage(StageMask stages, uint64_t choice);
 [[nodiscard]] inline StageMask write_stage(const EffectiveUse& use, uint32_t position, uint32_t index,
                                            uint64_t choice) {

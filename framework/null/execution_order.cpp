@@ -8,7 +8,7 @@
 namespace weft::null {
 namespace {
 
-// Nodes in the order in which somebody asks for them.
+// The order in which execution of each node is requested.
 std::vector<uint32_t> demand(size_t count, NullOrder order, uint64_t seed) {
     std::vector<uint32_t> nodes(count);
     std::iota(nodes.begin(), nodes.end(), 0u);
@@ -25,7 +25,8 @@ class Execution {
         order_.reserve(timeline.nodes.size());
     }
 
-    // Does what the node waits for, then the node: all else is late. Nodes wait for earlier ones only.
+    // Executes the predecessors of the node, then the node. Other nodes stay delayed. Predecessors have
+    // smaller indices.
     void ask_for(uint32_t node) {
         if (done_.contains(node)) return;
         std::vector<uint32_t> missing = timeline_.outside_before[node];

@@ -1,4 +1,4 @@
-// Purpose: one of the orders that a timeline allows.
+// Purpose: computes one of the execution orders that a timeline allows.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace weft::null {
 
-// Every node once, none before what it waits for.
+// Returns every node once, after all its predecessors.
 [[nodiscard]] std::vector<uint32_t> execution_order(const Timeline& timeline, NullOrder order, uint64_t seed);
 
 }  // namespace weft::null

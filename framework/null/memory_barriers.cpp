@@ -1,4 +1,4 @@
-// What barriers and semaphores do to memory: availability, visibility, layouts, owners.
+// Effects of barriers and semaphores on memory: availability, visibility, layouts, ownership.
 #include "null/cells.h"
 #include "null/memory_model.h"
 #include "null/pass_values.h"
@@ -12,8 +12,8 @@ bool moves_family(const BarrierDecl& barrier) {
 
 }  // namespace
 
-// A write becomes available where the source names its stage and access, and visible to the destination of
-// every barrier that comes after it is available.
+// A barrier makes a write available if its source includes the write's stage and access. Once available, the
+// write becomes visible to the destination of that barrier and of every later one.
 void Memory::carry(MemoryCell& cell, uint32_t node, const BarrierDecl& barrier) {
     WriteRecord& write = cell.write;
     if (write.node == kNoNode || !is_before(write.node, node)) return;
@@ -36,7 +36,7 @@ void Memory::barrier(uint32_t node) {
     for (const ResourceId from : barrier.hand_over_from) {
         const ResourceId owner = object_of(from, frame);
         for (uint32_t c = 0; c < cells_[owner].size(); ++c) {
-            bool own = false;  // carried above
+            bool own = false;  // set for the barrier's own cells, which were carried above
             if (owner == object)
                 for_each_cell(decl, barrier.range,
                               [&](uint32_t cell, const SubresourceRange&) { own = own || cell == c; });
@@ -71,7 +71,7 @@ const char* Memory::why_not_moved(ResourceId object, const MemoryCell& cell, uin
     return cell.layout == barrier.src.layout ? nullptr : "it is not in the layout that the barrier changes";
 }
 
-// A transition rewrites the cell between the barrier's two halves.
+// A layout transition rewrites the cell between the two halves of its barrier.
 void Memory::transition(ResourceId object, uint32_t index, uint32_t node, const BarrierDecl& barrier) {
     MemoryCell& cell = cells_[object][index];
     const QueueIndex queue = timeline_.nodes[node].queue;
@@ -97,7 +97,7 @@ void Memory::transition(ResourceId object, uint32_t index, uint32_t node, const 
     cell.readers.clear();
 }
 
-// All that came before on this queue is available from here on.
+// From here on, all earlier work of this queue is available.
 void Memory::signal(uint32_t node) {
     for (std::vector<MemoryCell>& object : cells_)
         for (MemoryCell& cell : object)

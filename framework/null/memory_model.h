@@ -1,8 +1,9 @@
-// Purpose: the memory of a plan while it is executed: what is in every cell, who put it there, and to whom
-// that has been made visible. Every copy of a persistent resource is a memory object of its own, named by the
-// role that had it in frame 0; resources whose placements overlap destroy each other's content. An access
-// that is not ordered after, or does not see, what happened before it leaves poison. Source: Vulkan 1.3
-// specification, appendix "Memory Model" (availability, visibility, data races).
+// Purpose: the memory of a plan during execution: the content of every cell, the node that wrote it, and the
+// accesses to which it is visible. Every copy of a persistent resource is a separate memory object, named
+// after the resource it belonged to in frame 0. Resources whose placements overlap destroy each other's
+// content. An access that is not ordered after an earlier conflicting access, or does not see its result,
+// leaves poison. Source: Vulkan 1.3 specification, appendix "Memory Model" (availability, visibility, data
+// races).
 #pragma once
 
 #include <optional>
@@ -15,16 +16,16 @@
 namespace weft::null {
 
 struct Visibility {
-    uint32_t node = kNoNode;  // once this is done
+    uint32_t node = kNoNode;  // visible when this node has completed
     StageMask stages = stage::kNone;
     AccessMask access = access::kNone;
-    bool any_stage = false;  // a semaphore, to all stages of this queue
+    bool any_stage = false;  // true for a semaphore: visible to all stages of this queue
     QueueIndex queue = 0;
 };
 
-// The last write of a cell and how far it has got.
+// The last write of a cell, and where it is visible.
 struct WriteRecord {
-    uint32_t node = kNoNode;  // kNoNode: before everything, seen by everybody
+    uint32_t node = kNoNode;  // kNoNode: before all nodes, visible to all
     QueueIndex queue = 0;
     StageMask stage = stage::kNone;
     AccessMask access = access::kNone;
@@ -32,7 +33,7 @@ struct WriteRecord {
     std::vector<Visibility> visible;
 };
 
-// Between the release by one queue family and the acquisition by another.
+// State between the release by one queue family and the acquire by another.
 struct Transfer {
     uint32_t node = kNoNode;
     uint32_t src_family = 0, dst_family = 0;
@@ -42,45 +43,45 @@ struct Transfer {
 struct MemoryCell {
     CellValue value = kUndefinedValue;
     Layout layout = Layout::undefined;
-    uint32_t family = kNoId;  // who owns it; kNoId: whoever comes first
+    uint32_t family = kNoId;  // owning queue family; kNoId: the next family that uses it
     std::optional<Transfer> transfer;
     WriteRecord write;
-    std::vector<uint32_t> readers;  // since that write
-    // A conflict without order may fall out well, now or for whoever lost it: so that it shows in any order,
-    // all that is written here stays poison for the rest of that frame.
+    std::vector<uint32_t> readers;  // readers since that write
+    // Frame of an unordered conflict. In one particular order a conflict may have no effect; to show it in
+    // every order, all writes to this cell stay poison for the rest of that frame.
     uint32_t conflict_frame = kNoId;
 };
 
-// Who touches a cell, and how.
+// The node that accesses a cell, and its kind of access.
 struct Accessor {
     uint32_t node = kNoNode;
-    StageMask stage = stage::kNone;  // one bit; none: sees whatever is available
+    StageMask stage = stage::kNone;  // one bit; kNone: sees everything that is available
     AccessMask access = access::kNone;
-    Layout layout = Layout::undefined;  // that it needs
+    Layout layout = Layout::undefined;  // required layout
 };
 
 class Memory {
  public:
     Memory(const FramePlan& plan, const Timeline& timeline, uint64_t seed);
 
-    // The memory object behind a resource in a frame.
+    // The memory object of a resource in a frame.
     [[nodiscard]] ResourceId object_of(ResourceId resource, uint32_t frame) const;
     [[nodiscard]] CellValue peek(ResourceId object, uint32_t cell) const {
         return cells_[object][cell].value;
     }
 
-    // What the accessor sees. Poison is reported, but stays with the reader.
+    // The value that the accessor sees. Poison is reported, but the cell keeps its value.
     [[nodiscard]] CellValue read(ResourceId object, uint32_t cell, const Accessor& accessor);
-    // `overwrites`: the accessor waits for readers too, though it changes nothing.
+    // `overwrites`: the accessor must wait for readers, although it does not change the value.
     [[nodiscard]] CellValue leave(ResourceId object, uint32_t cell, const Accessor& accessor,
                                   bool overwrites);
     void write(ResourceId object, uint32_t cell, const Accessor& accessor, CellValue value);
     void barrier(uint32_t node);
     void signal(uint32_t node);
     void wait(uint32_t node);
-    // The owner of an import has it in its entry state; what was there before the first frame is its own.
+    // Puts an import into its entry state. Before the first frame its content comes from its owner.
     void enter(ResourceId import, bool first);
-    // The owner's own access before the frame: a write that is still pending, or a read.
+    // An access by the import's owner before the frame: a pending write, or a read.
     void access_outside(uint32_t node, ResourceId import);
 
     [[nodiscard]] std::vector<std::string> take_faults() { return std::move(faults_); }
@@ -107,9 +108,10 @@ class Memory {
     const FramePlan& plan_;
     const Timeline& timeline_;
     uint64_t seed_;
-    std::vector<std::vector<MemoryCell>> cells_;        // by object, then cell
-    std::vector<std::vector<ResourceId>> neighbours_;   // by object: whose bytes overlap
-    std::vector<std::vector<ResourceId>> ring_copies_;  // by ring: its roles by age
+    std::vector<std::vector<MemoryCell>> cells_;        // indexed by object, then cell
+    std::vector<std::vector<ResourceId>> neighbours_;   // indexed by object: the objects with overlapping
+                                                        // memory
+    std::vector<std::vector<ResourceId>> ring_copies_;  // indexed by ring: its resources, ordered by age
     std::vector<std::string> faults_;
 };
 

@@ -1,4 +1,4 @@
-// Purpose: a growing set of small numbers, for who comes before whom.
+// Purpose: a growing set of small numbers, used for the predecessors of a node.
 #pragma once
 
 #include <bit>
@@ -26,7 +26,7 @@ class NodeSet {
         return word < words_.size() && (words_[word] >> (node % 64) & 1) != 0;
     }
 
-    // Those of this set that are not in `other`, in order.
+    // Calls the function for the elements of this set that are not in `other`, in ascending order.
     template <class F>
     void for_each_missing(const NodeSet& other, F visit) const {
         for (size_t i = 0; i < words_.size(); ++i) {

@@ -11,7 +11,8 @@ namespace weft {
 namespace null {
 namespace {
 
-// What one pass of one frame has read so far, by use, then cell in the order of the use's range.
+// Values that one pass of one frame has read so far, indexed by use and by cell in the order of the use's
+// range.
 struct Gathered {
     struct Value {
         CellValue value = kUndefinedValue;
@@ -19,7 +20,7 @@ struct Gathered {
     };
     std::vector<std::vector<Value>> uses;
 
-    // Several stages of one pass must see the same.
+    // Several stages of one pass must read the same value.
     void note(uint32_t use, size_t index, CellValue value) {
         std::vector<Value>& all = uses[use];
         if (all.size() <= index) all.resize(index + 1);
@@ -186,7 +187,7 @@ class Execution {
     const Timeline& timeline_;
     const NullOptions& options_;
     Memory memory_;
-    std::vector<Gathered> gathered_;  // by instance
+    std::vector<Gathered> gathered_;  // index: pass instance
     NullRun run_;
 };
 

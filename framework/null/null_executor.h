@@ -1,11 +1,11 @@
-// Purpose: runs a plan with no GPU, in an order that its barriers and semaphores allow but that nobody would
-// wish for. Every subresource holds one 64-bit value at its place in the plan's memory, and a pass writes
-// hashes of all that it reads, so that two runs agree on a value only if they agree on everything that led to
-// it. Memory behaves as in Vulkan (1.3 specification, chapter "Synchronization and Cache Control" and
-// appendix "Memory Model"): a write stays in its stage until something makes it available and visible; what a
-// dependency does not cover, what was handed over, and what is in another layout or another queue family's
-// hands is poison: a value unlike any other, which spreads to all that is made from it.
-// Errors: none; a wrong plan gives wrong values, and says in words where the first of them came from.
+// Purpose: runs a plan without a GPU, in the least favourable order that its barriers and semaphores allow.
+// Every subresource holds one 64-bit value at its place in the plan's memory. A pass writes hashes of all
+// values that it reads, so two runs have equal values only if everything before was equal too. Memory behaves
+// as in Vulkan (1.3 specification, chapter "Synchronization and Cache Control" and appendix "Memory Model"):
+// a write stays in its stage until a dependency makes it available and visible. A read gets poison if no
+// dependency covers it, if other data has replaced the content, or if the layout or the owning queue family
+// is wrong. Poison is a unique value that spreads to all values computed from it. Errors: none; a wrong plan
+// gives wrong values, and `faults` describes where the first of them came from.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 
 namespace weft {
 
-// Which of the orders that the plan allows.
+// Chooses one of the execution orders that the plan allows.
 enum class NullOrder : uint8_t {
-    recorded,  // as it is submitted
-    delayed,   // from the last command backwards: nothing is done before something needs it
-    shuffled,  // drawn by the seed
+    recorded,  // in submission order
+    delayed,   // backwards from the last command: every command runs as late as possible
+    shuffled,  // pseudo-random, from the seed
 };
 
 struct NullOptions {
     uint32_t frames = 3;
-    uint64_t seed = 0;  // draws the order, and in which of its stages a write of several is done
+    uint64_t seed = 0;  // selects the order, and for a write of several stages the stage in which it happens
     NullOrder order = NullOrder::shuffled;
 };
 
-// What is in a subresource, or in a buffer. 0: nothing that anybody may rely on.
+// The content of a subresource or buffer. 0: undefined content.
 using CellValue = uint64_t;
 inline constexpr CellValue kUndefinedValue = 0;
 
-// One subresource as somebody outside the frame sees it: a pass with side effects, the owner of an import
-// after a frame (pass kNoId), or whoever looks into a persistent resource after the last one.
+// One subresource as seen from outside the frame: by a pass with side effects, by the owner of an import
+// after a frame (pass kNoId), or by a reader of a persistent resource after the last frame.
 struct ObservedCell {
     uint32_t frame = 0;
     PassId pass = kNoId;
@@ -45,17 +45,17 @@ struct ObservedCell {
 };
 
 struct NullRun {
-    std::vector<ObservedCell> observed;  // sorted by everything but the value
-    std::vector<std::string> faults;  // the first few causes of poison, in the order in which they happened
+    std::vector<ObservedCell> observed;  // sorted by all members except the value
+    std::vector<std::string> faults;     // the first few causes of poison, in order of occurrence
 };
 
 [[nodiscard]] NullRun run_null(const FramePlan& plan, const NullOptions& options = {});
 
-// What `plan` should have given: the passes one by one, every resource in memory of its own, every read
-// seeing the version that the graph says. Made from the declarations alone.
+// The expected result of `plan`: runs the passes one after another, with separate memory for every resource,
+// so that every read sees the version given by the graph. Uses only the declarations.
 [[nodiscard]] NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames = 3);
 
-// What differs, in words; empty when both agree on all that `wanted` defines.
+// Text for each difference; empty when both agree on all values that are defined in `wanted`.
 [[nodiscard]] std::vector<std::string> differences(const ResolvedGraph& graph, const NullRun& wanted,
                                                    const NullRun& found);
 

@@ -1,4 +1,4 @@
-// Purpose: lists of observed cells, in one order.
+// Purpose: brings lists of observed cells into one order, so that they can be compared.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace weft::null {
 
-// Sorts by everything but the value. Where one cell was observed several times (by several stages) and not
-// with one value, it gets a value of its own.
+// Sorts by all members except the value. If a cell was observed several times (by several stages) with
+// different values, it gets a new, unique value.
 void settle(std::vector<ObservedCell>& observed);
 
-// By ResourceId: is some role of its ring, or the resource itself, used by a live pass?
+// For each ResourceId, 1 if a live pass uses the resource or any resource of its ring.
 [[nodiscard]] std::vector<uint8_t> used_resources(const ResolvedGraph& graph, const LiveGraph& live);
 
 }  // namespace weft::null

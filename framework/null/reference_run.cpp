@@ -1,5 +1,5 @@
-// The graph's own meaning: passes one by one, each resource in memory of its own, each read seeing the
-// version that its declaration names.
+// The reference result of a graph: passes run one after another, each resource has its own memory, and each
+// read sees the version that its declaration names.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -34,7 +34,7 @@ std::vector<PassId> program_order(const ResolvedGraph& graph, const LiveGraph& l
     return order;
 }
 
-// One cell in one frame: what was there before it, and every version since.
+// One cell in one frame: its content before the frame, and all versions since.
 struct Versions {
     CellValue before = kUndefinedValue;
     std::vector<std::pair<PassId, CellValue>> written;
@@ -86,7 +86,8 @@ class Reference {
     }
 
  private:
-    // Role a of a ring finds what role a - 1 was left with; role 0 finds nothing that it may rely on.
+    // The resource of age a starts with the last content of age a - 1; the resource of age 0 starts
+    // undefined.
     void begin_frame() {
         std::vector<std::vector<CellValue>> left(cells_.size());
         for (ResourceId id = 0; id < cells_.size(); ++id)
@@ -106,7 +107,8 @@ class Reference {
         }
     }
 
-    // The role of that age; none before age 0, unless nobody ever writes the ring and all copies are alike.
+    // The resource of that age. Ages below 0 do not exist, unless no pass writes the ring, so that all copies
+    // are equal.
     ResourceId role(ResourceId ring, uint32_t age) const {
         if (age == UINT32_MAX) return written_[ring] ? kNoId : ring;
         for (ResourceId id = 0; id < graph_.resources.size(); ++id)
@@ -141,7 +143,7 @@ class Reference {
         }
     }
 
-    // Not its turn: what it writes stays as it is.
+    // It is not this pass's turn: its outputs keep their content.
     void pass_on(PassId id) {
         for (const UseDecl& use : graph_.passes[id].uses) {
             if (!writes(use.access)) continue;
@@ -161,8 +163,8 @@ class Reference {
 
     const ResolvedGraph& graph_;
     const LiveGraph& live_;
-    std::vector<uint8_t> used_, written_;       // by ResourceId, by live passes
-    std::vector<std::vector<Versions>> cells_;  // by resource, then cell
+    std::vector<uint8_t> used_, written_;       // index: ResourceId; used or written by live passes
+    std::vector<std::vector<Versions>> cells_;  // indexed by resource, then cell
     uint32_t frame_ = 0;
     NullRun run_;
 };

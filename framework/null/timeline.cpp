@@ -10,13 +10,14 @@
 namespace weft::null {
 namespace {
 
-// Stages of one pipeline, in the order in which a command goes through them. The others stand alone.
+// Stages of one pipeline, in the order in which a command passes through them. All other stages have no
+// order.
 constexpr std::array kDrawing{stage::kDrawIndirect,       stage::kVertexInput,    stage::kVertexShader,
                               stage::kEarlyFragmentTests, stage::kFragmentShader, stage::kLateFragmentTests,
                               stage::kColorOutput};
 constexpr std::array kDispatching{stage::kDrawIndirect, stage::kComputeShader};
 
-// A source names what is logically earlier too, a destination what is later.
+// A source mask includes logically earlier stages, a destination mask logically later ones.
 template <size_t N>
 StageMask along(const std::array<StageMask, N>& pipeline, StageMask stages, bool earlier) {
     StageMask result = stages;
@@ -32,11 +33,11 @@ StageMask destination_scope(StageMask stages) {
     return along(kDrawing, stages, false) | along(kDispatching, stages, false);
 }
 
-// The stages that do nothing but draw, by what they draw to.
+// The stages that only access attachments, by kind of attachment.
 constexpr std::array kAttachmentStages{stage::kColorOutput,
                                        stage::kEarlyFragmentTests | stage::kLateFragmentTests};
 
-// What a rendering scope has drawn so far, by what it drew to. The rasteriser keeps its order.
+// Draws of a rendering scope so far, by kind of attachment. The rasteriser keeps their order.
 struct Drawing {
     std::array<NodeSet, kAttachmentStages.size()> done;
 };
@@ -47,10 +48,10 @@ void for_each_stage(StageMask stages, F visit) {
         if (stages & (1u << s)) visit(s);
 }
 
-// Per stage of one queue.
+// State per stage of one queue.
 struct QueueProgress {
-    std::array<NodeSet, stage::kCount> required;  // what the next command's part in that stage waits for
-    std::array<NodeSet, stage::kCount> reached;   // what a barrier with that stage as source waits for
+    std::array<NodeSet, stage::kCount> required;  // nodes that the next command waits for in that stage
+    std::array<NodeSet, stage::kCount> reached;   // nodes that a barrier with that source stage waits for
     NodeSet everything;
 };
 
@@ -91,7 +92,7 @@ class Unroller {
         return id;
     }
 
-    // Whoever touches an import does so between its owner's turns.
+    // Every access to an import happens between its owner's accesses.
     void touch_import(uint32_t node, ResourceId id) {
         if (entered_[id] == kNoNode) return;
         timeline_.outside_before[node].push_back(entered_[id]);
@@ -103,7 +104,7 @@ class Unroller {
         set.insert(node);
     }
 
-    // A command's part in one stage.
+    // Adds the part of a command in one stage.
     uint32_t add_work(Node node, NodeSet before) {
         QueueProgress& queue = queues_[node.queue];
         const uint32_t id = add(node, std::move(before));
@@ -118,7 +119,7 @@ class Unroller {
         return before;
     }
 
-    // Barriers of one batch do not chain with each other.
+    // Barriers in the same batch do not chain with each other.
     void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& batch) {
         QueueProgress& queue = queues_[queue_index];
         std::vector<uint32_t> added;
@@ -157,7 +158,8 @@ class Unroller {
             add_work(node, required(0, node.stage));
         }
         barriers(0, prologue.after);
-        // It is over before the first frame begins on another queue; on its own queue barriers tell.
+        // On other queues the prologue is complete before the first frame; on its own queue barriers order
+        // it.
         Node node;
         node.kind = NodeKind::signal;
         const uint32_t signal = add(node, queues_[0].everything);
@@ -218,7 +220,7 @@ class Unroller {
             drawing_ = {};
             ++scope_;
         }
-        // Nothing is written before everything that goes into it is read.
+        // All reads happen before the first write.
         NodeSet all_read;
         std::vector<uint32_t> added;
         node.kind = NodeKind::pass_read;
@@ -241,7 +243,7 @@ class Unroller {
         }
     }
 
-    // A pass's part in one stage.
+    // Assigns a part of a pass to one stage.
     void bind(Node& node, StageMask stage) const {
         node.stage = stage;
         const bool draws = std::any_of(kAttachmentStages.begin(), kAttachmentStages.end(),
@@ -256,8 +258,8 @@ class Unroller {
         return before;
     }
 
-    // Owners have their turn between two frames, on the first queue. Who waits for the end of the frame
-    // before waits for them too, and before the first frame everybody does.
+    // Owners access imports between two frames, on the first queue. A wait for the end of the previous frame
+    // includes them, and the first frame waits for them everywhere.
     void enter_imports() {
         Node node;
         node.kind = NodeKind::signal;
@@ -270,7 +272,7 @@ class Unroller {
         for (QueueIndex q = 1; frame_ == 0 && q < queues_.size(); ++q) add_wait(q, owners_signal_);
     }
 
-    // The owner of an import waits for everything that the frame before did with it.
+    // The owner of an import waits for all accesses of the previous frame.
     uint32_t enter(ResourceId id) {
         const ImportState& import = *plan_.graph.resources[id].import;
         Node node;
@@ -297,7 +299,7 @@ class Unroller {
             timeline_.outside_before[look_node] = uses;
             uses_of_import_[id].push_back(look_node);
         };
-        // Without stages a semaphore carries the frame over, to a display for example.
+        // An exit state without stages means that a semaphore hands the frame to a user such as a display.
         if (import.exit.stages == stage::kNone) look(add(node, queues_[node.queue].everything));
         for_each_stage(import.exit.stages, [&](size_t s) {
             node.stage = 1u << s;
@@ -312,11 +314,12 @@ class Unroller {
     Drawing drawing_;
     Timeline timeline_;
     std::vector<QueueProgress> queues_;
-    std::vector<ResourceId> imports_;  // used by some pass
+    std::vector<ResourceId> imports_;  // imports that some pass uses
     uint32_t owners_signal_ = kNoNode;
-    std::vector<uint32_t> entered_;                      // by ResourceId: in this frame
-    std::vector<std::vector<uint32_t>> uses_of_import_;  // by ResourceId: since then
-    std::vector<uint32_t> signals_, previous_signals_;   // by batch
+    std::vector<uint32_t> entered_;                      // index: ResourceId; node of the entry in this frame
+    std::vector<std::vector<uint32_t>> uses_of_import_;  // index: ResourceId; nodes that used the import
+                                                         // since its entry
+    std::vector<uint32_t> signals_, previous_signals_;   // index: batch
 };
 
 }  // namespace

@@ -8,14 +8,15 @@
 namespace weft {
 namespace {
 
-// Longer names are not compared: nobody mistypes one letter of so many and wonders which.
+// Longer names are not compared: a misspelt name is rarely so long.
 constexpr size_t kMostNameBytes = 64;
-// The limit of one search for similar names: after so many compared pairs of letters, the search ends.
+// Limit on the cost of one search for similar names: the search ends after comparing this many pairs of
+// letters.
 constexpr size_t kMostLetterPairs = 1u << 21;
 
 // Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours cost 1
-// each. Only the diagonal band in which a distance of `most` can lie is computed (Ukkonen 1985), and rows end
-// where all of the band is beyond it; then the result is most + 1. Adds to `pairs` what it compared.
+// each. Only the diagonal band that can contain a distance up to `most` is computed (Ukkonen 1985). When a
+// whole row exceeds `most`, the result is most + 1. Adds the number of compared pairs to `pairs`.
 size_t edit_distance(std::string_view a, std::string_view b, size_t most, size_t& pairs) {
     const size_t far = most + 1;
     if (a.size() > b.size() + most || b.size() > a.size() + most) return far;

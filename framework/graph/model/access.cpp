@@ -18,7 +18,7 @@ StageMask shader_stage_mask(ShaderStageMask stages) {
 constexpr StageMask kDepthStages = stage::kEarlyFragmentTests | stage::kLateFragmentTests;
 constexpr AccessMask kDepthAccess = access::kDepthStencilRead | access::kDepthStencilWrite;
 
-// Layouts are given for images; access_state() drops them for buffers.
+// Layouts apply to images; access_state() removes them for buffers.
 AccessState image_state(Access a, StageMask shaders, bool is_depth) {
     const Layout sampled = is_depth ? Layout::depth_read_only : Layout::shader_read_only;
     switch (a) {
@@ -106,7 +106,7 @@ AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask asp
     if (aspects == aspect::kNone) {
         state.layout = Layout::undefined;
         if (a == Access::sampled_read) state.access = access::kStorageRead;
-        // Layers and drivers disagree whether filling a buffer is a clear or a copy.
+        // Validation layers and drivers disagree on whether filling a buffer is a clear or a copy.
         if (a == Access::clear_write) state.stages |= stage::kCopy;
     }
     return state;

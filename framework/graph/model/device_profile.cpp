@@ -91,7 +91,7 @@ constexpr std::array kSampleCounts{
 };
 constexpr uint32_t kMostSamples = 64;
 
-// Left out of a file where they are what every profile begins with.
+// A profile file may omit these limits; the defaults are the same for every profile.
 constexpr std::array kMemoryLimits{
     WideLimit{"imageAlignmentBytes", &DeviceProfile::image_alignment_bytes},
     WideLimit{"bufferAlignmentBytes", &DeviceProfile::buffer_alignment_bytes},
@@ -116,7 +116,7 @@ Json features_to_json(FormatFeatureMask mask) {
     return names;
 }
 
-// Collects what is wrong with a profile; positions inside it are JSON pointers.
+// Collects the faults of a profile; positions inside it are JSON pointers.
 struct ProfileReader {
     const std::string& file;
     Diagnostics faults;
@@ -237,7 +237,7 @@ struct ProfileReader {
                                             item.value("lazilyAllocated", false), contents(item)});
     }
 
-    // What only the whole file can show.
+    // Checks that need the whole file.
     void check_memory(const DeviceProfile& profile) {
         if (profile.memory_types.size() > 32)
             fault("/memoryTypes", std::to_string(profile.memory_types.size()) + " types of memory",

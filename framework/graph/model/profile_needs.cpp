@@ -1,4 +1,4 @@
-// What resources take up on a device that is only known from its profile.
+// Memory requirements of resources on a device of which only the profile is known.
 #include <algorithm>
 
 #include "weft/compile.h"
@@ -27,14 +27,15 @@ MemoryContentMask content_of(const ResourceDecl& resource) {
                                                     : memory_content::kDepthImages;
 }
 
-// Its content need never leave the chip.
+// True if only attachments use the resource, so that its content can stay in on-chip memory.
 bool attachment_only(const ResourceDecl& resource) {
     constexpr UsageMask kAttachment = usage::kColorAttachment | usage::kDepthAttachment;
     return resource.kind == ResourceKind::image && resource.lifetime == ResourceLifetime::transient &&
            resource.usage != 0 && (resource.usage & ~kAttachment) == 0;
 }
 
-// Lazy memory for what may have it; else device-local memory; else any that holds such content.
+// Lazily allocated memory where the resource allows it; else device-local memory; else any type that fits its
+// kind.
 uint32_t type_bits(const ResourceDecl& resource, const DeviceProfile& profile) {
     if (profile.memory_types.empty()) return UINT32_MAX;
     uint32_t lazy = 0, local = 0, any = 0;

@@ -14,7 +14,7 @@ uint32_t index_of(const std::vector<uint32_t>& cuts, uint32_t value) {
     return static_cast<uint32_t>(std::lower_bound(cuts.begin(), cuts.end(), value) - cuts.begin());
 }
 
-// Cells of one row of layers: [first, last) along mips.
+// A run of cells in one row of layers: [first, last) along mips.
 struct Run {
     uint32_t layer = 0;
     uint32_t layer_end = 0;

@@ -10,7 +10,7 @@
 namespace weft {
 namespace {
 
-// In the order that the shaders in shaders/debug/ know them by.
+// In the order of the decoder numbers in shaders/debug/.
 enum class Decoder : uint8_t {
     color,
     display,
@@ -30,16 +30,16 @@ constexpr std::array<const char*, 13> kNames{"color", "display", "squared", "oct
                                              "depth", "vector",  "red",     "green",      "blue",
                                              "alpha", "heat",    "index"};
 
-// What is known of the resource before the graph is resolved.
+// Properties of the resource that are known before the graph is resolved.
 struct Shown {
     bool is_buffer = false;
     bool layered = false;
-    bool needs_own_shader = false;  // 3D and multisampled images
+    bool needs_own_shader = false;  // true for 3D and multisampled images
     bool float_buffer = false;
     const FormatInfo* format = nullptr;
 };
 
-// Depth is sampled as a float.
+// True for depth too, which is sampled as a float.
 bool is_float(NumericClass numeric) {
     return numeric == NumericClass::float_like || numeric == NumericClass::depth;
 }
@@ -102,8 +102,8 @@ bool is_plain_depth(const GraphDesc& graph, const std::string& name) {
     return depth.image_kind == ImageKind::d2 && depth.samples.empty() && depth.layers.empty() && !depth.clear;
 }
 
-// The depth that is drawn together with an image: it is 0 where nothing was drawn. Only of images that one
-// raster pass draws and nobody else writes.
+// The depth attachment drawn together with an image; depth is 0 where nothing was drawn. Only for an image
+// that exactly one pass writes, a raster pass.
 std::optional<RefDesc> drawn_depth(const GraphDesc& graph, const RefDesc& shown) {
     if (shown.history > 0 || shown.mip_first || shown.layer_first) return std::nullopt;
     std::optional<RefDesc> depth;

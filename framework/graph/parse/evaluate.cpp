@@ -6,7 +6,7 @@
 namespace weft {
 namespace {
 
-// An operation's outcome: a value, or what is wrong with its operands.
+// The result of an operation: a value, or the fault in its operands.
 struct Outcome {
     ExprValue value;
     const char* fault = nullptr;

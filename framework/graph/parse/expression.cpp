@@ -34,7 +34,7 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-// Recursive descent; emits postfix. The first fault ends it.
+// Recursive descent that emits postfix code. Parsing ends at the first fault.
 class ExpressionParser {
  public:
     ExpressionParser(const LocatedText& text, size_t position, const SourceMap& sources)
@@ -126,7 +126,7 @@ class ExpressionParser {
 
     bool selection() {
         if (!primary()) return false;
-        while (peek() == '.' && peek(1) != '.') {  // ".." belongs to a range
+        while (peek() == '.' && peek(1) != '.') {  // the second "." of ".." belongs to a range
             const size_t at = position_++;
             const char c = peek();
             if ((c != 'x' && c != 'y') || is_name_char(peek(1)))

@@ -1,6 +1,6 @@
-// Purpose: the words of the graph format by the place where they stand, read off the parser's own tables, so
-// that what else describes the format (its schema, its reference) can be held against them. A place is what
-// the schema calls it in "definitions"; the file itself is "graph".
+// Purpose: lists the keys and words of the graph format for each place in the grammar, from the parser's own
+// tables, so that tests can compare the schema and the reference with them. A place has the name of its
+// definition in the schema; the file itself is "graph".
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace weft {
 
 struct FormatWords {
     std::string place;      // "resource", "computePass", "cull", …
-    bool are_keys = false;  // of an object; else what a string may be
+    bool are_keys = false;  // true: keys of an object; false: allowed strings
     std::vector<std::string> words;
-    std::vector<std::string> required = {};  // of the keys of a kind of pass or resource
-    std::string kind_of = {};                // the place that has the keys of all kinds
+    std::vector<std::string> required = {};  // for the keys of a kind of pass or resource
+    std::string kind_of = {};                // the place with the keys of all kinds
 };
 
 [[nodiscard]] std::vector<FormatWords> format_words();
-// What a buffer may be made of, besides the structs that the program shares.
+// Element types of a buffer, besides the structs that the program shares.
 [[nodiscard]] std::vector<std::string> plain_elements();
 
 }  // namespace weft

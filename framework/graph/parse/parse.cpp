@@ -76,7 +76,7 @@ void read_text(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_string(context, node, graph.name);
 }
 
-// What a patch may change: all but what the file says of itself.
+// A patch may change every section except those that describe the file itself.
 void skip_object(ParseContext& context, const JsonNode& node, TierDesc&) {
     expect(context, node, JsonKind::object);
 }
@@ -90,7 +90,7 @@ constexpr std::array kPatchKeys{
     KeyRule<TierDesc>{"debug", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
     KeyRule<TierDesc>{"frames", skip_value}};
 
-// Its sections are read where they have been merged: in the tier's own graph.
+// The sections of a patch are parsed after merging, in the tier's own graph.
 void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {
     read_object(context, node, "a patch", kPatchKeys, tier);
 }
@@ -106,13 +106,13 @@ void read_tiers(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     });
 }
 
-// read_graph() has been there.
+// read_graph() has already processed the includes.
 void skip_include(ParseContext&, const JsonNode&, GraphDesc&) {}
 
-// They name what the other sections declare: read last.
+// Tests refer to names of other sections, so they are parsed last.
 void skip_tests(ParseContext&, const JsonNode&, GraphDesc&) {}
 
-// For editors only; any string will do.
+// For editors only; any string is accepted.
 void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
     expect(context, node, JsonKind::string);
 }
@@ -128,7 +128,7 @@ constexpr std::array kTopKeys{
     KeyRule<GraphDesc>{"jitter", read_jitter},
 };
 
-// Names of these sections are used side by side, so each must be unique among all of them.
+// Names of these sections are used in the same places, so each must be unique among all of them.
 void check_shared_names(ParseContext& context, const JsonNode& root,
                         std::span<const std::string_view> sections, bool in_expressions) {
     std::map<std::string, SourceLoc> first;

@@ -1,4 +1,4 @@
-// Purpose: JSON to what the author asked for.
+// Purpose: parses JSON into a GraphDesc, the description written by the author.
 #pragma once
 
 #include "weft/graph_desc.h"

@@ -36,7 +36,7 @@ constexpr BlendState blend_state(bool enabled, Equation color, Equation alpha) {
     return {enabled, color.src, color.dst, color.op, alpha.src, alpha.dst, alpha.op, kAllChannels};
 }
 
-// T. Porter and T. Duff, "Compositing Digital Images", 1984, for the two kinds of "over".
+// Source of the two kinds of "over": T. Porter and T. Duff, "Compositing Digital Images", 1984.
 constexpr Equation kReplace{BlendFactor::one, BlendOp::add, BlendFactor::zero};
 constexpr Equation kAdd{BlendFactor::one, BlendOp::add, BlendFactor::one};
 constexpr Equation kOver{BlendFactor::one, BlendOp::add, BlendFactor::one_minus_src_alpha};
@@ -96,7 +96,7 @@ void read_blend(ParseContext& context, const JsonNode& node, BlendState& out) {
     out = blend_state(true, color, draft.alpha.value_or(draft.color ? color : kReplace));
 }
 
-// "rgb": the channels that are written, each once; "none".
+// "rgb": the channels to write, each once; "none": no channel.
 void read_mask(ParseContext& context, const JsonNode& node, uint8_t& out) {
     if (!expect(context, node, JsonKind::string)) return;
     uint8_t mask = 0;
@@ -129,7 +129,7 @@ void check_output(ParseContext& context, const JsonMember& member, const PassDes
                                            : "outputs are " + quoted_list(outputs));
 }
 
-// One value for all outputs (under ""), or one for each that is named.
+// One value for all outputs (stored under ""), or one value per named output.
 template <class T, class IsMap, class Read>
 std::map<std::string, T> read_by_output(ParseContext& context, const JsonNode* node, std::string_view key,
                                         const PassDesc& pass, T initial, IsMap is_map, Read read) {

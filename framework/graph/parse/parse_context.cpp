@@ -12,7 +12,7 @@ namespace weft {
 namespace {
 
 constexpr size_t kShortList = 16;
-// More names than this say no more.
+// A longer list of names would not help the reader.
 constexpr size_t kMostListed = 64;
 
 }  // namespace
@@ -69,7 +69,7 @@ Diagnostics ParseContext::take_errors() {
     return std::move(errors_);
 }
 
-// RFC 6901
+// A JSON pointer, RFC 6901.
 std::string ParseContext::pointer() const {
     std::string text;
     for (const std::string& key : path_) {
@@ -200,7 +200,7 @@ bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
 
 namespace {
 
-// A channel that is a number must be one that a channel can hold.
+// A constant channel must be a value that a colour channel can hold.
 bool read_channel(ParseContext& context, const JsonNode& node, Expr& out) {
     float number = 0;
     if (node.kind == JsonKind::number && !read_float(context, node, number)) return false;

@@ -1,7 +1,7 @@
-// Purpose: what all parts of the parser share: where errors go, and readers for single values. Internal to
-// weft_graph. A reader that finds the wrong thing reports it and leaves its target alone, so that parsing
-// goes on and finds the other faults too. Errors: W101 unknown key, W102 wrong type, W108 missing key, W109
-// bad value.
+// Purpose: state shared by all parts of the parser: the list of errors, and readers for single values.
+// Internal to weft_graph. A reader that finds an invalid value reports it and leaves its target unchanged, so
+// that parsing can continue and find other faults. Errors: W101 unknown key, W102 wrong type, W108 missing
+// key, W109 bad value.
 #pragma once
 
 #include <array>
@@ -27,22 +27,24 @@ class ParseContext {
     explicit ParseContext(const SourceMap& sources, const GraphLimits& limits = {})
         : sources_(sources), limits_(limits) {}
 
-    // The reference lives until the next error. Beyond a limit errors are dropped.
+    // The reference is valid until the next error. Errors beyond a limit are dropped.
     Diagnostic& error(SourceLoc loc, std::string code, std::string message);
     void error(SourceLoc loc, std::string code, std::string message, std::string help);
     void add(Diagnostics errors);
     [[nodiscard]] const SourceMap& sources() const { return sources_; }
     [[nodiscard]] const GraphLimits& limits() const { return limits_; }
-    // False: `count` is over `limit`, which is reported (W125), and parsing ends. `what`: "tiers".
+    // Returns false, reports W125 and ends parsing if `count` exceeds `limit`. `what` names the counted
+    // things: "tiers".
     bool within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what, const char* limit_name,
                 const std::string& help);
-    // Counts the parts of an expression or reference that was read; false: over the limit, reported.
+    // Counts the parts of a parsed expression or reference; returns false and reports an error over the
+    // limit.
     bool count_parts(const Expr& expression);
     bool count_parts(const RefDesc& ref);
-    // So many faults, or so much of something, that looking for more would only cost time.
+    // True after so many faults or so much data that further parsing would only cost time.
     [[nodiscard]] bool is_full() const { return is_over_limit_ || errors_.size() >= kMaxErrors; }
     [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
-    [[nodiscard]] Diagnostics take_errors();  // in the order of the file
+    [[nodiscard]] Diagnostics take_errors();  // in the order of places in the file
 
     void push(std::string_view key) { path_.emplace_back(key); }
     void pop() { path_.pop_back(); }
@@ -59,7 +61,7 @@ class ParseContext {
     std::vector<std::string> path_;
 };
 
-// Names one more level of the JSON pointer while it lives.
+// Adds one level to the JSON pointer during its lifetime.
 class PointerScope {
  public:
     PointerScope(ParseContext& context, std::string_view key) : context_(context) { context_.push(key); }
@@ -96,13 +98,13 @@ bool read_byte(ParseContext& context, const JsonNode& node, uint8_t& out);
 bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out);
 // A number or an expression in a string.
 bool read_expression(ParseContext& context, const JsonNode& node, Expr& out);
-// One for all four channels, or four of them.
+// One number for all four channels, or an array of four.
 void read_color(ParseContext& context, const JsonNode& node, std::optional<ColorDesc>& out);
-// The same, or true and false for 1 and 0.
+// Like read_expression(), but also accepts true and false for 1 and 0.
 bool read_switch(ParseContext& context, const JsonNode& node, Expr& out);
 // A size or number: an expression, a number, or [width, height] of them.
 bool read_size(ParseContext& context, const JsonNode& node, Expr& out);
-// An array of names, and where each was written.
+// An array of names, with the place of each.
 void read_names(ParseContext& context, const JsonNode& node, std::vector<std::string>& names,
                 std::vector<SourceLoc>& locs);
 bool check_identifier(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc);
@@ -115,7 +117,7 @@ void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, st
                  std::string help);
 void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
                 const std::vector<std::string>& allowed);
-// "a", "b" and "c"; of a long list the first ones
+// For example `"a", "b" and "c"`; a long list is shortened.
 [[nodiscard]] std::string quoted_list(const std::vector<std::string>& names);
 
 // --- composed values
@@ -147,7 +149,8 @@ bool read_choice(ParseContext& context, const JsonNode& node, const std::array<C
     return false;
 }
 
-// Reads the keys of an object by table; all others are errors. `what` names the thing: "a resource".
+// Reads the keys of an object as listed in a table; other keys are errors. `what` names the object: "a
+// resource".
 template <class T, size_t N>
 bool read_object(ParseContext& context, const JsonNode& node, std::string_view what,
                  const std::array<KeyRule<T>, N>& rules, T& out) {
@@ -169,7 +172,7 @@ bool read_object(ParseContext& context, const JsonNode& node, std::string_view w
     return true;
 }
 
-// What a table holds, for format_words().
+// The keys of a table, for format_words().
 template <class T, size_t N>
 void list_keys(std::vector<FormatWords>& lists, std::string place, const std::array<KeyRule<T>, N>& rules) {
     FormatWords& list = lists.emplace_back(FormatWords{std::move(place), true, {}});
@@ -182,7 +185,7 @@ void list_choices(std::vector<FormatWords>& lists, std::string place,
     lists.push_back({std::move(place), false, choice_names(std::span<const Choice<E>>(choices))});
 }
 
-// Calls read(member) for each entry of a map from names to things.
+// Calls read(member) for each entry of an object that maps names to values.
 template <class F>
 void read_named(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
     if (!expect(context, node, JsonKind::object)) return;
@@ -210,13 +213,13 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
-// The constants, parameters and sizes read so far are no more than the limit allows; false: reported.
+// Returns false and reports an error if there are more constants, parameters and sizes than the limit allows.
 bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc);
-// The indices of repeats against each other and everything else that expressions may name.
+// Checks the index names of repeats against each other and against all other names in expressions.
 void check_indices(ParseContext& context, const GraphDesc& graph);
 void parse_pass_params(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass);
-// The colour attachments' blending and write masks, of which either may be absent. Reads pass.out.
+// Blending and write masks of the colour attachments; either may be absent. Reads pass.out.
 void parse_blend(ParseContext& context, const JsonNode* blend, const JsonNode* write_mask, PassDesc& pass);
 
 // --- the words of each part

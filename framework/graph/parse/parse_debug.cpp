@@ -1,4 +1,4 @@
-// Ways to look at resources: "Normals": { "show": "normal", "decode": "octahedral" }.
+// Parses debug views such as "Normals": { "show": "normal", "decode": "octahedral" }.
 #include <algorithm>
 
 #include "graph/parse/debug_view.h"

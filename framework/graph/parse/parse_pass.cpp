@@ -6,7 +6,7 @@
 namespace weft {
 namespace {
 
-// Which pass types have a key.
+// The set of pass types that accept a key.
 using TypeMask = uint32_t;
 constexpr TypeMask kCompute = 1;
 constexpr TypeMask kFullscreen = 2;
@@ -14,7 +14,7 @@ constexpr TypeMask kRaster = 4;
 constexpr TypeMask kClear = 8;
 constexpr TypeMask kCopy = 16;
 constexpr TypeMask kReadback = 32;
-constexpr TypeMask kCustom = 64;  // pass types written in C++
+constexpr TypeMask kCustom = 64;  // pass types implemented in C++
 constexpr TypeMask kBlit = 128;
 constexpr TypeMask kTransfer = kCopy | kBlit;
 constexpr TypeMask kAll = 255;
@@ -56,7 +56,7 @@ void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.draws, pass.draw_locs);
 }
 
-// "camera", or a name and a number in brackets: "sun(i)".
+// "camera", or a name with a number in brackets: "sun(i)".
 void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.view_loc = node.loc;
     if (!read_string(context, node, pass.view)) return;
@@ -74,7 +74,7 @@ void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.view_number = std::move(*number);
 }
 
-// One expression (a size counts for x and y), or two or three.
+// One expression (a size sets x and y), or an array of two or three.
 void read_counts(ParseContext& context, const JsonNode& node, std::vector<Expr>& out) {
     if (node.kind != JsonKind::array) {
         read_expression(context, node, out.emplace_back());
@@ -136,7 +136,7 @@ struct PassKey {
     TypeMask types;
     void (*read)(ParseContext&, const JsonNode&, PassDesc&);
 };
-// Ports come first: the state names outputs.
+// Ports come first, because the state refers to outputs.
 constexpr std::array kPassKeys{
     PassKey{"type", kAll, read_type},
     PassKey{"queue", kAll, read_queue},
@@ -191,7 +191,7 @@ const PassKey* find_key(std::string_view key) {
     return it == kPassKeys.end() ? nullptr : it;
 }
 
-// Where a tier or an including file means to change a pass, a misspelt name makes a new one without a type.
+// A misspelt pass name in a tier or an including file creates a new pass without a type.
 void missing_type(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
     std::vector<std::string> others;
     for (const JsonMember& other : passes.members)
@@ -201,7 +201,7 @@ void missing_type(ParseContext& context, const JsonMember& member, const JsonNod
                 near.empty() ? "types are " + types_text(kAll) + ", or one written in C++" : std::move(near));
 }
 
-// The pass's type, or all of them where it is unknown or absent: then no key is called out of place.
+// The pass's type; if it is unknown or absent, all types, so that no key is reported as misplaced.
 TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
     const JsonNode* type = member.value.find("type");
     if (type == nullptr) {
@@ -211,8 +211,8 @@ TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNo
     if (type->kind != JsonKind::string || type->string.empty()) return kAll;
     TypeMask mask = kCustom;
     if (find_choice(std::span<const Choice<TypeMask>>(kBuiltinTypes), type->string, mask)) return mask;
-    // A type that isn't built in may still be one in C++, which resolve() knows; but those have no shaders
-    // and the like.
+    // A type that is not built in may be implemented in C++; resolve() checks this. Such passes have no keys
+    // for shaders.
     for (const JsonMember& entry : member.value.members) {
         const PassKey* key = find_key(entry.key);
         if (key == nullptr || (key->types & kCustom) != 0) continue;
@@ -248,7 +248,7 @@ void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, cons
     }
 }
 
-// A misspelt key was reported as unknown: then the right one isn't missing for another reason.
+// If a misspelt key was already reported as unknown, the correct key is not reported as missing.
 bool is_misspelt(const JsonNode& pass, std::string_view key) {
     return std::any_of(pass.members.begin(), pass.members.end(), [&](const JsonMember& member) {
         return find_key(member.key) == nullptr && !did_you_mean(member.key, {std::string(key)}).empty();
@@ -271,7 +271,7 @@ void check_dispatch(ParseContext& context, const JsonNode& node) {
                   "remove one of the two");
 }
 
-// A depth attachment without a word about the test means the usual one (reversed Z) where there is geometry.
+// A pass with geometry and a depth attachment but no depth test gets the default test (reversed Z).
 void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& pass) {
     const JsonNode* state = member.value.find("state");
     const JsonNode* depth = state == nullptr ? nullptr : state->find("depth");

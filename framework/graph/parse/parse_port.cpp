@@ -96,7 +96,8 @@ PortDraft read_port(ParseContext& context, const JsonNode& node, std::string nam
     return draft;
 }
 
-// A bare reference that is no good names no good port either; that is one fault, not two.
+// A plain reference that is not a valid reference is not a valid port name either; only one fault is
+// reported.
 bool is_port_map(ParseContext& context, const JsonNode& node) {
     if (node.kind == JsonKind::object) return true;
     if (node.kind != JsonKind::array) {
@@ -110,7 +111,7 @@ bool is_port_map(ParseContext& context, const JsonNode& node) {
     return false;
 }
 
-// Inputs, outputs and resolve targets are counted each.
+// Inputs, outputs and resolve targets are limited separately.
 bool check_port_count(ParseContext& context, size_t count, SourceLoc loc) {
     return context.within(count, context.limits().pass_ports, loc, "ports of one kind in a pass",
                           "graph.passPorts", "let one image with layers serve for many");
@@ -165,7 +166,7 @@ void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass) 
     });
 }
 
-// {"hdr": "hdrMs"}: output hdrMs, averaged, goes to hdr.
+// {"hdr": "hdrMs"}: the multisampled output hdrMs is averaged into hdr.
 void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (!expect(context, node, JsonKind::object)) return;
     std::vector<std::string> outputs;
@@ -198,7 +199,7 @@ void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass)
     }
 }
 
-// {"indirect": "args"}
+// For example {"indirect": "args"}.
 void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     PortDraft draft;
     draft.port.port = "indirect";
@@ -210,7 +211,7 @@ void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass)
     pass.indirect = std::move(draft.port);
 }
 
-// {"list": "opaque", "indirect": "commands"}
+// For example {"list": "opaque", "indirect": "commands"}.
 void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     DrawsDraft draft;
     draft.commands.port.port = "indirect";
@@ -219,7 +220,8 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
     for (const auto& [key, help] :
          {std::pair{"list", "name the draw list: { \"list\": \"opaque\", \"indirect\": \"commands\" }"},
           std::pair{"indirect", "name the buffer of draw commands, or write \"draws\": [\"opaque\"]"}})
-        if (node.find(key) == nullptr && node.members.size() < 2)  // else it is misspelt
+        if (node.find(key) == nullptr && node.members.size() < 2)  // with more members, a key is probably
+                                                                   // misspelt
             missing_key(context, node.loc, "a list drawn indirectly", key, help);
     if (!draft.list.empty()) {
         pass.draws.push_back(std::move(draft.list));
@@ -228,12 +230,12 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
     if (draft.commands.has_ref) pass.indirect = std::move(draft.commands.port);
 }
 
-// {"vertices": 36, "instances": "maxLights"}
+// For example {"vertices": 36, "instances": "maxLights"}.
 void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     constexpr std::string_view kWhat = "draws without a list";
     if (!read_object(context, node, kWhat, kVerticesKeys, pass)) return;
     const auto is_known = [](const JsonMember& member) { return member.key == "instances"; };
-    if (std::ranges::all_of(node.members, is_known))  // else it is misspelt, or there
+    if (std::ranges::all_of(node.members, is_known))  // otherwise the missing key is misspelt or present
         missing_key(context, node.loc, kWhat, "vertices", "say how many: { \"vertices\": 3 }");
 }
 

@@ -8,7 +8,7 @@
 namespace weft {
 namespace {
 
-// "normal: rg16_snorm|rgba16f": the first that the device can do.
+// "normal: rg16_snorm|rgba16f": the first format that the device supports is used.
 void read_formats(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
     std::string text;
     if (!read_string(context, node, text)) return;
@@ -41,12 +41,12 @@ void read_kind(ParseContext& context, const JsonNode& node, ResourceDesc& resour
     read_choice(context, node, kKinds, resource.image_kind);
 }
 
-// Six square faces; the side is the size.
+// Six square faces; `size` is the side of a face.
 void read_cube(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
     if (read_expression(context, node, resource.size)) resource.image_kind = ImageKind::cube;
 }
 
-// A whole number that is written as one is checked here; what an expression gives, resolve() checks.
+// Checks a literal whole number; resolve() checks the results of expressions.
 bool read_count(ParseContext& context, const JsonNode& node, int64_t least, int64_t most, Expr& out) {
     int64_t number = 0;
     if (node.kind == JsonKind::number && !read_integer(context, node, least, most, number)) return false;
@@ -159,7 +159,7 @@ const char* help_for_layers(ImageKind kind) {
     return "write \"kind\": \"array\", or leave the kind out";
 }
 
-// Which keys go with which kind of image.
+// Checks that the keys are allowed for this kind of image.
 void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
     const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
         const PointerScope scope(context, key);
@@ -186,7 +186,7 @@ void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& reso
                  "remove \"mips\", or resolve into an image with mips");
 }
 
-// What a resource means to later frames.
+// Checks the keys for content that later frames use.
 void check_persistence(ParseContext& context, const JsonNode& node, const ResourceDesc& resource) {
     const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
         const PointerScope scope(context, key);

@@ -49,7 +49,7 @@ std::vector<std::string> depth_choices() {
     return choices;
 }
 
-// "none", "greater" (tested only) or "greater_write".
+// "none", "greater" (test only) or "greater_write".
 void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     RasterState& state = pass.state;
     if (!expect(context, node, JsonKind::string)) return;
@@ -65,7 +65,7 @@ void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     bad_choice(context, node, node.string, depth_choices());
 }
 
-// A number of the state: read here when it is written as one, by resolve() when it is an expression.
+// A number of the state: a literal is checked here, an expression in resolve().
 struct NumberRule {
     double least, most;
     bool whole;
@@ -109,7 +109,7 @@ void read_bias(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_object(context, node, "a depth bias", kBiasKeys, pass);
 }
 
-// Which faces a stencil state is for.
+// The faces that a stencil state applies to.
 struct FaceDraft {
     PassDesc& pass;
     std::vector<StencilFaceState RasterState::*> faces;
@@ -182,7 +182,7 @@ void read_rect(ParseContext& context, const JsonNode& node, const NumberRule& pl
     }
 }
 
-// Pixels before the attachment's corner don't exist; a viewport may begin there all the same.
+// A scissor cannot begin at negative coordinates, but a viewport can.
 void read_scissor(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_rect<&RasterState::scissor>(context, node, kInsidePlace, pass);
 }
@@ -191,7 +191,7 @@ void read_viewport(ParseContext& context, const JsonNode& node, PassDesc& pass) 
     read_rect<&RasterState::viewport>(context, node, kPlace, pass);
 }
 
-// Blending is read apart, by parse_blend(): it belongs to the outputs.
+// parse_blend() reads blending separately, because it belongs to the outputs.
 void skip_blend(ParseContext&, const JsonNode&, PassDesc&) {}
 
 constexpr std::array kStateKeys{

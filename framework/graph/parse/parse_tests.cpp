@@ -1,4 +1,4 @@
-// A graph's own tests: what is rendered, and what is expected of it.
+// A graph's own tests: the runs to render, and the expected results.
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"
@@ -14,12 +14,12 @@ constexpr int64_t kMostSide_px = 16'384;
 struct TestDraft {
     const GraphDesc& graph;
     GraphTestDesc test;
-    std::vector<std::string> names, swaps;  // of tiers
+    std::vector<std::string> names, swaps;  // names of tiers
     std::vector<SourceLoc> name_locs, swap_locs;
     bool all_tiers = false;
 };
 
-// "hdr" or "bloom.mip(1)"; false: reported.
+// Checks a reference such as "hdr" or "bloom.mip(1)"; returns false after reporting a fault.
 bool check_ref(ParseContext& context, const TestDraft& draft, const std::string& text, SourceLoc loc) {
     Result<RefDesc> ref = parse_reference({text, loc}, context.sources());
     if (!ref) {
@@ -125,7 +125,7 @@ void read_test_size(ParseContext& context, const JsonNode& node, TestDraft& draf
     std::array<int64_t, 2> size{};
     for (size_t i = 0; i < size.size(); ++i)
         if (!read_integer(context, node.items[i], 1, kMostSide_px, size[i])) return;
-    // The picture, and its copy that is read back.
+    // The picture, and its copy in readback memory.
     constexpr uint64_t kBytesPerTexel = 8;
     const auto bytes = static_cast<uint64_t>(size[0] * size[1]) * kBytesPerTexel;
     if (bytes > context.limits().test_bytes)
@@ -181,7 +181,7 @@ GraphTestDesc finished(ParseContext& context, TestDraft draft) {
     return std::move(draft.test);
 }
 
-// Of all its runs. A run without a number draws as many as the graph says, which an expression may decide.
+// Total of all runs of a test. A run without a number of frames uses the graph's, which may be an expression.
 size_t stated_frames(const GraphTestDesc& test) {
     return test.swap.empty() ? test.tiers.size() * std::max(1u, test.frames)
                              : test.swap.size() * size_t{test.every};

@@ -1,7 +1,7 @@
-// Purpose: the one grammar by which graphs, tests and the command line point at a resource:
+// Purpose: parses references to resources. Graphs, tests and the command line all use this grammar:
 //   name [@pass] [[-N]] [.mip(e) | .mip(a..b)] [.layer(e) | .layer(a..b)] [.depth | .stencil]
 // The parts after the name come in any order, each at most once.
-// Errors: W106, at the character where the reference stops making sense.
+// Errors: W106, at the first character that does not fit the grammar.
 #pragma once
 
 #include <string>
@@ -17,7 +17,8 @@ inline constexpr uint32_t kMaxHistory = 16;
 
 [[nodiscard]] Result<RefDesc> parse_reference(const LocatedText& text, const SourceMap& sources);
 
-// The resource's name alone ("hiz" of "hiz@build.mip(0)"): what a port written as a bare reference is called.
+// The resource's name alone ("hiz" of "hiz@build.mip(0)"), which becomes the name of a port written as a
+// plain reference.
 [[nodiscard]] std::string reference_name(std::string_view text);
 
 }  // namespace weft

@@ -28,7 +28,7 @@ class OpenFile {
     int descriptor_;
 };
 
-// How much was read before the end; nothing: it cannot be read.
+// Number of bytes read up to the end of the file; nullopt if reading fails.
 std::optional<uint64_t> read_all(int descriptor, std::span<std::byte> room) {
     size_t have = 0;
     while (have < room.size()) {
@@ -84,7 +84,7 @@ PlainRead read_plain_file(const fs::path& path, uint64_t most_bytes, LastLink li
     if ((follows ? stat(path.c_str(), &status) : lstat(path.c_str(), &status)) != 0)
         return {0, FileFault::missing};
     if (!S_ISREG(status.st_mode)) return {0, FileFault::not_plain};
-    // The file may have been exchanged in between: what is open counts.
+    // Another file may have replaced this one in between, so only the open descriptor is examined.
     const OpenFile file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | (follows ? 0 : O_NOFOLLOW));
     if (file.get() < 0 || fstat(file.get(), &status) != 0) return {0, FileFault::unreadable};
     if (!S_ISREG(status.st_mode)) return {0, FileFault::not_plain};
@@ -101,7 +101,7 @@ FileContent read_plain_file(const fs::path& path, uint64_t most_bytes, LastLink 
         return std::as_writable_bytes(std::span(content.bytes));
     });
     content.fault = read.fault;
-    // It may have become shorter since it was measured.
+    // The file may have become shorter since its size was read.
     content.bytes.resize(read.fault == FileFault::none ? read.size_bytes : 0);
     return content;
 }

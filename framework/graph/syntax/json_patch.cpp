@@ -19,14 +19,14 @@ class Patcher {
     }
 
  private:
-    // "/tiers/NAME/patch/…"
+    // True inside "/tiers/NAME/patch/…".
     [[nodiscard]] bool keeps_nulls() const {
         return nulls_ == NullMeaning::remove_outside_tiers && path_.size() >= 3 && path_[0] == "tiers" &&
                path_[2] == "patch";
     }
 
     void apply_members(JsonNode& target, JsonNode patch) {
-        // Keys are compared by hash: a file may hold very many.
+        // A file may contain very many keys, so they are looked up by hash.
         std::unordered_map<std::string_view, size_t> index;
         for (size_t i = 0; i < target.members.size(); ++i) index.emplace(target.members[i].key, i);
         std::vector<bool> removed(target.members.size(), false);
@@ -49,7 +49,7 @@ class Patcher {
         std::ranges::move(added, std::back_inserter(target.members));
     }
 
-    // In what is new there is nothing to remove.
+    // Reports nulls in newly added values, which have no member to remove.
     void check_nulls(JsonNode& node) {
         if (keeps_nulls()) return;
         if (node.kind == JsonKind::null) {

@@ -1,5 +1,5 @@
-// Purpose: one JSON document laid over another, as JSON merge patches are (RFC 7396): objects are merged
-// member by member, null removes a member, anything else replaces what was there. Internal to weft_graph.
+// Purpose: applies one JSON document to another as a JSON merge patch (RFC 7396): objects are merged member
+// by member, null removes a member, and any other value replaces the old one. Internal to weft_graph.
 #pragma once
 
 #include "weft/result.h"
@@ -7,13 +7,13 @@
 
 namespace weft {
 
-// What goes on beside the merging: faults, and which value stands for which (SourceMap::replacements).
+// Side results of a merge: faults, and which value replaced which (SourceMap::replacements).
 struct PatchLog {
     SourceMap& sources;
-    Diagnostics errors;  // W128: null for a member that isn't there
+    Diagnostics errors;  // W128: null for a member that does not exist
 };
 
-// A tier's patch is kept as it is, nulls included, when the files that hold it are merged.
+// remove_outside_tiers: when files are merged, the patch of a tier is kept as it is, including its nulls.
 enum class NullMeaning : uint8_t { remove, remove_outside_tiers };
 
 void apply_patch(JsonNode& target, JsonNode patch, NullMeaning nulls, PatchLog& log);

@@ -13,7 +13,7 @@ std::string escaped(const std::string& key) {
     return text;
 }
 
-// Appends to `pointer` the way to the outermost value or key at that place. Depth is the reader's limit.
+// Appends to `pointer` the path of the outermost value or key at that place. The reader limits the depth.
 bool find_at(const JsonNode& node, uint32_t line, uint32_t column, std::string& pointer) {
     if (covers(node.loc, line, column)) return true;
     const size_t length = pointer.size();

@@ -36,7 +36,7 @@ void append_utf8(uint32_t code, std::string& out) {
     }
 }
 
-// Four hexadecimal digits behind "\u", without moving.
+// Reads four hexadecimal digits after "\u"; the cursor does not move.
 std::optional<uint32_t> hex4(const JsonCursor& cursor, size_t ahead) {
     uint32_t code = 0;
     for (size_t i = 0; i < 4; ++i) {
@@ -50,7 +50,7 @@ std::optional<uint32_t> hex4(const JsonCursor& cursor, size_t ahead) {
     return code;
 }
 
-// At the backslash of \uXXXX; surrogates come in pairs.
+// Starts at the backslash of \uXXXX; surrogates must come in pairs.
 std::optional<JsonFault> scan_unicode_escape(JsonCursor& cursor, std::string& out) {
     const SourceLoc loc = cursor.here(2);
     std::optional<uint32_t> code = hex4(cursor, 2);
@@ -85,7 +85,7 @@ std::optional<JsonFault> scan_escape(JsonCursor& cursor, std::string& out) {
     return std::nullopt;
 }
 
-// The grammar's shape alone: -? int frac? exp?. Returns what is wrong with it.
+// Checks the form -? int frac? exp? only. Returns the fault, or null.
 const char* number_fault(std::string_view s) {
     size_t i = 0;
     const auto digits = [&] {

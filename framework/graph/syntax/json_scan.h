@@ -1,5 +1,5 @@
-// Purpose: the lexical half of the JSON reader: blanks and comments, strings, numbers, UTF-8. It knows where
-// it stands, so that every fault is at its very character.
+// Purpose: the lexer of the JSON reader: whitespace and comments, strings, numbers, UTF-8. It tracks its
+// position, so that every fault has an exact line and column.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct JsonFault {
 
 class JsonCursor {
  public:
-    // `file`: index into SourceMap::files, for the places it reports.
+    // `file`: index into SourceMap::files, used in reported places.
     explicit JsonCursor(std::string_view text, uint32_t file = 0) : text_(text), file_(file) {}
 
     [[nodiscard]] bool at_end() const { return position_ >= text_.size(); }
@@ -48,15 +48,15 @@ class JsonCursor {
     uint32_t file_ = 0;
 };
 
-// Each returns the fault that stopped it, or nothing.
+// Each function returns the fault that stopped it, or nullopt.
 [[nodiscard]] std::optional<JsonFault> skip_blank(JsonCursor& cursor);
-// At the opening quote; ends behind the closing one.
+// Starts at the opening quote and ends after the closing one.
 [[nodiscard]] std::optional<JsonFault> scan_string(JsonCursor& cursor, std::string& out);
-// At the first character of something that may be a number.
+// Starts at the first character of a possible number.
 [[nodiscard]] std::optional<JsonFault> scan_number(JsonCursor& cursor, double& number, std::string& spelling);
 [[nodiscard]] std::optional<JsonFault> check_utf8(std::string_view text);
 
-// 'x', or its byte when it can't be printed.
+// The character in quotes, or its byte value if it is not printable.
 [[nodiscard]] std::string printable(char c);
 
 }  // namespace weft

@@ -1,5 +1,5 @@
-// Shorthand becomes objects, then files and the tier are laid over each other. Anything of an unexpected kind
-// is left as it is: parse() says what was wanted.
+// Expands shorthand to objects, then merges files and the tier. Values of an unexpected kind are left
+// unchanged: parse() reports them.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -18,7 +18,7 @@ JsonNode* find(JsonNode& node, std::string_view key) {
     return it == node.members.end() ? nullptr : &it->value;
 }
 
-// value → {key: value}, standing where the value stood.
+// Replaces value by {key: value}, at the same source location.
 void wrap(JsonNode& node, std::string_view key) {
     JsonNode object;
     object.kind = JsonKind::object;
@@ -48,7 +48,7 @@ Diagnostic duplicate_port(const JsonMember& port, SourceLoc first, const SourceM
     return error;
 }
 
-// ["a", "b.mip(0)"] → {"a": "a", "b": "b.mip(0)"}: a port written as a bare reference is called like its
+// ["a", "b.mip(0)"] → {"a": "a", "b": "b.mip(0)"}: a port written as a plain reference gets the name of its
 // resource.
 void name_ports(JsonNode& list, const SourceMap& sources, Diagnostics& errors) {
     const auto is_string = [](const JsonNode& item) { return item.kind == JsonKind::string; };
@@ -97,7 +97,7 @@ void expand(JsonNode& root, const SourceMap& sources, Diagnostics& errors) {
         if (JsonNode* patch = find(tier.value, "patch")) expand_sections(*patch, sources, errors);
 }
 
-// What a file says of itself is not the including one's.
+// Removes the keys that describe a file itself; the including file does not inherit them.
 JsonNode without_own_keys(JsonNode root) {
     std::erase_if(root.members, [](const JsonMember& member) {
         return member.key == "name" || member.key == "$schema" || member.key == "include";
@@ -130,7 +130,7 @@ Diagnostic unknown_tier(const JsonDoc& document, const std::string& name) {
     return d;
 }
 
-// "set": a parameter's default is another one in this tier.
+// "set": changes a parameter's default in this tier.
 void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
     JsonNode* params = find(root, "params");
     for (const JsonMember& value : values.members) {
@@ -153,7 +153,7 @@ void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
     }
 }
 
-// The others are faults, which parse() reports where they are written.
+// Keeps only known sections. parse() reports the others where they are written.
 JsonNode known_sections(JsonNode patch) {
     static constexpr std::array<std::string_view, 9> kSections{
         "imports", "consts", "params", "sizes", "resources", "passes", "debug", "frames", "jitter"};
@@ -191,7 +191,7 @@ std::vector<std::string> tier_names(const JsonDoc& document) {
     };
     for (const IncludedJson& included : document.included) gather(included.root);
     gather(document.root);
-    // Those that an including file takes away.
+    // Tiers that an including file removes are not listed.
     const JsonNode* last = document.root.find("tiers");
     std::erase_if(names, [&](const std::string& name) {
         const JsonNode* tier = last != nullptr ? last->find(name) : nullptr;

@@ -1,4 +1,4 @@
-// Purpose: lays the JSON of included files and of one tier over each other.
+// Purpose: merges the JSON of included files and of one tier.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace weft {
 
-// Shorthand becomes objects, so that a patch adds to an object instead of replacing it. Then, as RFC 7396
-// says, each file goes over the files that it includes, and the tier over them all: null removes, objects are
-// merged, anything else replaces. Errors: W128 null where there is nothing to remove, W129 no such tier, W131
-// a tier sets no parameter.
+// Expands shorthand to objects, so that a patch adds to an object instead of replacing it. Then, as in RFC
+// 7396, each file is applied to the files that it includes, and the tier to the result: null removes, objects
+// are merged, any other value replaces. Errors: W128 null for a member that does not exist, W129 no such
+// tier, W131 a tier sets no parameter.
 [[nodiscard]] Result<JsonDoc> merge(JsonDoc document, const std::string& tier = {});
-// The names of the tiers, in the order written; none where the file does not state its tiers.
+// The names of the tiers, in the order written; empty if the file declares no tiers.
 [[nodiscard]] std::vector<std::string> tier_names(const JsonDoc& document);
 
 }  // namespace weft

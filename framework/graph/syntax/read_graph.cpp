@@ -1,5 +1,5 @@
-// A graph's file and those that it includes, depth first, each of them once: what is included first lies
-// lowest when they are merged.
+// Reads a graph's file and all files that it includes, depth first, each of them once. In the merge, earlier
+// included files have lower priority.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -13,7 +13,7 @@
 namespace weft {
 namespace {
 
-// How many values a tree holds. Its depth is the reader's limit.
+// Number of values in a tree. The reader limits its depth.
 uint64_t count_values(const JsonNode& node) {
     uint64_t count = 1;
     for (const JsonMember& member : node.members) count += count_values(member.value);
@@ -47,7 +47,7 @@ class IncludeReader {
         }
     }
 
-    // Each tier is a graph of its own, merged and parsed anew.
+    // Each tier is merged and parsed separately, so the number of values counts once per tier.
     void check_tiers() {
         std::set<std::string_view> names;
         for (const IncludedJson& included : doc_.included) check_tiers(included.root, names);
@@ -97,7 +97,7 @@ class IncludeReader {
         return false;
     }
 
-    // Where it may lie: beside the file that names it, then among the shipped graphs.
+    // Candidate paths: beside the including file, then among the shipped graphs.
     [[nodiscard]] std::vector<std::string> candidates(const std::string& name) const {
         const std::filesystem::path includer(doc_.sources.files[open_.back()].path);
         std::vector<std::string> paths{(includer.parent_path() / name).lexically_normal().generic_string()};
@@ -113,7 +113,7 @@ class IncludeReader {
         for (const std::string& path : paths) {
             const auto known = std::ranges::find(files, path, &SourceFile::path);
             if (known != files.end()) return check_circle(item, static_cast<uint32_t>(known - files.begin()));
-            // The reader may also have a file that is not on disk.
+            // `reader` may also provide a file that does not exist on disk.
             const RealFile real = find_real_file(path, folders_);
             if (!real.path.empty() && !real.is_inside)
                 return fail(item.loc, "W126",
@@ -130,7 +130,7 @@ class IncludeReader {
 
     void check_circle(const JsonNode& item, uint32_t file) {
         const auto first = std::ranges::find(open_, file);
-        if (first == open_.end()) return;  // here already by another way
+        if (first == open_.end()) return;  // this file was already included by another file
         std::string chain;
         for (auto it = first; it != open_.end(); ++it) chain += doc_.sources.files[*it].path + " -> ";
         fail(item.loc, "W127", "files include each other: " + chain + doc_.sources.files[file].path,
@@ -148,7 +148,8 @@ class IncludeReader {
             return fail(item.loc, "W004",
                         "the files have more than " + limit_bytes_text(limits.json_bytes) + " together",
                         "check that \"" + path + "\" is a graph, " + raise_limit_text("graph.jsonBytes"));
-        const auto file = static_cast<uint32_t>(doc_.sources.files.size());  // as read_json_file() counts it
+        const auto file = static_cast<uint32_t>(doc_.sources.files.size());  // the index that
+                                                                             // read_json_file() will assign
         Result<JsonNode> root = read_json_file(doc_.sources, path, std::move(text), limits, item.loc);
         if (!root) {
             const Diagnostics& faults = root.errors();
@@ -169,9 +170,9 @@ class IncludeReader {
     JsonDoc& doc_;
     const FileReader& reader_;
     const GraphReading& reading_;
-    std::vector<uint32_t> open_;                    // the files on the way to the current one
-    std::array<std::filesystem::path, 2> folders_;  // those that links must not lead out of
-    uint64_t bytes_ = 0;                            // of all files
+    std::vector<uint32_t> open_;                    // the chain of including files
+    std::array<std::filesystem::path, 2> folders_;  // links must not lead out of these folders
+    uint64_t bytes_ = 0;                            // total of all files
     uint64_t values_ = 0;
     Diagnostics errors_;
 };

@@ -1,4 +1,4 @@
-// Purpose: the JSON of a graph file, with all files that it includes.
+// Purpose: reads the JSON of a graph file and of all files that it includes.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 namespace weft {
 
 struct GraphReading {
-    std::string include_root = {};  // included files are looked for here, too; empty: nowhere else
+    std::string include_root = {};  // second folder in which included files are searched; empty: none
     GraphLimits limits = {};
 };
-// Errors: as read_json(); W126 an included file that is missing or lies outside the folder, W127 files that
-// include each other.
+// Errors: those of read_json(); W126 an included file that is missing or lies outside the folder, W127 files
+// that include each other.
 [[nodiscard]] Result<JsonDoc> read_graph(const std::string& path, const FileReader& reader,
                                          const GraphReading& reading = {});
 

@@ -20,8 +20,7 @@ bool begins_value(char c) {
     return c == '"' || c == '{' || c == '[' || begins_number(c) || begins_word(c);
 }
 
-// Recursive descent, so its depth is limited. A syntax fault ends it; duplicate keys are collected on the
-// way.
+// Recursive descent, so the depth is limited. A syntax fault ends parsing; duplicate keys are collected.
 class JsonReader {
  public:
     JsonReader(std::string_view text, uint32_t file, const GraphLimits& limits)
@@ -160,7 +159,7 @@ class JsonReader {
         return value(entry.value);
     }
 
-    // What stands between two values: a comma, which may also stand behind the last.
+    // Expects a comma between two values; a trailing comma is allowed.
     bool separator(const JsonNode& node, char close) {
         const SourceLoc end_of_value = cursor_.here();
         if (!blank()) return false;
