@@ -11,7 +11,8 @@ Device::~Device() {
 void Device::tear_down() {
     if (!owned_ || abandoned_) return;
     owned_ = false;
-    // The messenger goes after the device, so that it hears of objects left alive.
+    // The messenger is destroyed after the device, so that it receives messages about objects that were not
+    // freed.
     if (device_ != VK_NULL_HANDLE) functions_.vkDestroyDevice(device_, nullptr);
     if (messenger_ != VK_NULL_HANDLE) {
         instance_functions_.vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
@@ -43,7 +44,7 @@ void Device::name(VkObjectType type, uint64_t handle, const std::string& text) c
     info.objectType = type;
     info.objectHandle = handle;
     info.pObjectName = text.c_str();
-    // A failure costs a name in a message and nothing else.
+    // A failure only means that messages lack this name.
     (void)instance_functions_.vkSetDebugUtilsObjectNameEXT(device_, &info);
 }
 

@@ -13,13 +13,13 @@ namespace weft::vk {
 
 namespace {
 
-// By family: how many queues `count` logical ones can use.
+// For each family, the number of queues that `count` logical queues can use.
 std::vector<uint32_t> queue_counts(const DeviceProfile& profile, uint32_t main_family, uint32_t count) {
     std::vector<uint32_t> counts(profile.queue_families.size(), 0);
     counts[main_family] = 1;
     bool first = true;
     for (const LogicalQueue& queue : logical_queues(profile, count)) {
-        // The first one is the main queue, whatever family was found for it.
+        // The first queue is the main queue, in whatever family it was found.
         if (!std::exchange(first, false)) ++counts[queue.family];
     }
     for (size_t family = 0; family < counts.size(); ++family)
@@ -44,7 +44,8 @@ std::vector<VkDeviceQueueCreateInfo> queue_create_infos(const std::vector<uint32
 
 }  // namespace
 
-// Fills a Device step by step. On an error the half-made device goes out of scope and frees what it owns.
+// Fills a Device step by step. On an error the incomplete device is destroyed and frees the objects that it
+// owns.
 struct DeviceBuilder {
     std::unique_ptr<Device> device{new Device};
 
@@ -148,7 +149,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
 
 namespace {
 
-// Vulkan doesn't tell what a device was made with, so the embedder says it.
+// Vulkan cannot report the features that a device was created with, so the embedder states them.
 std::vector<std::string> missing_in(const EmbedderDevice& own, const DeviceInfo& info,
                                     const std::vector<QueueFamily>& families) {
     std::vector<std::string> missing = missing_features(*own.enabled);

@@ -33,7 +33,8 @@ constexpr std::array kRequired12{
     Feature<F12>{"separateDepthStencilLayouts", &F12::separateDepthStencilLayouts},
     Feature<F12>{"uniformBufferStandardLayout", &F12::uniformBufferStandardLayout},
 };
-// `maintenance4` for LocalSizeId of SPIR-V 1.6; the shader features are what GLSL's `discard` may become.
+// `maintenance4` is for LocalSizeId of SPIR-V 1.6; the shader features are for the possible translations of
+// GLSL's `discard`.
 constexpr std::array kRequired13{
     Feature<F13>{"dynamicRendering", &F13::dynamicRendering},
     Feature<F13>{"synchronization2", &F13::synchronization2},
@@ -55,8 +56,8 @@ constexpr std::array kOptional10{
                          &OptionalFeatures::storage_read_without_format},
 };
 
-// Switched on wherever it is offered, and nothing depends on it: an index outside of a storage or uniform
-// buffer stays in the buffer's memory.
+// Enabled where available, but nothing depends on it: it keeps out-of-range accesses to storage and uniform
+// buffers inside the buffer's memory.
 constexpr VkBool32 F10::*kRobustBuffers = &F10::robustBufferAccess;
 
 template <class Table, class Struct>

@@ -70,7 +70,7 @@ constexpr std::array<std::pair<VkSubgroupFeatureFlagBits, ShaderCapabilityMask>,
     {VK_SUBGROUP_FEATURE_QUAD_BIT, sc::kSubgroupQuad},
 }};
 
-// Subgroup operations are a property: no feature switches them on.
+// Support for subgroup operations is a property; no feature enables them.
 ShaderCapabilityMask subgroup_capabilities(const VkPhysicalDeviceVulkan11Properties& properties) {
     if ((properties.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) == 0) return 0;
     ShaderCapabilityMask mask = 0;
@@ -89,7 +89,8 @@ void add_queue_families(const InstanceFunctions& fn, VkPhysicalDevice physical, 
     for (const VkQueueFamilyProperties& family : families) {
         const bool computes = (family.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0;
         const bool draws = (family.queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0;
-        // A graphics queue runs every pass, so one that draws and can't compute counts for what is left.
+        // A graphics queue must run every pass, so a queue that draws but cannot compute is treated as a
+        // compute or transfer queue.
         const QueueKind kind = draws && computes ? QueueKind::graphics
                                : computes        ? QueueKind::compute
                                                  : QueueKind::transfer;

@@ -92,7 +92,7 @@ Result<Instance> make_instance(const LoaderFunctions& loader, MessageCollector* 
                                         [](const LayerInfo& l) { return l.name == kValidationLayer; });
         if (layer == installed.end()) return missing_layer_error();
         instance.layers.push_back(*layer);
-        instance.debug_utils = true;  // the layer offers it if the loader does not
+        instance.debug_utils = true;  // if the loader does not support the extension, the layer does
         layers.push_back(kValidationLayer);
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
         messenger = messenger_create_info(*collector);

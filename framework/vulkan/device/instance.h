@@ -1,5 +1,5 @@
-// Purpose: a VkInstance with the layers and extensions that Weft uses.
-// Errors: V401 no loader, V402 no driver, V405 validation wanted but not installed, V406 creation refused.
+// Purpose: a VkInstance with the layers and extensions that Weft uses. Errors: V401 no loader, V402 no
+// driver, V405 validation requested but not installed, V406 creation failed.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,12 @@ struct Instance {
     VkInstance handle = VK_NULL_HANDLE;
     InstanceFunctions functions;
     bool debug_utils = false;
-    std::vector<LayerInfo> layers;  // enabled
+    std::vector<LayerInfo> layers;  // the enabled layers
 };
 
 [[nodiscard]] Result<LoaderFunctions> require_loader(const char* library = kLoaderLibrary);
-// With `collector`, the validation layer is enabled and already reports there while the instance is being
-// made.
+// With `collector`, the validation layer is enabled and reports to it, even during the creation of the
+// instance.
 [[nodiscard]] Result<Instance> make_instance(const LoaderFunctions& loader, MessageCollector* collector);
 [[nodiscard]] std::vector<LayerInfo> installed_layers(const LoaderFunctions& loader);
 

@@ -11,7 +11,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
                                           VkDebugUtilsMessageTypeFlagsEXT /*types*/,
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     static_cast<MessageCollector*>(user)->add(message_from(severity, *data));
-    return VK_FALSE;  // the call goes on as it would without the layer
+    return VK_FALSE;  // the call continues as it would without the layer
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
-// Purpose: ties the validation layers to a MessageCollector.
-// Scope: validation messages only, warnings and errors. Performance advice and the loader's own notes about
-// drivers that this machine lacks are not faults of a frame.
+// Purpose: connects the validation layers to a MessageCollector. Scope: validation warnings and errors only.
+// Performance advice and the loader's notes about missing drivers are not faults of a frame.
 #pragma once
 
 #include "weft/vulkan/functions.h"
@@ -8,11 +7,11 @@
 
 namespace weft::vk {
 
-// To be chained to instance creation, and to create the lasting messenger from. `collector` must outlive
+// Used both in the creation of the instance (pNext) and to create the messenger. `collector` must outlive
 // both.
 [[nodiscard]] VkDebugUtilsMessengerCreateInfoEXT messenger_create_info(MessageCollector& collector);
 
-// As the layer delivers it; the pass is the innermost label of the command buffer, or of the queue.
+// Converts a message of the layer. Its pass is the innermost label of the command buffer, or of the queue.
 [[nodiscard]] Message message_from(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                                    const VkDebugUtilsMessengerCallbackDataEXT& data);
 

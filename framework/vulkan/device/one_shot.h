@@ -1,5 +1,5 @@
-// Purpose: a few commands outside any frame, submitted and waited for with a fence of their own.
-// Errors: V407 time-out, V408 device lost, V418.
+// Purpose: submits a few commands outside any frame and waits for them with a separate fence. Errors: V407
+// time-out, V408 device lost, V418.
 #pragma once
 
 #include <functional>

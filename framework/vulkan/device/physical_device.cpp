@@ -10,7 +10,7 @@
 namespace weft::vk {
 namespace {
 
-// Smaller is better.
+// A smaller rank is better.
 int rank(VkPhysicalDeviceType type) {
     switch (type) {
         case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
@@ -41,7 +41,7 @@ void find_family(const InstanceFunctions& fn, Candidate& candidate) {
 void find_missing(const InstanceFunctions& fn, Candidate& candidate, uint32_t api_version) {
     if (api_version < VK_API_VERSION_1_3) {
         candidate.info.missing.push_back("Vulkan 1.3 (it offers " + version_text(api_version) + ")");
-        return;  // the feature structs of later versions cannot be asked for
+        return;  // without Vulkan 1.3, its feature structs cannot be queried
     }
     FeatureChain supported;
     fn.vkGetPhysicalDeviceFeatures2(candidate.handle, &supported.head());
@@ -69,7 +69,8 @@ const Candidate* find_wanted(const std::vector<Candidate>& candidates, const std
     return it == candidates.end() ? nullptr : &*it;
 }
 
-// A part of a name finds a device: "llvmpipe" of "llvmpipe (LLVM 15.0.6, 256 bits)".
+// Words of device names for suggestions: part of a name selects a device, as "llvmpipe" does for "llvmpipe
+// (LLVM 15.0.6, 256 bits)".
 std::vector<std::string> name_words(const std::vector<Candidate>& candidates) {
     std::vector<std::string> words;
     for (const Candidate& candidate : candidates) {

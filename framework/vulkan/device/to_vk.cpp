@@ -7,7 +7,7 @@
 namespace weft::vk {
 namespace {
 
-// One entry for each bit, lowest first. `Flags` may be 32 or 64 bits wide.
+// The table has one entry per bit, lowest first. `Flags` may be 32 or 64 bits wide.
 template <class Flags, class Mask, size_t N>
 Flags translate_bits(Mask mask, const std::array<Flags, N>& bits) {
     assert((static_cast<uint64_t>(mask) >> N) == 0);
@@ -319,7 +319,7 @@ VkStencilOp to_vk(StencilOp op) {
 }
 VkColorComponentFlags write_mask_to_vk(uint8_t mask) {
     return mask & 0xFu;
-}  // r 1, g 2, b 4, a 8 in both
+}  // r 1, g 2, b 4, a 8, in Weft as in Vulkan
 VkAttachmentLoadOp to_vk(LoadOp op) {
     return look_up(op, kLoadOps);
 }

@@ -1,5 +1,5 @@
-// Purpose: a VkResult that is not success, as a Diagnostic with a code of its own.
-// Errors: V407 time-out, V408 device lost, V410 out of memory, V409 everything else.
+// Purpose: converts an unsuccessful VkResult to a Diagnostic with a code. Errors: V407 time-out, V408 device
+// lost, V410 out of memory, V409 everything else.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace weft::vk {
 
-// "VK_ERROR_DEVICE_LOST"
+// The name of the enumerator, such as "VK_ERROR_DEVICE_LOST".
 [[nodiscard]] std::string result_name(VkResult result);
-// `what` is what was attempted, as a noun: "allocating 64 bytes for \"lights\"".
+// `what` names the failed operation as a noun: "allocating 64 bytes for \"lights\"".
 [[nodiscard]] Diagnostic vk_error(VkResult result, std::string_view what);
 
 }  // namespace weft::vk

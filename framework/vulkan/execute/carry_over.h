@@ -1,5 +1,5 @@
-// Purpose: what a plan's first frame finds in persistent resources when another plan ran before: the copies,
-// stretches and clears of a TransitionPlan, instead of the prologue.
+// Purpose: initialises the persistent resources of a plan that follows another plan: records the copies,
+// scaling blits and clears of a TransitionPlan, in place of the prologue.
 #pragma once
 
 #include "vulkan/memory/resource_table.h"
@@ -7,7 +7,7 @@
 
 namespace weft::vk {
 
-// One plan's resources, in the frame that would come next.
+// The resources of one plan, in the frame after its last one.
 struct PlanSide {
     const FramePlan& plan;
     FrameResources resources;

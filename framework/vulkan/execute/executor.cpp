@@ -10,7 +10,7 @@
 namespace weft::vk {
 namespace {
 
-// That wait to be taken: a program that never asks shall not lose memory.
+// Limit on timings that wait to be read: a program that never reads them must not use more and more memory.
 constexpr size_t kMostTimings = 32;
 
 class Stopwatch {
@@ -30,7 +30,7 @@ std::string pass_names(const FramePlan& plan, uint32_t first) {
     return names;
 }
 
-// What passes in flight draw, where that alone may take long: "gbuffer 4096, sunShadows#0 4096".
+// Draw counts of the unfinished passes, which may explain a time-out: "gbuffer 4096, sunShadows#0 4096".
 std::string draw_counts(const FramePlan& plan, const DrawSource* draws, uint32_t first) {
     std::string counts;
     for (size_t position = first; draws != nullptr && position < plan.schedule.order.size(); ++position) {
@@ -59,7 +59,8 @@ void end_label(const Device& device, VkCommandBuffer commands) {
 ReplayExecutor::~ReplayExecutor() {
     bool idle = true;
     for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
-        // After a time-out a second wait would only double it; but a frame may be late and no more.
+        // After a time-out, do not wait a second time, but check whether the late frame has finished in the
+        // meantime.
         idle &= timed_out_ ? slots_->is_over(slot) : slots_->wait(slot) == VK_SUCCESS;
     if (!idle)
         device_.abandon();
@@ -191,7 +192,7 @@ Status ReplayExecutor::submit_frame(uint32_t slot) {
         return Unit{};
     }
     const Diagnostic failed = failed_call("V418", "submitting passes " + all_passes, result);
-    // Half a frame leaves resources that the next one can't make sense of.
+    // If only part of a frame ran, the state of its resources is unknown, so no further frame can run.
     if (slots_->in_flight(slot)) lost_ = {failed};
     return failed;
 }

@@ -8,8 +8,8 @@
 namespace weft::vk {
 namespace {
 
-// All of it between semaphores. Not vkQueueSubmit2: the validation layer of Vulkan 1.3.239 tracks
-// hazards between submissions only for this one.
+// Waits and signals apply to all commands. Not vkQueueSubmit2: the validation layer of Vulkan 1.3.239 tracks
+// hazards between submissions only for vkQueueSubmit.
 VkResult submit_between(const Device& device, VkQueue queue, std::span<const VkCommandBuffer> commands,
                         const std::vector<TimelinePoint>& waits, const TimelinePoint& signal) {
     std::vector<VkSemaphore> semaphores;
@@ -50,8 +50,8 @@ VkResult wait_for(const Device& device, const std::vector<TimelinePoint>& points
     return device.fn().vkWaitSemaphores(device.handle(), &info, device.timeout_ns());
 }
 
-// lavapipe (Mesa 22.3) drops the barriers that begin or end a command buffer, though what an earlier
-// submission draws may still be under way. Any other command before and behind them makes it heed them.
+// lavapipe (Mesa 22.3) ignores barriers at the start and end of a command buffer, although earlier
+// submissions may still be running. Another command before and after the barriers avoids this.
 void fence_off_barriers(const Device& device, VkCommandBuffer commands, uint32_t family) {
     if ((device.families()[family].flags & VK_QUEUE_GRAPHICS_BIT) == 0) return;
     const VkRect2D anywhere{{0, 0}, {1, 1}};

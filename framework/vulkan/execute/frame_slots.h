@@ -1,5 +1,6 @@
-// Purpose: the frames in flight: command buffers for the batches of each, how they are submitted, and how one
-// knows that a frame is over. Errors: V418; the executor turns time-outs into V407, a lost device into V408.
+// Purpose: manages the frames in flight: command buffers for the batches of each frame, their submission, and
+// the check whether a frame has finished. Errors: V418; the executor converts time-outs to V407 and a lost
+// device to V408.
 #pragma once
 
 #include <array>
@@ -11,10 +12,10 @@
 
 namespace weft::vk {
 
-// Where one batch is recorded.
+// The command buffer and queue of one batch.
 struct BatchCommands {
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    bool labels = false;  // the queue takes debug labels
+    bool labels = false;  // the queue supports debug labels
 };
 
 class FrameSlots {
@@ -22,29 +23,31 @@ class FrameSlots {
     [[nodiscard]] static Result<FrameSlots> create(Device& device, const FramePlan& plan);
 
     [[nodiscard]] bool in_flight(uint32_t slot) const { return slots_[slot].in_flight; }
-    // VK_SUCCESS at once when nothing is in flight.
+    // Returns VK_SUCCESS immediately if nothing is in flight.
     [[nodiscard]] VkResult wait(uint32_t slot);
-    // Once all frames are over, before the semaphores go, if nothing was submitted to their queues since:
-    // lavapipe (Mesa 22.3) signals a submission's end a moment before it lets go of the semaphores.
+    // Call this after all frames have finished and before the semaphores are destroyed, unless something else
+    // was submitted to their queues since: lavapipe (Mesa 22.3) signals the end of a submission slightly
+    // before it releases the semaphores.
     void let_go() const;
-    // Without waiting. On a lost device everything is.
+    // Does not wait. On a lost device the result is always true.
     [[nodiscard]] bool is_over(uint32_t slot) const;
 
-    // Empties the slot for frame `frame`; everything is recorded between begin() and submit().
+    // Resets the slot for frame `frame`; commands are recorded between begin() and submit().
     [[nodiscard]] Status begin(uint32_t slot, uint64_t frame);
     [[nodiscard]] BatchCommands batch(uint32_t slot, uint32_t batch) const;
-    // Of frame 0 only: executed before all batches, on the first queue.
+    // Used in frame 0 only: runs before all batches, on the first queue.
     [[nodiscard]] VkCommandBuffer prologue(uint32_t slot) const { return slots_[slot].prologue; }
-    // Submits the batches in order. An error may leave part of the frame in flight.
+    // Submits the batches in order. After an error, part of the frame may be in flight.
     [[nodiscard]] VkResult submit(uint32_t slot, uint64_t frame);
 
  private:
     struct Slot {
-        std::vector<CommandPoolHandle> pools;   // by queue
-        std::vector<VkCommandBuffer> commands;  // by batch
+        std::vector<CommandPoolHandle> pools;   // index: queue
+        std::vector<VkCommandBuffer> commands;  // index: batch
         VkCommandBuffer prologue = VK_NULL_HANDLE;
-        FenceHandle fence;                // of a frame that is one batch
-        std::vector<TimelinePoint> last;  // of one that is several: its last end on each queue
+        FenceHandle fence;                // for a frame of one batch
+        std::vector<TimelinePoint> last;  // for a frame of several batches: the end of the last batch on each
+                                          // queue
         bool in_flight = false;
     };
     [[nodiscard]] VkResult open(Slot& slot) const;
@@ -54,10 +57,10 @@ class FrameSlots {
 
     Device* device_ = nullptr;
     std::vector<PlanQueue> queues_;
-    std::vector<QueueIndex> queue_of_;  // by batch
+    std::vector<QueueIndex> queue_of_;  // index: batch
     QueueTimelines timelines_;
     std::array<Slot, kFramesInFlight> slots_;
-    bool submitted_ = false;  // anything, ever
+    bool submitted_ = false;  // true after the first submission
 };
 
 }  // namespace weft::vk

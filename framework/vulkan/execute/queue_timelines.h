@@ -1,5 +1,5 @@
-// Purpose: the timeline semaphores of a plan, one a logical queue: what every batch waits for and signals, as
-// numbers. A plan of one batch needs none. Frames count from 0. Errors: V418.
+// Purpose: the timeline semaphores of a plan, one per logical queue, and the values that each batch waits for
+// and signals. A plan with one batch needs none. Frames count from 0. Errors: V418.
 #pragma once
 
 #include <vector>
@@ -22,21 +22,21 @@ class QueueTimelines {
 
     [[nodiscard]] bool in_use() const { return !semaphores_.empty(); }
     [[nodiscard]] TimelinePoint end_of(uint32_t batch, uint64_t frame) const;
-    // The ends of other batches, of this frame or the one before. In the first frame everything also comes
-    // after what the first queue did before it: the prologue, and the uploads of whoever made the imports.
+    // The ends of other batches, of this frame or the previous one. The first frame also waits for everything
+    // that the first queue did before: the prologue, and uploads to imports.
     [[nodiscard]] std::vector<TimelinePoint> waits_of(uint32_t batch, uint64_t frame) const;
-    // What the first queue signals before the first frame.
+    // The point that the first queue signals before the first frame.
     [[nodiscard]] TimelinePoint ready() const { return {ready_.get(), 1}; }
 
  private:
     struct BatchPlace {
         QueueIndex queue = 0;
-        uint64_t rank = 0;  // among the batches of its queue
+        uint64_t rank = 0;  // position among the batches of its queue
         std::vector<QueueWait> waits;
     };
-    std::vector<SemaphoreHandle> semaphores_;  // by queue
+    std::vector<SemaphoreHandle> semaphores_;  // index: queue
     std::vector<BatchPlace> batches_;
-    std::vector<uint64_t> counts_;  // batches by queue
+    std::vector<uint64_t> counts_;  // index: queue; number of batches
     SemaphoreHandle ready_;
 };
 

@@ -1,5 +1,5 @@
-// Purpose: the executor behind Executor::create(): frames in turn (executor.cpp), and how one carries on from
-// another (succession.cpp).
+// Purpose: the implementation of Executor::create(): runs frames (executor.cpp), and continues the work of a
+// previous executor (succession.cpp).
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ class ReplayExecutor final : public Executor {
         uint64_t frame_index = 0;
         FrameTiming timing;
     };
-    // Pipelines that the plan has no more, and the frames that may still use them.
+    // Pipelines that the plan no longer uses, and the frames that may still use them.
     struct Retired {
         std::vector<std::vector<DrawPipeline>> passes;
         std::array<bool, kFramesInFlight> in_flight{};
@@ -54,7 +54,7 @@ class ReplayExecutor final : public Executor {
     void record_epilogue(const RecordContext& context);
     void record_start(VkCommandBuffer commands) const;
     [[nodiscard]] Status submit_frame(uint32_t slot);
-    // Leaves everything so that another executor's first frame may be submitted.
+    // Prepares this executor for the first frame of the executor that replaces it.
     [[nodiscard]] Status be_followed(const FramePlan& next);
     [[nodiscard]] Status start_without_frame();
     [[nodiscard]] Status complete_predecessor(uint32_t slot);
@@ -67,15 +67,15 @@ class ReplayExecutor final : public Executor {
     ExecutorHooks hooks_;
     std::array<InFlight, kFramesInFlight> in_flight_;
     uint64_t frames_begun_ = 0;
-    uint32_t slot_ = kNoId;    // of the frame begun and not yet run
-    uint64_t frames_run_ = 0;  // without those that could not be submitted
+    uint32_t slot_ = kNoId;    // slot of the frame that has begun but not run yet
+    uint64_t frames_run_ = 0;  // excludes frames that could not be submitted
     std::vector<Retired> retired_;
     std::vector<FrameTiming> timings_;
     std::vector<ReadbackData> readbacks_;
-    Diagnostics lost_;  // after a time-out or a lost device nothing runs any more
+    Diagnostics lost_;  // set after a time-out or a lost device; no further frame runs
     bool timed_out_ = false;
-    bool followed_ = false;  // another executor's frames came after these
-    // Until the first frame is over; its executor is one of these.
+    bool followed_ = false;  // another executor has taken over
+    // The replaced executor; kept until this executor's first frame has finished.
     std::optional<Predecessor> predecessor_;
 };
 

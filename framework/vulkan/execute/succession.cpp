@@ -1,4 +1,4 @@
-// How an executor carries on where another one stopped, or with other values and pipelines itself.
+// Replacing an executor by another one, or a running executor's values and pipelines.
 #include <algorithm>
 #include <cassert>
 #include <iterator>
@@ -33,7 +33,7 @@ Status ReplayExecutor::take_over(Predecessor predecessor) {
     }
     objects_->resources.rings.carry_over(old.objects_->resources.rings, old.frames_run_,
                                          predecessor.transition);
-    // The program's own data have one copy a slot, which the old frames may still read.
+    // The program's own data has one copy per slot, which frames of the old executor may still read.
     frames_begun_ = old.frames_begun_;
     predecessor_ = std::move(predecessor);
     return Unit{};
@@ -45,12 +45,12 @@ Status ReplayExecutor::be_followed(const FramePlan& next) {
         if (Status started = start_without_frame(); !started) return started;
     }
     followed_ = true;
-    // What runs on one queue runs in order. With several, only the host knows when all of them are done.
+    // Work on a single queue runs in order. With several queues, the host must wait for the old frames.
     const bool one_queue = plan().submissions.batches.size() <= 1 && next.submissions.batches.size() <= 1;
     return one_queue ? Status(Unit{}) : finish();
 }
 
-// What the first frame begins with, for an executor that is replaced before it had one.
+// Records the initial state of an executor that is replaced before its first frame.
 Status ReplayExecutor::start_without_frame() {
     Status started = submit_once(device_, "the first contents of persistent resources",
                                  [&](VkCommandBuffer commands) { record_start(commands); });
@@ -72,7 +72,8 @@ void ReplayExecutor::inherit_results() {
     move_to_front(readbacks_, predecessor_->executor->take_readbacks());
 }
 
-// Waits until its frame in `slot` is over, whose place in the program's data ours will take.
+// Waits until the old executor's frame in `slot` has finished, because this executor will use the same copy
+// of the program's data.
 Status ReplayExecutor::complete_predecessor(uint32_t slot) {
     if (!predecessor_) return Unit{};
     Status completed = executor_of(*predecessor_).complete(slot);
@@ -81,7 +82,7 @@ Status ReplayExecutor::complete_predecessor(uint32_t slot) {
     return completed;
 }
 
-// Once our first frame is over.
+// Called when this executor's first frame has finished.
 Status ReplayExecutor::retire_predecessor() {
     if (!predecessor_) return Unit{};
     Status finished = predecessor_->executor->finish();
@@ -105,7 +106,7 @@ void ReplayExecutor::amend(std::unique_ptr<Amendment> amendment) {
     drop_retired();
 }
 
-// A slot that was in flight and is no more has nothing to do with what it used then.
+// Frames in a slot that is no longer in flight no longer use the retired pipelines.
 void ReplayExecutor::drop_retired() {
     for (Retired& old : retired_)
         for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)

@@ -8,7 +8,7 @@
 namespace weft::vk {
 namespace {
 
-// What a copy of one aspect moves for a texel; a format's own bytes for colour.
+// Bytes per texel when copying one aspect; for colour, the size of the format.
 uint64_t texel_bytes(Format format, AspectMask aspect) {
     if (aspect == aspect::kStencil) return 1;
     if (aspect == aspect::kDepth) return format == Format::d16 ? 2 : 4;

@@ -25,7 +25,7 @@ VkMemoryPropertyFlags wanted_properties(Buffer::Memory memory) {
     return 0;
 }
 
-// Cached and device-local are wishes: a type without them does the job too.
+// Cached and device-local memory is preferred, but types without these properties work too.
 uint32_t pick_memory_type(const Device& device, uint32_t type_bits, VkMemoryPropertyFlags wanted) {
     const uint32_t type = device.memory_type(type_bits, wanted);
     if (type != UINT32_MAX) return type;
@@ -49,7 +49,7 @@ Result<VkDeviceMemory> allocate(Device& device, const VkMemoryRequirements& need
     return memory;
 }
 
-// Down to one texel. The device's own limit is that of its largest image.
+// Number of mips down to one texel. The device's own limit is that of its largest image.
 uint32_t mips_of(const VkExtent3D& extent) {
     const uint32_t largest = std::max({extent.width, extent.height, extent.depth});
     return static_cast<uint32_t>(std::bit_width(largest));
@@ -77,12 +77,12 @@ Status check_supported(const Device& device, const VkImageCreateInfo& info, cons
     return error;
 }
 
-// What is kept from frame to frame is cleared before the first one.
+// Additional usage of persistent content, which is cleared before the first frame.
 UsageMask before_first_frame(const ResourceDecl& decl) {
     return decl.lifetime == ResourceLifetime::persistent ? usage::kTransferDst : 0;
 }
 
-// Usages that allow a view.
+// Usages for which an image view may be created.
 constexpr UsageMask kViewUsages =
     usage::kSampled | usage::kStorage | usage::kColorAttachment | usage::kDepthAttachment;
 
@@ -125,9 +125,10 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
     if (decl.image_kind == ImageKind::cube || decl.image_kind == ImageKind::cube_array) {
         info.flags |= VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
     }
-    // Never VK_IMAGE_CREATE_ALIAS_BIT: it promises that images sharing memory see each other's texels, and a
-    // hand-over always drops them. (The layer would also take equal images at one place for one image, and
-    // miss the barriers of a third that used the memory in between.)
+    // Never use VK_IMAGE_CREATE_ALIAS_BIT: it promises that images in the same memory share their texels, but
+    // memory taken over from another resource always starts undefined. (The validation layer would also treat
+    // equal images at the same place as one image, and miss the barriers of a third resource that used the
+    // memory in between.)
     info.imageType = image_type_to_vk(decl.image_kind);
     info.format = to_vk(decl.format);
     info.extent = to_vk(decl.extent);
@@ -136,7 +137,7 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
     info.samples = samples_to_vk(decl.samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = image_usage_to_vk(decl.usage | before_first_frame(decl));
-    // Sampled depth lies in the read-only depth layout, which needs the attachment usage.
+    // Depth is sampled in a read-only depth layout, which requires the attachment usage.
     if ((decl.aspects & aspect::kColor) == 0) info.usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
@@ -146,7 +147,7 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
 Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsageFlags usage, Memory memory,
                               const std::string& name) {
     assert(size_bytes > 0 && usage != 0);
-    Buffer buffer;  // frees what it holds when a later step fails
+    Buffer buffer;  // destroyed on return if a later step fails
     buffer.device_ = &device;
     buffer.size_bytes_ = size_bytes;
     VkBufferCreateInfo info{};
@@ -178,7 +179,7 @@ Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsage
 Buffer::~Buffer() {
     if (device_ == nullptr || device_->abandoned()) return;
     device_->fn().vkDestroyBuffer(device_->handle(), buffer_, nullptr);
-    device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);  // unmaps
+    device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);  // also unmaps the memory
 }
 
 Buffer::Buffer(Buffer&& other) noexcept {
@@ -198,7 +199,7 @@ Result<Image> Image::create(Device& device, const ResourceDecl& decl) {
     VkImageCreateInfo info = image_create_info(decl);
     if (!decl.import || decl.import->concurrent) share(info, concurrent_sharing(device));
     if (Status supported = check_supported(device, info, decl); !supported) return supported.take_errors();
-    Image image;  // frees what it holds when a later step fails
+    Image image;  // destroyed on return if a later step fails
     image.device_ = &device;
     image.decl_ = decl;
     const DeviceFunctions& fn = device.fn();

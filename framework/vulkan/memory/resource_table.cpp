@@ -40,7 +40,7 @@ Status bind_import(const FramePlan& plan, ResourceId id, const ImportBindings& b
     return Unit{};
 }
 
-// Imports that only culled passes name are not asked for.
+// Imports that only culled passes use need not be provided.
 std::vector<uint8_t> used_resources(const FramePlan& plan) {
     std::vector<uint8_t> used(plan.graph.resources.size(), 0);
     for (const PassId pass : plan.schedule.order)

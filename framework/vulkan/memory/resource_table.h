@@ -1,5 +1,6 @@
-// Purpose: every resource of a plan as a Vulkan object: its own from the heaps, imports from the
-// program. Errors: V414 when an import is missing or of another shape than the graph was resolved with.
+// Purpose: maps every resource of a plan to a Vulkan object: transient and persistent ones from the heaps,
+// imports from the program. Errors: V414 when an import is missing or has another shape than in the resolved
+// graph.
 #pragma once
 
 #include <vector>
@@ -11,12 +12,13 @@
 namespace weft::vk {
 
 struct ResourceTable {
-    std::vector<VkImage> images;    // by the ResourceId that is placed there; null for buffers, unused ones
-    std::vector<VkBuffer> buffers;  // the same
+    std::vector<VkImage> images;    // indexed by the ResourceId placed there; null for buffers and unused
+                                    // resources
+    std::vector<VkBuffer> buffers;  // the same for buffers
     Rings rings;
 };
 
-// The table in one frame, in which every role of a ring is one certain copy.
+// The table for one frame, in which each resource of a ring refers to one particular copy.
 class FrameResources {
  public:
     FrameResources(const ResourceTable& table, uint64_t frame) : table_(&table), frame_(frame) {}

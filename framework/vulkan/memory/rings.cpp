@@ -50,7 +50,8 @@ void Rings::carry_over(const Rings& old, uint64_t frames, const TransitionPlan& 
     for (const CarryOver& carry : transition.carried) {
         const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
         if (transition.keeps_validity[ring] == 0 || old.written_[old_ring] == 0) continue;
-        // A history that is longer now goes back no further than the old one did.
+        // If the history is longer than in the old plan, only as many past frames are valid as the old plan
+        // kept.
         carried_[ring] = std::min<uint64_t>(frames + old.carried_[old_ring], old.roles_[old_ring].size() - 1);
     }
 }

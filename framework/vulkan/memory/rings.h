@@ -1,6 +1,6 @@
-// Purpose: where the copies of resources with history are. A ring of N + 1 roles has N + 1 copies, and from
-// frame to frame every role moves on to the next of them. Frames count from 0, since the executor was made.
-// What another executor's frames wrote before them may count too.
+// Purpose: finds the copies of resources with history. A ring of N + 1 resources (ages 0 to N) has N + 1
+// copies; in each frame every age moves to the next copy. Frames count from 0, from the creation of the
+// executor. Content written by a previous executor may be valid too.
 #pragma once
 
 #include <vector>
@@ -15,15 +15,16 @@ class Rings {
     Rings() = default;
     explicit Rings(const FramePlan& plan);
 
-    // The role whose placement holds what `resource` names in this frame: itself unless it is one of a ring.
+    // The resource whose placement holds the content of `resource` in this frame: itself, unless it belongs
+    // to a ring.
     [[nodiscard]] ResourceId copy(ResourceId resource, uint64_t frame) const;
-    // The roles of the ring that `resource` belongs to, by age; only itself when it belongs to none.
+    // The resources of the ring of `resource`, ordered by age; only itself if it belongs to none.
     [[nodiscard]] std::vector<ResourceId> roles(ResourceId resource) const;
-    // After how many frames the pass finds everything in the same places again.
+    // The number of frames after which the pass uses the same copies again.
     [[nodiscard]] uint64_t period(const PassDecl& pass) const;
-    // Counts what `old` has written in its `frames` for the rings whose content comes from there.
+    // Adds the frames that `old` has written, for rings whose content the transition keeps.
     void carry_over(const Rings& old, uint64_t frames, const TransitionPlan& transition);
-    // Whether a pass has written what `role` stands for by this frame.
+    // True if a pass has written the content of `role` by this frame.
     [[nodiscard]] bool valid(ResourceId role, uint64_t frame) const;
 
  private:
@@ -31,10 +32,10 @@ class Rings {
         ResourceId ring = kNoId;
         uint32_t age = 0;
     };
-    std::vector<Role> all_;                       // by ResourceId
-    std::vector<std::vector<ResourceId>> roles_;  // by ring, then age
-    std::vector<uint8_t> written_;                // by ring: a live pass writes it
-    std::vector<uint64_t> carried_;               // by ring: frames written before frame 0
+    std::vector<Role> all_;                       // index: ResourceId
+    std::vector<std::vector<ResourceId>> roles_;  // indexed by ring, then age
+    std::vector<uint8_t> written_;                // index: ring; 1 if a live pass writes it
+    std::vector<uint64_t> carried_;               // index: ring; number of frames written before frame 0
 };
 
 }  // namespace weft::vk

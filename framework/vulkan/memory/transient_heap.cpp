@@ -33,7 +33,8 @@ MemoryNeed buffer_need(Device& device, const ResourceDecl& decl, const Sharing& 
     return to_need(answer.memoryRequirements);
 }
 
-// Which resources several families use, only the plan will say, so both ways must fit.
+// Only the plan decides which resources several queue families share, so the memory must suit both sharing
+// modes.
 MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
     const auto need = decl.kind == ResourceKind::image ? image_need : buffer_need;
     MemoryNeed exclusive = need(device, decl, Sharing{});
@@ -44,7 +45,7 @@ MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
             exclusive.type_bits & concurrent.type_bits};
 }
 
-// Memory that goes round in a ring is used by whoever uses one of its roles.
+// The copies of a ring rotate, so a copy is concurrent if any resource of the ring is.
 bool is_concurrent(const FramePlan& plan, const Rings& rings, ResourceId resource) {
     const std::vector<uint8_t>& concurrent = plan.barriers.concurrent;
     const std::vector<ResourceId> roles = rings.roles(resource);
@@ -58,7 +59,7 @@ MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph) {
     MemoryNeeds needs(graph.resources.size());
     for (size_t i = 0; i < graph.resources.size(); ++i) {
         const ResourceDecl& decl = graph.resources[i];
-        // A resource that no pass names has no usage, and Vulkan has no object without one.
+        // A resource that no pass names has no usage, and Vulkan objects need one.
         if (decl.lifetime == ResourceLifetime::imported || decl.usage == 0) continue;
         needs[i] = any_need(device, decl);
     }

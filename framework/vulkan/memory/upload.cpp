@@ -12,9 +12,9 @@
 namespace weft::vk {
 namespace {
 
-// Copies need offsets that are multiples of the texel size and of 4; no texel is larger.
+// Copy offsets must be multiples of the texel size and of 4; no texel is larger than this.
 constexpr uint64_t kStagingAlignmentBytes = 16;
-constexpr size_t kStagingBytes = 16 << 20;  // of a buffer's upload
+constexpr size_t kStagingBytes = 16 << 20;  // the largest piece of a buffer's upload
 
 uint64_t align_up(uint64_t value) {
     return (value + kStagingAlignmentBytes - 1) / kStagingAlignmentBytes * kStagingAlignmentBytes;
@@ -35,7 +35,7 @@ uint64_t level_bytes(const ResourceDecl& decl, uint32_t mip) {
            format_info(decl.format).bytes_per_texel;
 }
 
-// Where each level lies in staging, or what is wrong with the levels.
+// The offset of each level in staging memory, or the fault in the levels.
 Result<std::vector<VkBufferImageCopy>> plan_copies(const ResourceDecl& decl,
                                                    std::span<const std::span<const std::byte>> levels) {
     if (levels.empty() || levels.size() > decl.mips) {
@@ -114,7 +114,7 @@ void record_buffer_copy(const DeviceFunctions& fn, VkCommandBuffer commands, con
     fn.vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-// Fills staging memory, records the copy out of it and waits.
+// Fills staging memory, records the copy from it, and waits for the copy.
 Status copy_from_staging(Device& device, const std::string& what, uint64_t size_bytes,
                          const std::function<void(std::span<std::byte>)>& fill,
                          const std::function<void(VkCommandBuffer, const Buffer&)>& record) {
@@ -132,7 +132,7 @@ Status upload_buffer(Device& device, const Buffer& target, std::span<const std::
     if (bytes.size() > target.size_bytes()) {
         return size_error("an upload into a buffer", bytes.size(), target.size_bytes());
     }
-    // In pieces, so that staging stays small however large the buffer is.
+    // Uploads in pieces, so that the staging memory stays small for any size of buffer.
     for (size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {
         const std::span<const std::byte> piece =
             bytes.subspan(offset, std::min<size_t>(kStagingBytes, bytes.size() - offset));

@@ -1,6 +1,5 @@
-// Purpose: an image view for every use of an image: its range and aspect, in the dimension that the shader's
-// binding or the attachment wants. Equal views are made once.
-// Errors: V411.
+// Purpose: image views for all uses of images, with the range, aspect and dimension that the shader's binding
+// or the attachment needs. Equal views are created once. Errors: V411.
 #pragma once
 
 #include <map>
@@ -15,15 +14,15 @@ class ViewCache {
     ViewCache(Device& device, const FramePlan& plan, const ResourceTable& resources)
         : device_(&device), plan_(&plan), resources_(&resources) {}
 
-    // As a shader sees it through `binding` in this frame.
+    // The view for a shader's `binding` in this frame.
     [[nodiscard]] Result<VkImageView> shader_view(const UseDecl& use, const ShaderBinding& binding,
                                                   uint64_t frame);
-    // As an attachment: one mip; more layers than one make it an array.
+    // The view for an attachment: one mip; several layers give an array view.
     [[nodiscard]] Result<VkImageView> attachment_view(const UseDecl& use, uint64_t frame);
 
  private:
     using Key = std::tuple<ResourceId, SubresourceRange, VkImageViewType>;
-    // `copy`: where the memory was placed.
+    // `copy`: the resource whose memory holds the content in this frame.
     [[nodiscard]] Result<VkImageView> get(ResourceId copy, const SubresourceRange& range,
                                           VkImageViewType type);
 
@@ -34,7 +33,7 @@ class ViewCache {
 };
 
 [[nodiscard]] VkImageViewType view_type(ImageDim dim, bool arrayed);
-// What a sampled view of a depth-stencil image shows: a view for sampling has one aspect only.
+// The aspect of a sampled view of a depth-stencil image: such a view must have exactly one aspect.
 [[nodiscard]] AspectMask shader_aspects(AspectMask aspects, NumericClass numeric);
 
 }  // namespace weft::vk

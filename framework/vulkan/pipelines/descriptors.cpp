@@ -13,7 +13,7 @@ bool params_in_buffer(const ShaderInterface& interface) {
     return interface.has_params && !interface.params.push_constants;
 }
 
-// The writes of one set, with the infos they point to: deques keep them in place.
+// The writes of one set and the infos that they point to; deques keep the addresses of elements valid.
 struct SetWrites {
     std::vector<VkWriteDescriptorSet> writes;
     std::deque<std::vector<VkDescriptorImageInfo>> images;

@@ -1,7 +1,7 @@
-// Purpose: the descriptor sets of the passes' ports (set 1). What a pass binds never changes while a plan
-// lives, but for the copies of resources with history, which take turns. So every set is written once: one
-// for each turn and frame slot; those of the slots differ only in the memory of their Params.
-// Errors: V411, V413.
+// Purpose: the descriptor sets for the ports of passes (set 1). The bindings of a pass never change during
+// the lifetime of a plan, except for resources with history, whose copies rotate. So every set is written
+// only once: one set per rotation state (turn) and frame slot. The sets of different slots differ only in the
+// memory of their Params. Errors: V411, V413.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace weft::vk {
 
 using SlotSets = std::array<VkDescriptorSet, kFramesInFlight>;
 
-// What descriptors are made of; all of it lives as long as the sets.
+// The objects that descriptors refer to; all must live as long as the sets.
 struct DescriptorSources {
     const FramePlan& plan;
     FrameResources resources;
@@ -26,15 +26,15 @@ struct DescriptorSources {
     StandIns& stand_ins;
 };
 
-// How many sets of one pass the pool must hold.
+// Number of sets that one pass needs from the pool.
 struct SetDemand {
     const ShaderInterface* interface = nullptr;
-    uint32_t turns = 1;  // the sets of all slots count as one turn
+    uint32_t turns = 1;  // number of turns; one turn has a set for each slot
 };
 [[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device,
                                                                 const std::vector<SetDemand>& demands);
 
-// The sets of one turn: those of the frame that `sources` is about.
+// The sets of the turn that `sources` describes.
 [[nodiscard]] Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool,
                                               DescriptorSources sources, uint32_t position,
                                               const ShaderInterface& interface, const PassLayout& layout);

@@ -1,4 +1,4 @@
-// Purpose: a pass's fixed-function state as Vulkan's pipeline structures, which point into each other.
+// Purpose: converts a pass's fixed-function state to Vulkan's pipeline structures, which point to each other.
 // Viewport, scissor, cull mode and front face are dynamic.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace weft::vk {
 
-// Stays where it was made: its structures point at its own members.
+// Cannot be moved: its structures point to its own members.
 class GraphicsState {
  public:
     // `vertices` may be null for shaders without vertex inputs.
@@ -21,10 +21,10 @@ class GraphicsState {
     GraphicsState(const GraphicsState&) = delete;
     GraphicsState& operator=(const GraphicsState&) = delete;
 
-    // Everything but stages and layout.
+    // All members except stages and layout are filled in.
     [[nodiscard]] VkGraphicsPipelineCreateInfo info() const;
-    // Names of the shader's vertex inputs that the format doesn't have; nothing else may be done with the
-    // state then.
+    // Names of shader vertex inputs that are missing in the vertex format; if there are any, do not use the
+    // state.
     [[nodiscard]] const std::vector<std::string>& missing_inputs() const { return missing_inputs_; }
 
  private:

@@ -9,8 +9,8 @@
 namespace weft::vk {
 namespace {
 
-// SPIR-V 1.6: five words of header, of which the fourth is a bound of all ids. An instruction is a word with
-// its length and opcode, and then its operands.
+// SPIR-V 1.6: a header of five words; the fourth is an upper bound of all ids. An instruction is a word with
+// its length and opcode, followed by its operands.
 constexpr size_t kHeaderWords = 5, kBoundWord = 3;
 enum Opcode : uint32_t {
     kOpLine = 8,
@@ -37,14 +37,14 @@ enum Opcode : uint32_t {
 };
 enum Decoration : uint32_t { kBlock = 2, kBinding = 33, kDescriptorSet = 34, kOffset = 35 };
 enum StorageClass : uint32_t { kUniform = 2, kPushConstant = 9 };
-constexpr uint32_t kUniformBufferArrayDynamicIndexing = 28;  // a capability
+constexpr uint32_t kUniformBufferArrayDynamicIndexing = 28;  // number of that capability
 
 struct Instruction {
     uint32_t opcode = 0;
-    std::span<const uint32_t> words;  // with the first
+    std::span<const uint32_t> words;  // including the first word
 };
 
-// Of a valid module, in which every length leads to the next instruction.
+// For a valid module, in which each length leads to the next instruction.
 template <class Visit>
 void for_each_instruction(std::span<const uint32_t> spirv, const Visit& visit) {
     for (size_t word = kHeaderWords; word < spirv.size(); word += spirv[word] >> 16)
@@ -93,22 +93,22 @@ class Rewriter {
     void copy(const Instruction& at) { out_.insert(out_.end(), at.words.begin(), at.words.end()); }
 
     void rewrite(const Instruction& at) {
-        // All types come after all decorations; lines of the source may stand between.
+        // All types come after all decorations; line information may come in between.
         const bool is_type = at.opcode >= kOpTypeVoid && at.opcode <= kOpTypeForwardPointer;
         if (!declared_ && (is_type || at.opcode == kOpLine)) declare();
-        if (at.opcode == kOpTypeInt && at.words[1] == uint_) return;  // declared already
+        if (at.opcode == kOpTypeInt && at.words[1] == uint_) return;  // the type is already declared
         const size_t start = out_.size();
         if (at.opcode == kOpVariable && is_uniform(at.words[3])) return rewrite_variable(at);
         if (is_access_chain(at.opcode) && blocks_.contains(at.words[3])) return rewrite_access(at);
         copy(at);
-        if (at.opcode == kOpEntryPoint) {  // ends with all variables that it uses
+        if (at.opcode == kOpEntryPoint) {  // its last operands are the variables that it uses
             out_.push_back(index_block_);
             out_[start] += 1u << 16;
         }
         if (at.opcode == kOpTypePointer && at.words[2] == kPushConstant) out_[start + 2] = kUniform;
     }
 
-    // The push constant that is always 0.
+    // Declares the push constant that is always 0.
     void declare() {
         declared_ = true;
         emit(kOpDecorate, {index_struct_, kBlock});
@@ -139,7 +139,7 @@ class Rewriter {
         emit(kOpVariable, {type, at.words[2], kUniform});
     }
 
-    // Operands: type, result, variable, indices.
+    // Its operands are: type, result, variable, indices.
     void rewrite_access(const Instruction& at) {
         const uint32_t place = new_id();
         uint32_t index = new_id();
@@ -161,9 +161,9 @@ class Rewriter {
     std::span<const uint32_t> spirv_;
     BlockPlace place_;
     uint32_t bound_;
-    std::map<uint32_t, uint32_t> pointees_;  // by pointer type
-    std::set<uint32_t> arrays_;              // types
-    std::map<uint32_t, bool> blocks_;        // variables; true: an array of blocks already
+    std::map<uint32_t, uint32_t> pointees_;  // index: pointer type
+    std::set<uint32_t> arrays_;              // ids of types
+    std::map<uint32_t, bool> blocks_;        // variables; true if the variable was an array of blocks before
     uint32_t found_uint_ = 0, uint_ = 0;
     const uint32_t zero_ = new_id(), one_ = new_id();
     const uint32_t index_struct_ = new_id(), index_pointer_ = new_id(), index_block_ = new_id();

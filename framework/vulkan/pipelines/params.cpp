@@ -9,7 +9,7 @@
 namespace weft::vk {
 namespace {
 
-// The largest minUniformBufferOffsetAlignment that Vulkan allows a device to ask for.
+// The largest minUniformBufferOffsetAlignment that Vulkan allows.
 constexpr uint64_t kUniformAlignmentBytes = 256;
 
 double builtin_value(const ParamWrite& write, const FrameInput& frame, const FrameResources& resources) {
@@ -40,7 +40,7 @@ uint32_t bits_of(ScalarType scalar, double value) {
             std::memcpy(&bits, &narrowed, sizeof bits);
             return bits;
         }
-        // A frame index wraps at 2^32 instead of overflowing the conversion.
+        // A frame index wraps at 2^32, because converting a larger value would overflow.
         case ScalarType::i32:
         case ScalarType::u32:
             return static_cast<uint32_t>(saturated<int64_t>(value));

@@ -35,7 +35,7 @@ VkResult make_set_layout(Device& device, const std::vector<VkDescriptorSetLayout
     return result;
 }
 
-// The layout behind each set up to the highest in use; errors name the sets nobody offers.
+// The layouts of all sets up to the highest one in use; errors name sets for which no layout exists.
 Result<std::vector<VkDescriptorSetLayout>> choose_sets(const FramePlan& plan, const PassDecl& pass,
                                                        const PassLayout& layout, const DrawSource* draws) {
     std::vector<VkDescriptorSetLayout> sets;

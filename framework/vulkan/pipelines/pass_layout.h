@@ -1,5 +1,5 @@
 // Purpose: the pipeline layout of a pass: set 1 from its shader's ports, sets 0, 2 and 3 from the draw source
-// where the shader declares them, and the range of its push constants. Errors: V413, V415.
+// if the shader declares them, and the range of its push constants. Errors: V413, V415.
 #pragma once
 
 #include <array>
@@ -20,16 +20,17 @@ inline constexpr uint32_t kSetCount = 4;
 
 struct PassLayout {
     SetLayoutHandle ports;
-    SetLayoutHandle empty;  // fills the gaps below the highest set in use
+    SetLayoutHandle empty;  // used for unused sets below the highest one in use
     PipelineLayoutHandle pipeline;
-    std::array<bool, kSetCount> declares{};  // by set: the shader uses it
+    std::array<bool, kSetCount> declares{};  // index: set; true if the shader uses it
     VkShaderStageFlags push_stages = 0;      // 0: no push constants
-    VkShaderStageFlags index_stages = 0;     // instead of them, a word that is 0: see opaque_uniforms.h
+    VkShaderStageFlags index_stages = 0;     // with hidden uniforms: stages of the push constant that is
+                                             // always 0, see opaque_uniforms.h
 
     [[nodiscard]] bool has_ports() const { return declares[kPortSet]; }
 };
 
-// `draws` may be null when the shader declares none of its sets.
+// `draws` may be null if the shader declares none of the draw source's sets.
 [[nodiscard]] Result<PassLayout> make_pass_layout(Device& device, const FramePlan& plan, const PassDecl& pass,
                                                   const ShaderInterface& interface, const DrawSource* draws);
 

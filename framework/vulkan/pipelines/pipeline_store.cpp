@@ -29,7 +29,8 @@ Result<PipelineLease> PipelineStore::get(const std::string& hash, const Make& ma
         if (const auto found = entries_.find(hash); found != entries_.end())
             return lease(hash, found->second);
     }
-    // Making one may take long, and frames go on meanwhile. Where two threads make the same, one is dropped.
+    // Creation may take long, so it happens without the lock. If two threads create the same pipeline, one is
+    // dropped.
     Result<PipelineHandle> pipeline = make();
     if (!pipeline) return pipeline.take_errors();
     ++made;
@@ -40,7 +41,7 @@ Result<PipelineLease> PipelineStore::get(const std::string& hash, const Make& ma
 }
 
 void PipelineStore::give_back(const std::string& hash) {
-    PipelineHandle last;  // destroyed behind the lock
+    PipelineHandle last;  // destroyed after the lock is released
     const std::lock_guard lock(mutex_);
     const auto found = entries_.find(hash);
     assert(found != entries_.end() && found->second.leases > 0);

@@ -34,7 +34,7 @@ Diagnostic missing_inputs(const PipelineRequest& request, const std::string& lis
                                         : ", which draw list \"" + list + "\" doesn't have"));
 }
 
-// What of a draw list shapes a pipeline.
+// The properties of a draw list that affect a pipeline.
 struct ListPart {
     std::string list;
     const DrawVariant* variant = nullptr;

@@ -1,6 +1,5 @@
-// Purpose: the pipelines of a pass: one, or for raster passes one for each variant of each draw list. Those
-// that the store has are leased, not made.
-// Errors: V412, V416.
+// Purpose: the pipelines of a pass: one, or for raster passes one per variant of each draw list. Pipelines
+// that are already in the store are reused. Errors: V412, V416.
 #pragma once
 
 #include <string>
@@ -24,13 +23,13 @@ struct PipelineRequest {
     const PassDecl& pass;
     const ShaderProgram& program;
     const PassLayout& layout;
-    const ImportCatalog* imports;  // needed by draw lists
+    const ImportCatalog* imports;  // required if the pass has draw lists
     VkPipelineCache cache;
     PipelineStore& store;
     PipelineCounts& counts;
 };
 
-// In the order in which they are drawn: lists as the pass names them, then variants.
+// In drawing order: lists in the order of the pass, then variants.
 [[nodiscard]] Result<std::vector<DrawPipeline>> make_pipelines(Device& device,
                                                                const PipelineRequest& request);
 [[nodiscard]] Result<PipelineCacheHandle> make_pipeline_cache(Device& device);

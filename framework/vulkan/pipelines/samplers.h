@@ -1,5 +1,4 @@
-// Purpose: samplers as graphs declare them; equal ones are made once.
-// Errors: V413.
+// Purpose: creates the samplers that graphs declare; equal samplers are created once. Errors: V413.
 #pragma once
 
 #include <map>
@@ -14,8 +13,8 @@ namespace weft::vk {
 class SamplerCache {
  public:
     explicit SamplerCache(Device& device) : device_(&device) {}
-    // Integer images take an integer border. Borders are zero: transparent black, and the far plane of a
-    // shadow map.
+    // Integer images need an integer border colour. Border colours are zero: transparent black, or the far
+    // plane of a shadow map.
     [[nodiscard]] Result<VkSampler> get(const SamplerDecl& decl, bool integer_border);
 
  private:

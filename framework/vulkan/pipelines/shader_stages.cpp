@@ -23,7 +23,7 @@ uint32_t constant_bits(ScalarType type, double value) {
 std::unique_ptr<ShaderStages::Constants> ShaderStages::make_constants(const PassDecl& pass,
                                                                       const ShaderInterface& interface,
                                                                       const DrawVariant* variant) {
-    std::map<uint32_t, uint32_t> bits;  // by constant id
+    std::map<uint32_t, uint32_t> bits;  // values by constant id
     for (const SpecValue& value : pass.spec_values) bits[value.id] = value.bits;
     if (variant != nullptr)
         for (const NamedValue& value : variant->spec_constants)

@@ -1,5 +1,5 @@
-// Purpose: the stages of a program as pipelines want them, with the specialisation constants of a pass and,
-// for draws, of a variant. Modules live only as long as pipelines are being made. Errors: V412.
+// Purpose: the pipeline stages of a program, with the specialisation constants of a pass and, for draws, of a
+// variant. Shader modules live only while pipelines are being created. Errors: V412.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,8 @@ namespace weft::vk {
 
 class ShaderStages {
  public:
-    // `variant` may be null. A constant of the variant counts where the shader declares one of that name.
+    // `variant` may be null. A constant of the variant is used if the shader declares a constant of that
+    // name.
     [[nodiscard]] static Result<ShaderStages> create(Device& device, const FramePlan& plan,
                                                      const PassDecl& pass, const ShaderProgram& program,
                                                      const DrawVariant* variant);
@@ -22,7 +23,7 @@ class ShaderStages {
     [[nodiscard]] const std::vector<VkPipelineShaderStageCreateInfo>& infos() const { return infos_; }
 
  private:
-    // On the heap: the stages point at it.
+    // Allocated on the heap, because the stages point to it.
     struct Constants {
         std::vector<VkSpecializationMapEntry> entries;
         std::vector<uint32_t> words;

@@ -1,6 +1,6 @@
-// Purpose: something valid behind a binding that the graph leaves out. The shader's HAS_x constant is false
-// then and its code never looks, but a descriptor that a shader names statically must still be valid. Errors:
-// V411, V413.
+// Purpose: dummy descriptors for bindings that a graph leaves unconnected. The shader's constant HAS_x is
+// false then, so its code does not access them, but a descriptor that a shader uses statically must still be
+// valid. Errors: V411, V413.
 #pragma once
 
 #include <deque>
@@ -15,18 +15,19 @@ class StandIns {
  public:
     explicit StandIns(Device& device) : device_(&device) {}
 
-    // A view of one texel (six for cubes) and the layout that it has once record_layouts() has run; the
-    // sampler is the caller's.
+    // A view of one texel (six for cubes), and its layout after record_layouts() has run; the caller adds the
+    // sampler.
     [[nodiscard]] Result<VkDescriptorImageInfo> image(const ShaderBinding& binding);
-    // At least `size_bytes` of anything.
+    // A buffer of at least `size_bytes`, with undefined content.
     [[nodiscard]] Result<VkBuffer> buffer(uint64_t size_bytes);
-    // Before the first frame, in commands of its own thread: what makes stand-ins submits nothing.
+    // Records the layout transitions, for submission before the first frame. This class submits nothing
+    // itself.
     void record_layouts(VkCommandBuffer commands) const;
 
  private:
     Device* device_;
     std::deque<Image> images_;
-    std::vector<VkImageMemoryBarrier2> first_layouts_;  // of each image
+    std::vector<VkImageMemoryBarrier2> first_layouts_;  // one transition per image
     std::deque<Buffer> buffers_;
 };
 

@@ -17,8 +17,8 @@ Families families_of(const Device& device, const BarrierDecl& barrier) {
     return families.src == families.dst ? Families{} : families;
 }
 
-// Both halves of a transfer name the change of layout. When the device has one family for both, nothing is
-// transferred: the first half alone changes it.
+// Both halves of an ownership transfer contain the layout change. If the device has one family for both, no
+// transfer happens, and only the first half changes the layout.
 VkImageLayout old_layout(const BarrierDecl& barrier, const Families& families) {
     const bool done = barrier.reason == BarrierReason::acquire_queue && families.src == families.dst;
     return to_vk(done ? barrier.dst.layout : barrier.src.layout);
@@ -52,8 +52,9 @@ VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffe
     return out;
 }
 
-// A hand-over waits for accesses to memory that belonged to another resource: no range of the new one covers
-// them, so this part is a barrier over all memory. Images become visible through their own transition.
+// An alias barrier waits for accesses to another resource in the same memory. No range of the new resource
+// covers these accesses, so this part is a global memory barrier. For images the image barrier adds
+// visibility.
 VkMemoryBarrier2 memory_barrier(const BarrierDecl& barrier, bool is_image) {
     VkMemoryBarrier2 out{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
     out.srcStageMask = stages_to_vk(barrier.src.stages);

@@ -1,5 +1,6 @@
-// Purpose: the plan's barriers as Vulkan's: every list is one vkCmdPipelineBarrier2. Where the device has
-// fewer families than the plan, a transfer between two that are one is a barrier like any other.
+// Purpose: records the plan's barriers; every list becomes one vkCmdPipelineBarrier2. If the device has fewer
+// families than the plan, a transfer between two plan families that are one family of the device becomes an
+// ordinary barrier.
 #pragma once
 
 #include <span>

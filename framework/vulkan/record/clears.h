@@ -1,5 +1,5 @@
-// Purpose: filling resources with one value, outside of any rendering: clear passes, and what persistent
-// resources hold before the first frame.
+// Purpose: fills resources with one value, outside any rendering scope: for clear passes, and for the
+// first-frame values of persistent resources.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace weft::vk {
 
-// Images in `layout`: the value as the format has it, depth first, then stencil. Buffers, whole: words of
-// the value's integer part, so that 7 is the integer 7.
+// An image must be in `layout`; the value is interpreted by its format, depth first, then stencil. A buffer
+// is filled as a whole with words of the value's integer part, so that 7 becomes the integer 7.
 struct ClearTarget {
     ResourceId resource = kNoId;
     SubresourceRange range;
@@ -21,11 +21,12 @@ struct ClearTarget {
 void record_clear_of(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
                      const FrameResources& resources, const ClearTarget& target);
 
-// Persistent resources, in transfer_dst, get what they hold before anybody wrote them.
+// Fills persistent resources, which must be in transfer_dst, with their first-frame values.
 void record_first_content(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
                           const FrameResources& resources, std::span<const ResourceId> cleared);
 
-// Once, before the first frame: all copies of persistent resources get their first content.
+// Recorded once, before the first frame: fills all copies of persistent resources with their first-frame
+// values.
 void record_prologue(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
                      const ResourceTable& resources);
 

@@ -5,10 +5,10 @@
 
 namespace weft::vk {
 
-// Whether the pass that follows on the same queue continues the rendering scope of the one at `position`.
+// True if the next pass on the same queue continues the rendering scope of the pass at `position`.
 [[nodiscard]] bool scope_goes_on(const FramePlan& plan, uint32_t position);
 
-// The step at `position` with the store operations of the last pass of its scope, which are the scope's.
+// The step at `position`, with the store operations of the last pass in its scope.
 [[nodiscard]] PassStep step_of_scope(const FramePlan& plan, uint32_t position);
 
 }  // namespace weft::vk

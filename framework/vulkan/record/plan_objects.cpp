@@ -10,21 +10,22 @@
 namespace weft::vk {
 namespace {
 
-// A pass needs descriptor sets for each turn of the histories it sees. All lengths up to eight fit together.
+// Limit on the descriptor set turns of a pass. 840 is a multiple of all ring lengths up to eight.
 constexpr uint64_t kMaxTurns = 840;
 
 bool runs_shader(PassKind kind) {
     return kind == PassKind::compute || kind == PassKind::fullscreen || kind == PassKind::raster;
 }
 
-// A copy moves all of one range to another of the same shape.
+// True if the copy moves one whole range to another range of the same shape.
 bool copies_like_to_like(const FramePlan& plan, const PassDecl& pass) {
     if (pass.uses.size() != 2) return false;
     return plan.graph.resources[pass.uses[0].resource].kind ==
            plan.graph.resources[pass.uses[1].resource].kind;
 }
 
-// Of what llvmpipe (Mesa 22.3) gets wrong: it resolves from and into layer 0, whatever layers the views show.
+// Works around a fault of llvmpipe (Mesa 22.3): it always resolves from and to layer 0, whatever layers the
+// views have.
 bool is_resolved_elsewhere(const Device& device, const PassDecl& pass) {
     if (!device.info().driver.starts_with("llvmpipe")) return false;
     return std::any_of(pass.colors.begin(), pass.colors.end(), [&](const AttachmentDecl& color) {
@@ -73,7 +74,7 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
     return errors;
 }
 
-// Memory, and what only depends on the plan.
+// Creates memory, and objects that depend only on the plan.
 Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& objects) {
     Result<TransientHeap> heap = TransientHeap::create(device, objects.plan);
     if (!heap) return heap.take_errors();
@@ -96,7 +97,7 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
     return Unit{};
 }
 
-// What the pass at `position` binds in `frame`, and in every frame a whole period later.
+// Prepares the bindings of the pass at `position` in `frame`, which are the same after each full period.
 Status prepare_turn(Device& device, PlanObjects& objects, uint32_t position, const ShaderInterface& interface,
                     uint64_t frame) {
     PreparedPass& prepared = objects.passes[position];
@@ -158,7 +159,7 @@ Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const Execu
                                                      VkPipelineCache cache, PlanAmendment& amendment,
                                                      const PassDecl& pass) {
     const ShaderProgram& program = input.shaders->find(pass.shader)->second;
-    // Pipelines are at home in every layout of the same making; this one is only to make them.
+    // A pipeline works with every compatible layout; this layout is only needed to create it.
     Result<PassLayout> layout =
         make_pass_layout(device, amendment.plan, pass, program.interface, input.draws);
     if (!layout) return layout.take_errors();

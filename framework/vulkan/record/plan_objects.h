@@ -1,6 +1,6 @@
-// Purpose: everything a plan needs on the device, made once: heap, views, layouts, descriptor sets,
-// pipelines, and the memory that host and device exchange. Frames only replay it. Errors: V410 to V418, all
-// of a plan's at once.
+// Purpose: all Vulkan objects of a plan, created once: heap, views, layouts, descriptor sets, pipelines, and
+// memory for transfers between host and device. Frames only use them. Errors: V410 to V418, all errors of a
+// plan together.
 #pragma once
 
 #include <memory>
@@ -15,14 +15,16 @@
 
 namespace weft::vk {
 
-// What recording one pass needs beside its declaration; which members are set depends on its kind.
+// Data for recording one pass, in addition to its declaration; the kind of pass determines which members are
+// set.
 struct PreparedPass {
     PassLayout layout;
-    // Both by the frame's turn: what a pass sees of resources with history comes back after so many frames.
+    // Both are indexed by the frame's turn: resources with history return to the same copies after that many
+    // frames.
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
     std::vector<DrawPipeline> pipelines;
-    std::optional<PassType> type;  // custom passes
+    std::optional<PassType> type;  // for custom passes
 
     [[nodiscard]] const RenderingScope& scope(uint64_t frame) const { return scopes[frame % scopes.size()]; }
     [[nodiscard]] const VkDescriptorSet& port_set(uint64_t frame, uint32_t slot) const {
@@ -30,7 +32,7 @@ struct PreparedPass {
     }
 };
 
-// Stays where it was made: its parts refer to each other.
+// Cannot be moved: its parts refer to each other.
 struct PlanObjects {
     PlanObjects(Device& device, FramePlan frame_plan)
         : plan(std::move(frame_plan)), views(device, plan, resources), samplers(device), stand_ins(device) {}
@@ -38,7 +40,7 @@ struct PlanObjects {
     PlanObjects& operator=(const PlanObjects&) = delete;
 
     FramePlan plan;
-    std::unique_ptr<PipelineStore> own_pipelines;  // where the program gave none
+    std::unique_ptr<PipelineStore> own_pipelines;  // used if the program provides no store
     PipelineCounts pipeline_counts;
     TransientHeap heap;
     ResourceTable resources;
@@ -51,16 +53,16 @@ struct PlanObjects {
     PassTimer timer;
     PipelineCacheHandle cache;
     DescriptorPoolHandle pool;
-    std::vector<PreparedPass> passes;  // by position
+    std::vector<PreparedPass> passes;  // index: schedule position
     const DrawSource* draws = nullptr;
 };
 
 [[nodiscard]] Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input);
 
-// What amend() exchanges.
+// The objects that amend() replaces.
 struct PlanAmendment final : Amendment {
     FramePlan plan;
-    std::vector<std::vector<DrawPipeline>> passes;  // by position
+    std::vector<std::vector<DrawPipeline>> passes;  // index: schedule position
     PipelineCounts counts;
 
     PipelineCounts pipelines() const override { return counts; }

@@ -5,8 +5,8 @@
 namespace weft::vk {
 namespace {
 
-// Sets 0 and 1 and the push constants; sets 2 and 3 are the draw source's. `commands` has a pipeline of the
-// pass.
+// Binds sets 0 and 1 and the push constants; the draw source binds sets 2 and 3. A pipeline of the pass must
+// be bound.
 void bind_pass(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                VkPipelineBindPoint point) {
     const DeviceFunctions& fn = context.device.fn();
@@ -30,7 +30,7 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
                           bytes.data());
 }
 
-// So many vertices, of which the shader knows no more than the index.
+// Draws a number of vertices without vertex buffers; the shader gets only the vertex index.
 void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                    uint32_t vertices, uint32_t instances) {
     const DeviceFunctions& fn = context.device.fn();
@@ -44,7 +44,7 @@ void draw_list(const RecordContext& context, const PassDecl& pass, const Prepare
                const DrawPipeline& draw) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
-    // All variants share one layout, but the draws before may have bound sets of their own.
+    // All variants share one layout, but previous draws may have bound other sets.
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
     DrawContext draws;
     draws.fn = &fn;

@@ -1,4 +1,4 @@
-// Purpose: one pass of a frame becomes commands; one function for each kind.
+// Purpose: records the commands of one pass in a frame, with one function for each kind of pass.
 #pragma once
 
 #include "vulkan/record/plan_objects.h"
@@ -8,14 +8,14 @@ namespace weft::vk {
 struct RecordContext {
     Device& device;
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    bool labels = false;  // the queue takes debug labels
+    bool labels = false;  // the queue supports debug labels
     uint32_t slot = 0;
     const FrameInput& frame;
     const PlanObjects& objects;
     FrameResources resources;
 };
 
-// The pass at `position`, without its barriers.
+// Records the pass at schedule position `position`, without its barriers.
 void record_pass(const RecordContext& context, uint32_t position);
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);

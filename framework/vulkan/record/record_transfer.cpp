@@ -32,7 +32,7 @@ VkOffset3D far_corner(const Extent3D& extent) {
             static_cast<int32_t>(extent.depth)};
 }
 
-// Each mip of one range is stretched over the mip of the other that has its rank.
+// Blits each mip of one range to the mip with the same position in the other range.
 void blit_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
     const FramePlan& plan = context.objects.plan;
     std::vector<VkImageBlit> blits;

@@ -8,14 +8,14 @@
 namespace weft::vk {
 namespace {
 
-// The plan's operations for one attachment; what it doesn't mention is kept.
+// The plan's load and store operations of one attachment; unlisted attachments keep their content.
 AttachmentOps ops_of(const PassStep& step, uint32_t use) {
     for (const AttachmentOps& ops : step.attachments)
         if (ops.use == use) return ops;
     return {use, LoadOp::load, StoreOp::store};
 }
 
-// What happens to the samples of a pixel: floats are averaged, integers have no average.
+// Resolves multisampled pixels: the mean for float formats; integer formats have no mean.
 Status add_resolve(const FramePlan& plan, const UseDecl& target, ViewCache& views, uint64_t frame,
                    VkRenderingAttachmentInfo& info) {
     Result<VkImageView> view = views.attachment_view(target, frame);

@@ -1,6 +1,5 @@
-// Purpose: the attachments of a pass and what happens to them, as one dynamic rendering scope, which several
-// passes may share: the first begins it, the last ends it.
-// Errors: V411.
+// Purpose: one dynamic rendering scope with the attachments of a pass and their operations. Several passes
+// may share it: the first begins it, the last ends it. Errors: V411.
 #pragma once
 
 #include <vector>
@@ -10,26 +9,26 @@
 namespace weft::vk {
 
 struct RenderingScope {
-    std::vector<VkRenderingAttachmentInfo> colors;  // by location; gaps have no view
+    std::vector<VkRenderingAttachmentInfo> colors;  // indexed by location; an unused location has no view
     VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     VkRenderingAttachmentInfo stencil{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     VkRect2D area{};
     uint32_t layers = 1;
-    bool begins = true;  // false: the pass goes on in the scope of the one before it
-    bool ends = true;    // false: the next pass on the queue goes on
+    bool begins = true;  // false: the pass continues the scope of the previous pass
+    bool ends = true;    // false: the next pass on the queue continues the scope
 };
 
 [[nodiscard]] Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassStep& step,
                                                           ViewCache& views, uint64_t frame);
 
-// Begins the scope unless the pass before did, and sets the dynamic state from the pass: viewport, scissor,
-// cull mode, front face.
+// Begins the scope unless the previous pass did, and sets the pass's dynamic state: viewport, scissor, cull
+// mode, front face.
 void begin_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
                      const RasterState& state);
-// Ends the scope unless the next pass goes on in it.
+// Ends the scope unless the next pass continues it.
 void end_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope);
 
-// A clear value for a colour format: integers for integer formats.
+// The clear value for a colour format; integer formats get integers.
 [[nodiscard]] VkClearColorValue clear_color(Format format, const std::array<float, 4>& value);
 
 }  // namespace weft::vk
