@@ -31,13 +31,14 @@ std::string folder_of(const std::string& file) {
     return file.empty() ? std::string() : std::filesystem::absolute(file).parent_path().string();
 }
 
-// A scene is a file, whose folder it may read, or a folder; built-in ones read nothing.
+// The folder that loading the scene may read: that of the file, or the scene itself; built-in scenes read
+// nothing.
 std::string folder_of_scene(const std::string& scene) {
     if (scene.starts_with("builtin:")) return {};
     return std::filesystem::is_directory(scene) ? scene : folder_of(scene);
 }
 
-// All that the command line may ask for.
+// The parsed command line.
 struct CommandLine {
     CLI::App app{"weft compiles a render graph written as JSON, proves the plan, and runs it on Vulkan.",
                  "weft"};
@@ -71,7 +72,7 @@ struct CommandLine {
 
 CommandLine::CommandLine() {
     app.set_version_flag("--version", "weft 0.1.0");
-    app.require_subcommand(0, 1);  // so that a misspelt one is named
+    app.require_subcommand(0, 1);  // no command is accepted here, so that a misspelt one is reported by name
     add_render(*render, render_options, raw);
     add_view(*view, view_options, raw);
     add_check(*check, check_options, raw);
@@ -84,7 +85,7 @@ CommandLine::CommandLine() {
     add_bench(app, bench, raw);
 }
 
-// After the parse: values that are read of texts, and options that several commands share.
+// Runs after parsing: reads values from texts, and copies options that several commands share.
 void CommandLine::finish(const Limits& limits) {
     render_options.limits = compare_options.limits = schema_options.limits = limits;
     bench.frame_options.limits = view_options.render.limits = limits;
@@ -102,7 +103,7 @@ void CommandLine::finish(const Limits& limits) {
     }
 }
 
-// Nothing: the command goes on, in a sandbox if it was asked for. Else the exit code.
+// nullopt: the command continues, in a sandbox if requested. Otherwise the exit code.
 std::optional<ExitCode> CommandLine::enter_sandbox() {
     SandboxNeeds needs;
     if (render->parsed() && render_options.sandbox) {
@@ -151,7 +152,7 @@ ExitCode CommandLine::run_command() {
     return ExitCode::usage;
 }
 
-// CLI11's own exit codes become usage errors.
+// Converts CLI11's exit codes to that of a usage error.
 int usage_exit(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version
         std::ostringstream text;

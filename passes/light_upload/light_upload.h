@@ -1,6 +1,6 @@
-// out  lights  buffer of Light, as many as it has room for.
-// Copies the program's light list into the frame's upload memory and from there to the buffer.
-// Errors: W160 when the buffer's element is not Light.
+// Output port `lights`: a buffer of Light. Copies the program's light list, as far as the buffer has room, to
+// the frame's upload memory and from there to the buffer. Errors: W160 when the buffer's element is not
+// Light.
 #pragma once
 
 #include <array>

@@ -9,8 +9,7 @@
 namespace weft::viewer {
 namespace {
 
-// What a pass must have in common with another to be called the same: what it runs and what it reads and
-// writes.
+// The properties of a pass that must be equal for two passes to count as the same: program, reads and writes.
 std::string key_of(const ResolvedGraph& graph, const PassDecl& pass) {
     std::string key = pass.name + " " + pass.type + " " + pass.shader;
     for (const UseDecl& use : pass.uses) key += " " + use.port + "=" + graph.resources[use.resource].name;
@@ -27,7 +26,7 @@ double median_ratio(const std::vector<double>& above, const std::vector<double>&
     return median_of(std::move(ratios));
 }
 
-// Where the line between two measured differences passes 0; both axes as they are drawn.
+// The zero of the line through two measured differences; both axes are logarithmic, as in the plot.
 double crossing_at(double from, double to, double before, double after) {
     const double part = before / (before - after);
     return std::exp(std::log(from) + part * (std::log(to) - std::log(from)));
@@ -48,7 +47,7 @@ Spread spread_of(std::vector<double> values) {
 }
 
 double Yardsticks::limit_ms(double bytes, double flops) const {
-    constexpr double kDispatchMs = 0.003;  // what starting a pass takes at least
+    constexpr double kDispatchMs = 0.003;  // lower bound of the time of a pass
     return std::max({bytes / bytes_per_s * 1e3, flops / flops_per_s * 1e3, kDispatchMs});
 }
 

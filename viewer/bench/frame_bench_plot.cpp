@@ -1,4 +1,4 @@
-// The curves of `weft bench frame`: what the graphs do not have in common, over the lights.
+// The plot of `weft bench frame`: frame times without the common passes, against the number of lights.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace weft::viewer {
 namespace {
 
 constexpr double kWidth = 720, kHeight = 440, kLeft = 60, kRight = 160, kTop = 30, kBottom = 45;
-// Told apart by everyone: Okabe and Ito 2008, "Color Universal Design".
+// Colours that colour-blind readers can distinguish: Okabe and Ito 2008, "Color Universal Design".
 constexpr std::array kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
 
 std::string number(double value) {
@@ -35,7 +35,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-// Where values lie in the picture.
+// Maps values to positions in the picture.
 class Axes {
  public:
     explicit Axes(const FrameBench& bench) : bench_(bench), least_ms_(1e30) {
@@ -74,7 +74,7 @@ class Axes {
     }
 
  private:
-    // 1, 2, 5, 10, 20, …
+    // Steps of the axis: 1, 2, 5, 10, 20, …
     static double next(double step) {
         const double first = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
         return step * (first > 1.5 && first < 3 ? 2.5 : 2);

@@ -1,4 +1,4 @@
-// `weft bench compile`: how long the compiler takes, where the time goes, and what its plan costs.
+// `weft bench compile`: measures the compiler's total time, the time of its stages, and the cost of its plan.
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -30,7 +30,7 @@ struct StageTime {
 
 struct BenchResult {
     double cold_us = 0, warm_min_us = 0, warm_median_us = 0, unchanged_us = 0, lookup_us = 0;
-    std::vector<StageTime> stages;  // of the fastest warm run
+    std::vector<StageTime> stages;  // times of the fastest warm run
     FramePlan plan;
 };
 
@@ -124,7 +124,7 @@ std::string to_text(const BenchOptions& options, const BenchResult& result) {
 
 ExitCode run_bench_compile(const BenchOptions& options) {
     ResolvedGraph graph = make_bench_graph({options.passes, *bench_shape(options.shape), options.seed});
-    // Every third pass may run beside the others, so that several queues have something to do.
+    // Every third pass gets an asynchronous queue hint, so that several queues are used.
     for (PassId id = 0; options.queues > 1 && id < graph.passes.size(); id += 3)
         graph.passes[id].queue = QueueKind::compute;
     CompileOptions compile_options;

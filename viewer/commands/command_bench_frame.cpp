@@ -1,5 +1,5 @@
-// `weft bench frame`: all graphs of a run draw in turn, a frame each, so that whatever else the machine does
-// hits them alike; so do the yardsticks that they are held against.
+// `weft bench frame`: all graphs of a run and the reference passes render in turn, one frame each, so that
+// other load on the machine affects all of them equally.
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,10 +21,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr uint32_t kWarmFrames = 2;  // so many for each frame in flight to have drawn once
+constexpr uint32_t kWarmFrames = 2;  // enough that every frame in flight has been rendered once
 constexpr const char* kLightsParam = "maxLights";
 
-// What draws in turn with others.
+// One of the programs that render in turn.
 struct Contestant {
     std::unique_ptr<render::Session> session;
     std::vector<PassResult> passes;
@@ -42,7 +42,7 @@ Diagnostic no_timestamps() {
     return d;
 }
 
-// False: the device has no timestamps.
+// Returns false if the device has no timestamps.
 bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
     for (PassResult& pass : passes) {
         const auto timed = std::ranges::find(timing.passes, pass.name, &vk::PassTiming::pass);
@@ -150,7 +150,7 @@ class Run {
             if (!contestant) return contestant.take_errors();
             contestants.push_back(std::move(*contestant));
         }
-        // Each round begins with another: what follows on what is no advantage to anyone.
+        // Each round starts with a different graph, so that no graph benefits from the order.
         for (uint32_t round = 0; round < options_.rounds; ++round)
             for (size_t i = 0; i < contestants.size(); ++i)
                 if (Status s = draw(contestants[(i + round) % contestants.size()], lights); !s) return s;
@@ -193,7 +193,7 @@ ExitCode run_bench_frame(const FrameBenchOptions& options) {
     Run run(options);
     const Result<FrameBench> bench = run.measure();
     if (!bench) return fail_on_device(bench.errors());
-    // Neither is lost because the other cannot be written.
+    // If one output cannot be written, the other one still is.
     const ExitCode printed = print_data(options.json ? bench_json(*bench) : bench_text(*bench));
     const ExitCode plotted =
         options.plot.empty() ? ExitCode::ok : output_data(options.plot, bench_svg(*bench));

@@ -48,14 +48,14 @@ void say_ok(const std::string& file, const CheckedGraph& checked) {
 ExitCode run_check(const CheckOptions& options) {
     const bool prints_data = options.json || options.sarif;
     Diagnostics all;
-    // Once is enough to say that there is no such profile.
+    // A missing profile is reported only once.
     const Result<DeviceProfile> profile = load_profile(options.offline.profile);
     if (!profile) {
         all = profile.errors();
         if (!prints_data) report(all);
     }
     for (const std::string& file : profile ? options.files : std::vector<std::string>{}) {
-        // Shells find the schema of graphs beside the graphs.
+        // A shell pattern for graphs also matches the schema file in the same folder.
         if (file.ends_with(".schema.json")) continue;
         CheckedGraph checked = check_tiers(file, options.offline);
         if (options.run && !has_errors(checked.found)) {

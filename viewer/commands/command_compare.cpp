@@ -1,4 +1,4 @@
-// `weft compare`: how far apart two pictures are, and whether that is too far.
+// `weft compare`: computes the difference of two pictures and checks it against a limit.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,7 +24,7 @@ struct Comparison {
     double value = 0;
     const char* unit = "";
     image::Plane map;
-    bool has_summary = false;  // `map` holds values of the metric itself
+    bool has_summary = false;  // true if the values of `map` are those of the metric
 };
 
 bool is_flip(const CompareOptions& options) {
@@ -35,7 +35,7 @@ bool is_psnr(const CompareOptions& options) {
     return options.metric == "psnr";
 }
 
-// What the options ask for and cannot have, or empty.
+// The fault in a combination of options; empty if there is none.
 std::string usage_fault(const CompareOptions& options) {
     if (options.max && is_psnr(options)) return "--max: a higher PSNR is a better one: --min limits it";
     if (options.min && !is_psnr(options)) return "--min: it limits --metric psnr, --max the others";
@@ -57,7 +57,7 @@ Diagnostic sizes_differ(const CompareOptions& options, const Image& a, const Ima
     return d;
 }
 
-// NaN has no display value.
+// NaN cannot be converted to a display value.
 void require_numbers(const Image& picture, const std::string& file, Diagnostics& errors) {
     const auto it = std::find_if(picture.texels.begin(), picture.texels.end(),
                                  [](const glm::vec3& t) { return glm::any(glm::isnan(t)); });
@@ -72,7 +72,7 @@ void require_numbers(const Image& picture, const std::string& file, Diagnostics&
     errors.push_back(std::move(d));
 }
 
-// All that keeps the two from being compared.
+// All reasons why the two pictures cannot be compared.
 Diagnostics faults(const CompareOptions& options, const Image& a, const Image& b) {
     Diagnostics errors;
     if (!image::same_size(a, b)) errors.push_back(sizes_differ(options, a, b));
@@ -103,7 +103,7 @@ Comparison compare(const CompareOptions& options, const Image& a, const Image& b
     return result;
 }
 
-// JSON has no infinity.
+// JSON cannot represent infinity.
 std::string json_number(double value) {
     return std::isfinite(value) ? formatted("%.9g", value) : "null";
 }

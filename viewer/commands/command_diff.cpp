@@ -1,4 +1,4 @@
-// `weft diff`: what two graph files' plans have not in common.
+// `weft diff`: the differences between the plans of two graph files.
 #include <filesystem>
 
 #include "viewer/commands/commands.h"
@@ -10,7 +10,7 @@
 namespace weft::viewer {
 namespace {
 
-// FILE or FILE:TIER; a file that is called so is meant itself.
+// FILE or FILE:TIER. If a file with the whole name exists, it is used.
 Result<OfflinePlan> compile_side(const std::string& side, OfflineOptions options, Diagnostics& warnings) {
     std::error_code error;
     const size_t colon = side.rfind(':');
@@ -24,7 +24,7 @@ Result<OfflinePlan> compile_side(const std::string& side, OfflineOptions options
 }  // namespace
 
 ExitCode run_diff(const DiffOptions& options) {
-    Diagnostics warnings;  // `check` is the place for them
+    Diagnostics warnings;  // not printed here: `weft check` prints warnings
     Result<OfflinePlan> from = compile_side(options.from, options.offline, warnings);
     Result<OfflinePlan> to = compile_side(options.to, options.offline, warnings);
     Diagnostics errors;

@@ -1,4 +1,4 @@
-// `weft explain`: one question, one answer.
+// `weft explain`: answers one question about a plan.
 #include <array>
 #include <cstdio>
 
@@ -44,7 +44,7 @@ ExitCode run_explain(const ExplainOptions& options) {
             stderr);
         return ExitCode::usage;
     }
-    Diagnostics warnings;  // `check` is the place for them
+    Diagnostics warnings;  // not printed here: `weft check` prints warnings
     const Result<OfflinePlan> made = compile_offline(options.file, options.offline, warnings);
     if (!made) {
         report(made.errors());

@@ -22,14 +22,15 @@
 namespace weft::viewer {
 namespace {
 
-// What is left of a run once the frames are done.
+// Results that remain after the last frame.
 struct RunOutcome {
     vk::ReadbackData output;
     std::vector<vk::FrameTiming> timings;
     std::optional<vk::ReadbackData> last_readback;
 };
 
-// On stderr, once it takes longer than a moment. The device is some frames behind what is told.
+// Prints progress on stderr if rendering takes longer than a moment. The device is some frames behind the
+// printed number.
 class RenderProgress {
  public:
     RenderProgress(const RenderOptions& options, uint32_t frames)
@@ -50,8 +51,8 @@ class RenderProgress {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// Takes away what is ready after a frame: for many frames it would pile up. Of what is read back the last one
-// is kept, times only where somebody wants them.
+// Collects results after each frame, because they would otherwise pile up over many frames. Of readbacks only
+// the last is kept; times are kept only if requested.
 void collect(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
     std::vector<vk::FrameTiming> timings = session.take_timings();
     if (!options.stats.empty()) std::ranges::move(timings, std::back_inserter(outcome.timings));
@@ -66,7 +67,7 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
         if (Status s = session.render_frame(i * options.fixed_dt_s, options.fixed_dt_s); !s)
             return s.take_errors();
         collect(session, options, outcome);
-        // Of those that are begun the last ones may still be drawn.
+        // The last frames submitted may still be running.
         progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
     }
     if (Status s = session.finish(); !s) return s.take_errors();
@@ -80,7 +81,7 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
     return outcome;
 }
 
-// The picture that --output asks for: the graph's output, or the resource of --resource.
+// Writes the picture for --output: the graph's output, or the resource of --resource.
 Status write_picture(const RenderOptions& options, const render::Session& session,
                      const RunOutcome& outcome) {
     const bool is_output = options.resource.empty() && options.debug.empty();
@@ -95,12 +96,13 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     if (data.format == Format::undefined)
         return write_file(options.output,
                           {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
-    // Both are ready for a display.
+    // Both are already display-encoded.
     if (is_output || !options.debug.empty()) return write_output_picture(options.output, data);
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind) return kind.errors();
     std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
-    // Raw values are in the resource's own units; a PNG is for looking at, so it keeps the exposure.
+    // Raw values are stored in the resource's own units. A PNG is meant for viewing, so it keeps the
+    // exposure.
     if (*kind != ImageFileKind::png && is_pre_exposed(session.plan(), options.resource)) {
         for (glm::vec4& texel : texels) texel = glm::vec4(glm::vec3(texel) / session.pre_exposure(), texel.a);
     }
@@ -125,8 +127,8 @@ bool report_messages(const std::vector<vk::Message>& messages) {
     return !messages.empty();
 }
 
-// After a time-out the device may still be at work with our memory: leaving is safe, tearing things down
-// under it, the driver among them, is not.
+// After a time-out the device may still use the process's memory. Exiting is safe, but destroying objects or
+// unloading the driver is not.
 ExitCode fail_on_device(const Diagnostics& errors) {
     report(errors);
     const ExitCode code = exit_code_for(errors);
@@ -135,7 +137,7 @@ ExitCode fail_on_device(const Diagnostics& errors) {
 }
 
 ExitCode run_render(const RenderOptions& options) {
-    // Whether a resource is a picture is known only when the graph is compiled.
+    // Only after the graph is compiled is it known whether the resource is an image.
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind && options.resource.empty()) {
         report(kind.errors());
@@ -168,7 +170,7 @@ ExitCode run_render(const RenderOptions& options) {
     }
     const std::string& name = options.named_output.empty() ? options.output : options.named_output;
     std::fprintf(stderr, "weft: wrote %s\n", name.c_str());
-    // Objects that are still alive are heard of only when the device goes.
+    // Destroying the device reports objects that were not freed, so the session is destroyed first.
     open->session.reset();
     return report_messages(vk::destroy_device(std::move(open->device))) ? ExitCode::validation : ExitCode::ok;
 }

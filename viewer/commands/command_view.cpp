@@ -24,10 +24,10 @@ struct ViewCounts {
     uint32_t reloads = 0;
     uint32_t failed_reloads = 0;
     double longest_swap_ms = 0;
-    uint64_t pictured = 0;  // frames until the one that was written last; 0: none was
+    uint64_t pictured = 0;  // number of frames up to the last written picture; 0: no picture was written
 };
 
-// What a reload has to say. What runs on after an error is the graph from before.
+// Prints the messages of a reload. After an error, the previous graph keeps running.
 void tell(const render::Reload& reload, ViewCounts& counts) {
     report(reload.warnings);
     if (!reload.good()) {
@@ -50,7 +50,8 @@ Status write_last_frame(const std::string& path, render::Session& session) {
     return Unit{};
 }
 
-// A window would show each frame, and tell of its events, where this one only waits for the next frame.
+// The frame loop. A program with a window would display each frame and handle window events; this one only
+// waits for the next frame.
 Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session, render::Reloader& reloader,
                            EndSignals& end) {
     ViewCounts counts;
@@ -60,7 +61,7 @@ Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session,
     while (options.render.frames == 0 || counts.frames < options.render.frames) {
         const Clock::time_point due = begin + counts.frames * kFrameTime;
         const bool over = end.within(options.fixed_dt ? std::chrono::nanoseconds(0) : due - Clock::now());
-        // One frame is drawn in any case: whoever asks for a picture gets one that was drawn.
+        // At least one frame is rendered, so that a requested picture always exists.
         if (over && counts.frames > 0) break;
         if (const std::optional<render::Reload> reload = reloader.update()) {
             tell(*reload, counts);
@@ -71,12 +72,12 @@ Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session,
                                               : std::chrono::duration<double>(Clock::now() - begin).count();
         if (Status s = session.render_frame(now_s, options.fixed_dt ? dt_s : now_s - last_s); !s)
             return s.take_errors();
-        // Nobody asks for them here, and they would pile up.
+        // Nothing here uses the timings, and they would otherwise pile up.
         static_cast<void>(session.take_timings());
         static_cast<void>(session.take_readbacks());
         last_s = now_s;
         ++counts.frames;
-        // Where it cannot be written frames go on: writing the last one counts.
+        // If a picture cannot be written, rendering continues: only the last write determines the exit code.
         if (is_picture_due && !options.render.output.empty()) {
             const Status written = write_last_frame(options.render.output, session);
             if (written) counts.pictured = counts.frames;
@@ -114,11 +115,12 @@ ExitCode run_view(const ViewOptions& options) {
             check_outputs({options.render.output, options.render.stats}, inputs_of(options.render));
         code != ExitCode::ok)
         return code;
-    // Before there are threads that a signal could end the program through.
+    // Block the signals before other threads exist, which could otherwise receive them and end the program.
     EndSignals end(options.render.frames == 0);
     RenderOptions untimed = options.render;
-    untimed.stats.clear();  // its times would add barriers
-    // A run of so many frames belongs to a script, which waits for no edit.
+    untimed.stats.clear();  // timing adds barriers, which would change what the user views
+    // With a number of frames the run belongs to a script, so a fault is reported instead of waiting for an
+    // edit.
     Result<std::optional<OpenSession>> opened = open_when_good(untimed, options.render.frames == 0, end);
     if (!opened) return fail_on_device(opened.errors());
     if (!*opened) return ExitCode::invalid_input;

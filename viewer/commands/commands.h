@@ -1,4 +1,4 @@
-// Purpose: the commands of the `weft` program. Each returns the process's exit code.
+// Purpose: the commands of the `weft` program. Each function returns the exit code of the process.
 #pragma once
 
 #include "viewer/options/options.h"

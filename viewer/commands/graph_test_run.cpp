@@ -19,11 +19,11 @@ namespace {
 
 constexpr double kFrame_s = 1.0 / 60.0;
 
-// What is measured while frames go by.
+// Data collected during a run.
 struct Measured {
-    std::map<std::string, vk::ReadbackData> resources;  // the last of each, by reference
+    std::map<std::string, vk::ReadbackData> resources;  // the last content of each resource, by reference
     size_t black_frames = 0;
-    std::set<std::string> lost;  // persistent resources whose content a swap didn't carry over
+    std::set<std::string> lost;  // persistent resources whose content a tier change did not keep
 };
 
 bool is_black(const vk::ReadbackData& output) {
@@ -70,7 +70,7 @@ class TestRun {
     }
 
  private:
-    // A test may use less memory than a frame.
+    // A test may use less memory than a frame of other commands, so the limit in the messages is the test's.
     Diagnostics of_a_test(Diagnostics faults) const {
         for (Diagnostic& fault : faults)
             if (fault.code == "W143" || fault.code == "W125")
@@ -80,7 +80,7 @@ class TestRun {
         return faults;
     }
 
-    // What is read back is kept by this program as well. False: reported.
+    // Checks the memory of readbacks, which this program keeps too. Returns false after reporting a fault.
     bool check_readbacks(const FramePlan& plan) {
         const uint64_t most = options_.limits.graph.test_bytes;
         uint64_t bytes = 0;
@@ -98,7 +98,8 @@ class TestRun {
         return false;
     }
 
-    // False: reported. The parser has counted what tests state; the graph's own number is known only here.
+    // Returns false after reporting a fault. The parser has counted the frames that tests state; the graph's
+    // own number is known only here.
     bool take_frames(uint64_t frames) {
         if (frames <= frames_left_) {
             frames_left_ -= frames;
@@ -122,7 +123,7 @@ class TestRun {
         return Unit{};
     }
 
-    // As a program does: the next tier is made ready by another thread while frames go on.
+    // Prepares the next tier on another thread while frames run, as a program would.
     Status draw_swapping(render::Session& session) {
         if (!take_frames(test_.swap.size() * uint64_t{test_.every})) return Unit{};
         for (size_t i = 0; i < test_.swap.size(); ++i) {
@@ -155,7 +156,8 @@ class TestRun {
         for (ResourceId id = 0; id < to.graph.resources.size(); ++id) {
             const ResourceDecl& resource = to.graph.resources[id];
             if (resource.ring != id) continue;
-            // Of a history the earlier frames' copies, for this frame's own is written anew.
+            // For a resource with history, only the copies of earlier frames count; the current frame's copy
+            // is rewritten.
             const bool carried = std::ranges::any_of(
                 between.carried, [&](const CarryOver& c) { return to.graph.resources[c.to].ring == id; });
             if (!carried) measured_.lost.insert(resource.name);
@@ -213,8 +215,8 @@ class TestRun {
         }
     }
 
-    // Calls visit(values, index of the first) piece by piece: decoded, a texel may take sixteen times its
-    // bytes. Words of buffers are taken for floats. Ends when visit() returns false.
+    // Calls visit(values, index of the first) piece by piece, because decoded texels may need sixteen times
+    // their memory. Words of buffers are interpreted as floats. Ends when visit() returns false.
     template <class F>
     static void visit_values(const vk::ReadbackData& data, F visit) {
         constexpr size_t kTexelsAtOnce = 1u << 16;
@@ -286,7 +288,7 @@ class TestRun {
     const GraphDesc& graph_;
     const GraphTestDesc& test_;
     std::string tier_;
-    uint64_t& frames_left_;  // of all runs
+    uint64_t& frames_left_;  // remaining frames of all runs
     uint64_t frame_ = 0;
     Measured measured_;
     Diagnostics failed_;

@@ -1,6 +1,6 @@
-// Purpose: runs the tests that a graph file holds, on a device, under the validation layers.
-// Errors: W161 an expectation that isn't met, W162 more validation messages than it allows, each at its place
-// in the file; and those of devices and sessions.
+// Purpose: runs the tests in a graph file on a device, with the validation layers. Errors: W161 an
+// expectation that is not met, W162 more validation messages than the test allows, each with its place in the
+// file; also the errors of devices and sessions.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace weft::viewer {
 
-// Progress goes to stderr, one line for each run.
+// Prints progress on stderr, one line per run.
 [[nodiscard]] Diagnostics run_graph_tests(const std::string& file, const CheckOptions& options);
 
 }  // namespace weft::viewer

@@ -66,7 +66,8 @@ Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOption
     OfflinePlan made{compile(loaded->graph, profile_needs(loaded->graph, *profile), compile_options),
                      std::move(*profile),
                      {}};
-    // A graph without an output is a piece of others, which may have what its views show.
+    // A graph without an output is meant to be included by others, which may declare the resources that its
+    // views show.
     if (loaded->graph.output != kNoId)
         made.view_faults = of_tier(debug_view_faults(loaded->desc), options.tier);
     for (Diagnostic& d : made.view_faults) d.pointer = pointer_at(document, d.file, d.line, d.column);

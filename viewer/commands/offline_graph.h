@@ -1,7 +1,7 @@
-// Purpose: a graph compiled and proved without a device, for the commands that need none: a profile stands in
-// for one, and says what memory resources need.
-// Errors: those of the graph, of the profile (W140, W141) and of the checker. Warning W142: the plan needs
-// more memory than the profile's device has.
+// Purpose: compiles and checks a graph without a device, for commands that do not need one. A profile
+// replaces the device and gives the memory requirements of resources. Errors: those of the graph, of the
+// profile (W140, W141) and of the checker. Warning W142: the plan needs more memory than the profile's device
+// has.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,11 @@ namespace weft::viewer {
 struct OfflinePlan {
     FramePlan plan;
     DeviceProfile profile;
-    Diagnostics view_faults;  // of "debug": what it shows may be there in another tier
+    Diagnostics view_faults;  // faults in the "debug" section; a view may show a resource that only another
+                              // tier has
 };
 
-// What the tiers of one document have in common, found by the first that is compiled.
+// Data that all tiers of one document share; the first compilation fills it.
 struct SharedByTiers {
     ShaderMemory shaders;
     std::optional<SkippedFormats> formats;

@@ -24,14 +24,15 @@ namespace {
 
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
-// Portraits show as much of a built-in scene from side to side as a picture of this aspect.
+// In a portrait picture, the first camera of a built-in scene keeps the horizontal view of a picture of this
+// aspect.
 constexpr float kShownAspect = 4.0f / 3.0f;
 
-// Of --camera. Single precision holds nothing of a scene that is farther away.
+// The range of coordinates in --camera. Single precision is too coarse for scenes that are farther away.
 constexpr NumberRange kPlace{-1e9, 1e9, "m"};
 constexpr NumberRange kFieldOfView{0.01, 179, "degrees"};
 
-// Luminances near 1, so that a file's own lights of a few candela or lux show at exposure 0.
+// Luminances near 1, so that lights of a few candela or lux in a file are visible at exposure 0.
 constexpr glm::vec3 kPlainSkyZenith{0.28f, 0.42f, 0.70f};
 constexpr glm::vec3 kPlainSkyHorizon{0.75f, 0.82f, 0.90f};
 
@@ -62,7 +63,7 @@ Status apply_environment(scene::Scene& scene, const std::string& env, const Scen
     return Unit{};
 }
 
-// Empty where one of them is no finite number.
+// Empty if one of them is not a finite number.
 std::vector<double> numbers(const std::string& text) {
     std::vector<double> values;
     for (size_t at = 0; at <= text.size();) {
@@ -130,7 +131,7 @@ scene::Camera default_camera(const scene::Scene& scene, const CameraChoice& choi
     return camera;
 }
 
-// Loads with progress on stderr.
+// Loads the file and prints progress on stderr.
 Result<scene::Scene> load_file(const std::string& name, const SceneLimits& limits, Diagnostics& warnings) {
     const auto begin = std::chrono::steady_clock::now();
     ProgressText text("loading " + std::filesystem::path(name).filename().string(),
@@ -168,7 +169,7 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& li
     Result<scene::Scene> scene =
         builtin ? scene::make_builtin(name, options) : load_file(name, limits, warnings);
     if (!scene) return scene;
-    SceneLimits rest = limits;  // what surrounds a scene draws from the same budget
+    SceneLimits rest = limits;  // the environment uses the same memory budget as the scene
     rest.memory_bytes -= std::min(rest.memory_bytes, scene->memory_bytes);
     if (Status applied = apply_environment(*scene, choice.env, rest); !applied) return applied.take_errors();
     const bool has_seeded_lights = builtin && name == "lights";

@@ -10,7 +10,7 @@
 namespace weft::viewer {
 namespace {
 
-// What one tier doesn't use another may.
+// One tier may use something that another does not, so these warnings need a comparison of all tiers.
 constexpr std::array kUnusedCodes{"W130", "W132", "W133", "W134", "W135", "W136"};
 
 class Findings {
@@ -20,7 +20,7 @@ class Findings {
         for (Diagnostic& d : found) {
             const auto [it, is_new] = seen_.try_emplace(std::tuple(d.code, d.file, d.line, d.column),
                                                         Seen{all_.size(), variants_, variants_, 1});
-            // One that says two things of one place says both.
+            // Two different messages of one tier about the same place are both kept.
             if (is_new || it->second.first == variants_) {
                 all_.push_back(std::move(d));
             } else if (it->second.last != variants_) {
@@ -30,7 +30,7 @@ class Findings {
         }
     }
 
-    // Those that all variants give.
+    // Returns the messages that all variants have.
     Diagnostics take_common() {
         Diagnostics kept;
         for (const auto& [place, seen] : seen_)
@@ -38,7 +38,7 @@ class Findings {
         return kept;
     }
 
-    // Warnings that something is unused hold only where all tiers agree.
+    // A warning about something unused is kept only if all tiers give it.
     Diagnostics take() {
         std::vector<bool> used(all_.size(), false);
         for (const auto& [place, seen] : seen_) {
@@ -55,9 +55,9 @@ class Findings {
  private:
     struct Seen {
         size_t index;
-        size_t first;     // the variant that said so first
-        size_t last;      // the variant that said so last
-        size_t variants;  // how many said so
+        size_t first;     // first variant with this message
+        size_t last;      // last variant with this message
+        size_t variants;  // number of variants with this message
     };
     Diagnostics all_;
     std::map<std::tuple<std::string, std::string, uint32_t, uint32_t>, Seen> seen_;
@@ -92,7 +92,8 @@ CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options)
         findings.add(std::move(found));
     }
     checked.found = findings.take();
-    // A view of what only some tiers have is no fault: the others list it as unavailable.
+    // A view of a resource that only some tiers have is not a fault: the other tiers list the view as
+    // unavailable.
     for (Diagnostic& d : views.take_common()) checked.found.push_back(std::move(d));
     return checked;
 }

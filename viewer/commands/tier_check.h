@@ -1,4 +1,4 @@
-// Purpose: a graph file checked as it is and in each of its tiers, with one message for each cause.
+// Purpose: checks a graph file without a tier and with each of its tiers, and reports each cause once.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,13 @@
 namespace weft::viewer {
 
 struct CheckedGraph {
-    Diagnostics found;              // of all tiers; Diagnostic::tier is the first in which it is one
-    size_t tiers = 0;               // how many, besides the file as it is
-    std::optional<FramePlan> plan;  // of the file as it is, or of the tier that was asked for
+    Diagnostics found;              // messages of all tiers; Diagnostic::tier is the first tier with the
+                                    // message
+    size_t tiers = 0;               // number of tiers, not counting the file without a tier
+    std::optional<FramePlan> plan;  // plan of the requested tier, or of the file without a tier
 };
 
-// All tiers, or the one of `options`.
+// Checks all tiers, or only the one in `options`.
 [[nodiscard]] CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options);
 
 }  // namespace weft::viewer

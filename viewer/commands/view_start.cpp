@@ -12,7 +12,7 @@
 namespace weft::viewer {
 namespace {
 
-// False: it was told to end first.
+// Returns false if the command was told to end first.
 bool wait_for_change(render::FileWatch& watch, EndSignals& end) {
     std::atomic<bool> is_over = false, has_changed = false;
     std::thread waiter([&] {
@@ -24,7 +24,7 @@ bool wait_for_change(render::FileWatch& watch, EndSignals& end) {
     return has_changed;
 }
 
-// Without a file there is nothing to be edited: more likely its name is misspelt.
+// If the file does not exist, its name is probably misspelt, so waiting for an edit is useless.
 bool is_there(const std::string& graph) {
     std::error_code error;
     return graph.empty() || std::filesystem::is_regular_file(graph, error);
@@ -40,7 +40,7 @@ Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, 
         Result<OpenSession> open = opener.open();
         if (open) return std::optional(std::move(*open));
         if (!waits || !opener.can_be_mended() || !is_there(options.graph)) return open.take_errors();
-        // An edit before this moment was not seen.
+        // Edits before this point were not watched, so try again.
         if ((*watch)->watch(opener.files())) continue;
         report(open.errors());
         std::fprintf(stderr, "weft: waiting for the graph to be mended\n");

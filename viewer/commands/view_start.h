@@ -1,4 +1,4 @@
-// Purpose: how `weft view` begins: with a graph that is good, or that becomes good while it waits.
+// Purpose: the start of `weft view`: opens a session, or waits until the graph is free of faults.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace weft::viewer {
 
-// Opens the session. Where `waits`, a fault in the graph or its shaders is printed, and it tries again each
-// time one of their files changes. Nothing: it was told to end before the graph was good. Errors: as
-// open_session(); where `waits`, only those that an edit of these files cannot mend.
+// Opens the session. If `waits`, faults in the graph or its shaders are printed, and each change of one of
+// their files leads to another attempt. nullopt: the command was told to end before a session was open.
+// Errors: those of open_session(); if `waits`, only errors that an edit of these files cannot correct.
 [[nodiscard]] Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, bool waits,
                                                                 EndSignals& end);
 

@@ -12,9 +12,9 @@ namespace weft::viewer {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr size_t kMostFiles = 4096;  // of a folder
+constexpr size_t kMostFiles = 4096;  // largest number of files read from a folder
 
-// Names in `folder`, as they would be written beside a path that begins with it.
+// Names in `folder`, in the form of a path that starts with the folder.
 std::vector<std::string> names_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code error;
@@ -35,7 +35,7 @@ void add(std::vector<std::string>& all, std::string text) {
     if (std::ranges::find(all, text) == all.end()) all.push_back(std::move(text));
 }
 
-// By its whole name, or by its name without the extension: "deferred" for "graphs/deferred.json".
+// Matches the whole path, or the name without folder and extension: "deferred" for "graphs/deferred.json".
 void add_shipped_graphs(const fs::path& path, std::vector<std::string>& near) {
     const fs::path folder = shipped_root() / "graphs";
     std::vector<std::string> stems;

@@ -13,7 +13,7 @@ void add_sandbox(CLI::App& command, bool& sandbox) {
     command.add_flag("--sandbox", sandbox, "for files of strangers: run where nothing else can be opened");
 }
 
-// How a graph is compiled where there is no device.
+// Options for compilation without a device.
 void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     command.add_option("--profile", o.profile,
                        "a device profile: a file, or a shipped one's name [lavapipe]");

@@ -1,5 +1,5 @@
-// Purpose: the flags and arguments of each command. A parse writes their values into the options of the
-// command, and texts that are read later into RawTexts.
+// Purpose: declares the flags and arguments of each command. Parsing writes their values to the options of
+// the command, and texts that need further parsing to RawTexts.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ class App;
 
 namespace weft::viewer {
 
-// Texts that need a second look after parsing.
+// Texts that are parsed further after the command line.
 struct RawTexts {
     std::string size = "1280x720";
     std::string bench_size = "640x360";
@@ -33,7 +33,7 @@ void add_compare(CLI::App& command, CompareOptions& options, RawTexts& raw);
 void add_doctor(CLI::App& command, DoctorOptions& options);
 void add_limits(CLI::App& command, RawTexts& raw);
 
-// `bench compile` and `bench frame`.
+// The commands `bench compile` and `bench frame`.
 struct BenchCommands {
     CLI::App* app = nullptr;
     CLI::App* compile = nullptr;

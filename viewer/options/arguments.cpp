@@ -28,7 +28,7 @@ constexpr std::array kFutureViewFlags{
 constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
                                   FutureFlags{"view", kFutureViewFlags}};
 
-// Parameters are passed to shaders as 32-bit floats.
+// Shaders get parameters as 32-bit floats.
 constexpr NumberRange kParam{-3.4e38, 3.4e38, ""};
 constexpr uint64_t kMostSide_px = 16'384;
 
@@ -36,7 +36,7 @@ bool is_truth(const std::string& text) {
     return text == "true" || text == "false";
 }
 
-// ": did you mean …?", or empty.
+// The text ": did you mean …?", or an empty text.
 std::string with_guess(const std::string& text, const std::vector<std::string>& known) {
     const std::string guess = did_you_mean_text(text, known);
     return guess.empty() ? "" : ": " + guess;

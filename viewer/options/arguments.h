@@ -1,5 +1,5 @@
-// Purpose: the command line's own notations (sizes, parameters), and the part of its contract that this
-// version cannot honour yet.
+// Purpose: notations of the command line (sizes, parameters), and documented options that are not implemented
+// yet.
 #pragma once
 
 #include <map>
@@ -10,25 +10,25 @@
 
 namespace weft::viewer {
 
-// What is wrong with "1280x720", or empty.
+// The fault in a size such as "1280x720"; empty if it is valid.
 [[nodiscard]] std::string size_fault(const std::string& text);
 [[nodiscard]] Extent3D parse_size(const std::string& text);
 
-// What is wrong with what surrounds a scene, as far as one can tell without opening a file, or empty.
+// The fault in a value of --env, as far as it can be found without opening a file; empty if there is none.
 [[nodiscard]] std::string env_fault(const std::string& text);
 
-// NAME=VALUE, where VALUE is a number, true or false. What is wrong with it, or empty.
+// The fault in NAME=VALUE, where VALUE must be a number, true or false; empty if it is valid.
 [[nodiscard]] std::string param_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, double> parse_params(const std::vector<std::string>& texts);
 
-// What is wrong with a word that is none of these, or empty.
+// The fault in a word that is not one of the choices; empty if it is one.
 [[nodiscard]] std::string choice_fault(const std::string& text, const std::vector<std::string>& choices);
 
-// What is wrong with the name of a plot, or empty.
+// The fault in the file name of a plot; empty if it is valid.
 [[nodiscard]] std::string plot_fault(const std::string& text);
 
-// A flag or command of the contract that is not there yet, as a message; empty when there is none. Such a
-// thing is refused by name, whatever else is wrong; its values are of no interest.
+// A message for a documented flag or command that is not implemented yet; empty if the arguments contain
+// none. It is reported before any other fault, and its values are not checked.
 [[nodiscard]] std::string future_fault(const std::vector<std::string>& arguments);
 
 }  // namespace weft::viewer

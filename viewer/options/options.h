@@ -1,5 +1,4 @@
-// Purpose: what the command line asked for, one struct a command. Filled by add_options.h, read by the
-// commands.
+// Purpose: the options of each command as a struct. add_options.h fills them, the commands read them.
 #pragma once
 
 #include <cstdint>
@@ -16,48 +15,50 @@ namespace weft::viewer {
 struct RenderOptions {
     std::string scene = "builtin:atrium";
     std::string output = "frame.png";
-    std::string graph;  // empty: the shipped graphs/deferred.json
-    std::string tier;   // empty: the graph as it is
+    std::string graph;  // empty: the supplied graphs/deferred.json
+    std::string tier;   // empty: the graph without a tier
     Extent3D size{1280, 720, 1};
-    uint32_t frames = 0;  // 0: what the graph says
+    uint32_t frames = 0;  // 0: the number in the graph
     double fixed_dt_s = 1.0 / 60.0;
     std::string camera;
     std::string env = "sky";
     std::optional<float> hour;
-    std::optional<uint32_t> lights;  // so many seeded ones in place of the scene's
+    std::optional<uint32_t> lights;  // number of seeded lights that replace the scene's lights
     uint32_t seed = 1;
     std::optional<float> exposure_ev;
     std::map<std::string, double> params;
     std::string resource;
-    std::string debug;                  // a debug view, or a resource to be shown as one
-    std::vector<std::string> observed;  // references that are read back every frame, besides `resource`
+    std::string debug;                  // a debug view, or a resource to display as one
+    std::vector<std::string> observed;  // references of resources to read back every frame, besides
+                                        // `resource`
     bool validate = false;
-    bool quiet = false;  // warnings were said before
+    bool quiet = false;  // do not repeat warnings that were already printed
     std::string stats;
     std::string device;
     double timeout_s = 60;
     uint32_t queues = 1;
-    std::string drop_barriers_before;  // test hook
+    std::string drop_barriers_before;  // for tests only
     bool sandbox = false;
-    std::string named_output;  // what messages call the output; empty: as it is
+    std::string named_output;  // name of the output in messages; empty: the output's path
     Limits limits;
 };
 
-// Files that the command line names to be read. A word like "sky" is a file of that name, too.
+// Files that the command reads. A word such as "sky" is included too, because a file may have that name.
 [[nodiscard]] inline std::vector<std::string> inputs_of(const RenderOptions& options) {
     return {options.scene, options.graph, options.env};
 }
 
 struct ViewOptions {
-    RenderOptions render;  // 0 frames: until somebody ends it; its output: empty, no picture
+    RenderOptions render;  // frames = 0: run until told to end; output empty: write no picture
     bool headless = false;
-    bool fixed_dt = false;  // render.fixed_dt_s from frame to frame, as fast as can be; else as time goes by
+    bool fixed_dt = false;  // true: each frame advances time by render.fixed_dt_s, as fast as possible;
+                            // false: real time
 };
 
-// How a graph is compiled where there is no device.
+// Options for compilation without a device.
 struct OfflineOptions {
-    std::string tier;     // empty: the graph as it is
-    std::string profile;  // a file, or the name of a shipped one; empty: lavapipe
+    std::string tier;     // empty: the graph without a tier
+    std::string profile;  // a file, or the name of a supplied profile; empty: lavapipe
     Extent3D size{1280, 720, 1};
     uint32_t queues = 1;
     std::map<std::string, double> params;
@@ -68,9 +69,9 @@ struct CheckOptions {
     std::vector<std::string> files;
     OfflineOptions offline;
     bool json = false;
-    bool sarif = false;  // not both
-    bool run = false;    // the graphs' own tests
-    std::string device;  // for them
+    bool sarif = false;  // `json` and `sarif` exclude each other
+    bool run = false;    // also run the graphs' own tests
+    std::string device;  // the device for these tests
     bool sandbox = false;
 };
 
@@ -83,7 +84,7 @@ struct PlanOptions {
 };
 
 struct SchemaOptions {
-    std::string file;    // empty: of all graphs
+    std::string file;    // empty: the schema of all graphs
     std::string output;  // empty: stdout
     Limits limits;
 };
@@ -91,8 +92,8 @@ struct SchemaOptions {
 struct ExplainOptions {
     std::string file;
     OfflineOptions offline;
-    std::string question;            // culled, barrier, alias, wait, resource
-    std::vector<std::string> names;  // of passes or resources
+    std::string question;            // one of culled, barrier, alias, wait, resource
+    std::vector<std::string> names;  // names of passes or resources
 };
 
 struct DiffOptions {
@@ -103,10 +104,10 @@ struct DiffOptions {
 
 struct CompareOptions {
     std::string reference, test;
-    std::string metric = "flip";  // flip, psnr, max
-    std::optional<double> max;    // of flip (the mean) and max
-    std::optional<double> min;    // of psnr, in dB
-    std::string output;           // the heat map; empty: none
+    std::string metric = "flip";  // one of flip, psnr, max
+    std::optional<double> max;    // limit for flip (the mean) and max
+    std::optional<double> min;    // limit for psnr, in dB
+    std::string output;           // file of the heat map; empty: none
     bool json = false;
     Limits limits;
 };
@@ -122,7 +123,7 @@ struct BenchOptions {
 struct FrameBenchOptions {
     std::string scene = "builtin:lights";
     std::vector<std::string> graphs{"deferred", "tiled_deferred", "light_volumes",
-                                    "light_indexed"};  // shipped ones by name, or files
+                                    "light_indexed"};  // names of supplied graphs, or files
     std::vector<uint32_t> lights{1, 10, 50, 100, 256, 1024, 3072};
     Extent3D size{640, 360, 1};
     std::string camera;
@@ -130,7 +131,7 @@ struct FrameBenchOptions {
     uint32_t rounds = 7;
     std::string device;
     double timeout_s = 60;
-    std::string plot;  // an .svg; empty: none
+    std::string plot;  // an .svg file; empty: none
     bool json = false;
     Limits limits;
 };

@@ -12,7 +12,7 @@
 namespace weft::viewer {
 namespace {
 
-// The innermost command that was named: `weft bench frame` for its flags.
+// The innermost command in the arguments; its flags are the candidates, as for `weft bench frame`.
 const CLI::App& innermost(const CLI::App& app) {
     const CLI::App* at = &app;
     for (bool is_deeper = true; is_deeper;) {
@@ -33,7 +33,7 @@ std::vector<std::string> commands_of(const CLI::App& app) {
     return names;
 }
 
-// Test hooks have no group and are nobody's business.
+// Flags for tests have no group and are not suggested.
 std::vector<std::string> flags_of(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())

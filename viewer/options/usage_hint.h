@@ -1,4 +1,4 @@
-// Purpose: names of commands and flags that a user may have meant.
+// Purpose: suggests commands and flags with similar names.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@ class App;
 
 namespace weft::viewer {
 
-// After a parse that failed: "did you mean …?" for the arguments that nothing took, a line each; else empty.
+// After a failed parse: a line "did you mean …?" for each argument that was not recognised; empty if there
+// are no suggestions.
 [[nodiscard]] std::string usage_hint(const CLI::App& app);
 
 }  // namespace weft::viewer

@@ -22,7 +22,7 @@ CLI::Validator plot_validator() {
     return CLI::Validator([](std::string& text) { return plot_fault(text); }, "FILE.svg");
 }
 
-// These replace what was written by a plain decimal number, which CLI11 reads the same everywhere.
+// Replaces the text by a plain decimal number, which CLI11 reads in the same way in every locale.
 CLI::Validator number_in(const NumberRange& range) {
     return CLI::Validator(
         [range](std::string& text) {

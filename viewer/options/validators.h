@@ -1,5 +1,5 @@
-// Purpose: checks of flags' values, for CLI11: each names what the value must be, and writes numbers in the
-// one form that CLI11 reads the same everywhere.
+// Purpose: validators of flag values for CLI11. Each names the expected values in its message, and rewrites
+// numbers in a form that CLI11 reads in the same way in every locale.
 #pragma once
 
 #include <cstdint>

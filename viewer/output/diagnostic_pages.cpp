@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint64_t kMostPage_bytes = 4u << 20;
 
-// Links become their text; marks of code and emphasis go.
+// Replaces links by their text and removes marks of code and emphasis.
 std::string without_markup(const std::string& text) {
     std::string plain;
     for (size_t i = 0; i < text.size(); ++i) {
@@ -29,7 +29,7 @@ std::string without_markup(const std::string& text) {
     return begin == std::string::npos ? "" : plain.substr(begin, end - begin + 1);
 }
 
-// "| a | b |" → a, b. A "\|" is no border.
+// "| a | b |" → a, b. An escaped "\|" does not separate cells.
 std::vector<std::string> cells_of(const std::string& row) {
     std::vector<std::string> cells;
     std::string cell;

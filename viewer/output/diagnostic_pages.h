@@ -1,4 +1,4 @@
-// Purpose: what the documentation says about each diagnostic code, for those who read it as data.
+// Purpose: the documentation of each diagnostic code as data.
 #pragma once
 
 #include <map>
@@ -7,12 +7,12 @@
 namespace weft::viewer {
 
 struct DiagnosticPage {
-    std::string what;     // what is wrong, without markup
+    std::string what;     // description of the fault, without markup
     std::string remedy;   // may be empty
-    std::string section;  // of the page, that it stands in
+    std::string section;  // heading of the section on the page
 };
 
-// By code, from the rows of the shipped docs/diagnostics.md; empty where it isn't shipped.
+// By code, from the tables of the installed docs/diagnostics.md; empty if the file is not installed.
 [[nodiscard]] std::map<std::string, DiagnosticPage> diagnostic_pages();
 
 }  // namespace weft::viewer

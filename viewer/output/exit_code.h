@@ -1,4 +1,4 @@
-// Purpose: the exit codes of the `weft` program, which scripts rely on (docs/command-line.md).
+// Purpose: the exit codes of the `weft` program. Scripts rely on them (docs/command-line.md).
 #pragma once
 
 namespace weft::viewer {

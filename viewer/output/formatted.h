@@ -1,4 +1,4 @@
-// Purpose: printf's notation for texts of any length.
+// Purpose: formats text of any length with printf's notation.
 #pragma once
 
 #include <string>

@@ -19,7 +19,8 @@ ExitCode outcome(const Status& status, ExitCode code = ExitCode::ok) {
     return exit_code_for(status.errors());
 }
 
-// The plain file that a path leads to; empty: it leads to none. Streams may be shared.
+// The regular file to which a path leads; empty if it leads to something else. Several outputs may use the
+// same stream.
 std::filesystem::path plain_file(const std::string& path) {
     const FileTarget target = find_target(path);
     if (path.empty() || target.error != 0 || target.kind != TargetKind::file) return {};
@@ -47,8 +48,8 @@ Status expect_own_file(const std::string& path, std::span<const std::string> oth
 void prepare_output() {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    // Descriptors are given out from the lowest free number: this fills the gaps up to 2. Standard output and
-    // standard error cannot be written through it, which is an error as it would be if they were closed.
+    // New descriptors get the lowest free number, so this opens all closed ones up to 2. The file is
+    // read-only, so writing to standard output or standard error still fails, as if it were closed.
     int descriptor = 0;
     while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDONLY);
     if (descriptor > STDERR_FILENO) close(descriptor);

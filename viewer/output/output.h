@@ -1,5 +1,5 @@
-// Purpose: where the data of a command goes: files and stdout. Whatever keeps data from arriving is printed
-// to stderr and ends in exit code 1.
+// Purpose: writes the data of commands to files and stdout. If data cannot be written, the reason is printed
+// on stderr and the exit code is 1.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace weft::viewer {
 
-// Before there are threads or files. A closed pipe and a file that grows over its limit become errors that
-// are reported, and no file can get the number of a standard stream that was closed.
+// Call this before threads and files exist. A closed pipe, or a file over its size limit, then gives a
+// reported error instead of a signal, and no file gets the descriptor number of a closed standard stream.
 void prepare_output();
 
-// Says before any work is done which of the paths cannot be written, and which would replace another of them
-// or one of the files `inputs`. Empty paths are passed over.
+// Reports, before any work is done, which of the paths cannot be written, and which would replace another
+// output or one of the files `inputs`. Empty paths are ignored.
 [[nodiscard]] ExitCode check_outputs(const std::vector<std::string>& paths,
                                      const std::vector<std::string>& inputs);
 
-// To stdout. `code` unless that fails.
+// Writes to stdout. Returns `code`, unless writing fails.
 [[nodiscard]] ExitCode print_data(std::string_view data, ExitCode code = ExitCode::ok);
-// To a file, or to stdout when `path` is empty.
+// Writes to a file, or to stdout when `path` is empty.
 [[nodiscard]] ExitCode output_data(const std::string& path, std::string_view data);
 
 }  // namespace weft::viewer

@@ -1,4 +1,4 @@
-// Purpose: what a pass moves at least, by what it declares. Units: bytes.
+// Purpose: the minimum memory traffic of a pass according to its declaration. Units: bytes.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace weft::viewer {
 
-// What a pass's ports touch: the bytes of every range, read and written once each.
+// The bytes of all ranges of the pass's ports, each read and written once.
 [[nodiscard]] uint64_t port_bytes(const ResolvedGraph& graph, const PassDecl& pass);
 
 }  // namespace weft::viewer

@@ -10,7 +10,7 @@
 namespace weft::viewer {
 namespace {
 
-// Of errors and of warnings: a file can hold one in every line.
+// Limit for errors, and for warnings: a file may have a fault in every line.
 constexpr size_t kMostShown = 200;
 
 void print(Diagnostic d, bool colors) {
@@ -31,7 +31,7 @@ void report(const Diagnostics& diagnostics) {
     if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
 }
 
-// Without a Diagnostic: that would need memory.
+// Prints without a Diagnostic, because creating one would need memory.
 void report_out_of_memory() {
     std::fputs(
         "error[X571]: memory ran out\n"

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr uint64_t kMostSource_bytes = 64u << 20;
 
-// RFC 3986: all but what may stand in a path is written as %XX. Absolute paths become file URIs.
+// RFC 3986: characters that are not allowed in a path are written as %XX. Absolute paths become file URIs.
 std::string uri_of(const std::string& path) {
     constexpr std::string_view kHex = "0123456789ABCDEF", kPlain = "-._~/";
     std::string uri = path.starts_with('/') ? "file://" : "";
@@ -31,8 +31,8 @@ std::string uri_of(const std::string& path) {
     return uri;
 }
 
-// Code units of UTF-16 that the first `bytes` bytes of a line stand for. What is no UTF-8 counts one a byte,
-// and so does what lies beyond the line.
+// The number of UTF-16 code units of the first `bytes` bytes of a line. Invalid UTF-8 counts one per byte,
+// and so do bytes beyond the end of the line.
 uint32_t utf16_units(std::string_view line, size_t bytes) {
     uint32_t units = 0;
     const size_t inside = std::min(bytes, line.size());
@@ -45,7 +45,7 @@ uint32_t utf16_units(std::string_view line, size_t bytes) {
     return units + static_cast<uint32_t>(bytes - inside);
 }
 
-// Lines of files, for places that come without theirs.
+// Lines of files, for diagnostics that do not contain their source line.
 class SourceLines {
  public:
     std::string line(const std::string& file, uint32_t number) {
@@ -117,7 +117,7 @@ const char* level_of(const Diagnostic& d) {
     return d.severity == Severity::error ? "error" : "warning";
 }
 
-// One rule for each code that is there, sorted; what has no code has no rule.
+// One rule for each code that occurs, sorted. Diagnostics without a code have no rule.
 Json rules_of(const Diagnostics& diagnostics, std::map<std::string, size_t>& index) {
     const std::map<std::string, DiagnosticPage> pages = diagnostic_pages();
     std::map<std::string, const char*> levels;
@@ -129,7 +129,7 @@ Json rules_of(const Diagnostics& diagnostics, std::map<std::string, size_t>& ind
         Json rule = {{"id", code}};
         if (const auto page = pages.find(code); page != pages.end()) {
             rule["shortDescription"] = {{"text", page->second.what}};
-            // No helpUri: the page lies on this machine, and the log may be read on another.
+            // No helpUri: the page is a local file, and the log may be read on another machine.
             rule["help"] = {{"text", page->second.remedy + (page->second.remedy.empty() ? "" : "\n") +
                                          "docs/diagnostics.md, section \"" + page->second.section + "\""}};
         }

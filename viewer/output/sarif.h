@@ -1,6 +1,6 @@
-// Purpose: diagnostics as a SARIF log, which editors and code hosts show beside the lines they are about.
-// Units: lines and columns count from 1; columns in UTF-16 code units, as the log says.
-// Source: "Static Analysis Results Interchange Format (SARIF) Version 2.1.0", OASIS Standard, 2020.
+// Purpose: writes diagnostics as a SARIF log, which editors and code hosts can display beside the source
+// lines. Units: lines and columns count from 1; columns in UTF-16 code units, as the log states. Source:
+// "Static Analysis Results Interchange Format (SARIF) Version 2.1.0", OASIS Standard, 2020.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace weft::viewer {
 
-// The log's text. What codes mean is taken from the shipped docs/diagnostics.md; without it the log says no
-// more than the diagnostics do.
+// The text of the log. Explanations of codes come from the installed docs/diagnostics.md; without this file
+// the log contains only the diagnostics.
 [[nodiscard]] std::string sarif_log(const Diagnostics& diagnostics);
 
 }  // namespace weft::viewer

@@ -1,5 +1,5 @@
-// Purpose: whether messages are coloured, and how a diagnostic looks then.
-// Sources: no-color.org; bixense.com/clicolors; ECMA-48, "Select graphic rendition".
+// Purpose: decides whether messages have colours, and formats diagnostics with colours. Sources:
+// no-color.org; bixense.com/clicolors; ECMA-48, "Select graphic rendition".
 #pragma once
 
 #include <string>
@@ -8,12 +8,11 @@
 
 namespace weft::viewer {
 
-// Of a file descriptor: on a terminal, unless NO_COLOR is set or TERM is "dumb". FORCE_COLOR or
-// CLICOLOR_FORCE, set to anything but 0, turns colours on in any case.
+// For a file descriptor: true on a terminal, unless NO_COLOR is set or TERM is "dumb". FORCE_COLOR or
+// CLICOLOR_FORCE, with any value but 0, always enables colours.
 [[nodiscard]] bool wants_colors(int file_descriptor);
 
-// As to_text(), with errors red, warnings yellow, codes bold, and what is underlined in the colour of its
-// severity.
+// As to_text(), with errors red, warnings yellow, codes bold, and underlines in the colour of the severity.
 [[nodiscard]] std::string colored_text(const Diagnostic& diagnostic);
 
 }  // namespace weft::viewer

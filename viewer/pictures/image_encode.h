@@ -1,6 +1,7 @@
-// Purpose: pictures as the bytes of a file. PNG is display-encoded (sRGB, 8 bits); EXR (32-bit float) and PFM
-// hold raw values. Shapes: width × height RGBA texels, row 0 on top; a PFM's rows run bottom to top, as its
-// format says, and it has no alpha. Errors: X510 without a file: there is no memory for the bytes.
+// Purpose: encodes pictures as the bytes of a file. PNG is display-encoded (sRGB, 8 bits); EXR (32-bit float)
+// and PFM contain raw values. Shapes: width × height RGBA texels, row 0 on top; PFM stores rows from bottom
+// to top, as its format requires, and has no alpha. Errors: X510 without a file: there is no memory for the
+// bytes.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -42,14 +42,14 @@ Diagnostic undecodable(const std::string& path, const std::string& what, const s
                       "write it again; PNG, EXR and PFM as `weft render -o` writes them can be read");
 }
 
-// What reading a picture takes beside its texels.
+// Memory for reading a picture, in addition to its texels.
 struct Reading {
     uint64_t file_bytes = 0;
     uint64_t bytes_per_texel = 0;
 };
 
-// While the second of two such pictures is read, or while they are compared: their texels, the map of
-// differences, its sorted copy and its picture.
+// Peak memory while the second of two such pictures is read, or while they are compared: their texels, the
+// map of differences, its sorted copy and its picture.
 uint64_t comparing_bytes(const Size& size, const Reading& reading) {
     constexpr uint64_t kPictures = 2 * sizeof(glm::vec3), kMaps = 3 * sizeof(float) + sizeof(float);
     const auto width_px = static_cast<uint32_t>(size.width_px),
@@ -59,7 +59,7 @@ uint64_t comparing_bytes(const Size& size, const Reading& reading) {
     return std::max(while_read, texels * (kPictures + kMaps) + image::flip_band_bytes(width_px, height_px));
 }
 
-// Asked before anything of that size is allocated.
+// Called before any allocation of that size.
 std::optional<Diagnostic> size_fault(const std::string& path, const Size& size, const Reading& reading,
                                      const PictureLimits& limits) {
     const auto side_limit_px = static_cast<int64_t>(limits.side_px);
@@ -98,14 +98,14 @@ Result<Image> read_png(const std::string& path, const std::string& content, cons
     return result;
 }
 
-// tinyexr's messages are its own to free.
+// Copies a message of tinyexr and frees the original, as tinyexr requires.
 std::string taken(const char* message) {
     std::string text = message ? message : "";
     FreeEXRErrorMessage(message);
     return text;
 }
 
-// tinyexr holds every channel of every level as floats, and then red, green, blue and alpha once more.
+// tinyexr stores every channel of every level as floats, and then red, green, blue and alpha a second time.
 struct ExrShape {
     Size size;
     uint64_t bytes_per_texel = 0;
@@ -150,7 +150,7 @@ Result<Image> read_exr(const std::string& path, const std::string& content, cons
     return result;
 }
 
-// "PF" or "Pf", width, height and scale, one white space behind each.
+// "PF" or "Pf", width, height and scale, each followed by one white-space character.
 struct PfmHeader {
     uint32_t channels = 0;
     Size size;

@@ -1,7 +1,7 @@
-// Purpose: pictures from files: PNG (8 bits a channel, finer ones are rounded; display-encoded), EXR (one
-// part, channels R, G and B, or one alone) and PFM (raw values). What a file is, its first bytes say, not its
-// name. Alpha is left out. Shapes: row 0 on top. Sizes are read from the header before anything is decoded.
-// Errors: X530 no such picture, or it can't be decoded; X531 too large.
+// Purpose: reads pictures from files: PNG (display-encoded, rounded to 8 bits per channel), EXR (one part;
+// channels R, G and B, or a single one) and PFM (raw values). The first bytes of a file determine its format,
+// not its name. Alpha is ignored. Shapes: row 0 on top. Sizes are read from the header before anything is
+// decoded. Errors: X530 the picture does not exist or cannot be decoded; X531 too large.
 #pragma once
 
 #include <string>

@@ -29,7 +29,7 @@ EndSignals::EndSignals(bool watch_stdin) : watch_stdin_(watch_stdin && isatty(ST
 }
 
 EndSignals::~EndSignals() {
-    // Taken from the queue, else it would end the program now.
+    // Removes the pending signal; otherwise it would end the program when unblocked.
     signalfd_siginfo taken{};
     while (signals_ >= 0 && read(signals_, &taken, sizeof taken) > 0) {
     }
@@ -46,7 +46,7 @@ bool EndSignals::within(std::chrono::nanoseconds time) {
     if (ready <= 0) return false;
     if (sources[0].revents != 0) return true;
     if (sources[1].revents == 0) return false;
-    // What somebody types means nothing; the end of it does.
+    // Input is ignored; only its end matters.
     std::array<char, 256> text{};
     return read(STDIN_FILENO, text.data(), text.size()) <= 0;
 }

@@ -1,4 +1,5 @@
-// Purpose: how a command that runs on and on is told to end: SIGINT, SIGTERM, or its stdin closes.
+// Purpose: detects requests to end a command that runs continuously: SIGINT, SIGTERM, or the end of its
+// stdin.
 #pragma once
 
 #include <chrono>
@@ -7,14 +8,14 @@ namespace weft::viewer {
 
 class EndSignals {
  public:
-    // From now on the signals end nothing by themselves, in threads that are made later neither. With
-    // `watch_stdin` a stdin that closes counts; a terminal's doesn't.
+    // From now on the signals do not end the process; threads created later inherit this. With `watch_stdin`
+    // the end of stdin is a request too, unless stdin is a terminal.
     explicit EndSignals(bool watch_stdin);
     ~EndSignals();
     EndSignals(const EndSignals&) = delete;
     EndSignals& operator=(const EndSignals&) = delete;
 
-    // Waits for `time` at most; true: it shall end.
+    // Waits for at most `time`; returns true if the command shall end.
     [[nodiscard]] bool within(std::chrono::nanoseconds time);
 
  private:

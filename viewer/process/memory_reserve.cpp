@@ -9,9 +9,10 @@ namespace {
 
 constexpr size_t kReserve_bytes = size_t{16} << 20;
 
-// A handler of `new` has no arguments, so what it frees has to be reached from everywhere.
+// A new-handler has no arguments, so the memory that it frees must be global.
 std::atomic<void*>& reserve() {
-    static std::atomic<void*> memory = std::malloc(kReserve_bytes);  // never written: no page of it is taken
+    static std::atomic<void*> memory = std::malloc(kReserve_bytes);  // never written, so it uses no physical
+                                                                     // memory
     return memory;
 }
 

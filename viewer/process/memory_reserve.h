@@ -1,11 +1,11 @@
-// Purpose: memory that running out of memory can be reported with.
+// Purpose: reserves memory for reporting that memory is exhausted.
 #pragma once
 
 namespace weft::viewer {
 
-// Call once, first in main(). The first allocation that fails gives 16 MiB back, which were held for this,
-// and throws std::bad_alloc. Without them the error could not be reported: a JSON value allocates memory when
-// it is destroyed, and an exception there ends the program.
+// Call this once, first in main(). The first failed allocation frees the reserved 16 MiB and throws
+// std::bad_alloc. Without the reserve the error could not be reported: destroying a JSON value allocates
+// memory, and an exception in a destructor ends the program.
 void hold_memory_reserve();
 
 }  // namespace weft::viewer

@@ -40,13 +40,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file that the child is to write, in a folder that it has for itself.
+// A file that the child shall write, in a folder that contains nothing else.
 struct StagedFile {
     fs::path wanted, folder;
     [[nodiscard]] fs::path staged() const { return folder / wanted.filename(); }
 };
 
-// Moves on the way out what was written, and leaves no folder behind.
+// The folders for the child's outputs. On destruction, moves written files to their destinations and removes
+// the folders.
 class Stage {
  public:
     Stage() = default;
@@ -80,7 +81,7 @@ class Stage {
         return Unit{};
     }
 
-    // What the child calls its outputs.
+    // Changes the paths of the outputs to those in the child's folders.
     void rename(const std::vector<std::string*>& outputs) const {
         size_t next = 0;
         for (std::string* output : outputs) {
@@ -97,7 +98,7 @@ class Stage {
             }, old{};
             if (file.folder.empty() || lstat(file.staged().c_str(), &made) != 0 || !S_ISREG(made.st_mode))
                 continue;
-            // What is replaced keeps its permissions.
+            // A replaced file keeps its permissions.
             if (stat(file.wanted.c_str(), &old) == 0) (void)chmod(file.staged().c_str(), old.st_mode & 0777);
             if (::rename(file.staged().c_str(), file.wanted.c_str()) == 0) continue;
             Diagnostic d;
@@ -110,10 +111,10 @@ class Stage {
         return errors;
     }
 
-    // Descriptors that are outputs: /dev/fd/N.
+    // Descriptors used as outputs (/dev/fd/N).
     [[nodiscard]] const std::set<int>& descriptors() const { return descriptors_; }
 
-    // The child is not the one to clean up.
+    // In the child: leaves the cleanup to the parent.
     void forget() { files_.clear(); }
 
  private:
@@ -121,8 +122,7 @@ class Stage {
     std::set<int> descriptors_;
 };
 
-// Of the files that the program which started this one left open, the child gets the standard streams and
-// `kept`.
+// Of the descriptors that this process inherited, the child gets only the standard streams and `kept`.
 void close_others(const std::set<int>& kept) {
     unsigned from = STDERR_FILENO + 1;
     for (const int descriptor : kept) {
@@ -143,7 +143,7 @@ sigset_t awaited_signals() {
     return set;
 }
 
-// Until the child has ended. Signals that would end this process go to the child.
+// Waits until the child has ended, and forwards signals that would end this process to the child.
 void await(pid_t child, const sigset_t& signals) {
     for (;;) {
         siginfo_t ended{};
@@ -155,8 +155,8 @@ void await(pid_t child, const sigset_t& signals) {
     }
 }
 
-// Ends all processes that the child has left behind: the sandbox lets none of them leave the child's group.
-// Returns how the child ended, as waitpid() tells it.
+// Ends all processes that the child has left behind; the sandbox prevents them from leaving the child's
+// process group. Returns the child's status in the form of waitpid().
 int end_group(pid_t child) {
     kill(-child, SIGKILL);
     int status = 0;
@@ -213,13 +213,13 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
         report({no_sandbox(std::string("no process can be started: ") + std::strerror(errno), {})});
         return ExitCode::failed;
     }
-    setpgid(child, child);  // here and in the child: one of them is the first
+    setpgid(child, child);  // called in parent and child, because either may run first
     if (child > 0) {
         await(child, signals);
         return conclude(end_group(child), stage);
     }
 
-    // The terminal takes its group for one in the background, which may write all the same.
+    // The child's process group is in the background for the terminal, but must be able to write to it.
     std::signal(SIGTTOU, SIG_IGN);
     close_others(stage.descriptors());
     stage.rename(needs.outputs);
@@ -227,7 +227,7 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
-    // Drivers keep machine code there, which later runs would execute: what runs in here must not write it.
+    // Drivers cache machine code there, which later runs execute, so the sandboxed process must not write it.
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     setenv("__GL_SHADER_DISK_CACHE", "0", 1);
     if (Status s = lock_this_process(rules); !s) {

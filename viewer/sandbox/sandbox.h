@@ -1,7 +1,7 @@
-// Purpose: `--sandbox`: the rest of a command runs in a child process that can open only what its graph and
-// scene may open and what the driver needs, has no network, and writes nothing but the files that the command
-// line names. Linux only, with Landlock and seccomp; docs/SECURITY.md says what it keeps out.
-// Errors: X595, this kernel has no sandbox: nothing runs then. X596, the child crashed.
+// Purpose: `--sandbox`: runs the rest of a command in a child process with restricted rights. It can open
+// only the files of its graph and scene and those of the driver, has no network access, and writes only the
+// files named on the command line. Linux only, with Landlock and seccomp; docs/SECURITY.md describes the
+// protection. Errors: X595, this kernel has no sandbox: nothing runs. X596, the child crashed.
 #pragma once
 
 #include <functional>
@@ -14,15 +14,16 @@
 namespace weft::viewer {
 
 struct SandboxNeeds {
-    std::vector<std::string> read;      // files, and folders with all below them; empty ones are passed over
+    std::vector<std::string> read;      // files, and folders with all files below them; empty entries are
+                                        // ignored
     std::vector<std::string> inputs;    // of these, the files that no output may replace
-    std::vector<std::string*> outputs;  // files to write; empty: none
-    bool device = false;                // Vulkan
+    std::vector<std::string*> outputs;  // files to write; empty entries are ignored
+    bool device = false;                // true if the command uses Vulkan
 };
 
-// Starts the child. There it returns nothing, and the outputs are renamed: they lie in folders of their own,
-// so that no other file beside them is in reach. Here it waits, moves what was written to where it belongs,
-// and returns the exit code. Call it while there is one thread.
+// Starts the child. In the child it returns nullopt, and the outputs have new names: each lies in a folder of
+// its own, so that the child cannot reach other files beside it. The parent waits, moves the written files to
+// their destinations, and returns the exit code. Call this while there is only one thread.
 [[nodiscard]] std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs);
 
 }  // namespace weft::viewer

@@ -1,5 +1,5 @@
-// The half of the sandbox that says which system calls there are: a seccomp filter, a list of what a render
-// needs. Everything else fails with EPERM: sockets, mounts, other processes, new namespaces, kernel modules.
+// The system call part of the sandbox: a seccomp filter that allows the calls needed to render. All others
+// fail with EPERM: sockets, mounts, other processes, new namespaces, kernel modules.
 #include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
@@ -31,7 +31,7 @@ constexpr uint32_t kProcessor = AUDIT_ARCH_AARCH64;
 constexpr uint32_t kProcessor = 0;
 #endif
 
-// Files that Landlock judges, and descriptors.
+// Files, which Landlock controls, and descriptors.
 constexpr long kFileCalls[] = {SYS_read,
                                SYS_write,
                                SYS_readv,
@@ -89,7 +89,7 @@ constexpr long kFileCalls[] = {SYS_read,
 constexpr long kMemoryCalls[] = {SYS_mmap,    SYS_munmap, SYS_mprotect,   SYS_mremap,
                                  SYS_madvise, SYS_msync,  SYS_mincore,    SYS_mlock,
                                  SYS_munlock, SYS_brk,    SYS_membarrier, SYS_get_mempolicy};
-// Threads, and the processes that this one starts.
+// Threads, and child processes.
 constexpr long kThreadCalls[] = {SYS_futex,
                                  SYS_set_robust_list,
                                  SYS_get_robust_list,
@@ -118,16 +118,16 @@ constexpr long kThreadCalls[] = {SYS_futex,
                                  SYS_rt_sigsuspend,
                                  SYS_sigaltstack,
                                  SYS_restart_syscall};
-// Sockets that socketpair() made: none of these names another.
+// Calls on sockets from socketpair(): none of these calls can address another socket.
 constexpr long kSocketCalls[] = {SYS_recvfrom, SYS_shutdown, SYS_getsockopt, SYS_setsockopt};
-// Time, and what this process is.
+// Time, and information about this process.
 constexpr long kOtherCalls[] = {
     SYS_nanosleep, SYS_clock_nanosleep, SYS_clock_gettime, SYS_clock_getres, SYS_gettimeofday, SYS_times,
     SYS_uname,     SYS_sysinfo,         SYS_getrandom,     SYS_getpid,       SYS_getppid,      SYS_gettid,
     SYS_getuid,    SYS_geteuid,         SYS_getgid,        SYS_getegid,      SYS_getresuid,    SYS_getresgid,
     SYS_getgroups, SYS_getpgid,         SYS_getsid,        SYS_capget};
 #if defined(__x86_64__)
-// Older forms of these.
+// Older forms of calls above.
 constexpr long kOldCalls[] = {SYS_stat,   SYS_lstat,      SYS_access, SYS_readlink, SYS_rename,
                               SYS_unlink, SYS_mkdir,      SYS_pipe,   SYS_dup2,     SYS_poll,
                               SYS_select, SYS_epoll_wait, SYS_time,   SYS_getpgrp,  SYS_arch_prctl,
@@ -140,7 +140,7 @@ constexpr uint32_t word_of(size_t argument) {
     return static_cast<uint32_t>(offsetof(seccomp_data, args) + 8 * argument);
 }
 constexpr uint32_t upper_word_of(size_t argument) {
-    return word_of(argument) + 4;  // both processors are little-endian
+    return word_of(argument) + 4;  // both supported processors are little-endian
 }
 
 class Filter {
@@ -162,7 +162,8 @@ class Filter {
         answer(call, SECCOMP_RET_ALLOW);
     }
 
-    // `call` is refused if `test` (BPF_JEQ, BPF_JSET) with a word of an argument is true; or unless it is.
+    // Refuses `call` if `test` (BPF_JEQ, BPF_JSET) is true for a word of an argument; refuse_unless() does
+    // the opposite.
     void refuse_if(long call, uint32_t word, uint16_t test, uint32_t value) {
         std::vector<sock_filter> block{loaded(word), jump(test, value, 0, 1), end(refused(EPERM)),
                                        loaded(offsetof(seccomp_data, nr))};
@@ -173,14 +174,14 @@ class Filter {
                                        loaded(offsetof(seccomp_data, nr))};
         only_for(call, block);
     }
-    // As above, for `word` without the bits that are not in `mask`.
+    // As above, but compares only the bits of `word` in `mask`.
     void refuse_unless_masked(long call, uint32_t word, uint32_t mask, uint32_t value) {
         std::vector<sock_filter> block{loaded(word), sock_filter{BPF_ALU | BPF_AND | BPF_K, 0, 0, mask},
                                        jump(BPF_JEQ, value, 1, 0), end(refused(EPERM)),
                                        loaded(offsetof(seccomp_data, nr))};
         only_for(call, block);
     }
-    // open(…, O_RDONLY | O_TRUNC) cuts a file off without asking for the right to write.
+    // open(…, O_RDONLY | O_TRUNC) truncates a file without requesting write access.
     void refuse_truncating_reads(long call, size_t flags) {
         std::vector<sock_filter> block{
             loaded(word_of(flags)), sock_filter{BPF_ALU | BPF_AND | BPF_K, 0, 0, O_ACCMODE | O_TRUNC},
@@ -188,7 +189,7 @@ class Filter {
         only_for(call, block);
     }
 
-    // The rest is refused. 0, or the error.
+    // Refuses all other calls and installs the filter. Returns 0, or the error.
     int install() {
         code_.push_back(end(refused(EPERM)));
         const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
@@ -229,44 +230,46 @@ class Filter {
     std::vector<sock_filter> code_;
 };
 
-// Calls that are fine with some arguments.
+// Calls that are allowed with some arguments only.
 void add_judged_calls(Filter& filter, int landlock_version) {
-    // Threads and children, in the namespaces that there are. The flags of clone3 lie in memory: glibc then
-    // takes clone.
+    // Threads and children are allowed, new namespaces are not. The filter cannot read the flags of clone3,
+    // which are in memory; glibc uses clone if clone3 is missing.
     filter.answer(SYS_clone3, Filter::refused(ENOSYS));
     filter.refuse_if(SYS_clone, word_of(0), BPF_JSET,
                      CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER |
                          CLONE_NEWPID | CLONE_NEWNET);
     filter.allow(SYS_clone);
-    // A pair of sockets that know only each other. Datagram sockets could send to others by name.
+    // socketpair() creates two sockets that are connected only to each other. Datagram sockets are refused,
+    // because they can send to other sockets by name.
     filter.refuse_unless(SYS_socketpair, word_of(0), BPF_JEQ, AF_UNIX);
     filter.refuse_unless_masked(SYS_socketpair, word_of(1), 0xf, SOCK_STREAM);
     filter.allow(SYS_socketpair);
     filter.refuse_unless(SYS_sendto, word_of(4), BPF_JEQ, 0);
     filter.refuse_unless(SYS_sendto, upper_word_of(4), BPF_JEQ, 0);
     filter.allow(SYS_sendto);
-    // A descriptor can be told to send signals to any process of the user when something happens to it.
+    // Setting an owner would make a descriptor send signals to any process of the user.
     for (const uint32_t owner : {F_SETOWN, F_SETOWN_EX, F_SETSIG})
         filter.refuse_if(SYS_fcntl, word_of(1), BPF_JEQ, owner);
     filter.allow(SYS_fcntl);
     for (const uint32_t owner : {FIOSETOWN, SIOCSPGRP})
         filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, owner);
-    // Nothing is typed into the user's terminal.
+    // Prevents typing into the user's terminal.
     constexpr uint32_t kTypeLinux = 0x541C;  // TIOCLINUX
     filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, TIOCSTI);
     filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, kTypeLinux);
     filter.allow(SYS_ioctl);
-    // The limits of this process only.
+    // Only the limits of this process may be changed.
     filter.refuse_unless(SYS_prlimit64, word_of(0), BPF_JEQ, 0);
     filter.allow(SYS_prlimit64);
-    // From version 6 on, Landlock keeps signals inside. Before, a process signals itself.
+    // From version 6 on, Landlock restricts signals. With older versions, a process may signal only itself.
     if (landlock_version < 6)
         filter.refuse_unless(SYS_tgkill, word_of(0), BPF_JEQ, static_cast<uint32_t>(getpid()));
     filter.allow(SYS_tgkill);
     if (landlock_version >= 6) filter.allow(SYS_kill);
     if (landlock_version < 3) filter.refuse_truncating_reads(SYS_openat, 2);
     filter.allow(SYS_openat);
-    filter.answer(SYS_openat2, Filter::refused(ENOSYS));  // its flags lie in memory
+    filter.answer(SYS_openat2, Filter::refused(ENOSYS));  // its flags are in memory, where the filter cannot
+                                                          // read them
 #if defined(__x86_64__)
     if (landlock_version < 3) filter.refuse_truncating_reads(SYS_open, 1);
     filter.allow(SYS_open);

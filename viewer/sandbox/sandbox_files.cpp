@@ -1,4 +1,4 @@
-// The half of the sandbox that says which files may be opened: Landlock, since Linux 5.13.
+// The file part of the sandbox, with Landlock (since Linux 5.13).
 #include <fcntl.h>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
@@ -14,7 +14,7 @@
 namespace weft::viewer {
 namespace {
 
-// Debian 12's header knows the second version of Landlock; the kernel may know more.
+// Debian 12's header defines version 2 of Landlock; the kernel may support newer versions.
 constexpr uint64_t kTruncate = 1ull << 14;       // version 3
 constexpr uint64_t kDeviceControl = 1ull << 15;  // version 5
 constexpr uint64_t kTcp = 3;                     // version 4: bind and connect
@@ -29,11 +29,11 @@ constexpr uint64_t kRun = LANDLOCK_ACCESS_FS_EXECUTE;
 constexpr uint64_t kWriteFile = LANDLOCK_ACCESS_FS_WRITE_FILE | kTruncate;
 constexpr uint64_t kWriteFolder =
     kReadFolder | kWriteFile | LANDLOCK_ACCESS_FS_MAKE_REG | LANDLOCK_ACCESS_FS_REMOVE_FILE;
-// The rights that can be given for a single file.
+// The rights that apply to a single file.
 constexpr uint64_t kOfFiles = kReadFile | kRun | kWriteFile | kDeviceControl;
 
 RulesetAttributes handled_by(int version) {
-    RulesetAttributes all{(1ull << 13) - 1, 0, 0};  // the first version has 13 rights
+    RulesetAttributes all{(1ull << 13) - 1, 0, 0};  // version 1 has 13 rights
     if (version >= 2) all.files |= LANDLOCK_ACCESS_FS_REFER;
     if (version >= 3) all.files |= kTruncate;
     if (version >= 4) all.tcp = kTcp;
@@ -46,7 +46,7 @@ size_t attribute_bytes(int version) {
     return version >= 6 ? 24 : version >= 4 ? 16 : 8;
 }
 
-// 0, or the error.
+// Returns 0, or the error.
 int allow(int ruleset, const std::filesystem::path& path, uint64_t rights) {
     const int opened = open(path.c_str(), O_PATH | O_CLOEXEC);
     if (opened < 0) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;
@@ -58,7 +58,7 @@ int allow(int ruleset, const std::filesystem::path& path, uint64_t rights) {
     const long failed = syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &attributes, 0u);
     const int error = failed == 0 ? 0 : errno;
     close(opened);
-    // Pipes and sockets that were handed over have no place in a file system, and need no rule.
+    // Inherited pipes and sockets are not in a file system and need no rule.
     return error == EBADFD ? 0 : error;
 }
 

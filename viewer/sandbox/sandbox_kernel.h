@@ -1,6 +1,6 @@
-// Purpose: what the kernel offers to lock this process up in: Landlock for files, seccomp for system calls.
-// No library beyond libc. Both hold for all threads and processes that this one starts, for good. Errors:
-// X595, the kernel or the processor has no such thing, or refuses it.
+// Purpose: restricts this process with the kernel's means: Landlock for files, seccomp for system calls,
+// without a library beyond libc. The restrictions are permanent and apply to all threads and child processes.
+// Errors: X595, the kernel or the processor does not support them, or refuses them.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,16 @@
 
 namespace weft::viewer {
 
-// What may be opened. Folders stand for all that is below them. Files that are not there are passed over.
+// The files that may be opened. A folder includes all files below it. Missing files are ignored.
 struct OpenRules {
     std::vector<std::filesystem::path> read;     // files and folders
-    std::vector<std::filesystem::path> run;      // folders of libraries, and programs: read and executed
-    std::vector<std::filesystem::path> write;    // folders in which files are made, written and removed
-    std::vector<std::filesystem::path> devices;  // device files and folders of them: read, written, ioctl
+    std::vector<std::filesystem::path> run;      // folders of libraries, and programs: may be read and
+                                                 // executed
+    std::vector<std::filesystem::path> write;    // folders in which files may be created, written and removed
+    std::vector<std::filesystem::path> devices;  // device files and folders of them: read, write, ioctl
 };
 
-// Call it while there is one thread.
+// Call this while there is only one thread.
 [[nodiscard]] Status lock_this_process(const OpenRules& rules);
 
 }  // namespace weft::viewer

@@ -1,4 +1,4 @@
-// Purpose: the two halves of lock_this_process(), files and system calls, and what they share.
+// Purpose: the two parts of lock_this_process(), for files and system calls, and shared functions.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace weft::viewer {
 
-// Of Landlock; 0: the kernel has none.
+// The version of Landlock; 0: the kernel does not support it.
 [[nodiscard]] int landlock_version();
 [[nodiscard]] Status restrict_files(const OpenRules& rules);
-// After restrict_files(): what Landlock of this version lets through by other ways is closed here.
+// Call this after restrict_files(). It also refuses system calls that would bypass this version of Landlock.
 [[nodiscard]] Status restrict_calls(int landlock_version);
 
-// X595.
+// Builds the error X595.
 [[nodiscard]] Diagnostic no_sandbox(const std::string& why, const std::string& help);
 
 }  // namespace weft::viewer

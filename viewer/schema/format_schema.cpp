@@ -19,7 +19,7 @@ Json reference(const std::string& definition) {
     return {{kRef, kDefinitions + definition}};
 }
 
-// What a kind of pass or resource allows, of the keys that all kinds together have.
+// Restricts the keys that exist for all kinds of passes or resources to those that this kind allows.
 void complete_kind(const FormatWords& kind, Json& definitions) {
     const Json& all = definitions.at(kind.kind_of).at("properties");
     Json& definition = definitions[kind.place];
@@ -36,7 +36,7 @@ void complete_kind(const FormatWords& kind, Json& definitions) {
     definition["required"] = kind.required;
 }
 
-// "rgba16f", or several of them with "|" between.
+// "rgba16f", or several formats separated by "|".
 Json format_choice(const std::vector<std::string>& names) {
     std::string one;
     for (const std::string& name : names) one += (one.empty() ? "(" : "|") + name;
@@ -75,7 +75,7 @@ void add_words(Json& definitions) {
     }
 }
 
-// Where a thing lies over one that is there: no key is required, and null removes.
+// Schema forms for patches of existing objects: no key is required, and null removes a member.
 class PatchForms {
  public:
     explicit PatchForms(Json& definitions) : definitions_(definitions) {}
@@ -112,8 +112,8 @@ class PatchForms {
     std::string of_definition(const std::string& name) {
         const auto known = names_.find(name);
         if (known != names_.end()) return known->second;
-        names_[name] =
-            name + ".patch";  // for kinds, which refer to what has all keys, and the other way round
+        names_[name] = name + ".patch";  // the form for one kind refers to the form with all keys, and the
+                                         // other way round
         const Json strict = definitions_.at(name);
         Json form = of(strict);
         const std::string form_name = form == strict ? name : name + ".patch";
@@ -137,7 +137,7 @@ class PatchForms {
     std::map<std::string, std::string> names_;
 };
 
-// The sections of a file that includes others lie over theirs.
+// In a file that includes others, each section is a patch of the included sections.
 void add_patches(Json& schema) {
     Json& definitions = schema["definitions"];
     PatchForms forms(definitions);

@@ -1,6 +1,6 @@
-// Purpose: the graph format as a JSON schema (draft-07), for editors and validators: schema/format.json,
-// which describes each key, completed by the words that the parser knows and by forms in which parts of
-// things are allowed, for tiers and including files.
+// Purpose: the graph format as a JSON schema (draft-07), for editors and validators. It consists of
+// schema/format.json, which describes each key, the words known to the parser, and additional forms for
+// patches in tiers and including files.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace weft::viewer {
 
-// schema/format.json. What stands as {} in its definitions is filled in.
+// The content of schema/format.json. Definitions that are {} there are filled in by format_schema().
 [[nodiscard]] std::string_view described_format();
 
-// The schema of all graphs: graphs/weft.schema.json.
+// The schema of all graphs, which is stored as graphs/weft.schema.json.
 [[nodiscard]] std::string format_schema();
 
 }  // namespace weft::viewer

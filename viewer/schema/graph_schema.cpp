@@ -15,7 +15,7 @@ Json one_of(const Names& names) {
     return {{"enum", names}};
 }
 
-// "(a|b)"; for no names what nothing matches.
+// The regular expression "(a|b)"; without names, an expression that nothing matches.
 std::string any_of(const Names& names) {
     if (names.empty()) return "(?!)";
     std::string text;
@@ -23,7 +23,7 @@ std::string any_of(const Names& names) {
     return text + ")";
 }
 
-// A name alone, which editors propose, or with more behind it.
+// Either a plain name, which editors suggest, or a longer reference that starts with one.
 Json reference_to(const Names& resources, const Names& passes) {
     const std::string more = "(@" + any_of(passes) + kWordEnds +
                              "|\\[-([1-9]|1[0-6])\\]|\\.(mip|layer)\\(.+\\)|\\.(depth|stencil))";
@@ -31,7 +31,7 @@ Json reference_to(const Names& resources, const Names& passes) {
              {one_of(resources), {{"type", "string"}, {"pattern", "^" + any_of(resources) + more + "+$"}}}}};
 }
 
-// Ports: the keys of an object, or what a list's references begin with.
+// Ports: the keys of an object, or the beginnings of references in a list.
 Json ports(const Names& names) {
     return {{"propertyNames", one_of(names)}, {"items", {{"pattern", "^" + any_of(names) + kWordEnds}}}};
 }

@@ -1,4 +1,4 @@
-// Purpose: the schema of one graph: that of all graphs, in which its own names are the ones to choose from.
+// Purpose: the schema of one graph: the schema of all graphs, with this graph's own names as choices.
 #pragma once
 
 #include <string>

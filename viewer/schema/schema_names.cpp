@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr uint32_t kPortSet = 1;
-constexpr int kMostFolders = 3;        // below the graph's own
-constexpr size_t kMostFiles = 10'000;  // looked at, for graphs that lie in large folders
+constexpr int kMostFolders = 3;        // depth below the graph's folder
+constexpr size_t kMostFiles = 10'000;  // limit on files examined, for graphs in large folders
 
 ShaderRoots shader_roots(const SchemaOptions& options) {
     const fs::path shipped = shipped_root() / "shaders";
@@ -120,7 +120,7 @@ class NameGatherer {
             if (!constant.name.starts_with("HAS_")) pass.constants.insert(constant.name);
     }
 
-    // Null: there is no such shader, or it is no good.
+    // Null: the shader does not exist or does not compile.
     const ShaderProgram* compiled(const std::string& type, const std::string& shader) {
         std::optional<ProgramKind> kind;
         if (type == "compute") kind = ProgramKind::compute;

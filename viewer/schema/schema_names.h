@@ -1,6 +1,6 @@
-// Purpose: the names that a graph gives and the ones that its shaders ask for, gathered from the file as it
-// is and from each of its tiers. Faults don't matter: what a file says so far is what its author's editor can
-// use. Errors: those of reading (W001 to W005, W126, W127).
+// Purpose: collects the names that a graph declares and those that its shaders use, from the file without a
+// tier and with each tier. Faults are ignored, so that the schema is useful while the file is being edited.
+// Errors: those of reading (W001 to W005, W126, W127).
 #pragma once
 
 #include <map>
@@ -12,19 +12,20 @@
 
 namespace weft::viewer {
 
-// What a pass may bind, as its shader or its C++ type says.
+// The names that a pass may bind, from its shader or its C++ type.
 struct PassNames {
     std::set<std::string> in, out;
     std::set<std::string> params, constants;
-    std::set<std::string> attachments;  // the outputs that the graph itself gives it
-    bool is_open = false;               // a tier's shader can't be read: nobody knows what it binds
+    std::set<std::string> attachments;  // outputs declared by the graph itself
+    bool is_open = false;               // true if a shader cannot be read in some tier, so that any name is
+                                        // accepted
 };
 
 struct GraphNames {
     std::set<std::string> resources, draw_lists, params, tiers;
     std::map<std::string, PassNames> passes;
     std::set<std::string> compute_shaders, fullscreen_shaders,
-        raster_shaders;  // beside the graph, or shipped
+        raster_shaders;  // in the graph's folder, or supplied with Weft
 };
 
 [[nodiscard]] Result<GraphNames> gather_names(const SchemaOptions& options);
