@@ -92,7 +92,7 @@ shared::FrameConstants scene_constants(const scene::Scene& scene) {
 
 shared::Light gpu_light(const scene::Light& scene_light, double time_s) {
     scene::Light light = scene_light;
-    (void)scene::mend(light);  // light_warnings() has said what was wrong
+    (void)scene::clamp_light(light);  // light_warnings() has said what was wrong
     shared::Light gpu{};
     gpu.position = scene::position_at(light, time_s);
     gpu.range_m = light.range_m;
@@ -130,7 +130,7 @@ std::vector<shared::Light> gpu_lights(std::span<const scene::Light> scene_lights
 
 shared::LightFunction gpu_light_function(const scene::LightFunction& scene_function) {
     scene::LightFunction function = scene_function;
-    (void)scene::mend(function);
+    (void)scene::clamp_light_function(function);
     const auto length = [&](float x) {
         return function.parallel ? x : std::tan(std::clamp(x, -kSteepest_rad, kSteepest_rad));
     };

@@ -1,4 +1,4 @@
-#include "render/left_out.h"
+#include "render/unsupported_report.h"
 
 #include <algorithm>
 #include <set>
@@ -34,7 +34,7 @@ std::string names_of(const std::set<uint32_t>& materials, const scene::Scene& sc
     return names;
 }
 
-Diagnostics lights_left_out(const FramePlan& plan, const scene::Scene& scene) {
+Diagnostics report_lights(const FramePlan& plan, const scene::Scene& scene) {
     const auto lights = static_cast<uint64_t>(
         std::ranges::count_if(scene.lights, [](const scene::Light& light) { return light.intensity > 0; }));
     Diagnostics warnings;
@@ -57,7 +57,7 @@ Diagnostics lights_left_out(const FramePlan& plan, const scene::Scene& scene) {
     return warnings;
 }
 
-Diagnostics transparent_left_out(const FramePlan& plan, const scene::Scene& scene) {
+Diagnostics report_transparent(const FramePlan& plan, const scene::Scene& scene) {
     const std::set<std::string> drawn = drawn_lists(plan);
     if (drawn.empty() || drawn.contains("transparent")) return {};
     std::set<uint32_t> materials;
@@ -81,9 +81,9 @@ Diagnostics transparent_left_out(const FramePlan& plan, const scene::Scene& scen
 
 }  // namespace
 
-Diagnostics left_out_by(const FramePlan& plan, const scene::Scene& scene) {
-    Diagnostics warnings = transparent_left_out(plan, scene);
-    for (Diagnostic& warning : lights_left_out(plan, scene)) warnings.push_back(std::move(warning));
+Diagnostics report_unsupported(const FramePlan& plan, const scene::Scene& scene) {
+    Diagnostics warnings = report_transparent(plan, scene);
+    for (Diagnostic& warning : report_lights(plan, scene)) warnings.push_back(std::move(warning));
     return warnings;
 }
 

@@ -10,6 +10,6 @@ namespace weft::render {
 // S155, once: transparent objects, where the plan draws surfaces but no transparent ones. A plan that draws
 // nothing is about something else than the scene. S157: lights that shine, but for which a buffer has no
 // room.
-[[nodiscard]] Diagnostics left_out_by(const FramePlan& plan, const scene::Scene& scene);
+[[nodiscard]] Diagnostics report_unsupported(const FramePlan& plan, const scene::Scene& scene);
 
 }  // namespace weft::render

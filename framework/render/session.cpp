@@ -7,7 +7,7 @@
 #include "render/frame_data.h"
 #include "render/gpu_scene.h"
 #include "render/jitter.h"
-#include "render/left_out.h"
+#include "render/unsupported_report.h"
 #include "scene/model/light_check.h"
 #include "weft/light_list.h"
 #include "weft/render/import_catalog.h"
@@ -85,7 +85,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     session->first_files_ = session->memory_->files();
     session->pipelines_made_between_frames_ = 0;
     for (Diagnostic& warning : scene::light_warnings(scene)) warnings.push_back(std::move(warning));
-    for (Diagnostic& warning : left_out_by(session->plan(), scene)) warnings.push_back(std::move(warning));
+    for (Diagnostic& warning : report_unsupported(session->plan(), scene)) warnings.push_back(std::move(warning));
     return session;
 }
 

@@ -1,5 +1,5 @@
 // The warning about what a graph does not draw.
-#include "render/left_out.h"
+#include "render/unsupported_report.h"
 
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ scene::Scene scene_of(const std::vector<scene::AlphaMode>& modes) {
 constexpr auto kBlend = scene::AlphaMode::blend;
 constexpr auto kMask = scene::AlphaMode::mask;
 
-TEST(LeftOut, TransparentObjectsAreNamedOnce) {
-    const Diagnostics said = left_out_by(plan_that_draws({"opaque", "masked"}),
+TEST(UnsupportedReport, TransparentObjectsAreNamedOnce) {
+    const Diagnostics said = report_unsupported(plan_that_draws({"opaque", "masked"}),
                                          scene_of({kMask, kBlend, kBlend, kBlend, kBlend, kBlend}));
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0].code, "S155");
@@ -46,13 +46,13 @@ TEST(LeftOut, TransparentObjectsAreNamedOnce) {
     EXPECT_EQ(said[0].help.at(0), "--graph graphs/forward.json draws them");
 }
 
-TEST(LeftOut, NothingIsSaidOfWhatIsDrawnOrAbsent) {
-    EXPECT_TRUE(left_out_by(plan_that_draws({"opaque", "transparent"}), scene_of({kBlend})).empty());
-    EXPECT_TRUE(left_out_by(plan_that_draws({"opaque"}), scene_of({kMask})).empty());
-    EXPECT_TRUE(left_out_by(plan_that_draws({}), scene_of({kBlend})).empty()) << "a graph without surfaces";
+TEST(UnsupportedReport, NothingIsSaidOfWhatIsDrawnOrAbsent) {
+    EXPECT_TRUE(report_unsupported(plan_that_draws({"opaque", "transparent"}), scene_of({kBlend})).empty());
+    EXPECT_TRUE(report_unsupported(plan_that_draws({"opaque"}), scene_of({kMask})).empty());
+    EXPECT_TRUE(report_unsupported(plan_that_draws({}), scene_of({kBlend})).empty()) << "a graph without surfaces";
 }
 
-TEST(LeftOut, LightsWithoutRoomAreCountedWhereTheyShine) {
+TEST(UnsupportedReport, LightsWithoutRoomAreCountedWhereTheyShine) {
     FramePlan plan;
     plan.graph.passes.resize(1);
     plan.graph.passes[0].type = "light_upload";
@@ -65,9 +65,9 @@ TEST(LeftOut, LightsWithoutRoomAreCountedWhereTheyShine) {
     scene::Scene scene;
     scene.lights.resize(3);
     scene.lights[1].intensity = 0;
-    EXPECT_TRUE(left_out_by(plan, scene).empty());
+    EXPECT_TRUE(report_unsupported(plan, scene).empty());
     scene.lights[1].intensity = 1;
-    const Diagnostics said = left_out_by(plan, scene);
+    const Diagnostics said = report_unsupported(plan, scene);
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0].code, "S157");
     EXPECT_EQ(said[0].message, "the scene has 3 lights; \"lights\" holds the first 2 of them");

@@ -34,11 +34,11 @@ TEST(LightCheck, GoodLightsStayAsTheyAre) {
     light.half_size_m = {1, 2};
     light.range_m = 5;
     light.side = {0, 1, 0};
-    EXPECT_EQ(mend(light), "");
+    EXPECT_EQ(clamp_light(light), "");
     EXPECT_EQ(light.half_size_m, glm::vec2(1, 2));
     EXPECT_EQ(light.side, glm::vec3(0, 1, 0));
     LightFunction function;
-    EXPECT_EQ(mend(function), "");
+    EXPECT_EQ(clamp_light_function(function), "");
 }
 
 TEST(LightCheck, BadOnesAreMendedAndNamed) {
@@ -68,9 +68,9 @@ TEST(LightCheck, BadOnesAreMendedAndNamed) {
         Light light;
         light.type = LightType::spot;
         faults[i](light);
-        EXPECT_NE(mend(light), "") << i;
+        EXPECT_NE(clamp_light(light), "") << i;
         EXPECT_TRUE(drawable(light)) << i;
-        EXPECT_EQ(mend(light), "") << i << ": once is enough";
+        EXPECT_EQ(clamp_light(light), "") << i << ": once is enough";
     }
 }
 
@@ -81,8 +81,8 @@ TEST(LightCheck, BadFunctionsAreMended) {
     function.softness = 0;
     function.reach_m = 0;
     function.picture_half_size = {0, kNan};
-    EXPECT_NE(mend(function), "");
-    EXPECT_EQ(mend(function), "");
+    EXPECT_NE(clamp_light_function(function), "");
+    EXPECT_EQ(clamp_light_function(function), "");
     EXPECT_GT(function.reach_m, 0);
 }
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "tests/vulkan/device_fixture.h"
-#include "vulkan/device/one_shot.h"
+#include "vulkan/device/immediate_submit.h"
 #include "weft/vulkan/memory.h"
 #include "weft/vulkan/native.h"
 
@@ -46,7 +46,7 @@ TEST_F(DeviceVk, a_message_names_the_label_it_was_recorded_under) {
     {
         const Buffer buffer = faulty_buffer(*owned);
         const InstanceFunctions& fn = owned->instance_fn();
-        const Status status = submit_once(*owned, "a fault", [&](VkCommandBuffer commands) {
+        const Status status = immediate_submit(*owned, "a fault", [&](VkCommandBuffer commands) {
             VkDebugUtilsLabelEXT label{};
             label.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT;
             for (const char* name : {"frame", "light_culling"}) {
@@ -73,7 +73,7 @@ TEST_F(DeviceVk, a_message_without_a_label_names_the_current_pass) {
     {
         const Buffer buffer = faulty_buffer(*owned);
         owned->messages().set_current_pass("shadows");
-        const Status status = submit_once(
+        const Status status = immediate_submit(
             *owned, "a fault", [&](VkCommandBuffer commands) { record_fault(*owned, commands, buffer); });
         ASSERT_TRUE(status.ok()) << to_text(status.errors());
     }
@@ -88,7 +88,7 @@ TEST_F(DeviceVk, a_missing_barrier_is_heard) {
         Result<Buffer> buffer = Buffer::create(*owned, 64, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                                Buffer::Memory::device, "twice written");
         ASSERT_TRUE(buffer.ok());
-        const Status status = submit_once(*owned, "two fills", [&](VkCommandBuffer commands) {
+        const Status status = immediate_submit(*owned, "two fills", [&](VkCommandBuffer commands) {
             owned->fn().vkCmdFillBuffer(commands, buffer->handle(), 0, VK_WHOLE_SIZE, 1);
             owned->fn().vkCmdFillBuffer(commands, buffer->handle(), 0, VK_WHOLE_SIZE, 2);
         });

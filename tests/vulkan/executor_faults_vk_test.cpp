@@ -2,7 +2,7 @@
 // nothing.
 #include "tests/vulkan/executor_fixture.h"
 #include "tests/vulkan/triangle_source.h"
-#include "vulkan/device/one_shot.h"
+#include "vulkan/device/immediate_submit.h"
 
 namespace weft::vk {
 namespace {
@@ -155,7 +155,7 @@ TEST_F(ExecutorFaultsVk, a_frame_that_never_ends_is_a_time_out_that_names_passes
     EXPECT_EQ(finished.errors()[0].code, "V407");
     EXPECT_TRUE(mentions(finished.errors()[0], "read")) << finished.errors()[0].message;
     // The frame was only late. Then the executor may go, and nothing stays behind.
-    ASSERT_TRUE(submit_once(device(), "waiting", [](VkCommandBuffer) {}).ok());
+    ASSERT_TRUE(immediate_submit(device(), "waiting", [](VkCommandBuffer) {}).ok());
 }
 
 TEST_F(ExecutorFaultsVk, a_lost_device_names_the_passes_of_the_frame) {

@@ -139,7 +139,7 @@ TEST_F(ExecutorPassesVk, fullscreen_blends_onto_what_is_there) {
 }
 
 // A pass that leaves out what its shader calls optional still has valid descriptors.
-TEST_F(ExecutorPassesVk, bindings_that_the_graph_leaves_out_have_stand_ins) {
+TEST_F(ExecutorPassesVk, bindings_that_the_graph_leaves_out_have_dummies) {
     write_shader("optional.comp", R"(
         layout(local_size_x = 1) in;
         layout(constant_id = 0) const bool HAS_extra = true;

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "tests/vulkan/executor_fixture.h"
-#include "vulkan/device/one_shot.h"
+#include "vulkan/device/immediate_submit.h"
 
 namespace weft::vk {
 namespace {
@@ -154,7 +154,7 @@ TEST_F(ExecutorQueuesVk, a_frame_that_never_ends_on_any_queue_is_a_time_out) {
     device().fn().vkWaitSemaphores = wait;
     ASSERT_FALSE(finished.ok());
     EXPECT_EQ(finished.errors()[0].code, "V407");
-    ASSERT_TRUE(submit_once(device(), "waiting", [](VkCommandBuffer) {}).ok());
+    ASSERT_TRUE(immediate_submit(device(), "waiting", [](VkCommandBuffer) {}).ok());
 }
 
 TEST_F(ExecutorQueuesVk, half_a_frame_is_the_last_one_and_leaves_nothing_behind) {

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "tests/vulkan/device_fixture.h"
-#include "vulkan/device/one_shot.h"
+#include "vulkan/device/immediate_submit.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {
@@ -40,7 +40,7 @@ std::vector<std::byte> read_back(Device& device, const Image& image, uint32_t mi
                                            Buffer::Memory::readback, "readback");
     EXPECT_TRUE(target.ok());
     const ResourceDecl& decl = image.decl();
-    const Status status = submit_once(device, "reading back", [&](VkCommandBuffer commands) {
+    const Status status = immediate_submit(device, "reading back", [&](VkCommandBuffer commands) {
         VkImageMemoryBarrier2 barrier{};
         barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
         barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -75,7 +75,7 @@ TEST_F(MemoryVk, a_buffer_holds_what_was_uploaded) {
                                            Buffer::Memory::readback, "readback");
     ASSERT_TRUE(buffer.ok() && target.ok());
     ASSERT_TRUE(upload_buffer(device(), *buffer, bytes).ok());
-    const Status status = submit_once(device(), "reading back", [&](VkCommandBuffer commands) {
+    const Status status = immediate_submit(device(), "reading back", [&](VkCommandBuffer commands) {
         const VkBufferCopy region{0, 0, 1000};
         device().fn().vkCmdCopyBuffer(commands, buffer->handle(), target->handle(), 1, &region);
     });

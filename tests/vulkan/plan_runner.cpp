@@ -5,7 +5,7 @@
 #include <cstring>
 #include <span>
 
-#include "vulkan/device/one_shot.h"
+#include "vulkan/device/immediate_submit.h"
 #include "weft/shader/compile_shader.h"
 
 namespace weft::vk {
@@ -44,7 +44,7 @@ std::vector<std::byte> read_buffer(Device& device, const Buffer& buffer) {
         ADD_FAILURE() << to_text(target.errors());
         return {};
     }
-    const Status read = submit_once(device, "reading an import", [&](VkCommandBuffer commands) {
+    const Status read = immediate_submit(device, "reading an import", [&](VkCommandBuffer commands) {
         order_copy(device, commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT);
         const VkBufferCopy copy{0, 0, buffer.size_bytes()};
         device.fn().vkCmdCopyBuffer(commands, buffer.handle(), target->handle(), 1, &copy);

@@ -56,7 +56,7 @@ bool is_unit(const glm::vec3& v) {
     return std::abs(glm::dot(v, v) - 1) < 1e-3f;
 }
 
-void mend_axes(Light& light, Faults& faults) {
+void clamp_axes(Light& light, Faults& faults) {
     if (!is_unit(light.direction)) {
         faults.add("its direction was no unit vector");
         light.direction = unit_or(light.direction, {0, 0, -1});
@@ -67,7 +67,7 @@ void mend_axes(Light& light, Faults& faults) {
     light.side = finite(side) && glm::length(side) > 1e-3f ? glm::normalize(side) : across(light.direction);
 }
 
-void mend_shape(Light& light, Faults& faults) {
+void clamp_shape(Light& light, Faults& faults) {
     if (light.type == LightType::rectangle || light.type == LightType::capsule) {
         const float least = light.type == LightType::rectangle ? kMinHalfSize_m : 0;
         faults.clamp(light.half_size_m.x, least, kMaxHalfSize_m, "its size was out of range");
@@ -79,7 +79,7 @@ void mend_shape(Light& light, Faults& faults) {
                  "its inner cone was not within the outer one");
 }
 
-void mend_place(Light& light, Faults& faults) {
+void clamp_place(Light& light, Faults& faults) {
     if (!within_world(light.position)) {
         faults.add("its position was not finite");
         light.position = glm::vec3(0);
@@ -119,18 +119,18 @@ std::string picture_fault(const LightFunction& function, const Scene& scene, std
 
 }  // namespace
 
-std::string mend(Light& light) {
+std::string clamp_light(Light& light) {
     Faults faults;
-    mend_place(light, faults);
+    clamp_place(light, faults);
     faults.clamp(light.intensity, 0, kMaxIntensity, "its intensity was out of range");
     for (int i = 0; i < 3; ++i) faults.clamp(light.color[i], 0, kMaxFactor, "its colour was out of range");
     faults.clamp(light.range_m, 0, kMaxLength_m, "its range was out of range");
-    mend_axes(light, faults);
-    mend_shape(light, faults);
+    clamp_axes(light, faults);
+    clamp_shape(light, faults);
     return faults.take();
 }
 
-std::string mend(LightFunction& function) {
+std::string clamp_light_function(LightFunction& function) {
     Faults faults;
     for (int i = 0; i < 4; ++i) {
         faults.clamp(function.doors[i], -kMaxLength_m, LightFunction::kNoDoor, "its doors were out of range");
@@ -154,14 +154,14 @@ Diagnostics light_warnings(const Scene& scene) {
     };
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         Light light = scene.lights[i];
-        note("light", i, light.name, mend(light));
+        note("light", i, light.name, clamp_light(light));
         if (light.function != kNone && light.function >= scene.light_functions.size())
             note("light", i, light.name, "its function is none of the scene's");
     }
     std::set<uint32_t> pictures;
     for (size_t i = 0; i < scene.light_functions.size(); ++i) {
         LightFunction function = scene.light_functions[i];
-        note("light function", i, function.name, mend(function));
+        note("light function", i, function.name, clamp_light_function(function));
         note("light function", i, function.name, picture_fault(function, scene, pictures));
     }
     if (faults > kMaxNamed)

@@ -15,8 +15,8 @@ inline constexpr uint32_t kMaxLightPictures = 64;
 
 // Returns a text for users that lists the faults ("its range was negative"); empty when there were none. A
 // light that cannot be corrected gets an intensity of 0.
-[[nodiscard]] std::string mend(Light& light);
-[[nodiscard]] std::string mend(LightFunction& function);
+[[nodiscard]] std::string clamp_light(Light& light);
+[[nodiscard]] std::string clamp_light_function(LightFunction& function);
 
 // One S158 per light that needs a correction; the first few are named.
 [[nodiscard]] Diagnostics light_warnings(const Scene& scene);

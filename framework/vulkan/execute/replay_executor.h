@@ -1,5 +1,5 @@
 // Purpose: the implementation of Executor::create(): runs frames (executor.cpp), and continues the work of a
-// previous executor (succession.cpp).
+// previous executor (executor_handover.cpp).
 #pragma once
 
 #include <array>

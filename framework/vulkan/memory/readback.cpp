@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "vulkan/device/executor_errors.h"
-#include "vulkan/device/one_shot.h"
+#include "vulkan/device/immediate_submit.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {
@@ -110,12 +110,13 @@ Result<ReadbackData> read_image_now(Device& device, const Image& image) {
     Result<Buffer> staging = Buffer::create(device, regions.staging_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                             Buffer::Memory::readback, "reading " + decl.name);
     if (!staging) return staging.take_errors();
-    Status read = submit_once(device, "reading image \"" + decl.name + "\"", [&](VkCommandBuffer commands) {
-        device.fn().vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                           staging->handle(), static_cast<uint32_t>(regions.copies.size()),
-                                           regions.copies.data());
-        host_visibility_barrier(device, commands, staging->handle());
-    });
+    Status read =
+        immediate_submit(device, "reading image \"" + decl.name + "\"", [&](VkCommandBuffer commands) {
+            device.fn().vkCmdCopyImageToBuffer(
+                commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging->handle(),
+                static_cast<uint32_t>(regions.copies.size()), regions.copies.data());
+            host_visibility_barrier(device, commands, staging->handle());
+        });
     if (!read) return read.take_errors();
     ReadbackData data;
     data.format = decl.format;

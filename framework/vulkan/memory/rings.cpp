@@ -11,7 +11,7 @@ Rings::Rings(const FramePlan& plan) {
     all_.resize(resources.size());
     roles_.resize(resources.size());
     written_.resize(resources.size());
-    carried_.resize(resources.size());
+    inherited_.resize(resources.size());
     for (ResourceId id = 0; id < resources.size(); ++id) {
         const ResourceDecl& decl = resources[id];
         if (decl.ring == kNoId) continue;
@@ -46,19 +46,19 @@ uint64_t Rings::period(const PassDecl& pass) const {
     return period;
 }
 
-void Rings::carry_over(const Rings& old, uint64_t frames, const TransitionPlan& transition) {
+void Rings::inherit(const Rings& old, uint64_t frames, const TransitionPlan& transition) {
     for (const CarryOver& carry : transition.carried) {
         const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
         if (transition.keeps_validity[ring] == 0 || old.written_[old_ring] == 0) continue;
         // If the history is longer than in the old plan, only as many past frames are valid as the old plan
         // kept.
-        carried_[ring] = std::min<uint64_t>(frames + old.carried_[old_ring], old.roles_[old_ring].size() - 1);
+        inherited_[ring] = std::min<uint64_t>(frames + old.inherited_[old_ring], old.roles_[old_ring].size() - 1);
     }
 }
 
 bool Rings::valid(ResourceId role, uint64_t frame) const {
     const ResourceId ring = all_[role].ring;
-    return ring != kNoId && written_[ring] != 0 && frame + carried_[ring] >= all_[role].age;
+    return ring != kNoId && written_[ring] != 0 && frame + inherited_[ring] >= all_[role].age;
 }
 
 }  // namespace weft::vk

@@ -23,7 +23,7 @@ class Rings {
     // The number of frames after which the pass uses the same copies again.
     [[nodiscard]] uint64_t period(const PassDecl& pass) const;
     // Adds the frames that `old` has written, for rings whose content the transition keeps.
-    void carry_over(const Rings& old, uint64_t frames, const TransitionPlan& transition);
+    void inherit(const Rings& old, uint64_t frames, const TransitionPlan& transition);
     // True if a pass has written the content of `role` by this frame.
     [[nodiscard]] bool valid(ResourceId role, uint64_t frame) const;
 
@@ -35,7 +35,7 @@ class Rings {
     std::vector<Role> all_;                       // index: ResourceId
     std::vector<std::vector<ResourceId>> roles_;  // indexed by ring, then age
     std::vector<uint8_t> written_;                // index: ring; 1 if a live pass writes it
-    std::vector<uint64_t> carried_;               // index: ring; number of frames written before frame 0
+    std::vector<uint64_t> inherited_;               // index: ring; number of frames written before frame 0
 };
 
 }  // namespace weft::vk

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "vulkan/device/one_shot.h"
+#include "vulkan/device/immediate_submit.h"
 #include "vulkan/device/to_vk.h"
 #include "weft/vulkan/memory.h"
 
@@ -122,7 +122,7 @@ Status copy_from_staging(Device& device, const std::string& what, uint64_t size_
         Buffer::create(device, size_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Buffer::Memory::upload, what);
     if (!staging) return staging.take_errors();
     fill(staging->mapped());
-    return submit_once(device, what, [&](VkCommandBuffer commands) { record(commands, *staging); });
+    return immediate_submit(device, what, [&](VkCommandBuffer commands) { record(commands, *staging); });
 }
 
 }  // namespace

@@ -35,9 +35,9 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
         if (!view) return view.take_errors();
         info = {VK_NULL_HANDLE, *view, to_vk(use->state.layout)};
     } else {
-        Result<VkDescriptorImageInfo> stand_in = sources.stand_ins.image(binding);
-        if (!stand_in) return stand_in.take_errors();
-        info = *stand_in;
+        Result<VkDescriptorImageInfo> dummy = sources.dummies.image(binding);
+        if (!dummy) return dummy.take_errors();
+        info = *dummy;
     }
     if (binding.kind != BindingKind::sampled_image) return info;
     const bool integer = binding.numeric == NumericClass::sint || binding.numeric == NumericClass::uint;
@@ -57,9 +57,9 @@ Result<VkDescriptorBufferInfo> buffer_info(DescriptorSources& sources, const Use
     if (use != nullptr)
         return VkDescriptorBufferInfo{sources.resources.buffer(use->resource), 0,
                                       sources.plan.graph.resources[use->resource].size_bytes};
-    Result<VkBuffer> stand_in = sources.stand_ins.buffer(binding.block_bytes);
-    if (!stand_in) return stand_in.take_errors();
-    return VkDescriptorBufferInfo{*stand_in, 0, VK_WHOLE_SIZE};
+    Result<VkBuffer> dummy = sources.dummies.buffer(binding.block_bytes);
+    if (!dummy) return dummy.take_errors();
+    return VkDescriptorBufferInfo{*dummy, 0, VK_WHOLE_SIZE};
 }
 
 Status add_binding(DescriptorSources& sources, const PassDecl& pass, const ShaderBinding& binding,

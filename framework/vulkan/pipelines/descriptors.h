@@ -7,10 +7,10 @@
 #include <array>
 
 #include "vulkan/memory/views.h"
+#include "vulkan/pipelines/dummy_descriptors.h"
 #include "vulkan/pipelines/params.h"
 #include "vulkan/pipelines/pass_layout.h"
 #include "vulkan/pipelines/samplers.h"
-#include "vulkan/pipelines/stand_ins.h"
 
 namespace weft::vk {
 
@@ -23,7 +23,7 @@ struct DescriptorSources {
     const ParamsMemory& params;
     ViewCache& views;
     SamplerCache& samplers;
-    StandIns& stand_ins;
+    DummyDescriptors& dummies;
 };
 
 // Number of sets that one pass needs from the pool.

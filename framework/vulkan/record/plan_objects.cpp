@@ -102,7 +102,7 @@ Status prepare_turn(Device& device, PlanObjects& objects, uint32_t position, con
                     uint64_t frame) {
     PreparedPass& prepared = objects.passes[position];
     const DescriptorSources sources{objects.plan,  {objects.resources, frame}, objects.params,
-                                    objects.views, objects.samplers,           objects.stand_ins};
+                                    objects.views, objects.samplers,           objects.dummies};
     Result<SlotSets> sets =
         make_port_sets(device, objects.pool.get(), sources, position, interface, prepared.layout);
     if (!sets) return sets.take_errors();

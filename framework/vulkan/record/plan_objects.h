@@ -35,7 +35,7 @@ struct PreparedPass {
 // Cannot be moved: its parts refer to each other.
 struct PlanObjects {
     PlanObjects(Device& device, FramePlan frame_plan)
-        : plan(std::move(frame_plan)), views(device, plan, resources), samplers(device), stand_ins(device) {}
+        : plan(std::move(frame_plan)), views(device, plan, resources), samplers(device), dummies(device) {}
     PlanObjects(const PlanObjects&) = delete;
     PlanObjects& operator=(const PlanObjects&) = delete;
 
@@ -46,7 +46,7 @@ struct PlanObjects {
     ResourceTable resources;
     ViewCache views;
     SamplerCache samplers;
-    StandIns stand_ins;
+    DummyDescriptors dummies;
     ParamsMemory params;
     UploadMemory uploads;
     ReadbackMemory readbacks;

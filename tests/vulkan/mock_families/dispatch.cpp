@@ -8,7 +8,7 @@ namespace weft::mock_families {
 namespace {
 
 // Begins with the pointer that the loader wants to find, and set, in every dispatchable handle.
-struct StandIn {
+struct MockQueue {
     const void* loader_data = nullptr;
     VkQueue real = VK_NULL_HANDLE;
 };
@@ -16,7 +16,7 @@ struct StandIn {
 struct DeviceEntry {
     PFN_vkGetDeviceProcAddr next = nullptr;
     DeviceFunctions functions;
-    std::array<StandIn, kFamilyCount> queues;
+    std::array<MockQueue, kFamilyCount> queues;
 };
 
 // A layer has no object of its own to keep state in: the loader calls plain functions.
@@ -95,14 +95,14 @@ const DeviceFunctions& functions_of(const void* dispatchable) {
     return device_entry(dispatchable).functions;
 }
 
-VkQueue stand_in_queue(VkDevice device, uint32_t family, VkQueue real) {
-    StandIn& queue = device_entry(device).queues.at(family);
+VkQueue mock_queue(VkDevice device, uint32_t family, VkQueue real) {
+    MockQueue& queue = device_entry(device).queues.at(family);
     queue = {key_of(device), real};
     return reinterpret_cast<VkQueue>(&queue);
 }
 
-VkQueue real_queue(VkQueue stand_in) {
-    return reinterpret_cast<StandIn*>(stand_in)->real;
+VkQueue real_queue(VkQueue mock) {
+    return reinterpret_cast<MockQueue*>(mock)->real;
 }
 
 }  // namespace weft::mock_families

@@ -44,7 +44,7 @@ struct InstanceFunctions {
 [[nodiscard]] const DeviceFunctions& functions_of(const void* dispatchable);
 
 // The queue that stands for the driver's `real` one in this family.
-[[nodiscard]] VkQueue stand_in_queue(VkDevice device, uint32_t family, VkQueue real);
-[[nodiscard]] VkQueue real_queue(VkQueue stand_in);
+[[nodiscard]] VkQueue mock_queue(VkDevice device, uint32_t family, VkQueue real);
+[[nodiscard]] VkQueue real_queue(VkQueue mock);
 
 }  // namespace weft::mock_families

@@ -97,7 +97,7 @@ VKAPI_ATTR void VKAPI_CALL destroy_device(VkDevice device, const VkAllocationCal
 VKAPI_ATTR void VKAPI_CALL get_queue(VkDevice device, uint32_t family, uint32_t, VkQueue* queue) {
     VkQueue real = VK_NULL_HANDLE;
     functions_of(device).vkGetDeviceQueue(device, kRealFamily, 0, &real);
-    *queue = stand_in_queue(device, family, real);
+    *queue = mock_queue(device, family, real);
 }
 
 VKAPI_ATTR void VKAPI_CALL get_queue2(VkDevice device, const VkDeviceQueueInfo2* info, VkQueue* queue) {

@@ -1,4 +1,4 @@
-#include "vulkan/execute/carry_over.h"
+#include "vulkan/execute/transition_record.h"
 
 #include <algorithm>
 
@@ -61,8 +61,8 @@ void copy(const Device& device, VkCommandBuffer commands, const Images& images) 
                                copies.data());
 }
 
-void record_carried(const Device& device, VkCommandBuffer commands, const CarryOver& carry,
-                    const PlanSide& from, const PlanSide& to) {
+void record_carry_over(const Device& device, VkCommandBuffer commands, const CarryOver& carry,
+                       const PlanSide& from, const PlanSide& to) {
     const ResourceDecl& decl = to.plan.graph.resources[carry.to];
     if (decl.kind == ResourceKind::buffer) {
         const VkBufferCopy region{0, 0, decl.size_bytes};
@@ -81,7 +81,7 @@ void record_transition(const Device& device, VkCommandBuffer commands, const Tra
                        const PlanSide& from, const PlanSide& to) {
     record_barriers(device, commands, transition.before_old, from.plan, from.resources);
     record_barriers(device, commands, transition.before, to.plan, to.resources);
-    for (const CarryOver& carry : transition.carried) record_carried(device, commands, carry, from, to);
+    for (const CarryOver& carry : transition.carried) record_carry_over(device, commands, carry, from, to);
     record_first_content(device, commands, to.plan, to.resources, transition.cleared);
     record_barriers(device, commands, transition.after, to.plan, to.resources);
 }

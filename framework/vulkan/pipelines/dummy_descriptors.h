@@ -11,9 +11,9 @@
 
 namespace weft::vk {
 
-class StandIns {
+class DummyDescriptors {
  public:
-    explicit StandIns(Device& device) : device_(&device) {}
+    explicit DummyDescriptors(Device& device) : device_(&device) {}
 
     // A view of one texel (six for cubes), and its layout after record_layouts() has run; the caller adds the
     // sampler.

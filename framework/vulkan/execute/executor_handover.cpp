@@ -3,9 +3,9 @@
 #include <cassert>
 #include <iterator>
 
-#include "vulkan/device/one_shot.h"
-#include "vulkan/execute/carry_over.h"
+#include "vulkan/device/immediate_submit.h"
 #include "vulkan/execute/replay_executor.h"
+#include "vulkan/execute/transition_record.h"
 #include "vulkan/record/clears.h"
 #include "weft/compile.h"
 
@@ -31,7 +31,7 @@ Status ReplayExecutor::take_over(Predecessor predecessor) {
         lost_ = quiet.errors();
         return quiet;
     }
-    objects_->resources.rings.carry_over(old.objects_->resources.rings, old.frames_run_,
+    objects_->resources.rings.inherit(old.objects_->resources.rings, old.frames_run_,
                                          predecessor.transition);
     // The program's own data has one copy per slot, which frames of the old executor may still read.
     frames_begun_ = old.frames_begun_;
@@ -52,14 +52,14 @@ Status ReplayExecutor::be_followed(const FramePlan& next) {
 
 // Records the initial state of an executor that is replaced before its first frame.
 Status ReplayExecutor::start_without_frame() {
-    Status started = submit_once(device_, "the first contents of persistent resources",
-                                 [&](VkCommandBuffer commands) { record_start(commands); });
+    Status started = immediate_submit(device_, "the first contents of persistent resources",
+                                      [&](VkCommandBuffer commands) { record_start(commands); });
     if (!started) return started;
     return retire_predecessor();
 }
 
 void ReplayExecutor::record_start(VkCommandBuffer commands) const {
-    objects_->stand_ins.record_layouts(commands);
+    objects_->dummies.record_layouts(commands);
     if (!predecessor_) return record_prologue(device_, commands, objects_->plan, objects_->resources);
     const ReplayExecutor& old = executor_of(*predecessor_);
     record_transition(device_, commands, predecessor_->transition,

@@ -1,4 +1,4 @@
-#include "vulkan/pipelines/stand_ins.h"
+#include "vulkan/pipelines/dummy_descriptors.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 namespace weft::vk {
 namespace {
 
-Format stand_in_format(const ShaderBinding& binding) {
+Format dummy_format(const ShaderBinding& binding) {
     if (binding.storage_format != Format::undefined) return binding.storage_format;
     if (binding.shadow) return Format::d16;
     switch (binding.numeric) {
@@ -23,17 +23,17 @@ Format stand_in_format(const ShaderBinding& binding) {
     return Format::rgba8;
 }
 
-ImageKind stand_in_kind(const ShaderBinding& binding) {
+ImageKind dummy_kind(const ShaderBinding& binding) {
     if (binding.dim == ImageDim::d3) return ImageKind::d3;
     if (binding.dim == ImageDim::cube) return binding.arrayed ? ImageKind::cube_array : ImageKind::cube;
     return binding.arrayed ? ImageKind::d2_array : ImageKind::d2;
 }
 
-ResourceDecl stand_in_decl(const ShaderBinding& binding) {
+ResourceDecl dummy_decl(const ShaderBinding& binding) {
     ResourceDecl decl;
     decl.name = "stand-in for " + binding.name;
-    decl.image_kind = stand_in_kind(binding);
-    decl.format = stand_in_format(binding);
+    decl.image_kind = dummy_kind(binding);
+    decl.format = dummy_format(binding);
     decl.layers = binding.dim == ImageDim::cube ? 6 : 1;
     decl.samples = binding.multisampled ? 4 : 1;
     decl.aspects = format_info(decl.format).depth ? aspect::kDepth : aspect::kColor;
@@ -43,8 +43,8 @@ ResourceDecl stand_in_decl(const ShaderBinding& binding) {
 
 }  // namespace
 
-Result<VkDescriptorImageInfo> StandIns::image(const ShaderBinding& binding) {
-    Result<Image> made = Image::create(*device_, stand_in_decl(binding));
+Result<VkDescriptorImageInfo> DummyDescriptors::image(const ShaderBinding& binding) {
+    Result<Image> made = Image::create(*device_, dummy_decl(binding));
     if (!made) return made.take_errors();
     const Image& image = images_.emplace_back(std::move(*made));
     const Layout layout =
@@ -61,7 +61,7 @@ Result<VkDescriptorImageInfo> StandIns::image(const ShaderBinding& binding) {
     return VkDescriptorImageInfo{VK_NULL_HANDLE, image.view(), to_vk(layout)};
 }
 
-Result<VkBuffer> StandIns::buffer(uint64_t size_bytes) {
+Result<VkBuffer> DummyDescriptors::buffer(uint64_t size_bytes) {
     const VkBufferUsageFlags usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     Result<Buffer> made = Buffer::create(*device_, std::max<uint64_t>(size_bytes, 256), usage,
                                          Buffer::Memory::device, "stand-in buffer");
@@ -69,7 +69,7 @@ Result<VkBuffer> StandIns::buffer(uint64_t size_bytes) {
     return buffers_.emplace_back(std::move(*made)).handle();
 }
 
-void StandIns::record_layouts(VkCommandBuffer commands) const {
+void DummyDescriptors::record_layouts(VkCommandBuffer commands) const {
     if (first_layouts_.empty()) return;
     VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     info.imageMemoryBarrierCount = static_cast<uint32_t>(first_layouts_.size());

@@ -11,7 +11,7 @@
 namespace weft::vk {
 
 // `what` names the work in messages: "reading image \"output\"".
-[[nodiscard]] Status submit_once(Device& device, const std::string& what,
-                                 const std::function<void(VkCommandBuffer)>& record);
+[[nodiscard]] Status immediate_submit(Device& device, const std::string& what,
+                                      const std::function<void(VkCommandBuffer)>& record);
 
 }  // namespace weft::vk
