@@ -26,7 +26,7 @@ namespace weft::render {
 // What is the same in every frame: the sky or the environment.
 [[nodiscard]] shared::FrameConstants scene_constants(const scene::Scene& scene);
 
-// Of any numbers: what is out of range is mended, see scene/light_check.h.
+// Clamps numbers that are out of range: see scene/light_check.h.
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
 // Without area and function.
 [[nodiscard]] bool is_plain(const shared::Light& light);

@@ -1,4 +1,4 @@
-// Whatever numbers a program puts into a light, what is drawn of it is finite; and it is told.
+// A light with invalid numbers is clamped to drawable ones, and a warning tells so.
 #include "scene/model/light_check.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(LightCheck, GoodLightsStayAsTheyAre) {
     EXPECT_EQ(clamp_light_function(function), "");
 }
 
-TEST(LightCheck, BadOnesAreMendedAndNamed) {
+TEST(LightCheck, BadOnesAreClampedAndNamed) {
     const std::array<std::function<void(Light&)>, 16> faults{
         [](Light& l) { l.intensity = kNan; },
         [](Light& l) { l.intensity = kInfinity; },
@@ -74,7 +74,7 @@ TEST(LightCheck, BadOnesAreMendedAndNamed) {
     }
 }
 
-TEST(LightCheck, BadFunctionsAreMended) {
+TEST(LightCheck, BadFunctionsAreClamped) {
     LightFunction function;
     function.doors = glm::vec4(kNan);
     function.curve = {kNan, -1, kInfinity, 1};

@@ -1,5 +1,5 @@
-// Purpose: corrects lights from files and programs so that they can be drawn: finite values within the ranges
-// below, cones of at most 90°, unit vectors. Units: those of scene.h.
+// Purpose: clamps the numbers of a light, which a file or a program may set to anything: finite values within
+// the ranges below, cones of at most 90°, unit vectors. Units: as in scene.h.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ inline constexpr uint32_t kMaxLightPictures = 64;
 [[nodiscard]] std::string clamp_light(Light& light);
 [[nodiscard]] std::string clamp_light_function(LightFunction& function);
 
-// One S158 per light that needs a correction; the first few are named.
+// S158 for each light and function of the scene with a fault. The first few are named, the rest is counted.
 [[nodiscard]] Diagnostics light_warnings(const Scene& scene);
 
 }  // namespace weft::scene
