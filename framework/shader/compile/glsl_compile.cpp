@@ -78,7 +78,7 @@ Result<GlslOutcome> StageCompiler::run_worker(ShaderStage stage, const SourceTex
     spent_ms_ += static_cast<uint64_t>((worker_->used() - before).count());
     std::optional<GlslOutcome> outcome = answer ? outcome_of(std::move(*answer)) : std::nullopt;
     if (outcome) return std::move(*outcome);
-    if (worker_->end() == WorkerEnd::running) worker_->give_up_on();
+    if (worker_->end() == WorkerEnd::running) worker_->kill();
     Diagnostic fault = stopped(stage, source, time_ms);
     worker_.reset();
     return fault;
@@ -102,7 +102,7 @@ Diagnostic StageCompiler::stopped(ShaderStage stage, const SourceText& source, u
                              "split the graph, " + raise_limit_text("shader.graphMs"));
             return fault("takes more than " + std::to_string(limits_.stage_ms) + " ms of processor time",
                          "look for macros and loops without end, " + raise_limit_text("shader.stageMs"));
-        case WorkerEnd::babbled:
+        case WorkerEnd::protocol_error:
             return fault("gives more than " + limit_bytes_text(limits_.spirv_bytes) + " of SPIR-V, or none",
                          "make it smaller, " + raise_limit_text("shader.spirvBytes"));
         case WorkerEnd::crashed:

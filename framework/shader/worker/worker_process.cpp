@@ -95,15 +95,15 @@ WorkerProcess::~WorkerProcess() {
     kill_for(WorkerEnd::running);
 }
 
-void WorkerProcess::give_up_on() {
-    kill_for(WorkerEnd::babbled);
+void WorkerProcess::kill() {
+    kill_for(WorkerEnd::protocol_error);
 }
 
 // If the worker ended by itself, its exit status replaces `reason`.
 void WorkerProcess::kill_for(WorkerEnd reason) {
     if (pid_ < 0) return;
     close(socket_);
-    kill(pid_, SIGKILL);
+    ::kill(pid_, SIGKILL);
     int status = 0;
     rusage usage{};
     while (wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) {
@@ -222,13 +222,13 @@ std::optional<Message> WorkerProcess::receive() {
     if (!read_exactly(header.data(), header.size())) return std::nullopt;
     const uint64_t bytes = payload_bytes(header);
     if (bytes > limits_.spirv_bytes + kFrameSlackBytes) {
-        give_up_on();
+        kill();
         return std::nullopt;
     }
     std::string payload(bytes, '\0');
     if (!read_exactly(payload.data(), payload.size())) return std::nullopt;
     std::optional<Message> message = parse_payload(payload);
-    if (!message) give_up_on();
+    if (!message) kill();
     return message;
 }
 

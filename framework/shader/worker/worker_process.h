@@ -20,7 +20,7 @@
 
 namespace weft::shader {
 
-enum class WorkerEnd : uint8_t { running, out_of_memory, out_of_time, crashed, babbled };
+enum class WorkerEnd : uint8_t { running, out_of_memory, out_of_time, crashed, protocol_error };
 
 class WorkerProcess {
  public:
@@ -44,7 +44,7 @@ class WorkerProcess {
     [[nodiscard]] int signal() const { return signal_; }  // signal of a crash; 0: the worker exited normally
 
     // Kills the worker after it sent an invalid message.
-    void give_up_on();
+    void kill();
 
  private:
     WorkerProcess(pid_t pid, int socket, const ShaderLimits& limits)
