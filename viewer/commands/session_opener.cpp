@@ -131,17 +131,17 @@ Result<OpenSession> SessionOpener::open_checked() {
             : render::Session::create(*device_, *scene_, input, warnings, &files_);
     if (!options_.quiet) report(warnings);
     if (session) return OpenSession{std::move(device_), std::move(*session)};
-    can_be_mended_ = exit_code_for(session.errors()) == ExitCode::invalid_input;
+    is_fixable_ = exit_code_for(session.errors()) == ExitCode::invalid_input;
     return session.take_errors();
 }
 
 Result<OpenSession> SessionOpener::open() {
-    can_be_mended_ = false;
+    is_fixable_ = false;
     files_.clear();
     if (Status s = expect_scene(options_.scene); !s) return s.take_errors();
     Status good = check_graph();
     if (good) return open_checked();
-    can_be_mended_ = true;
+    is_fixable_ = true;
     return good.take_errors();
 }
 

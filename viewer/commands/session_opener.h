@@ -23,8 +23,8 @@ class SessionOpener {
     // Warnings go to stderr. With many attempts it may be called again after an error; never after a success.
     [[nodiscard]] Result<OpenSession> open();
 
-    // After an error: an edit of files() may mend it.
-    [[nodiscard]] bool can_be_mended() const { return can_be_mended_; }
+    // After an error: an edit of files() may fix it.
+    [[nodiscard]] bool is_fixable() const { return is_fixable_; }
     // What was looked at of the graph, its includes and its shaders, whether it is there or not. Absolute
     // paths.
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
@@ -41,7 +41,7 @@ class SessionOpener {
     scene::Camera camera_;
     std::unique_ptr<vk::Device> device_;
     std::set<std::filesystem::path> files_;
-    bool can_be_mended_ = false;
+    bool is_fixable_ = false;
 };
 
 }  // namespace weft::viewer
