@@ -7,6 +7,7 @@
 #include "graph/parse/debug_view.h"
 #include "viewer/commands/scene_source.h"
 #include "viewer/files/files.h"
+#include "viewer/output/report.h"
 #include "weft/load/load_graph.h"
 #include "weft/registry.h"
 #include "weft/render/import_catalog.h"

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "viewer/commands/session_opener.h"
+#include "viewer/output/report.h"
 #include "weft/render/file_watch.h"
 
 namespace weft::viewer {
