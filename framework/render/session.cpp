@@ -85,7 +85,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     session->first_files_ = session->memory_->files();
     session->pipelines_made_between_frames_ = 0;
     for (Diagnostic& warning : scene::light_warnings(scene)) warnings.push_back(std::move(warning));
-    for (Diagnostic& warning : report_unsupported(session->plan(), scene)) warnings.push_back(std::move(warning));
+    for (Diagnostic& warning : report_unsupported(session->plan(), scene))
+        warnings.push_back(std::move(warning));
     return session;
 }
 

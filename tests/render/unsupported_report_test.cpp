@@ -35,7 +35,7 @@ constexpr auto kMask = scene::AlphaMode::mask;
 
 TEST(UnsupportedReport, TransparentObjectsAreNamedOnce) {
     const Diagnostics said = report_unsupported(plan_that_draws({"opaque", "masked"}),
-                                         scene_of({kMask, kBlend, kBlend, kBlend, kBlend, kBlend}));
+                                                scene_of({kMask, kBlend, kBlend, kBlend, kBlend, kBlend}));
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0].code, "S155");
     EXPECT_EQ(said[0].severity, Severity::warning);
@@ -49,7 +49,8 @@ TEST(UnsupportedReport, TransparentObjectsAreNamedOnce) {
 TEST(UnsupportedReport, NothingIsSaidOfWhatIsDrawnOrAbsent) {
     EXPECT_TRUE(report_unsupported(plan_that_draws({"opaque", "transparent"}), scene_of({kBlend})).empty());
     EXPECT_TRUE(report_unsupported(plan_that_draws({"opaque"}), scene_of({kMask})).empty());
-    EXPECT_TRUE(report_unsupported(plan_that_draws({}), scene_of({kBlend})).empty()) << "a graph without surfaces";
+    EXPECT_TRUE(report_unsupported(plan_that_draws({}), scene_of({kBlend})).empty())
+        << "a graph without surfaces";
 }
 
 TEST(UnsupportedReport, LightsWithoutRoomAreCountedWhereTheyShine) {

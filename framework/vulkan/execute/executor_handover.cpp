@@ -31,8 +31,7 @@ Status ReplayExecutor::take_over(Predecessor predecessor) {
         lost_ = quiet.errors();
         return quiet;
     }
-    objects_->resources.rings.inherit(old.objects_->resources.rings, old.frames_run_,
-                                         predecessor.transition);
+    objects_->resources.rings.inherit(old.objects_->resources.rings, old.frames_run_, predecessor.transition);
     // The program's own data has one copy per slot, which frames of the old executor may still read.
     frames_begun_ = old.frames_begun_;
     predecessor_ = std::move(predecessor);

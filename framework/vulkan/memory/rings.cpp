@@ -52,7 +52,8 @@ void Rings::inherit(const Rings& old, uint64_t frames, const TransitionPlan& tra
         if (transition.keeps_validity[ring] == 0 || old.written_[old_ring] == 0) continue;
         // If the history is longer than in the old plan, only as many past frames are valid as the old plan
         // kept.
-        inherited_[ring] = std::min<uint64_t>(frames + old.inherited_[old_ring], old.roles_[old_ring].size() - 1);
+        inherited_[ring] =
+            std::min<uint64_t>(frames + old.inherited_[old_ring], old.roles_[old_ring].size() - 1);
     }
 }
 

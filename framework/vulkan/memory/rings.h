@@ -35,7 +35,7 @@ class Rings {
     std::vector<Role> all_;                       // index: ResourceId
     std::vector<std::vector<ResourceId>> roles_;  // indexed by ring, then age
     std::vector<uint8_t> written_;                // index: ring; 1 if a live pass writes it
-    std::vector<uint64_t> inherited_;               // index: ring; number of frames written before frame 0
+    std::vector<uint64_t> inherited_;             // index: ring; number of frames written before frame 0
 };
 
 }  // namespace weft::vk
