@@ -1,4 +1,4 @@
-// The rules of Vulkan's dependencies, one by one, on records made by hand.
+// Tests the rules of Vulkan's dependencies one by one, on hand-made records.
 #include "check/ordering.h"
 
 #include <gtest/gtest.h>
@@ -132,7 +132,7 @@ TEST(Ordering, ATransitionIsDoneWhenItsDestinationStarts) {
     EXPECT_FALSE(record.ordered_before(stage::kComputeShader));
 }
 
-// What a record answers about every stage.
+// The record's results for every stage.
 std::vector<bool> answers(const AccessRecord& record) {
     std::vector<bool> all;
     for (int s = 0; s < stage::kCount; ++s) {
@@ -170,7 +170,7 @@ TEST(Ordering, FollowingALogIsPassingItsBatchesOneByOne) {
             for (size_t i = 0; i <= random() % 3; ++i)
                 batch.add(
                     last = scopes(few_stages(), access::kStorageWrite, few_stages(), access::kSampledRead));
-            // Now and then a barrier is on the memory of one record.
+            // Sometimes a barrier affects the memory of one record.
             const size_t touched =
                 random() % 2 == 0 && !by_log.empty() ? random() % by_log.size() : by_log.size();
             for (size_t i = 0; i < by_log.size(); ++i) {

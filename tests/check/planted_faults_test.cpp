@@ -1,4 +1,4 @@
-// A sound plan, broken in one way at a time: the checker must say so, naming both passes and the resource.
+// Breaks a sound plan in one way at a time: the checker must report it, naming both passes and the resource.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace weft::test {
 namespace {
 
-// make → blur → sharpen → shade → show, where later images take over the memory of earlier ones; a mip chain;
-// and a depth buffer that is tested by two passes.
+// make → blur → sharpen → shade → show, in which later images reuse the memory of earlier ones; also a mip
+// chain, and a depth buffer that two passes test against.
 const char* const kGraph = R"j(
  "imports": {"backbuffer": "output", "opaque": "drawlist"},
  "resources": {"a": "rgba16f", "b": "rgba16f", "c": "rgba16f", "d": "rgba16f", "chain": {"format": "rgba16f", "mips": 3},
@@ -65,7 +65,7 @@ class PlantedFault : public ResolveTest {
         EXPECT_GT(dropped, 0u) << "no barrier on " << on << " before " << before;
     }
 
-    // Some fault must speak of all of these.
+    // At least one fault must mention all of these names.
     void expect_fault(std::initializer_list<const char*> names) {
         const Diagnostics faults = check_plan(plan);
         const bool found = std::any_of(faults.begin(), faults.end(), [&](const Diagnostic& d) {
@@ -139,7 +139,7 @@ TEST_F(PlantedFault, LivePlacementsOverlap) {
     expect_fault({"a", "b", "make", "blur"});
 }
 
-// The first hand-over between two resources within one frame, and its barrier.
+// The first alias barrier between two resources within one frame.
 TEST_F(PlantedFault, HandOverDropped) {
     for (PassStep& s : plan.barriers.steps) {
         for (size_t i = 0; i < s.barriers.size(); ++i) {
@@ -179,7 +179,7 @@ TEST_F(PlantedFault, WrapAroundHandOverDropped) {
     FAIL() << "this graph hands no memory over from frame to frame";
 }
 
-// "tint" overwrites d while nothing makes it wait for a reader that the schedule puts before it.
+// "tint" overwrites d, but no edge makes it wait for a reader that the schedule puts before it.
 TEST_F(PlantedFault, WarEdgeDropped) {
     const char* const war = R"j(
      "imports": {"backbuffer": "output"}, "resources": {"x": "rgba16f", "y": "rgba16f"},

@@ -1,4 +1,4 @@
-// Two passes that draw over one another in one rendering scope, broken in one way at a time.
+// Two passes draw on top of each other in one rendering scope; each test breaks the plan in one way.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class ScopeFault : public testing::Test {
         return *std::find_if(uses.begin(), uses.end(), [port](const UseDecl& u) { return u.port == port; });
     }
 
-    // Some fault with this code speaks of both passes and says `what`.
+    // At least one fault with this code must name both passes and contain `what`.
     void expect_fault(const char* code, const std::string& what) {
         const Diagnostics faults = check_plan(plan);
         const bool found = std::any_of(faults.begin(), faults.end(), [&](const Diagnostic& d) {
@@ -63,7 +63,7 @@ TEST_F(ScopeFault, NoneInTheSoundPlan) {
     EXPECT_TRUE(faults.empty()) << to_text(faults);
 }
 
-// Without the scope the two barriers that it made needless are missing.
+// Without the shared scope, two barriers that it replaced are missing.
 TEST_F(ScopeFault, ScopeDropped) {
     step("second").continues_scope = false;
     expect_fault("C310", "\"target\"");
@@ -129,14 +129,14 @@ TEST_F(ScopeFault, StoredByNobody) {
     EXPECT_EQ(faults.front().code, "C330");
 }
 
-// Only the last pass of a scope stores.
+// Only the last pass of a scope has store operations.
 TEST_F(ScopeFault, NoneWhereTheFirstPassStoresNothing) {
     step("first").attachments.front().store = StoreOp::dont_care;
     const Diagnostics faults = check_plan(plan);
     EXPECT_TRUE(faults.empty()) << to_text(faults);
 }
 
-// Sampling is not drawing: it is not ordered inside a scope.
+// Sampling is not ordered inside a scope; only attachment accesses are.
 TEST_F(ScopeFault, SamplingWhatTheScopeDraws) {
     UseDecl& sampled = use("second", "src");
     sampled.resource = use("second", "color").resource;

@@ -1,4 +1,4 @@
-// An image that one queue family hands to another, in halves that do not match.
+// Ownership transfers of an image between two queue families whose halves do not match.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace weft::test {
 namespace {
 
-// Both mips are made on a compute queue; each is read by a pass of its own, or both by one.
+// Both mips are written on a compute queue; either one pass reads both, or each mip has its own reader.
 FramePlan hand_over(bool one_reader) {
     GraphBuilder b;
     const ResourceId image = b.image("image", Format::r32u, 16, 2);
@@ -49,7 +49,7 @@ TEST(TransferFaults, HalvesOfOtherRanges) {
     for (PassStep& step : plan.barriers.steps) {
         const auto is_half = [](const BarrierDecl& b) { return b.src_family != b.dst_family; };
         if (std::count_if(step.barriers.begin(), step.barriers.end(), is_half) != 2) continue;
-        // As one acquisition of both mips, which neither release is the other half of.
+        // Replaces both acquires by one for both mips, which matches neither release.
         const auto first = std::find_if(step.barriers.begin(), step.barriers.end(), is_half);
         BarrierDecl both = *first;
         std::erase_if(step.barriers, is_half);

@@ -1,5 +1,5 @@
-// From one plan to the next: what is carried over, what starts afresh, and that the checker sees what is
-// wrong.
+// Transitions from one plan to the next: which content is kept, which is cleared, and that the checker finds
+// faults.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -43,7 +43,7 @@ ResourceDecl image(const char* name, const Shape& shape, uint32_t history, Resou
     return decl;
 }
 
-// A picture that blends with its past, and one that is changed in place.
+// A picture that blends with its previous frame, and one that is modified in place.
 FramePlan planned(const Shape& shape, const Shape& kept = {}) {
     ResolvedGraph graph;
     graph.resources = {image("color", shape, 1, 0, 0), image("color[-1]", shape, 1, 0, 1),

@@ -1,6 +1,6 @@
-// The shipped graphs on other Vulkan drivers than the packaged one, under the newest validation layer: no
-// message, and pictures that differ as little as drivers may. tests/drivers/fetch.sh puts drivers and layer
-// below build/drivers.
+// Renders the shipped graphs on Vulkan drivers other than the packaged one, under the newest validation
+// layer: there must be no message, and the pictures may differ only as much as drivers may.
+// tests/drivers/fetch.sh puts drivers and layer below build/drivers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ const fs::path kGraphs = WEFT_SOURCE_DIR "/graphs";
 
 struct Driver {
     const char* name;
-    const char* folder;  // below build/drivers
+    const char* folder;  // folder below build/drivers
 };
 
 constexpr Driver kMesa{"MesaOfBackports", "mesa-backports"};
@@ -32,7 +32,7 @@ void PrintTo(const Driver& driver, std::ostream* out) {
     *out << driver.name;
 }
 
-// A constant that is 3 % too large.
+// Replaces a constant by one that is 3 % too large.
 struct Fault {
     const char *graph, *file, *text, *faulty;
 };
@@ -65,7 +65,7 @@ class Drivers : public testing::TestWithParam<Driver> {
         if (const std::string why = absent(GetParam().folder); !why.empty()) GTEST_SKIP() << why;
     }
 
-    // Why it is not there; empty when it is.
+    // The reason why the driver is missing; empty when it is present.
     static std::string absent(const std::string& folder) {
         if (fs::exists(kDrivers / folder / "icd.json")) return "";
         const std::string reason = read_text(kDrivers / (folder + ".skipped"));
@@ -74,7 +74,7 @@ class Drivers : public testing::TestWithParam<Driver> {
     static Environment environment(const Driver& driver) {
         Environment all{{"VK_DRIVER_FILES", (kDrivers / driver.folder / "icd.json").string()}};
         const fs::path layer = kDrivers / "validation";
-        // Without it the packaged layer judges.
+        // Without this layer the packaged layer is used.
         if (fs::exists(layer / "VkLayer_khronos_validation.json"))
             all.emplace_back("VK_LAYER_PATH", layer.string());
         return all;
@@ -91,7 +91,7 @@ class Drivers : public testing::TestWithParam<Driver> {
         EXPECT_EQ(stats.at("validation").at("layers").size(), 1u);
     }
 
-    // Copies of the shipped graphs that leave out what Vulkan leaves to the driver.
+    // Copies of the shipped graphs without features whose result depends on the driver.
     fs::path snapped(Triangles triangles) const {
         const fs::path folder = scratch_ / "snapped";
         const SnappedShaders changed = write_snapped_graphs(folder, triangles);
@@ -100,7 +100,7 @@ class Drivers : public testing::TestWithParam<Driver> {
         EXPECT_TRUE(changed.has_wide_lines);
         return folder;
     }
-    // The packaged driver's picture.
+    // The picture of the packaged driver.
     fs::path reference(const GoldenView& view, const fs::path& graphs) const {
         const fs::path picture = scratch_ / "reference.png";
         const RunResult result = run_weft(view.render(graphs / (view.graph + ".json"), picture));
@@ -141,7 +141,7 @@ TEST_P(Drivers, SayNothingAtAnySize) {
         }
 }
 
-// Otherwise nothing said that the layer listens.
+// Otherwise the absence of messages would prove nothing.
 TEST_P(Drivers, NameABarrierThatIsLeftOut) {
     const RunResult result = run({"render", "builtin:spheres", "--validate", "--size", "64x36", "--frames",
                                   "2", "-o", scratch_ / "a.png", "--test-drop-barriers", "lighting"});
@@ -157,9 +157,9 @@ TEST_P(Drivers, PassTheTestsOfTheShippedGraphs) {
     EXPECT_EQ(result.exit_code, 0) << result.text();
 }
 
-// These drivers round vertices and filter textures as the packaged one does.
+// Drivers that round vertices and filter textures like the packaged one.
 class DriversLikeThePackagedOne : public Drivers {};
-// These drivers do not, so they draw other graphs: see snapped_graphs.h.
+// Drivers that do not; they render modified graphs, see snapped_graphs.h.
 class DriversOfTheirOwn : public Drivers {};
 
 TEST_P(DriversLikeThePackagedOne, DrawTheGoldens) {
@@ -178,7 +178,7 @@ TEST_P(DriversOfTheirOwn, DrawWhatThePackagedDriverDraws) {
     }
 }
 
-// All triangles are drawn here. A driver that clips one moves its edges, so the bounds at edges do not hold.
+// All triangles are drawn here. Clipping a triangle moves its edges, so the bounds at edges do not apply.
 TEST_P(DriversOfTheirOwn, ShadeWhatReachesBeyondThePicture) {
     if (!has_device()) GTEST_SKIP() << "no packaged driver to compare with";
     const fs::path graphs = snapped(Triangles::all);
@@ -189,7 +189,7 @@ TEST_P(DriversOfTheirOwn, ShadeWhatReachesBeyondThePicture) {
     }
 }
 
-// Shows that the bounds are narrow enough.
+// Shows that the bounds are narrow enough to detect a fault.
 TEST_P(DriversOfTheirOwn, DifferByMoreWithAFault) {
     if (!has_device()) GTEST_SKIP() << "no packaged driver to compare with";
     const fs::path graphs = snapped(Triangles::whole);

@@ -11,13 +11,13 @@ namespace {
 
 using image::Image;
 
-constexpr float kRounding = 0.01f;  // of a step, by the conversions to and from floats
+constexpr float kRounding = 0.01f;  // rounding in 1/255 steps, from conversions to and from floats
 
 struct Range {
     glm::vec3 least{1e9f}, most{-1e9f};
 };
 
-// Of the texels at most `radius` away, in steps.
+// Range of the texels at most `radius` away, in steps.
 Range range_around(const Image& picture, int x, int y, int radius) {
     const int width = static_cast<int>(picture.width_px), height = static_cast<int>(picture.height_px);
     Range range;

@@ -1,6 +1,7 @@
-// Purpose: how far two drivers' pictures of one view differ, where edges are apart from the rest. Drivers may
-// cover a texel at the edge of a triangle or not, and then it shows what a texel beside it shows; elsewhere
-// only rounding differs. Shapes: two display pictures of one size. Units: steps are 1/255 of a channel.
+// Purpose: measures the difference of two drivers' pictures of one view, separately near edges and elsewhere.
+// At the edge of a triangle one driver may cover a texel that another does not; that texel then has the value
+// of a neighbour. Elsewhere only rounding may differ. Shapes: two display pictures of one size. Units: steps
+// are 1/255 of a channel.
 #pragma once
 
 #include <string>
@@ -9,20 +10,21 @@
 
 namespace weft::test {
 
-// Rounding, also that of texture filters and of sRGB decoding, whose precision Vulkan leaves to the driver.
+// Allows for rounding, including that of texture filters and sRGB decoding, whose precision depends on the
+// driver.
 inline constexpr float kSameSteps = 2;
 
 struct DriverDifference {
-    // The largest difference off the edges. Near an edge: the 5×5 texels around span more than twice
-    // kSameSteps in a channel of either picture.
+    // The largest difference that is not near an edge. Near an edge means: the 5×5 texels around the texel
+    // differ by more than twice kSameSteps in a channel of either picture.
     float off_edges_steps = 0;
-    // The share of texels that show what none of the reference's 3×3 texels around shows, by more than
-    // kSameSteps.
+    // The fraction of texels that differ by more than kSameSteps from all of the reference's 3×3 texels
+    // around them.
     double edge_share = 0;
     double mean_flip = 0;
 };
 
-// What drivers that draw the same triangles may differ by.
+// The limit for drivers that draw the same triangles.
 inline constexpr double kMostEdgeShare = 0.001;
 inline constexpr double kMostMeanFlip = 0.005;
 

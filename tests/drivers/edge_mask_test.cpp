@@ -1,4 +1,5 @@
-// The mask that tests on other drivers compare through: it lets an edge move by a texel, and nothing else.
+// The comparison used for tests on other drivers: it must tolerate an edge that moves by a texel, and nothing
+// else.
 #include "tests/drivers/edge_mask.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 namespace weft::test {
 namespace {
 
-// Dark left of `edge_px`, bright from there on.
+// Dark left of `edge_px`, bright from `edge_px` on.
 image::Image two_halves(uint32_t edge_px) {
     image::Image picture{64, 64, image::Encoding::display, {}};
     for (uint32_t i = 0; i < 64 * 64; ++i) picture.texels.emplace_back(i % 64 < edge_px ? 0.2f : 0.8f);

@@ -19,8 +19,8 @@ constexpr const char* kOnGrid = R"(
     }
 )";
 
-// A fragment's value is positive when a corner of its triangle is beyond the picture or before the near
-// plane.
+// Adds a value that is positive in a fragment if a corner of its triangle is outside the picture or before
+// the near plane.
 constexpr const char* kMarkBeyond = R"(
     if (any(greaterThan(abs(unsnapped.xy), vec2(unsnapped.w))) || unsnapped.z > unsnapped.w) beyond_picture = 1.0;
 )";
@@ -59,7 +59,7 @@ std::string read(const fs::path& file) {
     return text.str();
 }
 
-// False when `what` is not there.
+// Returns false if `what` is not in the text.
 bool insert_before(std::string& text, const std::string& what, const std::string& inserted) {
     const size_t found = text.find(what);
     if (found != std::string::npos) text.insert(found, inserted);
@@ -81,7 +81,7 @@ bool snap_vertices(const fs::path& shader, Triangles triangles) {
     std::string text = read(shader);
     const size_t projection = text.find("gl_Position = view.view_projection *");
     if (projection == std::string::npos) return false;
-    // A shadow map has no picture beyond which a triangle could be.
+    // For a shadow map it does not matter whether triangles are clipped.
     const bool marks = triangles == Triangles::whole && shader.filename() != "sun_shadow.vert";
     text.insert(text.find(';', projection) + 1, std::string(kOnGrid) + (marks ? kMarkBeyond : ""));
     const bool has_main = insert_before(text, kMain, "layout(location = 12) out float beyond_picture;\n\n");
@@ -95,7 +95,7 @@ bool filter_exactly(const fs::path& shader) {
     const bool has_main = insert_before(text, kMain, "layout(location = 12) in float beyond_picture;\n\n") &&
                           insert_behind(text, kMain, "\n    if (beyond_picture > 0.0) discard;");
     std::ofstream(shader) << text;
-    // An include is looked up beside its includer first.
+    // Includes are searched beside the including file first.
     std::string surface = read(fs::path(WEFT_SOURCE_DIR) / "shaders/include" / kSurface);
     for (const char* name : {"base_color_texture", "emissive_texture"})
         replace_all(surface, "texture(" + std::string(name), "filtered(" + std::string(name) + ", true");
@@ -118,7 +118,7 @@ bool replace_in(const fs::path& file, const std::string& what, const std::string
 }
 
 SnappedShaders write_snapped_graphs(const fs::path& folder, Triangles triangles) {
-    // A shader's name is looked up beside the graph first.
+    // Shaders are searched beside the graph first.
     fs::copy(WEFT_SOURCE_DIR "/graphs", folder, fs::copy_options::recursive);
     fs::copy(WEFT_SOURCE_DIR "/shaders", folder, fs::copy_options::recursive);
     SnappedShaders changed;

@@ -5,7 +5,7 @@
 namespace weft::fuzz {
 namespace {
 
-// One of `count`, another at every call.
+// A pseudo-random number below `count`; another one at every call.
 class Choices {
  public:
     explicit Choices(uint64_t seed) : state_(seed) {}

@@ -1,5 +1,5 @@
-// Purpose: shaders that fit whatever a graph says of its passes, as interfaces alone, so that a fuzzer gets
-// past the matching of ports to the stages behind it without compiling anything.
+// Purpose: makes shader interfaces that match the passes of any graph. With them a fuzzer can test the stages
+// after the matching of ports without compiling shaders.
 #pragma once
 
 #include "weft/graph_desc.h"
@@ -7,8 +7,8 @@
 
 namespace weft::fuzz {
 
-// By the shader references of the graph's passes. `choices` varies what a port may be in more than one way:
-// storage or sampled images, one kind of output or another.
+// Indexed by the shader references of the graph's passes. `choices` selects among the possible kinds of each
+// port, such as storage or sampled image.
 [[nodiscard]] ShaderCatalog fitting_shaders(const GraphDesc& graph, uint64_t choices);
 
 }  // namespace weft::fuzz

@@ -1,5 +1,5 @@
-// Purpose: bytes as a file, for what reads files: alone in a folder of its own, in memory where there is such
-// a place.
+// Purpose: stores the fuzzer's bytes as the only file of a folder, in memory if possible, for code that reads
+// files.
 #pragma once
 
 #include <unistd.h>

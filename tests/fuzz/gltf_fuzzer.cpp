@@ -1,4 +1,4 @@
-// Bytes as a .gltf or a .glb (its first four bytes tell), with no other file in reach.
+// Loads bytes as a .gltf or a .glb (the first four bytes decide); no other file can be read.
 #include <cstdlib>
 
 #include "tests/fuzz/fuzzed_file.h"
@@ -6,7 +6,7 @@
 
 namespace {
 
-// Far below the program's own, so that what is within them is quick.
+// Much lower than the program's limits, so that accepted inputs are fast.
 weft::scene::SceneLimits small_limits() {
     weft::scene::SceneLimits limits;
     limits.resource_bytes = 16 << 20;
@@ -29,6 +29,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     weft::Diagnostics warnings;
     const weft::Result<weft::scene::Scene> scene =
         weft::scene::load_gltf(file.path(), warnings, small_limits());
-    if (!scene && scene.errors().empty()) std::abort();  // a refusal without a reason
+    if (!scene && scene.errors().empty()) std::abort();  // an error without a reason is a bug
     return 0;
 }

@@ -1,7 +1,7 @@
-// A graph through all stages: read with its includes, merge in each tier, parse, resolve, compile, prove. The
-// input is the graph's text; a line "=== NAME" begins an included file of that name. A plan that the checker
-// refuses is as much a find as a crash: the compiler promises sound plans for whatever resolve() lets
-// through.
+// Takes a graph through all stages: read with its includes, merge in each tier, parse, resolve, compile,
+// check. The input is the graph's text; a line "=== NAME" begins an included file of that name. A plan that
+// the checker rejects is a bug like a crash: the compiler must make sound plans for every graph that
+// resolve() accepts.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -21,7 +21,7 @@
 namespace weft::fuzz {
 namespace {
 
-// The compiler takes more than linear time; what larger graphs cost is the benches' concern.
+// Compile time grows faster than linearly; benchmarks cover the cost of larger graphs.
 constexpr size_t kMostPasses = 200;
 
 DeviceProfile read_profile(const char* name) {
@@ -40,7 +40,7 @@ const std::vector<DeviceProfile>& profiles() {
     return all;
 }
 
-// The names that shipped graphs and the seeds of the corpus import.
+// The imports that shipped graphs and the corpus seeds use.
 ImportCatalog make_imports() {
     ImportCatalog catalog;
     catalog.views = {"camera", "sun"};

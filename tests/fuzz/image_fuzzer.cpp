@@ -1,4 +1,4 @@
-// Bytes as a picture, through every reader that takes one from outside.
+// Decodes bytes as a picture with every reader of untrusted pictures.
 #include <cstdlib>
 #include <span>
 
@@ -11,10 +11,10 @@
 
 namespace {
 
-// Above this, time goes into filling memory.
+// Above this, most of the time is spent filling memory.
 constexpr uint64_t kMostTexels = 1 << 20;
 
-// What a lamp throws: a texture, at the size of all of them.
+// A picture projected by a light: a texture, resized to the common size.
 void show_by_a_light(const weft::scene::DecodedImage& image) {
     constexpr uint64_t kMostForLights = 1 << 14;
     if (image.size.texels() > kMostForLights) return;

@@ -1,5 +1,6 @@
-// Words as a SPIR-V module, through all that a module passes on its way from the compiler or the cache: the
-// gate, spirv-val, reflection. What both gates let through must ask for nothing that is not on the list.
+// Takes words as a SPIR-V module through all checks for modules from the compiler or the cache: the gate,
+// spirv-val, reflection. A module accepted by gate and spirv-val must use only capabilities that are on the
+// list.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -47,7 +48,7 @@ void expect_listed(const std::vector<uint32_t>& words) {
     }
 }
 
-// Where instructions begin, so that most mutants are still modules.
+// The first words of instructions, so that most mutants are still valid modules.
 std::vector<size_t> instructions_of(const std::vector<uint32_t>& words) {
     std::vector<size_t> begins;
     for (size_t at = kHeaderWords; at < words.size() && (words[at] >> 16) != 0; at += words[at] >> 16)
@@ -79,7 +80,7 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t mos
     const size_t operand =
         std::min(begin + 1 + random() % std::max<size_t>(1, end - begin), words.size() - 1);
     switch (random() % 5) {
-        case 0:  // a small change keeps ids and enumerators in range
+        case 0:  // a small change, which keeps ids and enumerators in range
             words[operand] += 1 + random() % 3;
             break;
         case 1:
@@ -94,7 +95,7 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t mos
             words.insert(at(to), copied.begin(), copied.end());
             break;
         }
-        default:  // a capability, where capabilities stand
+        default:  // a capability, inserted where capabilities are allowed
             words.insert(at(kHeaderWords),
                          {(2u << 16) | kCapability, static_cast<uint32_t>(random() % 6200)});
     }

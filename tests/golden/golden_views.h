@@ -1,4 +1,4 @@
-// The views of tests/golden/views.txt, for every test that draws them.
+// The views of tests/golden/views.txt, for all tests that render them.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,8 @@ struct GoldenView {
 
     [[nodiscard]] std::string name() const { return graph + "-" + scene + "-" + camera; }
     [[nodiscard]] std::filesystem::path picture() const;
-    // `weft render` with the view's options, but for `graph_file`. A file of statistics is written beside `picture`.
+    // `weft render` with the view's options, except for `graph_file`. Also writes a statistics file beside
+    // `picture`.
     [[nodiscard]] std::vector<std::string> render(const std::filesystem::path& graph_file,
                                                   const std::filesystem::path& picture) const;
 };

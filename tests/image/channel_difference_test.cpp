@@ -1,4 +1,4 @@
-// PSNR and the largest difference against values made by hand.
+// PSNR and the largest difference, compared with values computed by hand.
 #include "weft/image/channel_difference.h"
 
 #include <gtest/gtest.h>

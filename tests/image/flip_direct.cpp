@@ -17,7 +17,7 @@ Rgb times(const Matrix& m, const Rgb& v) {
     return result;
 }
 
-// By cofactors.
+// Inverse by cofactors.
 Matrix inverse(const Matrix& m) {
     Matrix result;
     for (size_t i = 0; i < 3; ++i)
@@ -32,7 +32,7 @@ Matrix inverse(const Matrix& m) {
     return result;
 }
 
-// From chromaticities: primaries scaled so that together they are white.
+// Computed from chromaticities: primaries are scaled so that their sum is white.
 Matrix rgb_to_xyz() {
     const std::array<std::array<double, 2>, 3> primaries{{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}}};
     Matrix unscaled;
@@ -92,7 +92,7 @@ double redistributed(double distance) {
     return 0.95 + 0.05 * (x - 0.4 * most) / (most - 0.4 * most);
 }
 
-// weight(dx, dy) over a square, its positive part divided by its sum and its negative part by its own.
+// weight(dx, dy) over a square; positive and negative weights are normalised separately.
 struct Square {
     int radius = 0;
     std::vector<double> weights;
@@ -109,7 +109,7 @@ struct Square {
         for (double& w : weights) w /= w > 0 ? positive : negative > 0 ? negative : 1;
     }
 
-    // `value` at a texel, where coordinates outside are moved to the border.
+    // `value` at a texel; coordinates outside are clamped to the border.
     [[nodiscard]] double at(const DirectImage& size, int x, int y,
                             const std::function<double(size_t)>& value) const {
         double sum = 0;
@@ -125,7 +125,7 @@ struct Square {
 };
 
 struct Filters {
-    std::vector<Square> blur;    // Y, Cx, Cz
+    std::vector<Square> blur;    // for Y, Cx, Cz
     std::vector<Square> detect;  // edge along x, along y, point along x, along y
 };
 

@@ -1,5 +1,5 @@
-// FLIP a second time, for the first to be compared with: in double precision, every filter as one sum over a
-// square of texels, and the colour matrix solved from the primaries. Shares no code with framework/image.
+// A second implementation of FLIP, for comparison: in double precision, every filter as one sum over a square
+// of texels, and the colour matrix computed from the primaries. Shares no code with framework/image.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct DirectImage {
 [[nodiscard]] std::vector<double> flip_direct(const DirectImage& reference, const DirectImage& test,
                                               double pixels_per_degree);
 
-// What FLIP of two constant pictures comes to: no filter changes them and they have no features.
+// The FLIP value of two constant pictures: filters do not change them and they have no features.
 [[nodiscard]] double flip_of_constants(const Rgb& reference, const Rgb& test);
 
 }  // namespace weft::image::test

@@ -1,4 +1,4 @@
-// FLIP: closed forms where there are any, and a second implementation where there are none.
+// FLIP, compared with closed forms where they exist, and elsewhere with a second implementation.
 #include "weft/image/flip.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ double worst_gap(const Image& a, const Image& b, float pixels_per_degree) {
     return worst;
 }
 
-// `a` with other texels in a rectangle.
+// `a` with a rectangle of texels from `b`.
 Image patched(Image a, const Image& b, uint32_t left, uint32_t top, uint32_t width, uint32_t height) {
     for (uint32_t y = top; y < top + height; ++y)
         for (uint32_t x = left; x < left + width; ++x)
@@ -49,7 +49,7 @@ TEST(Flip, OfAPictureAndItselfIsZeroEverywhere) {
     EXPECT_EQ(*std::max_element(map.values.begin(), map.values.end()), 0);
 }
 
-// ΔL* is 100, no chroma; 100^0.7 lies behind the knee at 0.4 · 203.3^0.7.
+// ΔL* is 100 without chroma; 100^0.7 is above the knee at 0.4 · 203.3^0.7.
 TEST(Flip, OfBlackAndWhiteIsWhatThePaperNormalizesItTo) {
     const Plane map = flip_map(constant(16, 16, {0, 0, 0}), constant(16, 16, {255, 255, 255}));
     const double most = std::pow(203.3, 0.7), x = std::pow(100.0, 0.7);
@@ -57,7 +57,7 @@ TEST(Flip, OfBlackAndWhiteIsWhatThePaperNormalizesItTo) {
     for (const float error : map.values) EXPECT_NEAR(error, wanted, kTolerance);
 }
 
-// Mid grey 119 has Y = 0.1845 and L* = 50.03, so 50.03^0.7 · 0.95 / (0.4 · 203.3^0.7) before the knee.
+// Mid grey 119 has Y = 0.1845 and L* = 50.03; 50.03^0.7 · 0.95 / (0.4 · 203.3^0.7) is below the knee.
 TEST(Flip, OfBlackAndGreyIsTheClosedForm) {
     const Plane map = flip_map(constant(9, 9, {0, 0, 0}), constant(9, 9, {119, 119, 119}));
     EXPECT_NEAR(map.values[40], 0.95 * std::pow(50.03, 0.7) / (0.4 * std::pow(203.3, 0.7)), kTolerance);
@@ -86,7 +86,8 @@ TEST(Flip, OfNoiseIsWhatTheDirectSumsGive) {
     EXPECT_LT(worst_gap(noise(32, 32, 3), constant(32, 32, {127, 127, 127}), kPixelsPerDegree), kTolerance);
 }
 
-// Noise here and nothing there: features, smooth parts, and kernels that are wider than the picture.
+// Noise in one part and constant colour in another: tests features, smooth areas, and kernels wider than the
+// picture.
 TEST(Flip, OfPartsIsWhatTheDirectSumsGive) {
     const Image a = noise(32, 32, 5), grey = constant(32, 32, {90, 120, 150});
     EXPECT_LT(worst_gap(grey, patched(grey, a, 3, 20, 9, 7), kPixelsPerDegree), kTolerance);
@@ -101,7 +102,7 @@ TEST(Flip, IsTheSameEitherWay) {
     EXPECT_EQ(flip_map(a, b).values, flip_map(b, a).values);
 }
 
-// An edge that one picture lacks is worse than the colour alone says.
+// An edge that only one picture has gives a larger error than the colour difference alone.
 TEST(Flip, SeesThinLinesThatComeAndGo) {
     const Image grey = constant(41, 41, {128, 128, 128});
     const Image line = patched(grey, constant(41, 41, {255, 255, 255}), 20, 0, 1, 41);
@@ -110,7 +111,7 @@ TEST(Flip, SeesThinLinesThatComeAndGo) {
     EXPECT_LT(map.values[20 * 41 + 5], 0.01f);
 }
 
-// What is above 1 looks like 1, and encoding before decoding changes nothing else.
+// Values above 1 look like 1; apart from that, encoding and decoding change nothing.
 TEST(Flip, OfLinearPicturesClampsThem) {
     Image bright = constant(8, 8, {0, 0, 0}), white = bright, dark = bright;
     for (Image* image : {&bright, &white, &dark}) image->encoding = Encoding::linear;
@@ -158,8 +159,8 @@ TEST(ErrorSummary, CountsByHand) {
     EXPECT_EQ(summarize({2, 1, {0, 0}}).weighted_quartiles, (std::array<double, 3>{0, 0, 0}));
 }
 
-// Large pictures are compared in bands: where two of them meet, each texel has the same value as in a picture
-// that is compared at once.
+// Large pictures are compared in bands: texels at the border of two bands must have the same value as without
+// bands.
 TEST(Flip, OfBandsIsThatOfTheWholePicture) {
     constexpr uint32_t kWidth = 32, kHeight = (1 << 19) / kWidth + 300, kMeet = (1 << 19) / kWidth;
     const Image a = noise(kWidth, kHeight, 1), b = noise(kWidth, kHeight, 2);

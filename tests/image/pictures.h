@@ -1,4 +1,4 @@
-// Pictures to compare.
+// Pictures for comparisons.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace weft::image::test {
 
-// 8-bit values.
+// Channels have 8-bit values.
 [[nodiscard]] Image constant(uint32_t width_px, uint32_t height_px, glm::ivec3 rgb);
 
-// 8-bit noise, the same for the same seed everywhere.
+// Noise of 8-bit values; the same seed gives the same noise on every machine.
 [[nodiscard]] Image noise(uint32_t width_px, uint32_t height_px, uint32_t seed);
 
 }  // namespace weft::image::test

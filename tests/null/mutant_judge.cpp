@@ -20,7 +20,7 @@ class Judge {
  public:
     explicit Judge(const FramePlan& plan) : wanted_(run_reference(plan.graph, plan.live)) {}
 
-    // What went wrong, or empty.
+    // A text for the first difference from the expected result, or empty.
     [[nodiscard]] std::string broken(const FramePlan& plan) const {
         for (const NullOptions& options : kOrders) {
             const NullRun found = run_null(plan, options);
@@ -37,8 +37,8 @@ class Judge {
 
 }  // namespace
 
-// The checker is quick; the null executor is asked about all that it lets through, and every `stride`th
-// besides.
+// The checker is fast; the null executor runs all mutants that the checker accepts, and also every `stride`th
+// one.
 void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies) {
     const Judge judge(plan);
     uint32_t turn = 0;

@@ -1,5 +1,6 @@
-// Purpose: two oracles that know nothing of each other judge every broken plan: what the null executor
-// breaks, the checker must have seen. The rest is printed: caught by the checker alone, or redundant to both.
+// Purpose: two independent tools judge every broken plan: if a mutant gives wrong results in the null
+// executor, the checker must have rejected it. The other cases are printed: rejected by the checker alone, or
+// accepted by both.
 #pragma once
 
 #include <array>
@@ -10,16 +11,17 @@ namespace weft::test {
 
 struct Tally {
     uint32_t all = 0;
-    uint32_t caught = 0;     // by the checker
+    uint32_t caught = 0;     // rejected by the checker
     uint32_t asked = 0;      // run by the null executor
-    uint32_t broken = 0;     // by it
-    uint32_t redundant = 0;  // to both
-    uint32_t missed = 0;     // broken, but not caught
+    uint32_t broken = 0;     // with wrong results in the null executor
+    uint32_t redundant = 0;  // accepted by both
+    uint32_t missed = 0;     // wrong results, but not rejected
 };
 using Tallies = std::array<Tally, kMutantKinds>;
 
-// The checker is quick; the null executor runs all that it lets through, and every `stride`th besides. A
-// mutant that is missed fails the test. With WEFT_SHOW_REDUNDANT set, names what nobody needs.
+// The checker is fast; the null executor runs all mutants that the checker accepts, and also every `stride`th
+// one. A missed mutant fails the test. With WEFT_SHOW_REDUNDANT set, the function prints the redundant parts
+// of plans.
 void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies);
 void print(const Tallies& tallies);
 

@@ -1,4 +1,4 @@
-// The null executor's rules, one at a time, on small plans that are sound at first.
+// The rules of the null executor, one at a time, on small plans that are sound before the test changes them.
 #include "null/null_executor.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ std::vector<std::string> broken(const FramePlan& plan) {
     return {};
 }
 
-// "make" writes a, "blur" makes b of it, "tint" makes c of that in the memory of a.
+// "make" writes a, "blur" makes b from a, "tint" makes c from b in the memory of a.
 class NullExecutor : public testing::Test {
  protected:
     NullExecutor() {
@@ -54,7 +54,8 @@ class NullExecutor : public testing::Test {
         return step(pass).barriers.front();
     }
 
-    // "make" and "blur" on a queue of their own, of `family`; the rest waits for them, and they for its end.
+    // Moves "make" and "blur" to a second queue, of `family`; the other passes wait for them, and they wait
+    // for the end of the previous frame.
     void use_two_queues(uint32_t family) {
         plan.schedule.queues = {{QueueKind::graphics, 0}, {QueueKind::compute, family}};
         plan.schedule.queue = {1, 1, 0, 0};
@@ -177,7 +178,7 @@ TEST(NullImports, KeepWhatWasWrittenAndShowIt) {
     EXPECT_FALSE(broken(plan).empty());
 }
 
-// "draw" writes the samples, and with them the image they are resolved into.
+// "draw" writes the samples and the image that they are resolved to.
 class NullResolve : public testing::Test {
  protected:
     NullResolve() {
@@ -210,7 +211,7 @@ TEST_F(NullResolve, TheTargetIsWrittenByThePass) {
     EXPECT_FALSE(broken(plan).empty());
 }
 
-// "second" draws over what "first" drew, and looks into the buffer that it wrote, or doesn't.
+// "second" draws on the result of "first", and optionally reads the buffer that "first" wrote.
 FramePlan drawing(bool looks) {
     GraphBuilder b;
     const ResourceId target = b.image("target"), words = b.buffer("words");

@@ -1,4 +1,4 @@
-// Purpose: a plan with one piece of its synchronisation removed or weakened, for every such piece.
+// Purpose: makes all mutants of a plan: each removes or weakens one piece of its synchronisation.
 #pragma once
 
 #include <functional>
@@ -21,13 +21,13 @@ inline constexpr int kMutantKinds = 7;
 
 struct Mutant {
     MutantKind kind = MutantKind::removed_barrier;
-    std::string text;  // what was done to the plan
+    std::string text;  // description of the change
     FramePlan plan;
 };
 
-// Visits every barrier removed, or weaker by one stage or access bit on either side; every wait removed;
-// every half of an ownership transfer removed; every hand-over without one of the owners that it waits for;
-// every pass that continues a rendering scope put into one of its own, with no barrier before it.
+// Visits every barrier removed, or with one stage or access bit less on either side; every wait removed;
+// every half of an ownership transfer removed; every alias barrier without one of its previous owners; every
+// pass that continues a rendering scope, put into its own scope without a barrier before it.
 void for_each_mutant(const FramePlan& plan, const std::function<void(const Mutant&)>& visit);
 
 }  // namespace weft::test

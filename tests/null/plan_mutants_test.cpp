@@ -1,4 +1,4 @@
-// What the null executor breaks, the checker catches.
+// The checker rejects every mutant that gives wrong results in the null executor.
 #include <gtest/gtest.h>
 
 #include "tests/null/mutant_judge.h"

@@ -42,7 +42,7 @@ ProfilePlans::ProfilePlans() {
 }
 
 ProfilePlan ProfilePlans::make(uint32_t seed, uint32_t max_passes) const {
-    // Texts and graphs made in memory get each profile with each number of queues.
+    // Both texts and graphs made in memory get each profile with each number of queues.
     const auto& [name, profile] = profiles_[seed / 2 % profiles_.size()];
     const auto queues = static_cast<uint32_t>(1 + seed / 2 / profiles_.size() % 4);
     ProfilePlan made;

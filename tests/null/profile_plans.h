@@ -1,5 +1,5 @@
 // Purpose: random frames with all features, half of them from texts, planned for every device profile on one
-// to four queues: a seed says everything.
+// to four queues; the seed determines everything.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@
 
 namespace weft::test {
 
-// Ten thousand graphs take minutes: only when asked for.
+// Ten thousand graphs take minutes, so they run only on request.
 inline bool extended() {
     return std::getenv("WEFT_EXTENDED") != nullptr;
 }
 
 struct ProfilePlan {
     FramePlan plan;
-    std::string profile;  // its file's name
+    std::string profile;  // file name of the profile
     bool from_text = false;
-    bool left_out = false;  // conditions left something out
+    bool left_out = false;  // conditions removed a pass or changed an input
 };
 
 class ProfilePlans {
  public:
     ProfilePlans();  // reads framework/profiles/
 
-    // Texts have even seeds. One that resolve() rejects is a failure of the test, and the plan is empty.
+    // Texts have even seeds. If resolve() rejects one, the test fails and the plan is empty.
     [[nodiscard]] ProfilePlan make(uint32_t seed, uint32_t max_passes = 60) const;
     [[nodiscard]] size_t count() const { return profiles_.size(); }
 

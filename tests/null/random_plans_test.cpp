@@ -1,4 +1,5 @@
-// Random frames give under the compiler's plans, in the worst orders that these allow, what they mean.
+// The compiler's plans of random frames give the expected results, even in the least favourable orders that
+// they allow.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -41,7 +42,7 @@ TEST(RandomPlans, GiveWhatTheGraphMeansOnOneQueue) {
     }
 }
 
-// What the sets of graphs must have in them, so that this test shows something.
+// The features that the sets of graphs must contain for a meaningful test.
 void expect_shares(const GraphCoverage& coverage) {
     EXPECT_GE(coverage.hand_overs * 2, coverage.graphs);
     for (const uint32_t count :

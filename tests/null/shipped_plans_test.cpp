@@ -1,5 +1,5 @@
-// The shipped graphs give under their plans what they mean, on one to three queues, and need what they wait
-// for.
+// Plans of the shipped graphs give the expected results on one to three queues, and all their waits are
+// necessary.
 #include <gtest/gtest.h>
 
 #include <algorithm>

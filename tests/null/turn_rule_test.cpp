@@ -1,6 +1,6 @@
-// Which graphs with passes that take turns are sound: resolve() and the checker against brute force, over
-// every set of turns that may run in a frame. A read is wrong if it finds another version than the one that
-// it names; where every writer changes what is there, it names the content as it stands.
+// Decides which graphs with perFrame passes are sound: compares resolve() and the checker with brute force
+// over every set of turns that may run in a frame. A read is wrong if it sees another version than the one it
+// names. If every writer modifies the content, a read sees the current content.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,13 +17,13 @@ namespace weft::test {
 namespace {
 
 struct TurnGraph {
-    std::string text;                         // with "perFrame"
-    std::string steady;                       // without
-    std::map<std::string, uint32_t> at_once;  // by pass: its "perFrame"
-    std::map<std::string, uint32_t> rounds;   // by pass: of its repeat
+    std::string text;                         // text with "perFrame"
+    std::string steady;                       // text without it
+    std::map<std::string, uint32_t> at_once;  // "perFrame" by pass name
+    std::map<std::string, uint32_t> rounds;   // rounds of the repeat by pass name
 };
 
-// Passes that read and write the layers of two kept images, one after the other.
+// Makes chains of passes that read and write the layers of two kept images.
 class TurnGenerator {
  public:
     explicit TurnGenerator(uint32_t seed) : random_(seed) {}
@@ -64,7 +64,7 @@ class TurnGenerator {
         } else {
             text += kind == 2 ? "change.comp" : "make.comp";
         }
-        text += arrayed ? "+" : "";  // the shader for arrays
+        text += arrayed ? "+" : "";  // "+" selects the shader for arrays
         text += "\", \"threads\": 8, \"repeat\": {\"i\": \"0.." + std::to_string(rounds - 1) + "\"}";
         if (!in.empty()) text += ", \"in\": {" + in + "}";
         text += ", \"out\": {\"dst\": \"" + target + layer + "\"}";
@@ -107,7 +107,7 @@ void set_turns(const TurnGraph& made, ResolvedGraph& graph) {
     }
 }
 
-// By the letter: in frame 0 all turns run, in the next two any.
+// Follows the definition: in frame 0 all turns run, in the next two frames any set of turns.
 class BruteForce {
  public:
     explicit BruteForce(const ResolvedGraph& graph) : graph_(graph) {
@@ -133,7 +133,7 @@ class BruteForce {
     }
 
  private:
-    using Memory = std::map<std::pair<ResourceId, uint32_t>, PassId>;  // who wrote a layer last
+    using Memory = std::map<std::pair<ResourceId, uint32_t>, PassId>;  // last writer of each layer
 
     void sort() {
         std::vector<uint32_t> waits(graph_.passes.size(), 0);
@@ -181,7 +181,7 @@ class BruteForce {
                     const std::pair cell(use.resource, layer);
                     if (source->producer != kNoId)
                         wrong |= !memory.contains(cell) || memory.at(cell) != source->producer;
-                    else if (frame > 0)  // what all of frame 0 left
+                    else if (frame > 0)  // content after all passes of frame 0
                         wrong |= memory[cell] != first[cell];
                 });
                 if (wrong) return true;
@@ -226,7 +226,7 @@ TEST_F(TurnRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
     for (uint32_t seed = 0; seed < seeds; ++seed) {
         const TurnGraph made = TurnGenerator(seed).run();
         Result<ResolvedGraph> steady = run(made.steady);
-        if (!steady) continue;  // cycles, unordered writers
+        if (!steady) continue;  // has cycles or unordered writers
         ResolvedGraph graph = std::move(*steady);
         set_turns(made, graph);
         BruteForce brute(graph);
@@ -241,7 +241,7 @@ TEST_F(TurnRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
         for (const Diagnostic& d : judged ? Diagnostics{} : judged.errors())
             ASSERT_EQ(d.code, "W124") << to_text(d);
 
-        // The checker, on its own and with all passes alive, says the same.
+        // The checker, run separately with all passes live, agrees.
         CompileOptions options;
         options.keep_all_passes = true;
         const Diagnostics faults = check_plan(compile(graph, content_needs(graph), options));
@@ -253,7 +253,8 @@ TEST_F(TurnRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
     EXPECT_GE(wrong * 15, seeds);
 }
 
-// Culling must not be seen: the plan gives what all passes together give, whichever of them run.
+// Culling must not change results: the plan gives the same content as all passes together, whichever turns
+// run.
 TEST_F(TurnRule, WhatIsAcceptedGivesWhatTheWholeGraphMeans) {
     uint32_t compared = 0, culled = 0;
     for (uint32_t seed = 0; seed < 1000; ++seed) {
@@ -280,7 +281,7 @@ TEST_F(TurnRule, WhatIsAcceptedGivesWhatTheWholeGraphMeans) {
     EXPECT_GE(culled, 30u);
 }
 
-// A bake of four rounds, one a frame, into one kept image, then stored layer by layer.
+// Four rounds, one per frame, write a kept image; then each layer is stored.
 TEST_F(TurnRule, TheCheckerDoesNotProveAChainThatCullingBroke) {
     const char* graph_text = R"j("resources": {
         "scratch": {"format": "rgba16f", "keep": true}, "stored": {"format": "rgba16f", "layers": 4, "keep": true}},

@@ -1,5 +1,5 @@
-// Passes that take turns leave what they wrote for the frames between: a plan that loses it is found out, by
-// the null executor and by the checker.
+// Passes that take turns must keep their results for the frames in between: the null executor and the checker
+// both find a plan that loses them.
 #include <gtest/gtest.h>
 
 #include "null/null_executor.h"
@@ -16,7 +16,7 @@ CompileOptions several_queues(uint32_t seed) {
     return options;
 }
 
-// Every pass that only writes what stays anyway gets a turn of three.
+// Gives a turn of three frames to every pass that only writes persistent content.
 uint32_t spread_over_frames(ResolvedGraph& graph) {
     uint32_t count = 0;
     for (PassDecl& pass : graph.passes) {

@@ -1,5 +1,5 @@
-// same_picture PICTURE.png PICTURE.ppm: 0 when they are equal. Compiled by nothing but what pkg-config says
-// about the installed Weft.
+// same_picture PICTURE.png PICTURE.ppm: returns 0 when they are equal. Compiled only with the flags that
+// pkg-config gives for the installed Weft.
 #include <weft/scene/image_decode.h>
 
 #include <algorithm>

@@ -26,7 +26,7 @@ namespace weft::viewer {
 // Reads a --limits file; returns the defaults when `file` is empty. Errors: X560, W001 to W005.
 [[nodiscard]] Result<Limits> load_limits(const std::string& file);
 
-// Reads a profile file, or one of the supplied profiles by its name ("tiler"); empty: lavapipe. Errors: W140,
+// Reads a profile file, or one of the shipped profiles by its name ("tiler"); empty: lavapipe. Errors: W140,
 // W141.
 [[nodiscard]] Result<DeviceProfile> load_profile(const std::string& file_or_name);
 

@@ -6,7 +6,7 @@
 namespace weft::viewer {
 
 // Adds "did you mean …?" to an error about a missing graph, picture or scene (W002, X530, S101): files of its
-// folder with similar names, supplied graphs and built-in scenes. Other errors do not change.
+// folder with similar names, shipped graphs and built-in scenes. Other errors do not change.
 void add_near_files(Diagnostic& error);
 
 }  // namespace weft::viewer

@@ -15,7 +15,7 @@ namespace weft::viewer {
 struct RenderOptions {
     std::string scene = "builtin:atrium";
     std::string output = "frame.png";
-    std::string graph;  // empty: the supplied graphs/deferred.json
+    std::string graph;  // empty: the shipped graphs/deferred.json
     std::string tier;   // empty: the graph without a tier
     Extent3D size{1280, 720, 1};
     uint32_t frames = 0;  // 0: the number in the graph
@@ -58,7 +58,7 @@ struct ViewOptions {
 // Options for compilation without a device.
 struct OfflineOptions {
     std::string tier;     // empty: the graph without a tier
-    std::string profile;  // a file, or the name of a supplied profile; empty: lavapipe
+    std::string profile;  // a file, or the name of a shipped profile; empty: lavapipe
     Extent3D size{1280, 720, 1};
     uint32_t queues = 1;
     std::map<std::string, double> params;
@@ -123,7 +123,7 @@ struct BenchOptions {
 struct FrameBenchOptions {
     std::string scene = "builtin:lights";
     std::vector<std::string> graphs{"deferred", "tiled_deferred", "light_volumes",
-                                    "light_indexed"};  // names of supplied graphs, or files
+                                    "light_indexed"};  // names of shipped graphs, or files
     std::vector<uint32_t> lights{1, 10, 50, 100, 256, 1024, 3072};
     Extent3D size{640, 360, 1};
     std::string camera;

@@ -25,7 +25,7 @@ struct GraphNames {
     std::set<std::string> resources, draw_lists, params, tiers;
     std::map<std::string, PassNames> passes;
     std::set<std::string> compute_shaders, fullscreen_shaders,
-        raster_shaders;  // in the graph's folder, or supplied with Weft
+        raster_shaders;  // in the graph's folder, or shipped with Weft
 };
 
 [[nodiscard]] Result<GraphNames> gather_names(const SchemaOptions& options);

@@ -30,12 +30,12 @@ std::vector<PassId> topological(const ResolvedGraph& graph) {
     return order;
 }
 
-// In which every copy of a persistent resource waits for the next frame.
+// The layout in which every copy of a persistent resource waits for the next frame.
 Layout rest_layout(const ResourceDecl& decl) {
     return decl.kind == ResourceKind::image ? Layout::general : Layout::undefined;
 }
 
-// The layout of every mip of every layer as the frame goes on.
+// The current layout of every mip of every layer during the frame.
 class Layouts {
  public:
     explicit Layouts(const ResolvedGraph& graph) : graph_(graph), current_(graph.resources.size()) {
@@ -48,7 +48,7 @@ class Layouts {
         }
     }
 
-    // One barrier for every mip of every layer of `range`.
+    // Adds one barrier per mip and layer of `range`.
     void move(ResourceId resource, const SubresourceRange& range, const AccessState& to, BarrierReason reason,
               std::vector<BarrierDecl>& barriers) {
         const ResourceDecl& decl = graph_.resources[resource];
@@ -72,14 +72,14 @@ class Layouts {
  private:
     struct Cell {
         Layout layout = Layout::undefined;
-        bool fresh = false;  // a transient's, not touched in this frame
+        bool fresh = false;  // true for a transient that this frame has not used yet
     };
 
     const ResolvedGraph& graph_;
     std::vector<std::vector<Cell>> current_;
 };
 
-// A resource bound twice by one pass is moved once.
+// A resource that one pass binds twice gets only one barrier.
 bool moved_before(const PassDecl& pass, size_t use) {
     for (size_t u = 0; u < use; ++u)
         if (pass.uses[u].resource == pass.uses[use].resource && pass.uses[u].range == pass.uses[use].range)
@@ -87,7 +87,7 @@ bool moved_before(const PassDecl& pass, size_t use) {
     return false;
 }
 
-// Puts what outlives the frame where the next one, and the first, look for it.
+// Brings persistent resources to the layouts that the first and the next frame expect.
 void plan_rest(FramePlan& plan, Layouts& layouts) {
     for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
         const ResourceDecl& decl = plan.graph.resources[id];
@@ -139,7 +139,7 @@ void plan_barriers(FramePlan& plan) {
     plan.barriers.emitted += static_cast<uint32_t>(plan.barriers.epilogue.size());
 }
 
-// Loads what is read, clears what is written first, stores everything.
+// Loads attachments that are read, clears those that are only written, stores all.
 void plan_attachments(FramePlan& plan) {
     for (PassStep& step : plan.barriers.steps) {
         const PassDecl& pass = plan.graph.passes[step.pass];

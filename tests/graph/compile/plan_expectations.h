@@ -1,4 +1,4 @@
-// Purpose: looks into plans by name, for tests that say what a plan must contain.
+// Purpose: finds passes, resources and barriers of plans by name, for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace weft::test {
 
-// Compiled with 1-byte alignment, and proved.
+// Compiles with 1-byte alignment, and runs the checker.
 inline FramePlan compiled(const GraphBuilder& builder) {
     const ResolvedGraph graph = builder.build();
     FramePlan plan = compile(graph, content_needs(graph, 1), {});
@@ -47,7 +47,7 @@ inline std::vector<BarrierDecl> barriers_before(const FramePlan& plan, const std
     return barriers_on(plan, step_of(plan, pass).barriers, resource);
 }
 
-// The only one.
+// Expects exactly one barrier and returns it.
 inline BarrierDecl barrier_before(const FramePlan& plan, const std::string& pass,
                                   const std::string& resource) {
     const std::vector<BarrierDecl> found = barriers_before(plan, pass, resource);
@@ -61,7 +61,7 @@ inline void expect_state(const AccessState& found, const AccessState& wanted) {
     EXPECT_EQ(layout_text(found.layout), layout_text(wanted.layout));
 }
 
-// Keeps a resource's content alive: reads it in a pass with a side effect.
+// Prevents culling of a resource: reads it in a pass with a side effect.
 inline PassDecl& read_back(GraphBuilder& builder, const std::string& name, ResourceId resource) {
     return builder.pass(name, PassKind::readback, {{"src", resource, Access::copy_read, {}, kNoId}});
 }

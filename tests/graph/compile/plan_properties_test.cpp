@@ -1,4 +1,4 @@
-// Properties that hold for every frame, over many random ones.
+// Properties of every plan, tested with many random graphs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ TEST(PlanProperties, TheSameFrameGivesTheSamePlan) {
     EXPECT_NE(compile(one, content_needs(one), {}).hash, compile(two, content_needs(two), {}).hash);
 }
 
-// Both ways: the plan has no barrier too many, and the checker misses none that is dropped.
+// Tests two things: the plan has no unnecessary barrier, and the checker notices every removed one.
 TEST(PlanProperties, EveryBarrierIsNeeded) {
     for (uint32_t seed = 0; seed < 15; ++seed) {
         const ResolvedGraph graph = random_graph(seed, {5, 25});

@@ -1,4 +1,4 @@
-// Frames over several queues: every plan is proved, whatever the number of queues and families.
+// Plans for several queues: the checker must accept each one, for any number of queues and families.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -20,7 +20,8 @@ std::vector<LogicalQueue> queues_of(uint32_t count, bool one_family) {
     return logical_queues(profile, count);
 }
 
-// Deterministic hints: a third of what could go elsewhere asks for each other queue.
+// Deterministic queue hints: of the passes that can run on another queue, a third requests each of the other
+// queues.
 ResolvedGraph with_hints(ResolvedGraph graph, uint32_t seed) {
     for (PassId id = 0; id < graph.passes.size(); ++id) {
         const uint32_t turn = (id * 2654435761u ^ seed * 40503u) >> 7;
@@ -73,7 +74,7 @@ FramePlan planned(uint32_t seed) {
     return compile(graph, content_needs(graph), options);
 }
 
-// Both ways: no wait too many, and the checker misses none that is dropped.
+// Tests two things: the plan has no unnecessary wait, and the checker notices every removed one.
 TEST(QueuePlans, EveryWaitIsNeeded) {
     uint32_t dropped = 0;
     for (uint32_t seed = 0; seed < 40; ++seed) {
@@ -96,7 +97,7 @@ TEST(QueuePlans, EveryWaitIsNeeded) {
     EXPECT_GE(dropped, 100u);
 }
 
-// Counts the barriers of one step that the checker does not miss.
+// Counts the barriers of one step that can be removed without a fault.
 uint32_t count_redundant(const FramePlan& plan, size_t position, std::vector<BarrierDecl> PassStep::*list) {
     uint32_t redundant = 0;
     const PassStep& step = plan.barriers.steps[position];
@@ -109,7 +110,8 @@ uint32_t count_redundant(const FramePlan& plan, size_t position, std::vector<Bar
     return redundant;
 }
 
-// A barrier is in vain only where work went to another queue and came back: the two semaphores did it all.
+// A barrier is unnecessary only if work went to another queue and back, so that two semaphores already order
+// it.
 TEST(QueuePlans, HardlyABarrierIsInVain) {
     uint32_t emitted = 0, redundant = 0;
     for (uint32_t seed = 0; seed < 40; ++seed) {

@@ -1,5 +1,4 @@
-// Frames that remember earlier ones: rings of roles, resources that are kept, and the prologue that fills
-// them.
+// Plans with content from earlier frames: rings, kept resources, and the prologue that initialises them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +29,7 @@ UseDecl use_of(const ResolvedGraph& graph, const char* port, ResourceId id, Acce
     return use;
 }
 
-// Makes a ring of a transient and lets a pass of its own read every role.
+// Changes a transient to a ring and adds a pass that reads all its past frames.
 void remember(ResolvedGraph& graph, ResourceId id, uint32_t history) {
     ResourceDecl& newest = graph.resources[id];
     newest.lifetime = ResourceLifetime::persistent;
@@ -53,7 +52,7 @@ void remember(ResolvedGraph& graph, ResourceId id, uint32_t history) {
     graph.passes.push_back(reader);
 }
 
-// A buffer that one pass changes in place, frame after frame, and another one reads.
+// Adds a buffer that one pass modifies in place in every frame and another pass reads.
 void add_kept(ResolvedGraph& graph) {
     ResourceDecl kept;
     kept.name = "z_kept";
@@ -78,7 +77,7 @@ void add_kept(ResolvedGraph& graph) {
     graph.edges.push_back({first, first + 1, EdgeKind::raw, kept.ring, {}});
 }
 
-// Every resource is written whole before anything reads it, so that any may be remembered.
+// True if every part of the resource is written before it is read, so that it can become a ring.
 bool wholly_written(const ResolvedGraph& graph, ResourceId id) {
     const ResourceDecl& resource = graph.resources[id];
     if (resource.lifetime != ResourceLifetime::transient || resource.mips * resource.layers != 1)
@@ -139,7 +138,7 @@ TEST(RingPlans, AForgottenPrologueIsAFault) {
     EXPECT_FALSE(check_plan(plan).empty());
 }
 
-// As when `if` leaves its writer out: every frame finds the first-frame value in it.
+// As when `if` removes the writer of a ring: every frame finds the first-frame value.
 TEST(RingPlans, APastThatNobodyWritesStaysAsItWasAtFirst) {
     for (const uint32_t history : {1u, 2u}) {
         GraphBuilder builder;

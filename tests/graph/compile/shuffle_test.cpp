@@ -1,5 +1,5 @@
-// A graph means the same in whatever order its parts are written, and compiles to the same plan on every
-// thread.
+// The order in which the parts of a graph are written does not matter, and every thread compiles it to the
+// same plan.
 #include <algorithm>
 #include <random>
 #include <set>

@@ -47,7 +47,7 @@ uint64_t peak_bytes(const std::vector<PackItem>& items) {
 
 TEST(Pack, NothingThatLivesTogetherSharesBytes) {
     for (uint32_t seed = 0; seed < 60; ++seed) {
-        // Short lifetimes take the sparse way, long ones the dense.
+        // Short lifetimes test the sparse algorithm, long ones the dense one.
         const std::vector<PackItem> items = random_items(seed, 40 + seed, seed % 2 ? 4 : 40);
         EXPECT_TRUE(sound(items, pack_sweep(items))) << "seed " << seed;
         EXPECT_TRUE(sound(items, pack_size_descending(items))) << "seed " << seed;
@@ -69,7 +69,7 @@ TEST(Pack, StaysNearTheLowerBound) {
     EXPECT_LE(sum / 20, 1.05);
 }
 
-// A chain of equal images: two places, taken in turns.
+// A chain of images of equal size, which alternate between two places.
 FramePlan chain(uint32_t length) {
     GraphBuilder b;
     std::vector<ResourceId> images;
@@ -88,8 +88,8 @@ TEST(Alias, AChainNeedsTwoPlacesAndHandsThemOver) {
     EXPECT_EQ(plan.memory.peak_live_bytes, 2u * 1024);
     EXPECT_EQ(plan.memory.heap_bytes, 2u * 1024);
     const auto id = [&](const char* name) { return resource_id(plan, name); };
-    // i0 i2 i4 share one place, i1 i3 the other; the first of each takes over from the last of the frame
-    // before.
+    // i0 i2 i4 share one place, i1 i3 the other; the first of each takes over from the last one of the
+    // previous frame.
     const std::vector<HandOver> wanted{{id("i4"), id("i0"), true},
                                        {id("i3"), id("i1"), true},
                                        {id("i0"), id("i2"), false},
@@ -104,7 +104,7 @@ TEST(Alias, AResourceAloneHandsOverToItself) {
 }
 
 TEST(Alias, HandOversFollowTheBytes) {
-    // 0 then 1 side by side with 2, then 3 over both, in a heap of 100 bytes.
+    // In a heap of 100 bytes: first 0, then 1, both beside 2; then 3 in the memory of both.
     const std::vector<Placement> placements{{0, 0, 0, 60}, {1, 0, 0, 50}, {2, 0, 50, 50}, {3, 0, 0, 100}};
     Lifetimes spans;
     spans.spans = {{0, 1}, {2, 3}, {2, 3}, {4, 5}};
@@ -113,7 +113,7 @@ TEST(Alias, HandOversFollowTheBytes) {
     EXPECT_EQ(hand_overs(placements, spans), wanted);
 }
 
-// One buffer and one image alive at once, then again one of each.
+// One buffer and one image alive at the same time, then another buffer and image.
 GraphBuilder mixed() {
     GraphBuilder b;
     const ResourceId image = b.image("image", Format::r32u, 10), words = b.buffer("words", 1000);

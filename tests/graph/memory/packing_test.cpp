@@ -1,5 +1,5 @@
-// How close memory comes to the least that an order allows, on graphs that other frameworks were measured
-// with.
+// Compares the memory of plans with the minimum for their order, on graphs that were used to measure other
+// frameworks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ double gap(const FramePlan& plan) {
     return static_cast<double>(plan.memory.heap_bytes) / static_cast<double>(plan.memory.peak_live_bytes);
 }
 
-// Heap over peak-live: at most 1.05 in the mean and 1.10 at worst.
+// Limit for heap size divided by peak live memory: 1.05 on average and 1.10 at most.
 TEST(Packing, StaysNearTheLeastPossible) {
     double sum = 0, worst = 0;
     uint32_t count = 0;

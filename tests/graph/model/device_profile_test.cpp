@@ -1,4 +1,4 @@
-// Profiles as files, and what they make of a graph's memory.
+// Reading profile files, and the memory requirements of a graph's resources under them.
 #include "weft/device_profile.h"
 
 #include <gtest/gtest.h>

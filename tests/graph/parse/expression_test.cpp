@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
 struct BadSum {
     const char* text;
     const char* code;
-    uint32_t column;  // within the text, from 1
+    uint32_t column;  // column within the text, from 1
     const char* message;
 };
 class BadExpressionTest : public ::testing::TestWithParam<BadSum> {};
@@ -75,7 +75,8 @@ TEST_P(BadExpressionTest, IsShownAtTheToken) {
     EXPECT_EQ(error.code, GetParam().code);
     EXPECT_EQ(error.line, 7u);
     EXPECT_FALSE(error.help.empty());
-    EXPECT_EQ(error.column, GetParam().column + 3) << to_text(error);  // the literal's quote is in column 3
+    EXPECT_EQ(error.column, GetParam().column + 3) << to_text(error);  // the opening quote of the literal is
+                                                                       // in column 3
     EXPECT_NE(error.message.find(GetParam().message), std::string::npos) << to_text(error);
 }
 

@@ -1,4 +1,4 @@
-// Faults of what stands at the top of a graph, and of its resources.
+// Faults in the top level of a graph and in its resources.
 #include "tests/graph/report/marked_graph.h"
 
 namespace weft::test {

@@ -1,4 +1,4 @@
-// Whatever a file holds, it parses, or its faults are named at places that exist.
+// Every file either parses, or gives faults whose places exist in the file.
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -29,7 +29,8 @@ void change_letter(std::string& text, size_t from, char letter) {
     if (it != text.end()) *it = letter;
 }
 
-// One or two edits. Half of them change a letter for another: the file stays JSON, and its meaning is tried.
+// Makes one or two edits. Half of them only replace a letter, so that the file stays valid JSON and its
+// meaning is tested.
 std::string mutate(std::string text, std::mt19937& random) {
     constexpr std::string_view kLetters = "aeinotxyz012789";
     constexpr std::string_view kLikely = "{}[]\",:/*\\ \n0123.-+@e_";
@@ -59,7 +60,7 @@ void expect_located(const Diagnostic& error, const std::string& text) {
     std::istringstream stream(text);
     std::string line;
     for (uint32_t i = 0; i < error.line; ++i) {
-        line.clear();  // getline leaves the line before where the file ends with a newline
+        line.clear();  // after the last newline, getline keeps the previous line
         std::getline(stream, line);
     }
     EXPECT_GE(error.column, 1u) << to_text(error);
@@ -73,7 +74,7 @@ void check_mutants(const std::string& original) {
     std::mt19937 random(kSeed);
     int faulty = 0;
     for (int i = 0; i < kMutants && !::testing::Test::HasFailure(); ++i) {
-        SCOPED_TRACE(i);  // the mutant's number
+        SCOPED_TRACE(i);  // number of the mutant
         const std::string text = mutate(original, random);
         const Result<GraphDesc> result = parse_text(text);
         if (result.ok()) continue;

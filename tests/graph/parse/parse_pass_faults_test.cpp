@@ -1,4 +1,4 @@
-// Faults of passes and of their states.
+// Faults in passes and in their states.
 #include "tests/graph/report/marked_graph.h"
 
 namespace weft::test {

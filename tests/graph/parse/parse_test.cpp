@@ -132,7 +132,7 @@ TEST(Parse, ManyErrorsAreCutOffAndSaySo) {
     EXPECT_EQ(graph.errors().size(), 100u);
 }
 
-// Faults by the hundred thousand on one long line must not take quadratic time.
+// Hundreds of thousands of faults on one long line must not take quadratic time.
 TEST(Parse, HostileFilesAreAnsweredSoon) {
     const auto many = [](const std::string& before, const std::string& item, const std::string& after) {
         std::string text = before;

@@ -1,5 +1,4 @@
-// An unchanged graph is not compiled again, and everything that compile() reads is part of what has not
-// changed.
+// An unchanged graph is not compiled again; a change of any input of compile() causes a new compilation.
 #include "graph/plan/plan_cache.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +46,7 @@ TEST(PlanCache, NoticesWhateverCompileReads) {
     EXPECT_EQ(compile_hash(moved, needs, {}), hash);
 }
 
-// A text that is longer than what hashing gathers, and texts that cross its borders.
+// Texts longer than the buffer of the hash function, and texts across the buffer's boundaries.
 TEST(PlanCache, LongNamesAreHashedWhole) {
     ResolvedGraph graph = random_graph(3);
     graph.passes[0].shader = std::string(10000, 'a');

@@ -80,13 +80,13 @@ TEST(LayeredLayout, AChainIsAStraightLine) {
     EXPECT_EQ(layout.height_px, 40);
 }
 
-// Two pairs written crosswise are uncrossed.
+// Two pairs that are declared in crossed order are drawn without a crossing.
 TEST(LayeredLayout, CrossingsThatNeedNotBeAreNot) {
     const LayeredLayout layout = layered_layout({{9, 9}, {9, 9}, {9, 9}, {9, 9}}, {{0, 3}, {1, 2}}, 60);
     EXPECT_EQ(layout.boxes[0].y < layout.boxes[1].y, layout.boxes[3].y < layout.boxes[2].y);
 }
 
-// One box, and an edge that passes it by.
+// One box, and an edge that passes beside it.
 TEST(LayeredLayout, IsNoLargerThanWhatItShows) {
     const LayeredLayout layout = layered_layout({{50, 40}, {50, 40}, {50, 40}}, {{0, 1}, {1, 2}, {0, 2}}, 60);
     EXPECT_LE(layout.height_px, 40 + 20 + 6 + 10) << "and a little for leaning";

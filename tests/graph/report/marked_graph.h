@@ -1,4 +1,4 @@
-// A wrong file in which "$$" stands before each expected fault, so that tests need not count columns.
+// A faulty file with "$$" before each expected fault, so that tests need not count columns.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ namespace weft::test {
 
 struct FaultCase {
     const char* name;
-    std::string text;                // with "$$" before each fault, in the order of the file
-    std::vector<std::string> codes;  // one for each mark
+    std::string text;                // text with "$$" before each fault, in the order of the file
+    std::vector<std::string> codes;  // one code per mark
     std::string message;             // part of the first message
     std::string help = "";           // part of the first fault's help
 };
@@ -53,7 +53,7 @@ inline Result<GraphDesc> parse_text(const std::string& text) {
     return parse(*merged);
 }
 
-// What an expression that is a number says.
+// The value of an expression that is a number.
 inline double number_of(const Expr& expression) {
     return expression.postfix.size() == 1 ? expression.postfix.front().number : -1;
 }

@@ -12,7 +12,7 @@
 namespace weft::test {
 namespace {
 
-// The same frame, its passes and resources declared in an order of chance.
+// The same frame with passes and resources declared in random order.
 GraphBuilder shuffled_frame(uint32_t seed) {
     std::vector<std::string> names{"depth", "color", "blurred", "unused"};
     std::mt19937 random(seed);
@@ -82,7 +82,7 @@ TEST(PlanDump, DotGreysWhatIsCulled) {
     EXPECT_EQ(dot.find("label=\"0 base\", color=grey"), std::string::npos);
 }
 
-// A graph's name is any text.
+// A graph's name can be any text.
 TEST(PlanDump, NoNameSteersATerminal) {
     FramePlan plan = compiled(shuffled_frame(0));
     plan.graph.name = "red \x1b[31m, right to left \u202e";

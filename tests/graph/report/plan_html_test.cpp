@@ -1,4 +1,4 @@
-// The page holds all of the plan, each thing where it belongs, and nothing from elsewhere.
+// The HTML page contains the whole plan, with each part in its place, and loads nothing from elsewhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::set<std::string> ids(const ReadPage& page, const std::string& tag) {
     return found;
 }
 
-// What items of a style stand for.
+// The names of the items with a given style.
 std::multiset<std::string> items(const ReadPage& page, const std::string& style) {
     std::multiset<std::string> found;
     for (const ReadElement& e : page.elements)
@@ -80,7 +80,7 @@ void expect_all_of(const FramePlan& plan, const ReadPage& page) {
         EXPECT_EQ(items(page, "batch").count(batch_key(s)) * articles.count(batch_key(s)), 1u);
 }
 
-// Every link leads somewhere, and there is nothing to fetch.
+// Every link has a target in the page, and the page loads no external resource.
 void expect_self_contained(const std::string& text, const ReadPage& page) {
     for (const char* part :
          {"http://", "https://", "src=", "@import", "url(h", "//cdn", "fetch(", "<link", "<img"})
@@ -134,7 +134,7 @@ TEST(PlanHtml, CulledPassesSayWhy) {
     EXPECT_NE(text.find("unused: no pass that runs touches it"), std::string::npos);
 }
 
-// A barrier is explained as `weft explain barrier` does it: reason, ports, states.
+// A barrier is explained as by `weft explain barrier`: reason, ports, states.
 TEST(PlanHtml, BarriersAreExplained) {
     GraphBuilder b;
     const ResourceId image = b.image("picture");

@@ -1,4 +1,4 @@
-// What the page's drawings promise: bytes to scale, words inside their boxes, names on their edges.
+// The drawings of the HTML page: bytes to scale, texts inside their boxes, names at their edges.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@
 namespace weft::test {
 namespace {
 
-// Two images and some tiny buffers, all alive at once.
+// Two large images and some tiny buffers, all alive at the same time.
 FramePlan uneven_plan() {
     GraphBuilder b;
     const ResourceId large = b.image("large", Format::r32u, 256), small = b.image("small", Format::r32u, 128);
@@ -36,7 +36,7 @@ FramePlan uneven_plan() {
     return compiled(b);
 }
 
-// For every block of every heap, with its scale.
+// Calls the function for every block of every heap, with the scale of its drawing.
 template <class Visit>
 void for_blocks(const FramePlan& plan, const Visit& visit) {
     std::vector<uint32_t> heaps;
@@ -145,7 +145,7 @@ TEST(PlanPageDrawing, NamesOnEdgesTouchNoBoxAndNoOtherName) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const ReadPage page = read_markup(plan_to_html(random_plan(seed, 40), {}));
         ASSERT_EQ(page.fault, "");
-        size_t drawings = 0;  // the graph is the first
+        size_t drawings = 0;  // counts the drawings; the graph is the first
         std::vector<Area> boxes, names;
         for (const ReadElement& e : page.elements) {
             drawings += e.tag == "svg" ? 1 : 0;
@@ -192,7 +192,8 @@ TEST(PlanPageDrawing, ANameLiesOnItsWayAndOnNoOther) {
     EXPECT_EQ(place_edge_names({way, shared}, {{"hdr"}, {"hdr"}}, {}, {300, 100})[0].text, "hdr");
 }
 
-// Rounds hand an image of two layers to and fro; the frame begins with what the last one left.
+// Repeat rounds that copy between two layers of an image; the frame begins with the result of the previous
+// frame.
 FramePlan rounds_plan(int rounds, bool other_between = false) {
     GraphBuilder b;
     const ResourceId cells = b.image("cells", Format::r32u, 16, 1, 2), side = b.image("side");
@@ -231,7 +232,7 @@ TEST(PlanPageDrawing, RepeatsOfManyRoundsAreOneBoxThatOpens) {
     EXPECT_NE(many.find("<summary>Every round: 13 passes</summary>"), std::string::npos);
     EXPECT_NE(many.find("step#12: 11  compute"), std::string::npos) << "the open drawing has them all";
     EXPECT_EQ(few.find("<summary>Every round"), std::string::npos) << "few are legible";
-    // One box would come before and after `other`.
+    // A single box would have to be both before and after `other`.
     EXPECT_EQ(plan_to_html(rounds_plan(12, true), {}).find("<summary>Every round"), std::string::npos);
 }
 

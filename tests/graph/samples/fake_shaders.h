@@ -1,4 +1,4 @@
-// Shader interfaces made by hand, so that the graph's tests need no compiler of shaders.
+// Hand-made shader interfaces, so that tests of the graph compiler need no shader compiler.
 #pragma once
 
 #include <initializer_list>

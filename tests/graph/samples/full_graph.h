@@ -1,4 +1,4 @@
-// A graph that uses every key of the format.
+// A graph with every key of the format.
 #pragma once
 
 namespace weft::test {

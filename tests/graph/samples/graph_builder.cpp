@@ -16,13 +16,13 @@ bool is_depth(Access a) {
     return a == Access::depth_write || a == Access::depth_read_write || a == Access::depth_read;
 }
 
-// Who wrote, and who has read since, one mip of one layer.
+// The last writer of one mip of one layer, and the readers since then.
 struct CellVersion {
     PassId writer = kNoId;
     std::vector<PassId> readers;
 };
 
-// Walks the passes in program order and derives sources and edges.
+// Visits the passes in program order and derives sources and edges.
 class Versions {
  public:
     explicit Versions(ResolvedGraph& graph) : graph_(graph), cells_(graph.resources.size()) {
@@ -70,7 +70,7 @@ class Versions {
     }
 
     ResolvedGraph& graph_;
-    std::vector<std::vector<CellVersion>> cells_;  // by resource, then layer, then mip
+    std::vector<std::vector<CellVersion>> cells_;  // indexed by resource, layer, mip
 };
 
 template <class T>
@@ -232,7 +232,7 @@ void GraphBuilder::after(const std::string& from, const std::string& to) {
 ResolvedGraph GraphBuilder::build() const {
     ResolvedGraph graph = graph_;
     if (graph.name.empty()) graph.name = "built";
-    // The memory of a ring moves from role to role.
+    // In a ring, content moves from one resource to the next older one.
     for (const ResourceDecl& role : graph_.resources)
         if (role.ring != kNoId) graph.resources[role.ring].usage |= role.usage;
     for (ResourceDecl& role : graph.resources)

@@ -1,5 +1,5 @@
-// Purpose: ResolvedGraphs made by hand, for tests of the stages after resolve(). Passes are given in program
-// order, and a read sees the last write before it in that order. build() sorts by name and remaps ids, as
+// Purpose: builds ResolvedGraphs by hand, for tests of the stages after resolve(). Passes are given in
+// program order; a read sees the last write before it in that order. build() sorts by name and remaps ids, as
 // resolve() does.
 #pragma once
 
@@ -15,7 +15,7 @@ struct BuilderUse {
     std::string port;
     ResourceId resource = kNoId;  // as returned by the builder
     Access access = Access::none;
-    std::optional<SubresourceRange> range;  // default: all of it
+    std::optional<SubresourceRange> range;  // default: the whole resource
     uint32_t binding = kNoId;
 };
 
@@ -26,23 +26,24 @@ class GraphBuilder {
     ResourceId image(std::string name, Format format = Format::r32u, uint32_t side_px = 16, uint32_t mips = 1,
                      uint32_t layers = 1);
     ResourceId buffer(std::string name, uint64_t size_bytes = 1024);
-    // For what the other functions don't say: samples, other extents. Before the first use.
+    // For properties that the other functions do not cover: samples, other extents. Call this before the
+    // first use.
     [[nodiscard]] ResourceDecl& edit(ResourceId id) { return graph_.resources[id]; }
-    // Turns a resource into an import.
+    // Changes a resource to an import.
     void import_as(ResourceId resource, const AccessState& entry, const AccessState& exit);
-    // For all queue families.
+    // Shares the import between all queue families.
     void make_concurrent(ResourceId import);
-    // Turns a resource into the newest role of a ring and adds the older ones: "x[-1]" and so on. Returns
-    // them by age. With no history its content is kept.
+    // Changes a resource to the newest one of a ring and adds the older ones: "x[-1]" and so on. Returns them
+    // ordered by age. Without history the content is kept.
     std::vector<ResourceId> ring(ResourceId resource, uint32_t history);
     void set_output(ResourceId resource) { graph_.output = resource; }
 
-    // Attachments follow from the accesses; the returned pass may be adjusted until the next call.
+    // Attachments are derived from the accesses. The returned reference may be used until the next call.
     PassDecl& pass(std::string name, PassKind kind, const std::vector<BuilderUse>& uses);
     PassDecl& compute(std::string name, const std::vector<BuilderUse>& uses) {
         return pass(std::move(name), PassKind::compute, uses);
     }
-    // `to` runs after `from`, for no other reason.
+    // `to` must run after `from`, without a shared resource.
     void after(const std::string& from, const std::string& to);
 
     [[nodiscard]] const ResourceDecl& resource(ResourceId id) const { return graph_.resources[id]; }

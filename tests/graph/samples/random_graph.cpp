@@ -12,7 +12,7 @@ class Generator : public RandomFeatures {
     using RandomFeatures::RandomFeatures;
 
     ResolvedGraph run() {
-        // Folding what nobody has read yet into the result takes passes too.
+        // Combining unread results into the final result needs additional passes.
         const uint32_t wanted = between(options_.min_passes, options_.max_passes);
         const uint32_t body = std::max(2u, wanted * 6 / 10);
         add_imports();
@@ -64,7 +64,7 @@ class Generator : public RandomFeatures {
         }
     }
 
-    // What nobody has read flows into the result, but for some, which nobody needs.
+    // Combines most unread content into the final result; the rest stays unused, so that passes are culled.
     void fold(uint32_t wanted) {
         std::vector<RandomCell> loose;
         for (const RandomCell& cell : images_)
@@ -86,7 +86,7 @@ class Generator : public RandomFeatures {
                       {{"src", last.resource, Access::copy_read, {}, kNoId}});
     }
 
-    // A loose cell may have been overwritten since; then its new content is read, which is as good.
+    // The cell may have been overwritten since; then the pass reads the new content, which is fine too.
     RandomCell mix_into_new(const std::vector<RandomCell>& inputs) {
         constexpr const char* kShaders[] = {"mix_image_1.comp", "mix_image_2.comp", "mix_image_3.comp"};
         const RandomCell cell = new_image(16u * between(1, 3));

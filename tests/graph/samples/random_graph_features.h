@@ -1,5 +1,5 @@
-// Purpose: what random frames have on demand: rings, kept resources, mip chains, ranges, depth as an input,
-// layers of drawings.
+// Purpose: optional features of random frames: rings, kept resources, mip chains, ranges, depth as an input,
+// several draws on one image.
 #pragma once
 
 #include "tests/graph/samples/random_graph_passes.h"
@@ -11,12 +11,12 @@ class RandomFeatures : public RandomPasses {
     using RandomPasses::RandomPasses;
 
  protected:
-    // One of those asked for, now and then.
+    // Sometimes adds one of the enabled features.
     bool add_feature();
     void add_after_edges();
 
  private:
-    // A pass that reads earlier frames and writes this one's; its seed may be a builtin.
+    // A pass that reads earlier frames and writes the current one; its seed may be a builtin.
     void remember_image();
     void remember_buffer();
     void keep_image();

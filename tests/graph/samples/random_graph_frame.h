@@ -1,4 +1,4 @@
-// Purpose: the state of a random frame while it is made: chance, what has been written so far, and passes.
+// Purpose: the state of a random frame during its generation: random numbers, written content, and passes.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline constexpr AccessState kStateImport{stage::kComputeShader, access::kStorag
 struct RandomCell {
     ResourceId resource = kNoId;
     SubresourceRange range;
-    bool read = false;  // since it was written
+    bool read = false;  // read since it was written
 };
 
 class RandomFrame {
@@ -31,12 +31,12 @@ class RandomFrame {
     RandomFrame(uint32_t seed, const RandomGraphOptions& options) : random_(seed), options_(options) {}
 
  protected:
-    // Written out, because the standard's distributions differ between libraries.
+    // Implemented here, because the distributions of the standard library differ between implementations.
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
     uint32_t between(uint32_t low, uint32_t high) { return low + below(high - low + 1); }
     bool chance(uint32_t percent) { return below(100) < percent; }
 
-    // Mostly what was written lately, so that lifetimes are short and memory is handed over.
+    // Usually picks recently written content, so that lifetimes are short and memory is reused.
     size_t pick(size_t count) {
         const auto n = static_cast<uint32_t>(count);
         if (n > 4 && chance(75)) return n - 1 - below(4);
@@ -71,7 +71,7 @@ class RandomFrame {
         if (state_words_ != kNoId) builder_.make_concurrent(state_words_);
     }
 
-    // What could go elsewhere often asks for it.
+    // Passes that can run on another queue often request one.
     QueueKind queue_hint(PassKind kind) {
         const uint32_t roll = below(100);
         if (kind == PassKind::fullscreen || roll < 35) return QueueKind::graphics;
@@ -83,7 +83,7 @@ class RandomFrame {
                std::to_string(names_++);
     }
 
-    // A cell to write, not among `inputs`: one never written of an image with several, an old one, or a new
+    // A cell to write, not among `inputs`: an unwritten cell of an image, an already written one, or a new
     // image.
     RandomCell target(const std::vector<RandomCell>& inputs) {
         if (!unwritten_.empty() && chance(60)) {
@@ -142,7 +142,7 @@ class RandomFrame {
         pass_names_.push_back(pass.name);
         if (options_.queues) pass.queue = queue_hint(kind);
         if (shader == nullptr) return pass;
-        // Bindings go by name, and "dst" follows all inputs.
+        // Bindings are numbered by name, and "dst" comes after all inputs.
         if (kind == PassKind::compute) pass.uses.back().binding = static_cast<uint32_t>(uses.size()) - 1;
         pass.shader = shader;
         ParamWrite seed;
@@ -177,7 +177,7 @@ class RandomFrame {
     GraphBuilder builder_;
     std::vector<RandomCell> images_;     // written cells, oldest first
     std::vector<RandomCell> buffers_;    // written buffers
-    std::vector<RandomCell> unwritten_;  // cells of images of which others are written
+    std::vector<RandomCell> unwritten_;  // unwritten cells of partly written images
     std::vector<std::string> pass_names_;
     ResourceId state_words_ = kNoId;
     uint32_t passes_ = 0;

@@ -19,7 +19,7 @@ class RandomPasses : public RandomFrame {
     }
     RandomCell target_for_first() { return images_.empty() ? new_image(32) : target({}); }
 
-    // All mips of a layer at once, where all are written.
+    // Extends the cell to all mips of its layer, if all are written.
     void widen(RandomCell& cell) {
         const ResourceDecl& decl = builder_.resource(cell.resource);
         const SubresourceRange all{0, decl.mips, cell.range.layer, 1, decl.aspects};
@@ -114,7 +114,7 @@ class RandomPasses : public RandomFrame {
         buffers_.push_back(cell);
     }
 
-    // A whole image at once: every mip of every layer.
+    // Clears a whole image: every mip of every layer.
     void clear_image() {
         const RandomCell cell = new_image(16u * between(1, 3));
         const ResourceDecl& decl = builder_.resource(cell.resource);
@@ -162,7 +162,7 @@ class RandomPasses : public RandomFrame {
         images_.push_back(cell);
     }
 
-    // Half of an image drawn over: the other half has to be loaded.
+    // Draws on half of an image, so that the other half must be loaded.
     void draw_over() {
         const size_t i = pick(images_.size());
         const RandomCell cell = images_[i];
@@ -176,7 +176,7 @@ class RandomPasses : public RandomFrame {
         images_[i].read = false;
     }
 
-    // Depth from an image, a drawing that tests against it, and depth as an input.
+    // Writes depth from an image, draws with a depth test against it, and reads the depth as an input.
     void depth_chain() {
         const uint32_t side = 16u * between(1, 3);
         const ResourceId z = builder_.image(fresh_name("depth"), Format::d32f, side);

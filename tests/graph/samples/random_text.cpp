@@ -60,7 +60,7 @@ class TextGenerator : public RandomTextFaults {
         }
     }
 
-    // What nobody has read flows into the result, but for some, which nobody needs.
+    // Combines most unread content into the final result; the rest stays unused, so that passes are culled.
     void fold() {
         std::vector<size_t> loose = values_that(
             [&](size_t v) { return kind_of(v) == ValueKind::color && !model_.values[v].read && chance(75); });

@@ -1,12 +1,11 @@
-// Purpose: random graphs as texts, so that all of the way from JSON to a plan is tested: repeats (mip chains
-// down and up, nested, backwards, empty, spread over frames), partial writes, conditions with parameters
-// drawn at random, `else` and optional ports, writers in place that are left out, history, kept content,
-// parts of images, `after`, hints at queues, and every type of pass but C++ ones. resolve() must accept each
-// of them.
+// Purpose: random graphs as JSON texts, to test all stages from JSON to a plan: repeats (mip chains down and
+// up, nested, backwards, empty, spread over frames), partial writes, conditions with random parameters,
+// `else` and optional ports, conditional in-place writers, history, kept content, parts of images, `after`,
+// queue hints, and every type of pass except C++ ones. resolve() must accept all of them.
 //
-// Nothing in a text has a place in an order, so passes and resources are written in any. The generator makes
-// passes one after the other, and each reads versions that are there; what a text says about order (pins,
-// `after`) follows from that.
+// The order in a text has no meaning, so passes and resources are written in random order. The generator
+// makes passes one after another, and each reads existing versions; the pins and `after` in the text express
+// this order.
 #pragma once
 
 #include <cstdint>
@@ -20,26 +19,25 @@ namespace weft::test {
 
 struct RandomText {
     std::string text;
-    // The same graph without conditions, as the generator understands them: passes whose `if` is false are
-    // not there, `else` stands in the place of what it replaces, optional ports that nobody fills are gone,
-    // and repeats have numbers for bounds.
+    // The same graph with all conditions evaluated by the generator: passes with a false `if` are removed,
+    // `else` replaces its input, unconnected optional ports are removed, and repeats have numeric bounds.
     std::string plain;
-    std::map<std::string, double> params;  // overrides, for both
-    bool left_out = false;  // some `if` is false, and a pass is missing for it or a port reads something else
+    std::map<std::string, double> params;  // parameter values for both texts
+    bool left_out = false;                 // some `if` is false and this removed a pass or changed an input
 };
 
 [[nodiscard]] RandomText random_text(uint32_t seed);
 
-// The same with one fault in it, which resolve() must report, alone.
+// The same text with one fault, which must be the only one that resolve() reports.
 struct FaultyText {
     std::string text;
     std::map<std::string, double> params;
-    std::string code;  // of the diagnostic: "W110"
-    std::string how;   // what was done
+    std::string code;  // code of the diagnostic: "W110"
+    std::string how;   // description of the fault
 };
 [[nodiscard]] FaultyText random_faulty_text(uint32_t seed);
 
-// Against shaders and imports of the generator's own.
+// Resolves with shaders and imports made by the generator.
 [[nodiscard]] Result<ResolvedGraph> resolve_text(const std::string& text,
                                                  const std::map<std::string, double>& params,
                                                  const DeviceProfile& profile);

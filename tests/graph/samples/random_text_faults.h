@@ -1,5 +1,5 @@
-// Purpose: faults for random texts: graphs that mean nothing, or that show memory nobody wrote. resolve()
-// must find each of them.
+// Purpose: adds faults to random texts: meaningless graphs, and reads of unwritten memory. resolve() must
+// find each of them.
 #pragma once
 
 #include "tests/graph/samples/random_text_repeats.h"
@@ -45,7 +45,8 @@ class RandomTextFaults : public RandomTextRepeats {
     }
 
  private:
-    // Attachments are cleared; what other passes leave out would show the memory's last owner.
+    // Attachments are cleared; with other kinds of passes, unwritten parts would contain data of the memory's
+    // last owner.
     RandomFault part_of_nothing() {
         const uint32_t roll = below(5);
         const size_t target = roll == 3 ? new_words() : new_image("lone");

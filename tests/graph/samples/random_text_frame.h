@@ -1,4 +1,5 @@
-// Purpose: the state of a random text while it is made: chance, what can be read and written, and passes.
+// Purpose: the state of a random text during its generation: random numbers, readable and writable values,
+// and passes.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +16,7 @@ class RandomTextFrame {
     explicit RandomTextFrame(uint32_t seed) : random_(seed) {}
 
  protected:
-    // Written out, because the standard's distributions differ between libraries.
+    // Implemented here, because the distributions of the standard library differ between implementations.
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
     uint32_t between(uint32_t low, uint32_t high) { return low + below(high - low + 1); }
     bool chance(uint32_t percent) { return below(100) < percent; }
@@ -36,7 +37,7 @@ class RandomTextFrame {
         return found == params_.end() ? model_.defaults.at(name) : found->second;
     }
 
-    // The second condition of a pair is the other's opposite.
+    // The second condition of a pair is the negation of the first.
     std::pair<size_t, size_t> opposite_conditions() {
         const std::string p = "p" + std::to_string(below(3));
         const bool on = parameter(p) != 0;
@@ -92,7 +93,7 @@ class RandomTextFrame {
         model_.values.push_back(v);
         return model_.values.size() - 1;
     }
-    // Written by what the generator doesn't follow, and by nobody else.
+    // A value written by passes that the generator does not track, and by no other pass.
     size_t add_closed_value(size_t resource, std::string part = "", bool single = true) {
         const size_t id = add_value(resource, std::move(part));
         model_.values[id].closed = true;
@@ -113,7 +114,7 @@ class RandomTextFrame {
         }
         return found;
     }
-    // Mostly what was made lately, so that lifetimes are short and memory is handed over.
+    // Usually picks recent values, so that lifetimes are short and memory is reused.
     size_t pick(const std::vector<size_t>& from) {
         if (from.empty()) return kNone;
         const auto n = static_cast<uint32_t>(from.size());
@@ -133,8 +134,8 @@ class RandomTextFrame {
         return {value, model_.values[value].writers.size(), chance(50), {}};
     }
 
-    // A port of a shader that reads `value`, for a pass under `condition`. What may not be there is read with
-    // a way out.
+    // A port of a shader that reads `value`, for a pass under `condition`. If the value may be missing, the
+    // port has an `else` or is optional.
     TextPort input(const char* name, size_t value, size_t condition, bool may_be_empty) {
         TextPort port{name, last_version(value), {}, false, {}};
         bool nearest = resource_of(value).format == "r32f" || chance(20);
@@ -157,7 +158,7 @@ class RandomTextFrame {
         return pick_value(
             [&](size_t v) { return kind_of(v) == kind && model_.values[v].condition == kNone; });
     }
-    // What is read by its words alone: history, imports.
+    // A port that is bound to a text without a tracked value: history, imports.
     static TextPort said(const char* name, std::string words, std::string more = "") {
         return {name, {kNone, 0, false, std::move(words)}, {}, false, std::move(more)};
     }
@@ -174,7 +175,7 @@ class RandomTextFrame {
         model_.passes.push_back(std::move(pass));
         return model_.passes.back();
     }
-    // The pass made last writes `value`, all of it.
+    // Records that the last pass writes all of `value`.
     void write(const char* port, size_t value) {
         TextValue& v = model_.values[value];
         TextPass& pass = model_.passes.back();
@@ -183,12 +184,12 @@ class RandomTextFrame {
         v.writers.push_back(model_.passes.size() - 1);
         v.read = false;
     }
-    // And all that wrote it before comes first.
+    // Like write(), and orders the pass after all earlier writers.
     void write_after_others(const char* port, size_t value) {
         model_.passes.back().after = model_.values[value].writers;
         write(port, value);
     }
-    // It changes the version that is there, and says which one that is by its input or output.
+    // The last pass modifies the current version, which its input or output names.
     void change(size_t value, const char* in, const char* out) {
         TextValue& v = model_.values[value];
         TextPass& pass = model_.passes.back();

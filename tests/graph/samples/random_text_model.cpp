@@ -25,7 +25,7 @@ class Writer {
     }
 
  private:
-    // An output that is imported must be written.
+    // An imported output must be written.
     std::string imports() const {
         const auto presents = [](const TextPass& p) {
             return std::any_of(p.out.begin(), p.out.end(),
@@ -61,7 +61,7 @@ class Writer {
         return text + r.more + "}";
     }
 
-    // Where nobody writes any more, no pin says what the last version is: its writers may be alternatives.
+    // The last version is referenced without a pin, because its writers may be alternatives.
     std::string reference(const TextRef& ref) const {
         if (ref.value == kNone) return ref.words;
         const TextValue& value = model_.values[ref.value];

@@ -1,5 +1,5 @@
-// Purpose: a graph while its text is made up: what is written by whom under which condition, and the text of
-// it in both ways of random_text.h.
+// Purpose: the model of a random graph: which pass writes which value under which condition. Converts it to
+// both texts of random_text.h.
 #pragma once
 
 #include <cstdint>
@@ -25,38 +25,38 @@ struct TextResource {
     uint32_t side_px = 64;
     uint32_t mips = 1;
     uint32_t layers = 1;
-    uint32_t words = 256;  // of buffers
-    std::string more;      // ", "key": value"
-    std::string verbatim;  // all of its text, where it is not empty
+    uint32_t words = 256;  // size of a buffer
+    std::string more;      // further members as text: ", "key": value"
+    std::string verbatim;  // if not empty, the complete text of the resource
 };
 
-// A part of a resource that is written as a whole, and the passes that write it, in order.
+// A part of a resource that is always written as a whole, and its writers, in order.
 struct TextValue {
     size_t resource = kNone;
-    std::string part;  // ".mip(1)"
+    std::string part;  // such as ".mip(1)"
     uint32_t side_px = 64;
-    bool single = true;   // one mip of one layer
-    bool fresh = true;    // the first writer sees nothing of older content
-    bool closed = false;  // nobody writes it any more
+    bool single = true;   // true if it is one mip of one layer
+    bool fresh = true;    // true if the first writer ignores older content
+    bool closed = false;  // true if no further pass may write it
     bool read = false;
-    size_t condition = kNone;     // without it nobody writes it
+    size_t condition = kNone;     // if this condition is false, no pass writes it
     std::vector<size_t> writers;  // indices of passes
 };
 
-// What a port is bound to: the version of a value after its first `version` writers, or something in words.
+// The binding of a port: the version of a value after its first `version` writers, or a given text.
 struct TextRef {
     size_t value = kNone;
     size_t version = 0;
-    bool pin = true;  // though it need not
+    bool pin = true;  // write a pin even if it is unnecessary
     std::string words;
 };
 
 struct TextPort {
     std::string name;
     TextRef ref;
-    TextRef otherwise;  // `else`, where one of the two is set
+    TextRef otherwise;  // the `else` input, if one of its members is set
     bool optional = false;
-    std::string more;  // ", "key": value"
+    std::string more;  // further members as text: ", "key": value"
 };
 
 struct TextPass {
@@ -65,14 +65,14 @@ struct TextPass {
     std::vector<TextPort> in, out, depth;
     std::vector<size_t> after;
     size_t condition = kNone;
-    bool stays = false;  // in the plain text too, with "if": false: the only writer of a history
+    bool stays = false;  // stays in the plain text too, with "if": false: it is the only writer of a history
     bool empty = false;  // a repeat without rounds
-    std::string more;    // ", "key": value"
-    std::string more_text, more_plain;  // the same, for one of the two texts
+    std::string more;    // further members as text: ", "key": value"
+    std::string more_text, more_plain;  // the same for only one of the two texts
 };
 
 struct TextModel {
-    bool idle_output = false;  // imported, whoever writes it
+    bool idle_output = false;  // the output is imported, but any pass may write it
     std::vector<TextCondition> conditions;
     std::map<std::string, double> defaults;
     std::vector<TextResource> resources;

@@ -1,4 +1,4 @@
-// Purpose: the passes of random texts, one at a time: mixing, drawing, changing in place, copying, clearing.
+// Purpose: the passes of random texts: mixing, drawing, modifying in place, copying, clearing.
 #pragma once
 
 #include "tests/graph/samples/random_text_frame.h"
@@ -10,7 +10,7 @@ class RandomTextPasses : public RandomTextFrame {
     using RandomTextFrame::RandomTextFrame;
 
  protected:
-    // A new image, or a mip or layer of one that is partly written.
+    // A new image, or an unwritten mip or layer of a partly written one.
     size_t target() {
         if (!unwritten_.empty() && chance(60)) {
             const uint32_t i = below(static_cast<uint32_t>(unwritten_.size()));
@@ -30,7 +30,7 @@ class RandomTextPasses : public RandomTextFrame {
                (layers > 1 ? ".layer(" + std::to_string(layer) + ")" : "");
     }
 
-    // Under a condition a pass writes what is new and whole, so that nobody else's work hides its absence.
+    // A pass under a condition writes a new value as a whole, so that no other write hides its absence.
     void choose_condition(uint32_t percent) {
         if (chance(percent)) model_.passes.back().condition = new_condition();
         settle_condition();
@@ -72,11 +72,13 @@ class RandomTextPasses : public RandomTextFrame {
         read_colors(inputs);
         const size_t output = output_of_last_pass();
         write("color", output);
-        // It counts as changing in place: what overwrites all comes before such passes, never after them.
+        // It counts as an in-place write: passes that overwrite the whole come before such passes, never
+        // after them.
         if (partial) model_.values[output].fresh = false;
     }
 
-    // One that may be changed. Where its writers depend on a condition, so does whoever changes it.
+    // A value that may be modified. If its writers depend on a condition, the modifying pass gets the same
+    // condition.
     template <class Accept>
     size_t changeable(Accept accept) {
         return pick_value([&](size_t v) {
@@ -84,7 +86,7 @@ class RandomTextPasses : public RandomTextFrame {
             return !value.closed && value.single && !value.writers.empty() && accept(v);
         });
     }
-    // A value with this one's cells must not be among the inputs.
+    // The inputs must not contain a value with the same cells.
     size_t other_color(size_t than) {
         return pick_value([&](size_t v) {
             return kind_of(v) == ValueKind::color && model_.values[v].condition == kNone &&
@@ -120,7 +122,7 @@ class RandomTextPasses : public RandomTextFrame {
         model_.passes.back().in = {input("a", other, model_.passes.back().condition, false)};
         change(v, nullptr, "color");
     }
-    // A colour that this frame wrote in any case, and that a pass may still change.
+    // A colour that this frame writes unconditionally and that a pass may still modify.
     size_t overwritable_color() {
         return changeable([&](size_t c) {
             return kind_of(c) == ValueKind::color && model_.values[c].fresh &&
@@ -137,7 +139,7 @@ class RandomTextPasses : public RandomTextFrame {
         write_after_others("dst", v);
     }
 
-    // A part of it only: what was there stays beside it.
+    // Overwrites only a part; the rest keeps its content.
     void overwrite_part() {
         const size_t v = overwritable_color();
         if (v == kNone) return;
@@ -150,7 +152,7 @@ class RandomTextPasses : public RandomTextFrame {
         write_after_others(draws ? "color" : "dst", v);
     }
 
-    // Either of two passes makes it.
+    // Exactly one of two passes writes it.
     void alternatives() {
         const auto [one, two] = opposite_conditions();
         const size_t v = add_value(new_image("either"));
@@ -182,7 +184,7 @@ class RandomTextPasses : public RandomTextFrame {
         if (chance(70)) show_depth(d);
         model_.values[d].closed = true;
     }
-    // Tests against the depth that it may sample, too.
+    // A pass with a depth test that may also sample the same depth.
     void sky(size_t color, size_t depth) {
         const bool samples = chance(50);
         add_pass("sky", "fullscreen", samples ? "sky_2.frag" : "sky_1.frag").more +=

@@ -1,4 +1,4 @@
-// Purpose: the repeats of random texts, and what outlives a frame.
+// Purpose: the repeats and persistent resources of random texts.
 #pragma once
 
 #include "tests/graph/samples/random_text_passes.h"
@@ -10,7 +10,7 @@ class RandomTextRepeats : public RandomTextPasses {
     using RandomTextPasses::RandomTextPasses;
 
  protected:
-    // Mip by mip down, in one layer or two, and often up again, which `if` may leave out.
+    // Processes one or two layers mip by mip downwards, and often upwards again; an `if` may remove passes.
     void pyramid() {
         const uint32_t mips = between(3, 5), layers = chance(30) ? 2 : 1;
         const size_t image = new_image("pyramid", mips, layers);
@@ -38,7 +38,7 @@ class RandomTextRepeats : public RandomTextPasses {
         if (layers == 1) add_closed_value(image, "", false);
     }
 
-    // Some rounds in place, none perhaps, or every second one.
+    // Repeats that modify in place: several rounds, none, or every second one.
     void rounds() {
         const size_t v = changeable([&](size_t c) {
             return kind_of(c) == ValueKind::color && one_format(c) && model_.values[c].condition == kNone;
@@ -59,7 +59,7 @@ class RandomTextRepeats : public RandomTextPasses {
         model_.values[v].read = false;
     }
 
-    // From one layer to the other and back.
+    // Copies from one layer to the other and back.
     void bounce() {
         const size_t image = new_image("bounce", 1, 2);
         const std::string name = model_.resources[image].name;
@@ -72,7 +72,7 @@ class RandomTextRepeats : public RandomTextPasses {
         add_closed_value(image, ".layer(1)");
     }
 
-    // The inner range uses the outer index; every second round may be left out.
+    // The inner range depends on the outer index; an `if` may remove every second round.
     void staircase() {
         const size_t image = new_image("stairs", 1, 6);
         const bool odd = chance(50);
@@ -108,7 +108,7 @@ class RandomTextRepeats : public RandomTextPasses {
         write("dst", add_value(ring));
         if (!words) memories_.push_back({past, ring});
     }
-    // Somebody else looks back as well.
+    // Adds another pass that reads the history.
     void recall() {
         if (memories_.empty()) return remember();
         const auto& [past, ring] = memories_[below(static_cast<uint32_t>(memories_.size()))];
@@ -142,8 +142,8 @@ class RandomTextRepeats : public RandomTextPasses {
         write("x", v);
     }
 
-    // Rounds spread over frames, each with a layer of its own; others, in turns of their own, that read what
-    // they made; or rounds that change parts of one thing.
+    // Repeats spread over frames: each round writes its own layer; other repeats, with their own turns, read
+    // these layers; or rounds modify parts of one resource.
     void turns() {
         const uint32_t rounds = between(2, 4);
         const std::string turn = turn_keys(rounds);
@@ -171,7 +171,7 @@ class RandomTextRepeats : public RandomTextPasses {
         close_layers(next, rounds);
     }
 
-    // What one round left in a kept image is overwritten by the next before its reader's turn comes.
+    // In a kept image, each round's result is overwritten by the next round before its reader has its turn.
     void chain_turns_wrongly() {
         const uint32_t rounds = between(2, 4);
         const size_t scratch = new_image("scratch"), kept = kept_layers("stored", rounds);
@@ -244,7 +244,7 @@ class RandomTextRepeats : public RandomTextPasses {
         }
     }
 
-    std::vector<std::pair<std::string, size_t>> memories_;  // images, and their resources
+    std::vector<std::pair<std::string, size_t>> memories_;  // history references and their resources
 };
 
 }  // namespace weft::test

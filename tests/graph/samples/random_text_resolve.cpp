@@ -1,4 +1,4 @@
-// What the passes of random texts find around them, and the way from a text to a graph.
+// Shaders and imports for random texts, and the conversion from a text to a graph.
 #include "graph/parse/parse.h"
 #include "graph/resolve/resolve.h"
 #include "graph/syntax/merge.h"

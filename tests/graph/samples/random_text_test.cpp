@@ -1,4 +1,4 @@
-// Random texts are understood, and mean what their generator means by them.
+// resolve() accepts random texts, and the result agrees with the generator's model.
 #include "tests/graph/samples/random_text.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace weft::test {
 namespace {
 
-// Hashes leave out where in the file things stand.
+// The hash ignores places in the file.
 std::string meaning(const ResolvedGraph& graph) {
     return compile(graph, content_needs(graph), {}).hash;
 }
@@ -33,7 +33,7 @@ TEST(RandomText, MeansTheSameWithoutItsConditions) {
     EXPECT_GE(left_out * 2, seeds);
 }
 
-// One message, of the code that the fault has.
+// Exactly one message, with the code of the planted fault.
 TEST(RandomText, EachFaultIsFound) {
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 300;
     std::map<std::string, uint32_t> found;

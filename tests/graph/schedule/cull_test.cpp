@@ -6,7 +6,7 @@
 namespace weft::test {
 namespace {
 
-// make → shade → the output; ao → blur, which nobody reads.
+// make → shade → the output; ao → blur, which no pass reads.
 ResolvedGraph frame() {
     GraphBuilder b;
     const ResourceId gbuffer = b.image("gbuffer"), ssao = b.image("ssao"), blurred = b.image("blurred");

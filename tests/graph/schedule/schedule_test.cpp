@@ -12,7 +12,8 @@
 namespace weft::test {
 namespace {
 
-// Many producers written first, each folded into a sum later: program order holds all of them at once.
+// Many producers come first and each result is summed up later, so program order keeps all of them alive at
+// once.
 ResolvedGraph produce_then_fold(uint32_t count) {
     GraphBuilder b;
     const ResourceId sum = b.buffer("sum", 16);

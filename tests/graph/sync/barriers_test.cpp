@@ -1,4 +1,4 @@
-// Which barriers a frame needs, hazard by hazard, and that it gets no others.
+// The barriers that a frame needs for each hazard, and that there are no others.
 #include <gtest/gtest.h>
 
 #include "tests/graph/compile/plan_expectations.h"
@@ -32,7 +32,7 @@ TEST(Barriers, ReadAfterWriteFromComputeToFragment) {
     EXPECT_EQ(raw.to, pass_id(plan, "draw"));
     expect_state(raw.src, {stage::kComputeShader, access::kStorageWrite, Layout::general});
     expect_state(raw.dst, {stage::kFragmentShader, access::kSampledRead, Layout::shader_read_only});
-    // make: hand-over of image; draw: image and hand-over of color; out: color.
+    // make: takes over memory for image; draw: image, and memory for color; out: color.
     EXPECT_EQ(plan.barriers.emitted, 4u);
 }
 
@@ -182,20 +182,20 @@ TEST(Barriers, HandOverAndWrapAround) {
     read_back(b, "p4", last);
     const FramePlan plan = compiled(b);
 
-    // last takes a's memory over in this frame: a was last read by p2's fragments, and reads leave nothing to
-    // flush.
+    // Within this frame, last takes over a's memory: a was last read by p2's fragment shader, and reads need
+    // no flush.
     const BarrierDecl within = barrier_before(plan, "p3", "last");
     EXPECT_EQ(within.reason, BarrierReason::hand_over);
     EXPECT_EQ(within.hand_over_from, (std::vector<ResourceId>{resource_id(plan, "a")}));
     EXPECT_FALSE(within.from_previous_frame);
     expect_state(within.src, {stage::kFragmentShader, access::kNone, Layout::undefined});
     expect_state(within.dst, {stage::kComputeShader, access::kStorageWrite, Layout::general});
-    // a takes it back from last, which the frame before copied out.
+    // a takes the memory back from last, which the previous frame copied out.
     const BarrierDecl wrap = barrier_before(plan, "p1", "a");
     EXPECT_EQ(wrap.hand_over_from, (std::vector<ResourceId>{resource_id(plan, "last")}));
     EXPECT_TRUE(wrap.from_previous_frame);
     expect_state(wrap.src, {stage::kCopy, access::kNone, Layout::undefined});
-    // mid has its memory alone.
+    // mid shares its memory with no other resource.
     const BarrierDecl self = barrier_before(plan, "p2", "mid");
     EXPECT_EQ(self.hand_over_from, (std::vector<ResourceId>{resource_id(plan, "mid")}));
     EXPECT_TRUE(self.from_previous_frame);
@@ -211,7 +211,7 @@ TEST(Barriers, AnUnreadWriteIsFlushedByTheHandOver) {
                  {stage::kComputeShader, access::kStorageWrite, Layout::undefined});
 }
 
-// One pass that reads or writes an import.
+// A plan with one pass that reads or writes an import.
 FramePlan with_import(const AccessState& entry, const AccessState& exit, Access access) {
     GraphBuilder b;
     const ResourceId import = b.image("import"), other = b.buffer("other");
@@ -295,7 +295,8 @@ TEST(Barriers, LoadAndStoreOperationsFollowTheReaders) {
     expect_ops("more", 0, LoadOp::load, StoreOp::store);
     expect_ops("more", 1, LoadOp::load, StoreOp::dont_care);
     expect_ops("screen", 0, LoadOp::dont_care, StoreOp::store);
-    // Throwing content away is a write: `screen` waits for `base`, and z hands a pending write over.
+    // Discarding content counts as a write: `screen` waits for `base`, and z takes over memory with a pending
+    // write.
     expect_state(barrier_before(plan, "screen", "extra").src,
                  {stage::kColorOutput, access::kColorWrite, Layout::color_attachment});
     EXPECT_TRUE(barrier_before(plan, "base", "z").src.access & access::kDepthStencilWrite);

@@ -1,5 +1,5 @@
-// Passes that draw over one another share a rendering scope, and nothing is waited for between them; where
-// something has to be, they don't.
+// Passes that draw on the same attachments share a rendering scope without barriers in between; if a barrier
+// is needed, they do not.
 #include "graph/sync/scopes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t kSide = 16;
 
-// "first" covers `target`, reading `input`; then each of `draw()` goes over it; "read" wants the result.
+// "first" covers `target`, reading `input`; then each pass of `draw()` draws on it; "read" reads the result.
 class Layers {
  public:
     explicit Layers(Format format = Format::rgba16f)
@@ -45,7 +45,7 @@ bool merged(const FramePlan& plan, const char* pass) {
     return step_of(plan, pass).continues_scope;
 }
 
-// It begins a scope of its own, and waits for what was drawn before.
+// Expects that the pass begins its own scope and waits for the previous drawing.
 void expect_apart(const FramePlan& plan, const char* pass) {
     EXPECT_FALSE(merged(plan, pass));
     EXPECT_FALSE(barriers_before(plan, pass, "target").empty());
@@ -61,7 +61,7 @@ TEST(Scopes, ThreePassesOverOneTargetAreOneScopeWithoutBarriers) {
         EXPECT_TRUE(merged(plan, pass));
         EXPECT_TRUE(step_of(plan, pass).barriers.empty()) << pass;
     }
-    // make, first (input and target), read, and none between the three.
+    // One for make, two for first (input and target), one for read, none between the three draws.
     EXPECT_EQ(plan.barriers.emitted, 4u);
     const BarrierDecl after = barrier_before(plan, "read", "target");
     expect_state(after.src, {stage::kColorOutput, access::kColorWrite, Layout::color_attachment});
@@ -104,7 +104,7 @@ TEST(Scopes, AClearBeginsAnother) {
     read_back(layers.builder, "read", layers.target);
     const ResolvedGraph graph = layers.builder.build();
     CompileOptions options;
-    options.keep_all_passes = true;  // nobody needs the first
+    options.keep_all_passes = true;  // no other pass needs the first
     const FramePlan plan = compile(graph, content_needs(graph, 1), options);
     EXPECT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
     expect_apart(plan, "second");
@@ -144,7 +144,7 @@ TEST(Scopes, AMultisampledTargetThatIsResolvedInBetween) {
     }
 }
 
-// A depth-tested pair: by `first` and `second`, how they use depth.
+// Two passes that access depth as given by `first` and `second`.
 FramePlan depth_pair(Access first, Access second) {
     GraphBuilder b;
     const ResourceId target = b.image("target", Format::rgba16f, kSide);
@@ -182,7 +182,7 @@ TEST(Scopes, WhoeverComesNextWaitsForDepthToo) {
     EXPECT_EQ(after.from, pass_id(plan, "second"));
 }
 
-// A reader of the first pass's version on another queue: the second has to wait for it there.
+// A pass on another queue reads the first pass's version, so the second pass must wait for it.
 TEST(Scopes, NotAcrossASemaphore) {
     GraphBuilder b;
     const ResourceId target = b.image("target", Format::r32u, kSide),
@@ -203,7 +203,7 @@ TEST(Scopes, NotAcrossASemaphore) {
     EXPECT_FALSE(merged(plan, "second"));
 }
 
-// Nothing is recorded between the two, but another queue waits for the first.
+// Nothing is recorded between the two passes, but another queue waits for the first.
 TEST(Scopes, NotBehindASignal) {
     for (const bool waits : {false, true}) {
         GraphBuilder b;

@@ -1,4 +1,5 @@
-// Files that include files: what lies over what, what each fault says, and that nothing is read from outside.
+// Included files: the order of merging, the message of each fault, and that no file outside the folders is
+// read.
 #include <map>
 
 #include "tests/graph/report/marked_graph.h"
@@ -8,7 +9,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-// Takes the marks out of the files and gathers their places.
+// Removes the marks from the files and records their places.
 struct Marked {
     Files files;
     std::vector<std::string> places;

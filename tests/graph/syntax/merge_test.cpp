@@ -9,7 +9,7 @@ Result<JsonDoc> merge_text(const std::string& text) {
     return merge(std::move(document).value());
 }
 
-// {a:{ref:b}}: enough of the document to compare shapes.
+// Text such as {a:{ref:b}}, with enough of the document to compare structures.
 std::string shape(const JsonNode& node) {
     if (node.kind == JsonKind::string || node.kind == JsonKind::number) return node.string;
     if (node.kind == JsonKind::boolean) return node.boolean ? "true" : "false";

@@ -35,8 +35,8 @@ Count& count() {
     return in_file != nullptr ? *in_file : in_memory;
 }
 
-// The driver loads LLVM for itself alone: it is found among the libraries that the caller needs. Two drivers
-// in one process have one each.
+// Each driver has its own LLVM, so this searches the libraries that the caller depends on. Two drivers in one
+// process have two copies.
 MakeModule find_real(void* caller) {
     Dl_info driver{};
     void* library =
@@ -46,7 +46,7 @@ MakeModule find_real(void* caller) {
         std::fprintf(stderr, "code counter: no LLVM to call\n");
         std::abort();
     }
-    dlclose(library);  // the driver itself keeps it
+    dlclose(library);  // the driver itself keeps it loaded
     return reinterpret_cast<MakeModule>(function);
 }
 
@@ -58,7 +58,8 @@ uint64_t compiled_modules() {
 
 }  // namespace weft::test
 
-// The driver calls this instead of LLVM's function: a program's own libraries come first.
+// The driver calls this function instead of LLVM's, because the dynamic linker searches a program's own
+// libraries first.
 extern "C" __attribute__((visibility("default"))) void* LLVMModuleCreateWithNameInContext(const char* name,
                                                                                           void* context) {
     ++weft::test::count();
