@@ -1,4 +1,5 @@
-// Depth of field by the passes of its own graph: no colour leaks, and small bright lamps become even discs.
+// Depth of field, rendered with the passes of its own graph: colours do not leak, and small bright lamps
+// become uniform discs.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,7 @@ class DepthOfField : public ShippedEffects {
  protected:
     static constexpr Extent3D kSize{128, 64, 1};
 
-    // hdr behind the lens, with the right half so far away.
+    // The test picture after the lens effect; its right half is at distance `right_m`.
     Image through_lens(double right_m) {
         const Json picture{{"type", "fullscreen"},
                            {"shader", "halves.frag"},
@@ -28,7 +29,7 @@ class DepthOfField : public ShippedEffects {
     static const glm::vec4& at(const Image& image, uint32_t x, uint32_t y) {
         return image[size_t{y} * kSize.width + x];
     }
-    // The stripes' contrast, 0 where they have become one colour.
+    // Contrast of the stripes; 0 where they have merged to one colour.
     static float contrast(const Image& image, uint32_t x) {
         float low = 100, high = 0;
         for (uint32_t y = 24; y < 40; ++y) {
@@ -57,7 +58,7 @@ TEST_F(DepthOfField, WhatIsSharpLeaksIntoNothingBehindIt) {
 TEST_F(DepthOfField, WhatIsBlurredBeforeTheFocusSpreadsAndLetsThroughAtItsBorderOnly) {
     const Image image = through_lens(3);
     ASSERT_EQ(image.size(), size_t{kSize.width} * kSize.height);
-    constexpr uint32_t kWidestCircle = 24 + 4;  // and what half resolution adds
+    constexpr uint32_t kWidestCircle = 24 + 4;  // widest circle, plus the error of half resolution
     for (uint32_t y = 0; y < kSize.height; ++y)
         for (uint32_t x = kSize.width / 2 + kWidestCircle; x < kSize.width; ++x)
             ASSERT_EQ(at(image, x, y).r, 0) << x << ", " << y;
@@ -68,8 +69,8 @@ TEST_F(DepthOfField, WhatIsBlurredBeforeTheFocusSpreadsAndLetsThroughAtItsBorder
     EXPECT_LT(contrast(image, 100), 0.3f) << "blurred";
 }
 
-// A gather at full resolution over every pixel, in double precision: what the passes approximate. It holds
-// for pictures whose part before the focus hides a plain colour only.
+// The exact result that the passes approximate: gathers over every pixel at full resolution in double
+// precision. Valid only for pictures whose foreground hides a plain colour.
 class LampReference {
  public:
     LampReference(const Image& color, const Image& depth, Extent3D size, const shared::ViewConstants& view,
@@ -89,7 +90,7 @@ class LampReference {
         const glm::dvec3 below = glm::mix(sharp, lit, blurred(own_px));
         const double covered = std::min(close.a, 1.0);
         const glm::dvec3 front = close.a > 1 ? glm::dvec3(close) / close.a : glm::dvec3(close);
-        // A pixel that is blurred before the focus shows what it hides.
+        // A blurred pixel in the foreground reveals the colour behind it.
         return front + (own_px < 0 ? glm::mix(sharp, hidden_, blurred(-own_px)) : below) * (1 - covered);
     }
     void set_hidden(const glm::dvec3& color) { hidden_ = color; }
@@ -104,7 +105,7 @@ class LampReference {
         const double t = std::clamp((radius_px / 2 - 0.25) / 0.6, 0.0, 1.0);
         return t * t * (3 - 2 * t);
     }
-    // Of the pixels behind (side 1) or before the focus (−1): their light, premultiplied, and their share of
+    // Gathers the pixels behind (side 1) or before the focus (−1): premultiplied light, and their share of
     // the circle.
     glm::dvec4 gathered(int x, int y, double reach_px, double side) const {
         const int reach = static_cast<int>(std::ceil(reach_px));
@@ -122,13 +123,13 @@ class LampReference {
 
     const Image& color_;
     Extent3D size_;
-    std::vector<double> radius_px_;  // of the circles of confusion, at full resolution
+    std::vector<double> radius_px_;  // radii of the circles of confusion, at full resolution
     glm::dvec3 hidden_{0};
 };
 
 struct Overshoot {
     double above = 0,
-           below = 0;  // how far the picture leaves what the reference has nearby, as a share of that
+           below = 0;  // largest relative difference from the nearby values of the reference, above and below
 };
 
 class Lamps : public ShippedEffects {
@@ -154,7 +155,7 @@ class Lamps : public ShippedEffects {
     }
 
  private:
-    // Half resolution, and the filter that brings it back to full, move light by up to so many pixels.
+    // Half resolution and the upsampling filter may move light by this many pixels.
     static constexpr int kNear = 5;
 
     static Overshoot compare(const Image& image, const LampReference& reference) {

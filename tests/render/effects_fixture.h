@@ -1,4 +1,4 @@
-// The passes of a shipped effect on their own, behind a picture that a test draws.
+// Runs the passes of a shipped effect alone, on a picture that a test draws.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,8 +18,8 @@ inline Json shipped(const std::string& name) {
     return Json::parse(read_text(shipped_path(name)).value_or("{}"), nullptr, true, true);
 }
 
-// The named passes of a graph behind a pass of ours that writes its hdr; `glass` is what the graphs call the
-// last pass of the scene.
+// A graph with a pass that writes `hdr`, followed by the named passes of another graph. The graphs call the
+// last pass of the scene `glass`.
 inline Json behind_picture(const std::string& name, const Json& picture,
                            std::initializer_list<const char*> passes,
                            std::initializer_list<const char*> resources) {
@@ -39,7 +39,7 @@ inline Json behind_picture(const std::string& name, const Json& picture,
 
 class ShippedEffects : public SessionTest {
  protected:
-    // What each frame left in the observed resources, by name.
+    // The content of the observed resources after each frame, by name.
     std::vector<std::map<std::string, Image>> frames(const Json& graph, const std::string& path,
                                                      Extent3D size, uint32_t count,
                                                      std::vector<std::string> observed) {
@@ -66,7 +66,7 @@ class ShippedEffects : public SessionTest {
         return seen.empty() ? std::map<std::string, Image>{} : std::move(seen[0]);
     }
 
-    shared::ViewConstants view_{};  // of the last frame
+    shared::ViewConstants view_{};  // view of the last frame
 };
 
 }  // namespace weft::test

@@ -27,7 +27,7 @@ size_t end_of_string(const std::string& text, size_t begin) {
     return std::min(end + 1, text.size());
 }
 
-// Roughly, so that a text that was changed before can be changed again.
+// A rough tokenizer, so that a text that is already damaged can be changed again.
 std::vector<Token> tokens_of(const std::string& text) {
     std::vector<Token> tokens;
     for (size_t i = 0; i < text.size();) {
@@ -56,14 +56,14 @@ class Mutator {
     Mutator(std::string text, Random& random, const std::vector<std::string>& values)
         : text_(std::move(text)), random_(random), values_(values) {}
 
-    // What was done; empty: there was nothing to do it to.
+    // Makes one change and returns its description; empty if no change was possible.
     std::string edit() {
         using Edit = bool (Mutator::*)();
         struct Named {
             const char* name;
             Edit edit;
         };
-        // What keeps the file readable comes more often: its meaning is tried then.
+        // Changes that keep the file readable are more frequent, because they test later stages.
         static constexpr std::array kEdits{Named{"key misspelt", &Mutator::misspell_key},
                                            Named{"value misspelt", &Mutator::misspell_value},
                                            Named{"values swapped", &Mutator::swap_values},
@@ -121,7 +121,7 @@ class Mutator {
         return true;
     }
 
-    // A letter left out, doubled, changed, or two exchanged.
+    // Removes, doubles or changes a letter, or swaps two.
     bool misspell(const Token* token) {
         if (token == nullptr || token->end - token->begin < 4) return false;
         std::string word = text_of(*token);
@@ -154,13 +154,13 @@ class Mutator {
     bool swap_values() { return swap_two(pick(is_value), pick(is_value)); }
     bool swap_keys() { return swap_two(pick(TokenKind::key), pick(TokenKind::key)); }
 
-    // For another string of any graph.
+    // Replaces a name by another string of any graph.
     bool exchange_name() {
         const Token* token = pick([](const Token& t) { return t.kind != TokenKind::mark; });
         return token != nullptr && replace(*token, values_[below(values_.size())]);
     }
 
-    // For another one of the same graph, keys for keys.
+    // Replaces a name by another one of the same graph; keys by keys.
     bool repeat_name() {
         const Token* token =
             pick([](const Token& t) { return t.kind == TokenKind::key || t.kind == TokenKind::string; });
@@ -168,7 +168,7 @@ class Mutator {
         return other != nullptr && other != token && replace(*token, text_of(*other));
     }
 
-    // From the key to the end of its value, and the comma behind or before it.
+    // The range from the key to the end of its value, including the comma after or before it.
     bool drop_member() {
         const Token* key = pick(TokenKind::key);
         if (key == nullptr) return false;
@@ -211,7 +211,7 @@ class Mutator {
     }
 
     struct Line {
-        size_t begin = 0, end = 0;  // with its newline
+        size_t begin = 0, end = 0;  // including its newline
     };
     Line pick_line() {
         const size_t at = below(text_.size());
@@ -316,7 +316,7 @@ Mutant GraphMutants::make(uint32_t seed) const {
     mutant.seed = seed;
     mutant.root = files_[random() % files_.size()];
     mutant.file = mutant.root;
-    // One in four: the fault is in what the graph includes.
+    // In one of four mutants the change is in an included file.
     for (const std::string& file : files_) {
         const std::string name = fs::path(file).filename().string();
         const bool included =

@@ -1,5 +1,6 @@
-// The shipped graphs' texts, changed as a slip of the hand would: keys misspelt, values swapped, passes
-// dropped, numbers out of range, braces and quotes cut, names exchanged, lines doubled. One seed, one mutant.
+// Changes the text of shipped graphs as a typing mistake would: misspelt keys, swapped values, removed
+// passes, numbers out of range, missing braces and quotes, swapped names, duplicated lines. Each seed gives
+// one mutant.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,10 @@ namespace weft::test {
 
 struct Mutant {
     uint32_t seed = 0;
-    std::string root;  // the graph that is loaded, below the source folder: "graphs/taa.json"
-    std::string file;  // the one that was changed: the graph, or one that it includes
-    std::string text;  // of `file`
-    std::string how;   // what was done
+    std::string root;  // the graph to load, relative to the source folder: "graphs/taa.json"
+    std::string file;  // the changed file: the graph, or an included file
+    std::string text;  // text of `file`
+    std::string how;   // description of the change
 };
 
 class GraphMutants {
@@ -25,15 +26,15 @@ class GraphMutants {
     GraphMutants();
 
     [[nodiscard]] Mutant make(uint32_t seed) const;
-    // Reads the mutant's text in place of its file, all others as they are.
+    // Returns the mutant's text instead of its file; other files are unchanged.
     [[nodiscard]] static FileReader reader_of(const Mutant& mutant);
     [[nodiscard]] static std::string path_of(const std::string& file);
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
  private:
-    std::vector<std::string> files_;            // of all shipped graphs
-    std::map<std::string, std::string> texts_;  // by file
-    std::vector<std::string> values_;           // strings that stand somewhere in them, with their quotes
+    std::vector<std::string> files_;            // files of all shipped graphs
+    std::map<std::string, std::string> texts_;  // index: file
+    std::vector<std::string> values_;           // strings that occur in these files, with their quotes
 };
 
 }  // namespace weft::test

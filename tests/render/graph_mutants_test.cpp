@@ -1,5 +1,5 @@
-// Whatever becomes of a shipped graph, in all its tiers: it is refused within a second, each message with a
-// code, a place and a remedy, or the checker passes its plan. No device is needed.
+// Mutants of shipped graphs, in all tiers: each is rejected within a second, and each message has a code, a
+// place and a remedy; or its plan passes the checker. No device is needed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ double cpu_time_s() {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
-// The place lies in the file as it was read.
+// The place must exist in the file as it was read.
 void expect_useful(const Diagnostic& d, const FileReader& reader) {
     EXPECT_EQ(d.code.size(), 4u) << to_text(d);
     EXPECT_FALSE(d.help.empty()) << to_text(d);
@@ -49,7 +49,7 @@ void expect_useful(const Diagnostic& d, const FileReader& reader) {
     std::string line;
     uint32_t count = 0;
     while (count < d.line && std::getline(lines, line)) ++count;
-    if (count < d.line) line.clear();  // behind the last newline
+    if (count < d.line) line.clear();  // after the last newline
     EXPECT_LE(d.line, count + 1) << to_text(d);
     EXPECT_LE(d.column, line.size() + 1) << to_text(d);
 }
@@ -85,7 +85,7 @@ class GraphMutantsTest : public testing::Test {
                 .memory = &memory_};
     }
 
-    // Faults of one tier; its plan is proved when there are none.
+    // Returns the faults of one tier; if there are none, checks its plan.
     Diagnostics check_tier(const JsonDoc& document, const LoadInput& input, uint32_t queues,
                            Diagnostics& warnings) {
         const Result<LoadedGraph> loaded = load_graph(document, input, warnings);
@@ -136,7 +136,7 @@ class GraphMutantsTest : public testing::Test {
     PassCatalog passes_ = registered_passes();
     ImportCatalog imports_ = render::scene_imports({64, 36, 1});
     DeviceProfile profile_;
-    ShaderMemory memory_;  // what mutants share
+    ShaderMemory memory_;  // programs shared by all mutants
 };
 
 TEST_F(GraphMutantsTest, AreRefusedAtAPlaceOrProved) {

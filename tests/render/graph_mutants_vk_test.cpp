@@ -1,5 +1,4 @@
-// Mutants of the shipped graphs that load are drawn, and the validation layers have nothing to say about
-// them.
+// Renders those mutants of shipped graphs that load; the validation layers must give no message.
 #include <cstdlib>
 
 #include "tests/render/graph_mutants.h"
@@ -11,7 +10,7 @@ namespace {
 constexpr uint32_t kFirstSeed = 61000;
 constexpr Extent3D kSize{64, 36, 1};
 constexpr uint32_t kFrames = 2;
-// What a number out of range may ask for, and a CPU must not be asked for: such mutants are left out.
+// A number out of range may request too much memory for a CPU device; such mutants are skipped.
 constexpr uint64_t kMostMemory_bytes = uint64_t{256} << 20;
 constexpr uint64_t kMostInvocations = uint64_t{1} << 22;
 constexpr size_t kMostPasses = 600;
@@ -74,7 +73,7 @@ class GraphMutantsVkTest : public SessionTest {
 
     Result<scene::Scene> scene_ = scene::make_builtin("spheres");
     scene::Camera camera_;
-    size_t messages_ = 0;  // seen
+    size_t messages_ = 0;  // number of messages already checked
 };
 
 TEST_F(GraphMutantsVkTest, AreDrawnWithoutAMessage) {

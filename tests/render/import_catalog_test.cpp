@@ -5,8 +5,8 @@
 namespace weft::render {
 namespace {
 
-// What programs around a graph do with its output: the frame's end must be done before it, and the next begin
-// after.
+// Programs copy or blit the output between frames: the frame's end must come before, and the next frame's
+// begin after.
 TEST(ImportCatalog, TheOutputMayBeCopiedAndBlittedBetweenFrames) {
     const ImportCatalog catalog = scene_imports({64, 64, 1});
     const ResourceDecl& output = catalog.imports.at("backbuffer").resource;

@@ -1,4 +1,4 @@
-// Where the camera samples in its pixels, and what that does to the views that shaders get.
+// The camera's sample positions inside a pixel, and their effect on the views for shaders.
 #include "render/jitter.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A light with invalid numbers is clamped to drawable ones, and a warning tells so.
+// Lights with arbitrary numbers become finite lights that can be drawn, and corrections are reported.
 #include "scene/model/light_check.h"
 
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kThrew = 255;
 
-// ru_maxrss begins with what the parent had; VmHWM can be set back.
+// ru_maxrss starts with the parent's value; VmHWM can be reset.
 uint64_t resident_bytes(const char* field) {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
@@ -24,7 +24,7 @@ uint64_t resident_bytes(const char* field) {
 }
 
 [[noreturn]] void run(const std::function<int()>& work, int report) {
-    std::ofstream("/proc/self/clear_refs") << "5";  // VmHWM: what is resident now
+    std::ofstream("/proc/self/clear_refs") << "5";  // resets VmHWM to the current resident memory
     const uint64_t before = resident_bytes("VmRSS");
     int answer = kThrew;
     try {

@@ -1,5 +1,5 @@
-// Purpose: what a piece of work costs: it runs in a child process, which is asked for its CPU time and its
-// largest resident memory. Neither depends on how busy the machine is. Units are in names.
+// Purpose: measures the cost of a function: runs it in a child process and reads the child's CPU time and
+// peak resident memory, which do not depend on the load of the machine. Names contain the units.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 namespace weft::test {
 
 struct Cost {
-    bool finished = false;     // false: a signal ended it, or an exception left it
-    int answer = -1;           // what the work returned, 0 to 200
-    double cpu_s = 0;          // user and system, of all its threads
-    uint64_t grown_bytes = 0;  // of resident memory, above what the child began with
+    bool finished = false;     // false: ended by a signal or an exception
+    int answer = -1;           // return value of the function, 0 to 200
+    double cpu_s = 0;          // user and system time of all its threads
+    uint64_t grown_bytes = 0;  // peak resident memory minus the initial resident memory
 };
 
 [[nodiscard]] Cost cost_of(const std::function<int()>& work);

@@ -1,5 +1,5 @@
-// Every limit on scenes, walked: the worst input at its edge is loaded within 5 s of CPU time and the memory
-// that is allowed; one more is refused, with its place and the limit's name. A limit without a case fails.
+// Tests every limit on scenes: the worst input at the limit loads within 5 s of CPU time and the allowed
+// memory; one more is refused, with its place and the limit's name. A limit without a test case fails.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -20,7 +20,7 @@ using weft::test::Cost;
 using weft::test::cost_of;
 
 constexpr double kMostCpu_s = 5;
-// A program has more than a scene: code, stacks, what the allocator keeps.
+// Memory besides the scene: code, stacks, overhead of the allocator.
 constexpr uint64_t kAllowance_bytes = 96 << 20;
 
 bool is_extended() {
@@ -42,7 +42,7 @@ std::string with_members(const std::string& members) {
     return R"({"asset":{"version":"2.0"},)" + members + "}";
 }
 
-// A triangle as mesh 0, and what else there is.
+// A glTF with a triangle as mesh 0, and the given members.
 std::string with_triangle(const std::string& members,
                           const std::string& primitives = R"({"attributes":{"POSITION":0}})") {
     return with_members(
@@ -50,7 +50,7 @@ std::string with_triangle(const std::string& members,
         primitives + "]}]," + members);
 }
 
-// Writes scene.gltf, and its files, that asks for `count` of what the limit counts.
+// Writes scene.gltf and its files, with `count` of the things that the limit counts.
 using Write = std::function<void(const fs::path& folder, uint64_t count)>;
 
 void write_text(const fs::path& folder, const std::string& text) {
@@ -67,7 +67,7 @@ void json_bytes(const fs::path& folder, uint64_t count) {
     write_text(folder, text);
 }
 
-// Objects of one member, deep below an extension that is known: they pass every stage.
+// Nested objects of one member below a known extension, so that all stages process them.
 void json_values(const fs::path& folder, uint64_t count) {
     constexpr uint64_t kDeep = 50;
     std::string chain, end;
@@ -76,7 +76,7 @@ void json_values(const fs::path& folder, uint64_t count) {
         end += '}';
     }
     chain += "0" + end;
-    // The rest of the file has 9 brackets and commas; a chain has its own and a comma.
+    // The rest of the file has 9 brackets and commas; each chain adds its own brackets and a comma.
     const uint64_t chains = (count - 9) / (kDeep + 1), rest = (count - 9) % (kDeep + 1);
     std::string numbers;
     for (uint64_t i = 0; i < rest; ++i) numbers += ",0";
@@ -91,17 +91,17 @@ void json_depth(const fs::path& folder, uint64_t count) {
 
 void resource_bytes(const fs::path& folder, uint64_t count) {
     std::ofstream(folder / "zeros.bin", std::ios::binary).put(0);
-    fs::resize_file(folder / "zeros.bin", count);  // takes no room
+    fs::resize_file(folder / "zeros.bin", count);  // a sparse file, without disk space
     write_text(folder, with_members(R"("buffers":[{"byteLength":)" + std::to_string(count) +
                                     R"(,"uri":"zeros.bin"}])"));
 }
 
-// Each its own name, so that all of them have one.
+// Each gets its own name, so that names also count.
 void array_items(const fs::path& folder, uint64_t count) {
     write_text(folder, with_triangle(R"("nodes":[)" + repeated(R"({"mesh":0,"name":"n"})", count) + "]"));
 }
 
-// One image that each material masks in another way: a texture of its own.
+// One image with a different cutoff per material, so that each material needs its own texture.
 void materials(const fs::path& folder, uint64_t count) {
     write_png(folder, "a.png", 64, 64);
     std::string all;
@@ -119,13 +119,13 @@ void node_depth(const fs::path& folder, uint64_t count) {
     write_text(folder, with_triangle(R"("nodes":[)" + nodes + R"({"mesh":0}])"));
 }
 
-// Two of each node.
+// Two instances per node.
 void instances(const fs::path& folder, uint64_t count) {
     const std::string two = repeated(R"({"attributes":{"POSITION":0}})", 2);
     write_text(folder, with_triangle(R"("nodes":[)" + repeated(R"({"mesh":0})", (count + 1) / 2) + "]", two));
 }
 
-// Zeros that no byte stands behind, as one strip.
+// Zeros without stored bytes, as one strip.
 void vertices(const fs::path& folder, uint64_t count) {
     write_text(
         folder,
@@ -135,7 +135,7 @@ void vertices(const fs::path& folder, uint64_t count) {
             R"("nodes":[{"mesh":0}])"));
 }
 
-// A strip over three vertices, whose uvs are mirrored in every second triangle.
+// A strip over three vertices whose uvs are mirrored in every second triangle.
 void triangles(const fs::path& folder, uint64_t count) {
     Bytes bytes;
     append<float>(bytes, {0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -164,7 +164,7 @@ void image_side(const fs::path& folder, uint64_t count) {
                                     R"("materials":[{"normalTexture":{"index":0}}])"));
 }
 
-// As many textures of 2048 × 2048 as fit, where one takes 22.4 million bytes with its mips, and one more.
+// As many textures of 2048 × 2048 as fit, at 22.4 million bytes each with mips, and one more.
 void memory_bytes(const fs::path& folder, uint64_t count) {
     constexpr uint64_t kEach = 22'369'620 + 2048, kLimit = 640ull << 20, kBeside = 68ull << 20;
     const uint64_t fitting = (kLimit - kBeside) / kEach;
@@ -183,10 +183,10 @@ void memory_bytes(const fs::path& folder, uint64_t count) {
 
 struct Edge {
     const char* limit;
-    bool is_quick;  // looked at in every run; the others with WEFT_EXTENDED=1
+    bool is_quick;  // tested in every run; the others only with WEFT_EXTENDED=1
     Write write;
-    const char* code;   // of what is refused
-    const char* place;  // how its pointer begins
+    const char* code;   // code of the refusal
+    const char* place;  // beginning of its JSON pointer
 };
 
 void PrintTo(const Edge& edge, std::ostream* out) {
@@ -228,7 +228,7 @@ class SceneLimitEdge : public GltfTest, public ::testing::WithParamInterface<Edg
             if (std::string(row.name) == GetParam().limit) return row.of(defaults);
         return 0;
     }
-    // 0: loaded; 1: refused as it should be; 2: refused in another way.
+    // The child's result: 0 loaded, 1 refused with the expected error, 2 refused with another error.
     [[nodiscard]] Cost load_cost() const {
         return cost_of([&] {
             Diagnostics warnings;

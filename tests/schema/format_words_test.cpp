@@ -1,5 +1,5 @@
-// The schema knows the keys that the parser knows, and no others. Reads graphs/weft.schema.json, which
-// another test compares with what `weft schema` prints.
+// The schema contains exactly the keys that the parser accepts. Reads graphs/weft.schema.json; another test
+// compares this file with the output of `weft schema`.
 #include "graph/parse/format_words.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Schema, HasEveryChoiceOfTheParserAndNoOther) {
     }
 }
 
-// A definition with keys of its own that the parser doesn't list would escape the tests above.
+// The tests above would not cover a definition that only the schema has.
 TEST(Schema, DescribesNoObjectThatTheParserDoesNotList) {
     Words listed;
     for (const FormatWords& list : format_words())

@@ -1,4 +1,4 @@
-// The cache may save time and nothing else: same words, or compiled again.
+// The cache must only save time: it returns the same SPIR-V as a compilation, or nothing.
 #include <gtest/gtest.h>
 
 #include <iterator>
@@ -103,7 +103,7 @@ TEST_F(Cache, damaged_entries_are_rebuilt) {
     }
 }
 
-// A change that spirv-val refuses and reflection would not notice.
+// A change that spirv-val rejects and reflection does not notice.
 std::vector<uint32_t> subtly_broken(const ShaderProgram& program) {
     for (size_t at = program.modules[1].spirv.size(); at-- > 0;) {
         std::vector<ShaderModule> modules = program.modules;
@@ -117,7 +117,7 @@ std::vector<uint32_t> subtly_broken(const ShaderProgram& program) {
     return {};
 }
 
-// Whole and rightly sealed, but not SPIR-V that may reach a driver.
+// The entry is complete and its checksum is correct, but its SPIR-V is not allowed.
 TEST_F(Cache, a_forged_entry_does_not_pass_the_gate) {
     const ShaderProgram first = program("x.frag", ProgramKind::fullscreen);
     ShaderProgram forged = first;

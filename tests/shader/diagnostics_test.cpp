@@ -1,4 +1,4 @@
-// Faults a shader author can make: each names the file and line it is in, and a remedy.
+// Faults in shaders: each message names the file and line, and a remedy.
 #include <gtest/gtest.h>
 
 #include "tests/shader/shader_folder.h"

@@ -1,4 +1,4 @@
-// What reflection says about each kind of declaration.
+// The result of reflection for each kind of declaration.
 #include <gtest/gtest.h>
 
 #include "tests/shader/shader_folder.h"
@@ -102,7 +102,8 @@ TEST_F(Interface, buffers_and_their_members) {
     EXPECT_EQ(lights.kind, BindingKind::storage_buffer);
     EXPECT_TRUE(lights.reads && !lights.writes);
     ASSERT_EQ(lights.members.size(), 3u);
-    // std430: uint, then structs of 16-byte alignment: vec3 + float, uint, and a mat3 of three vec4 columns.
+    // std430 layout: uint, then structs of 16-byte alignment: vec3 + float, uint, and a mat3 of three vec4
+    // columns.
     constexpr uint32_t kLightBytes = 80;
     EXPECT_EQ(lights.members[1].offset_bytes, 16u);
     EXPECT_EQ(lights.members[1].size_bytes, kLightBytes);
@@ -182,7 +183,7 @@ void main() { imageStore(z, ivec2(n), tint + texture(a, vec2(0))); }
     const ShaderInterface interface = program("x.comp", ProgramKind::compute).interface;
     ASSERT_TRUE(interface.has_params);
     EXPECT_FALSE(interface.params.push_constants);
-    EXPECT_EQ(interface.params.binding, 0u);  // "Params" < "a" < "z"
+    EXPECT_EQ(interface.params.binding, 0u);  // order of names: "Params" < "a" < "z"
     EXPECT_EQ(interface.params.size_bytes, 20u);
     EXPECT_EQ(interface.find("a")->binding, 1u);
     EXPECT_EQ(interface.find("z")->binding, 2u);

@@ -1,4 +1,4 @@
-// What is kept between loads, and what a load looked at.
+// Programs kept between loads, and the files that a load examined.
 #include "load/shader_memory.h"
 
 #include "shader/compile/glsl_compile.h"
@@ -19,7 +19,7 @@ class Memory : public ShaderFolder {
         write("graph/b.frag",
               "#version 460\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1); }\n");
     }
-    // How many of the two were compiled, or -1.
+    // Returns the number of programs compiled, or -1.
     int load() {
         const uint64_t before = memory_.misses();
         memory_.begin();

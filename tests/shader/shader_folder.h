@@ -1,4 +1,4 @@
-// Purpose: a temporary folder with a graph's shaders, shared shaders, includes and a cache, gone after the
+// Purpose: a temporary folder with a graph's shaders, shared shaders, includes and a cache; removed after the
 // test.
 #pragma once
 
@@ -39,7 +39,7 @@ class ShaderFolder : public testing::Test {
         return compile_shader(reference, kind, roots_);
     }
 
-    // Compiles one stage that must be fine.
+    // Compiles one stage and expects success.
     [[nodiscard]] ShaderProgram program(const std::string& reference, ProgramKind kind) const {
         auto result = compile(reference, kind);
         if (!result) {
@@ -49,7 +49,7 @@ class ShaderFolder : public testing::Test {
         return std::move(*result);
     }
 
-    // Compiles something that must not be fine.
+    // Compiles and expects errors.
     [[nodiscard]] Diagnostics errors(const std::string& reference, ProgramKind kind) const {
         auto result = compile(reference, kind);
         if (result) {

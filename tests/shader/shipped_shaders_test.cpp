@@ -1,4 +1,4 @@
-// Every shader under shaders/ compiles, and its words pass the gate.
+// Every shader in shaders/ compiles, and the gate accepts its SPIR-V.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ std::vector<Shipped> shipped(const fs::path& folder) {
     return found;
 }
 
-// Programs with the header in each stage where it makes sense, which is every one unless it names what only
-// one has.
+// Programs that include the header in each stage where it is usable: in every stage, unless its name mentions
+// one.
 std::vector<const char*> programs_of(const std::string& header) {
     const auto names = [&header](const char* word) { return header.find(word) != std::string::npos; };
     if (names("gl_Position")) return {"vertices"};
@@ -50,7 +50,7 @@ ProgramKind kind_of(const std::string& program) {
     return program.ends_with(".frag") ? ProgramKind::fullscreen : ProgramKind::raster;
 }
 
-// Whoever includes a header need not know what it includes, nor in which order.
+// A header includes everything that it needs, and headers can be included in any order.
 class Headers : public ShaderFolder, public testing::WithParamInterface<std::string> {};
 
 TEST_P(Headers, CompileAlone) {
@@ -58,13 +58,13 @@ TEST_P(Headers, CompileAlone) {
     roots_.include_root = fs::path(WEFT_SOURCE_DIR) / "shaders/include";
     std::ifstream file(roots_.include_root / header);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    // Twice, as by two headers that need it.
+    // Included twice, as through two other headers.
     const std::string body = "#include \"" + header + "\"\n#include \"" + header + "\"\nvoid main() { ";
     write("graph/alone.comp", "#version 460\nlayout(local_size_x = 1) in;\n" + body + "}\n");
     write("graph/alone.frag", "#version 460\n" + body + "}\n");
     write("graph/vertices/vertices.vert", "#version 460\n" + body + "gl_Position = vec4(0); }\n");
     write("graph/vertices/vertices.frag", "#version 460\nvoid main() { }\n");
-    // The vertices of every drawn surface hand on what such a fragment reads.
+    // Vertex shaders of drawn surfaces pass these values to such a fragment shader.
     write("graph/surface/surface.vert",
           "#version 460\n#include \"surface_vertex.glsl\"\n"
           "void main() { place_surface(); gl_Position = vec4(0); }\n");
@@ -77,7 +77,7 @@ TEST_P(Headers, CompileAlone) {
 
 std::vector<std::string> headers() {
     const fs::path folder = fs::path(WEFT_SOURCE_DIR) / "shaders/include";
-    // What every shared structure begins and ends with, and no header by itself.
+    // The beginning and end of every shared structure; they are not headers by themselves.
     const std::set<std::string> parts{"shared/begin.glsl", "shared/end.glsl"};
     std::vector<std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {

@@ -1,6 +1,6 @@
-// One small shader for each capability of SPIR-V that glslang can emit, in tests/shader/capabilities/. The
-// file is named after the capability; its first line says what becomes of it, and "// here" marks the line
-// that the error must name. Then: what shaders may take up of memory.
+// tests/shader/capabilities/ has one small shader for each SPIR-V capability that glslang can emit. The file
+// is named after the capability; its first line gives the expected result, and "// here" marks the line that
+// the error must name. Further tests limit the memory that shaders may use.
 #include "shader/gate/spirv_gate.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using shader::CapabilityRow;
 using shader::CapabilityRule;
 
 struct CapabilityShader {
-    std::string name;  // of the capability, or of an extension or use that has none
+    std::string name;  // name of the capability, or of an extension or use without a capability
     ProgramKind kind = ProgramKind::compute;
     std::string extension;
     std::string text;
@@ -95,7 +95,7 @@ class ShaderGate : public ShaderFolder {
         }
         const Diagnostics& found = program.errors();
         const std::string text = to_text(found);
-        // A type and an operation on it may be two causes.
+        // A type and an operation on the type may give two errors.
         EXPECT_LE(found.size(), 2u) << text;
         EXPECT_TRUE(std::ranges::any_of(found, [&](const Diagnostic& d) { return d.line == shader.line; }))
             << shader.name << ", wanted line " << shader.line << ":\n"
@@ -125,7 +125,7 @@ TEST_F(ShaderGate, EachCapabilityIsAllowedOrRefusedAtItsLine) {
             expect_allowed(shader, kEverything);
             expect_refused(shader, kNothing, "W208");
         } else if (shader.verdict == "interface") {
-            // The device can do it; what no pass can bind, reflection refuses.
+            // The device supports it; reflection rejects declarations that no pass can bind.
             if (shader.line == 0)
                 expect_allowed(shader, kNothing);
             else
@@ -156,7 +156,7 @@ TEST_F(ShaderGate, EachRowHasAShaderThatSaysTheSame) {
     }
 }
 
-// A shader that asks for something else than its name says would prove nothing.
+// A test shader must use exactly the capability in its name.
 TEST_F(ShaderGate, EachShaderAsksForWhatItIsNamedAfter) {
     const auto capability_of = [](const std::string& name) -> const CapabilityRow* {
         const auto rows = capability_table();
@@ -180,7 +180,7 @@ TEST_F(ShaderGate, EachShaderAsksForWhatItIsNamedAfter) {
     }
 }
 
-// Rows with the same remedy share a line of the page.
+// Capabilities with the same remedy share a line of the page.
 TEST_F(ShaderGate, TheDocumentedTableIsTheOneInTheCode) {
     const auto verdict = [](const CapabilityRow& row) -> std::string {
         switch (row.rule) {
@@ -223,7 +223,7 @@ TEST_F(ShaderGate, SubgroupOperationsAreForComputeStages) {
     expect_refused(shader, kEverything, "W208");
 }
 
-// Vulkan ties it to a feature, SPIR-V to no capability.
+// Vulkan requires a feature for this, but SPIR-V has no capability for it.
 TEST_F(ShaderGate, AVertexStageWritesToNoBuffer) {
     const auto vertex = [](const std::string& qualifier) {
         return "#version 460\n" + qualifier +
@@ -247,7 +247,7 @@ TEST_F(ShaderGate, ACapabilityThatIsNotInTheTableIsRefused) {
     expect_refused(shader, kEverything, "W208");
 }
 
-// The cache holds what compiled for another device, and what another build let pass.
+// The cache may contain modules compiled for another device, or accepted by another version of Weft.
 TEST_F(ShaderGate, WhatComesFromTheCacheIsJudgedForThisDevice) {
     roots_.cache_dir = base_ / "cache";
     const CapabilityShader shader =
@@ -300,7 +300,7 @@ TEST_F(ShaderGate, PrivateMemoryHasALimit) {
     }
 }
 
-// 300 bytes of text, over which a driver compiles for minutes: it copies each element by itself.
+// A driver compiles these 300 bytes of text for minutes, because it copies each element separately.
 TEST_F(ShaderGate, AnArrayThatIsCopiedAsAWholeIsPrivateMemory) {
     const std::string declarations =
         "struct Big { float a[1 << 16]; };\nbuffer From { Big v; } from;\nbuffer To { Big v; } to;\n";
@@ -312,7 +312,7 @@ TEST_F(ShaderGate, AnArrayThatIsCopiedAsAWholeIsPrivateMemory) {
     EXPECT_TRUE(compile("s.comp", ProgramKind::compute).ok());
 }
 
-// Drivers copy a function to each place that calls it, and its arrays with it.
+// Drivers inline a function at each call, including its arrays.
 TEST_F(ShaderGate, PrivateMemoryCountsEachCall) {
     std::string calls;
     for (int i = 0; i < 40; ++i) calls += "data.items[0] += some(" + std::to_string(i) + "u);\n";

@@ -1,5 +1,5 @@
-// Words that were changed on their way: spirv-val and reflection come to an end with each of them, and no
-// module goes on that either of the two refuses.
+// Randomly changed SPIR-V: spirv-val and reflection end without a crash for all of it, and no module that
+// either of them rejects is used.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -26,7 +26,7 @@ ShaderProgram shipped(const char* reference, ProgramKind kind) {
     return std::move(*program);
 }
 
-// One word changed, cut off or put in twice.
+// Changes, removes or duplicates one word.
 std::vector<uint32_t> mutant(std::vector<uint32_t> words, std::mt19937& random) {
     const size_t at = 5 + random() % (words.size() - 5);
     switch (random() % 4) {
@@ -69,7 +69,7 @@ TEST(SpirvMutants, NoneGetsPastTheGateUnlessItIsValid) {
     EXPECT_LT(refused, seen) << "some only rename a thing";
 }
 
-// SPIRV-Cross threw through its C interface: the process ended.
+// With this input SPIRV-Cross threw an exception through its C interface, which ended the process.
 TEST(SpirvMutants, WhatCannotBeReflectedIsAFault) {
     std::ifstream file(std::filesystem::path(WEFT_SOURCE_DIR) / "tests/fuzz/corpus/spirv/no_local_size.spv",
                        std::ios::binary);

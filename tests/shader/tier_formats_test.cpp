@@ -1,4 +1,4 @@
-// Formats that all tiers share, and how often a graph of several tiers is loaded to find them.
+// Formats chosen for all tiers together, and the number of loads needed to choose them.
 #include "load/shader_memory.h"
 #include "tests/shader/shader_folder.h"
 #include "weft/load/load_graph.h"
@@ -6,7 +6,7 @@
 namespace weft {
 namespace {
 
-// Tier "paint" writes `color` as a storage image; without it, it is an attachment.
+// Tier "paint" writes `color` as a storage image; the file without a tier uses it as an attachment.
 constexpr const char* kGraph = R"({
   "version": 1, "name": "tiers", "imports": { "backbuffer": "output" },
   "resources": { "color": "b10g11r11f|rgba16f" },
@@ -19,7 +19,7 @@ constexpr const char* kGraph = R"({
     "paint": { "patch": { "passes": { "draw": { "type": "compute", "shader": "paint.comp" } } } }
   }
 })";
-constexpr size_t kTiers = 5;  // with the file as it is
+constexpr size_t kTiers = 5;  // including the file without a tier
 
 class TierFormats : public ShaderFolder {
  protected:
@@ -80,7 +80,7 @@ class TierFormats : public ShaderFolder {
     ShaderMemory memory_;
 };
 
-// Each load of a tier asks for the two programs of its passes.
+// Each load of a tier requests the two programs of its passes.
 TEST_F(TierFormats, FoundOnceTheyLoadEachTierTwiceInsteadOfAllTiersForEach) {
     const Result<JsonDoc> document = read_graph(input(""));
     ASSERT_TRUE(document.ok()) << to_text(document.errors());

@@ -1,4 +1,5 @@
-// The worker program: the same words as in this process, and no harm from what would harm this process.
+// The worker program: it gives the same SPIR-V as compilation in this process, and inputs that would harm
+// this process do not.
 #include <gtest/gtest.h>
 #include <linux/capability.h>
 #include <signal.h>
@@ -21,7 +22,7 @@ class Worker : public ShaderFolder {
  protected:
     Worker() { roots_.worker = WEFT_SHADER_WORKER; }
 
-    // Processor time of the workers that have ended.
+    // Processor time of workers that have ended.
     static int64_t children_ms() {
         rusage children{};
         getrusage(RUSAGE_CHILDREN, &children);
@@ -90,7 +91,7 @@ TEST_F(Worker, IsStoppedWhenItTakesTooMuchMemory) {
 
 TEST_F(Worker, IsStoppedWhenItTakesTooLong) {
     roots_.limits.stage_ms = 300;
-    write("graph/slow.comp", doubling(60, ""));  // expands to nothing, for ever
+    write("graph/slow.comp", doubling(60, ""));  // expands to nothing, but takes practically for ever
     const int64_t before_ms = children_ms();
     const Diagnostics faults = errors("slow.comp", ProgramKind::compute);
     EXPECT_LE(children_ms() - before_ms, 2000);
@@ -99,7 +100,7 @@ TEST_F(Worker, IsStoppedWhenItTakesTooLong) {
         << to_text(faults);
 }
 
-// As on a machine whose processors are all busy.
+// Simulates a machine whose processors are all busy.
 TEST_F(Worker, ThatGetsNoProcessorIsWaitedFor) {
     roots_.limits.stage_ms = 1000;
     write("graph/x.comp", kFine);
@@ -119,7 +120,7 @@ TEST_F(Worker, ThatGetsNoProcessorIsWaitedFor) {
     EXPECT_TRUE(stopped.ok()) << to_text(stopped.errors());
 }
 
-// A program that neither answers nor computes is not waited for without end.
+// The caller does not wait for ever for a worker that neither answers nor computes.
 TEST_F(Worker, ThatSleepsIsStopped) {
     roots_.limits.stage_ms = 100;
     write("sleeper", "#!/bin/sh\nexec sleep 600\n");
@@ -131,7 +132,7 @@ TEST_F(Worker, ThatSleepsIsStopped) {
     EXPECT_NE(faults[0].message.find("says nothing"), std::string::npos) << to_text(faults);
 }
 
-// The limits of `ulimit -t` stay in force, and are no reason to fail: only root may raise them.
+// Limits set with `ulimit -t` stay in force and must not cause a failure: only root may raise them.
 TEST_F(Worker, WorksUnderALimitOnProcessorTime) {
     write("graph/x.comp", kFine);
     write("graph/part.glsl", "float part() { return 1; }\n");
@@ -140,7 +141,7 @@ TEST_F(Worker, WorksUnderALimitOnProcessorTime) {
     if (child == 0) {
         const rlimit limit{600, 600};
         const bool limited = setrlimit(RLIMIT_CPU, &limit) == 0;
-        // Not even what root starts may raise it then.
+        // With the capability removed, even processes of root cannot raise the limit.
         const bool bound = getuid() != 0 || prctl(PR_CAPBSET_DROP, CAP_SYS_RESOURCE, 0, 0, 0) == 0;
         const auto made = compile_shader("x.comp", ProgramKind::compute, roots_);
         _exit(!limited || !bound ? 2 : made.ok() ? 0 : 1);

@@ -21,7 +21,7 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
 }
 
-// In the child: nothing here may allocate after the descriptors are set up, and nothing does but exec.
+// Runs in the child after fork: code after the setup of descriptors must not allocate, and only calls exec.
 [[noreturn]] void become(std::vector<char*>& arguments, const Environment& environment,
                          const std::filesystem::path& folder, const char* out, const char* err) {
     const int out_file = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -39,7 +39,7 @@ double seconds(const timeval& time) {
 
 void limit_time(unsigned most_cpu_s) {
     rlimit limit{};
-    // The hard limit stays: the program sets its own, and only root may raise one.
+    // The hard limit stays, because the program sets its own limit and only root may raise it again.
     if (getrlimit(RLIMIT_CPU, &limit) == 0) {
         limit.rlim_cur = std::min<rlim_t>(most_cpu_s, limit.rlim_max);
         setrlimit(RLIMIT_CPU, &limit);

@@ -1,4 +1,4 @@
-// Runs the `weft` program as a user does, and measures what it took. Units are in names.
+// Runs the `weft` program as a user does, and measures its time and memory. Names contain the units.
 #pragma once
 
 #include <filesystem>
@@ -9,36 +9,39 @@
 namespace weft::test {
 
 struct RunResult {
-    int exit_code = -1;  // 128 + signal when it was killed
+    int exit_code = -1;  // 128 + signal if it was killed
     std::string out;
     std::string err;
-    double cpu_s = 0;            // of its own and of all processes that it waited for: the same on a busy machine
-    uint64_t max_rss_bytes = 0;  // of the largest process: its own, or one that it waited for
+    double cpu_s = 0;            // CPU time including all child processes; it does not depend on the load of
+                                 // the machine
+    uint64_t max_rss_bytes = 0;  // of the largest process, including child processes
 
-    // For failure messages.
+    // Output as text for failure messages.
     [[nodiscard]] std::string text() const;
 };
 
-// Far beyond what any test needs: only a program that hangs reaches them. A verdict never depends on the wall clock.
+// Much higher than any test needs, so that only a hanging program exceeds them. No test result depends on
+// elapsed real time.
 inline constexpr unsigned kMostCpu_s = 1200;
 inline constexpr unsigned kMostWall_s = 1500;
 
-// In a child, before exec: the limits above. They survive exec.
+// Sets the limits above; call it in a child before exec, which keeps them.
 void limit_time(unsigned most_cpu_s = kMostCpu_s);
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-// `environment` adds to that of the test. Killed by kMostCpu_s, and, should it sleep for ever, by kMostWall_s.
+// `environment` is added to the test's environment. The program is killed after kMostCpu_s of CPU time, or
+// kMostWall_s if it sleeps.
 [[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments,
                                  const Environment& environment = {},
                                  const std::filesystem::path& folder = {});
 
-// Any program, by its path or its name; the rest as above.
+// Runs any program, given by path or name; otherwise as above.
 [[nodiscard]] RunResult run_program(const std::vector<std::string>& words,
                                     const Environment& environment = {},
                                     const std::filesystem::path& folder = {});
 
-// An empty folder, removed at the end.
+// An empty folder, removed in the destructor.
 class ScratchFolder {
  public:
     ScratchFolder();
@@ -56,10 +59,10 @@ class ScratchFolder {
 
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 
-// Full matrices, not only the quick ones.
+// True if the complete test matrices shall run (WEFT_EXTENDED).
 [[nodiscard]] bool extended();
 
-// A Vulkan device is there; otherwise the tests that need one say "skipped".
+// True if a Vulkan device is available; tests that need one are skipped otherwise.
 [[nodiscard]] bool has_device();
 
 }  // namespace weft::test

@@ -1,4 +1,4 @@
-// Purpose: the `weft` program while it runs: what it has said so far, and how it is told to end.
+// Purpose: a running `weft` program: reads its output so far, and can end it.
 #pragma once
 
 #include <sys/types.h>
@@ -12,7 +12,7 @@ namespace weft::test {
 
 class RunningProgram {
  public:
-    // `environment` adds to that of the test. Killed after so much processor time.
+    // `environment` is added to the test's environment. The program is killed after this much processor time.
     explicit RunningProgram(const std::vector<std::string>& arguments, const Environment& environment = {},
                             unsigned most_cpu_s = kMostCpu_s);
     ~RunningProgram();
@@ -20,12 +20,12 @@ class RunningProgram {
     RunningProgram& operator=(const RunningProgram&) = delete;
 
     [[nodiscard]] std::string err() const { return read_text(scratch_ / "err"); }
-    // Waits until stderr holds `text` so often, or the program has ended.
+    // Waits until stderr contains `text` this many times, or the program has ended.
     [[nodiscard]] bool says(const std::string& text, int times = 1) const;
     [[nodiscard]] pid_t id() const { return child_; }
     void close_stdin();
     void send(int signal) const;
-    // Waits for its end. 128 + signal when it was killed.
+    // Waits for the end of the program. 128 + signal if it was killed.
     [[nodiscard]] int exit_code();
 
  private:

@@ -1,4 +1,4 @@
-// What capture tools such as RenderDoc show: a labelled region for each pass, and objects by the names of
+// Names for capture tools such as RenderDoc: a labelled region for each pass, and objects named after
 // resources.
 #include <algorithm>
 #include <set>
@@ -8,9 +8,9 @@
 namespace weft::vk {
 namespace {
 
-// Functions of Vulkan have no place for an object of the test's own.
+// Global, because replaced Vulkan functions cannot receive an object of the test.
 struct Recorded {
-    std::vector<std::string> labels;  // in the order of recording; "" ends one
+    std::vector<std::string> labels;  // in the order of recording; "" ends a label
     std::set<std::string> images;
 };
 Recorded& recorded() {

@@ -1,4 +1,4 @@
-// Which device is taken, and what is said when none is, without any device.
+// The choice of a device, and the messages when none is suitable; runs without a device.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -52,7 +52,7 @@ TEST(DeviceChoice, skips_what_cannot_run_weft) {
 
 TEST(DeviceChoice, takes_an_index_or_a_part_of_a_name) {
     EXPECT_EQ(chosen(three_devices(), "0"), "llvmpipe (LLVM 15)");
-    EXPECT_EQ(chosen(three_devices(), "620"), "V403");  // all digits: an index
+    EXPECT_EQ(chosen(three_devices(), "620"), "V403");  // a text of digits is an index
     EXPECT_EQ(chosen(three_devices(), "Integrated"), "Integrated 620");
 }
 

@@ -1,5 +1,5 @@
-// The device is made with what the SPIR-V gate lets shaders use (framework/shader/capability_table.cpp), and
-// with nothing for shaders that the gate refuses.
+// The device is created with exactly the features that the SPIR-V gate allows shaders to use
+// (framework/shader/capability_table.cpp), and without features for shaders that the gate rejects.
 #include "weft/vulkan/device_features.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ void switch_all_on(Struct& features, VkBool32 Struct::*first) {
         *feature = VK_TRUE;
 }
 
-// A device that offers everything.
+// Marks all features as supported.
 void offer_all(FeatureChain& chain) {
     switch_all_on(chain.v10(), &VkPhysicalDeviceFeatures::robustBufferAccess);
     switch_all_on(chain.v11(), &VkPhysicalDeviceVulkan11Features::storageBuffer16BitAccess);
@@ -74,7 +74,7 @@ TEST_F(MadeWith, BuffersThatNoIndexLeaves) {
     EXPECT_EQ(least.v10().robustBufferAccess, VK_FALSE) << "where the device does not offer it";
 }
 
-// Each feature that is on has a use; these have none.
+// These features have no use in any graph, so they must be off.
 TEST_F(MadeWith, NothingThatNoGraphCanUse) {
     const VkPhysicalDeviceFeatures& v10 = enabled_.v10();
     for (const VkBool32 feature :

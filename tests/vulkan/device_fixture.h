@@ -1,5 +1,5 @@
-// A validating device for each test. Ending with any message of the layers, or with an object left alive,
-// fails.
+// Creates a device with validation for each test. Any message of the layers, or an object that is not freed,
+// fails the test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ class DeviceTest : public testing::Test {
         return options;
     }
     [[nodiscard]] Device& device() { return *device_; }
-    // For tests that provoke messages.
+    // For tests that cause messages on purpose.
     [[nodiscard]] std::unique_ptr<Device> take_device() { return std::move(device_); }
 
  private:

@@ -1,4 +1,4 @@
-// A device comes up, hears its validation layer, describes itself, and can be an embedder's.
+// Creates a device, receives its validation messages, reads its properties, and uses an embedder's device.
 #include "weft/vulkan/device.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using DeviceVk = DeviceTest;
 
-// Fills a buffer with no transfer usage: wrong whatever the device.
+// Fills a buffer without transfer usage, which is an error on every device.
 void record_fault(Device& device, VkCommandBuffer commands, const Buffer& buffer) {
     device.fn().vkCmdFillBuffer(commands, buffer.handle(), 0, VK_WHOLE_SIZE, 1);
 }
@@ -126,7 +126,7 @@ TEST_F(DeviceVk, memory_types_fit_what_was_asked) {
     EXPECT_EQ(device().memory_type(0, 0), UINT32_MAX);
 }
 
-// What a device has to be made with, and nothing else.
+// Enables only the features that Weft requires.
 void enable_least(FeatureChain& enabled) {
     required_features(enabled);
     enabled.v10().shaderUniformBufferArrayDynamicIndexing = VK_TRUE;
@@ -149,7 +149,8 @@ TEST_F(DeviceVk, an_adopted_device_works_and_is_left_alive) {
         EXPECT_TRUE(upload_buffer(**adopted, *buffer, bytes).ok());
         EXPECT_FALSE((*adopted)->optional().depth_clamp);
     }
-    EXPECT_EQ(device().fn().vkDeviceWaitIdle(own.device), VK_SUCCESS);  // still ours, still alive
+    EXPECT_EQ(device().fn().vkDeviceWaitIdle(own.device), VK_SUCCESS);  // the embedder still owns the device
+                                                                        // and can use it
 }
 
 TEST_F(DeviceVk, an_adopted_device_offers_the_optional_features_it_was_made_with) {
@@ -207,7 +208,7 @@ TEST_F(DeviceVk, all_that_an_adopted_device_lacks_is_named) {
     EXPECT_FALSE(Device::adopt({own.instance, own.physical, own.device, {}, &enabled}).ok());
 }
 
-// What a frame of an adopted device draws into, copied by commands that are not Weft's.
+// A frame on an adopted device renders to this image; commands that are not Weft's copy it.
 TEST_F(DeviceVk, an_adopted_image_is_left_alive) {
     ResourceDecl decl;
     decl.name = "own";
@@ -240,8 +241,8 @@ TEST(MachineReportVk, lists_devices_layers_and_the_loader) {
     }));
 }
 
-// framework/profiles/lavapipe.json stands in for the device where there is none, so it must say what the
-// device says.
+// framework/profiles/lavapipe.json is used where no device is available, so it must equal the device's
+// profile.
 TEST_F(DeviceVk, the_stored_profile_of_lavapipe_is_that_of_the_device) {
     if (device().info().driver.find("Mesa 22.3") == std::string::npos) {
         GTEST_SKIP() << "the stored profile is Mesa 22.3's, this is " << device().info().driver;
@@ -253,7 +254,7 @@ TEST_F(DeviceVk, the_stored_profile_of_lavapipe_is_that_of_the_device) {
     const Result<DeviceProfile> stored = parse_profile(text.str(), path);
     ASSERT_TRUE(stored.ok()) << to_text(stored.errors());
     DeviceProfile expected = device().profile();
-    expected.name = stored->name;  // the device's own name holds the width of this machine's vectors
+    expected.name = stored->name;  // the device's name contains the vector width of this machine
     EXPECT_EQ(text.str(), profile_to_json(expected)) << "`weft doctor --json` writes it anew";
 }
 

@@ -1,5 +1,4 @@
-// What can go wrong with an executor comes back as a diagnostic that names the pass or import, and leaks
-// nothing.
+// Faults in an executor are returned as a diagnostic that names the pass or import, and leak nothing.
 #include "tests/vulkan/executor_fixture.h"
 #include "tests/vulkan/triangle_source.h"
 #include "vulkan/device/immediate_submit.h"
@@ -11,7 +10,7 @@ using test::GraphBuilder;
 
 class ExecutorFaultsVk : public ExecutorTest {
  protected:
-    // A compute pass, a fullscreen pass and a readback: one object of every sort.
+    // A compute pass, a fullscreen pass and a readback: the executor creates every kind of object.
     GraphBuilder make_graph() {
         write_shader("fill.comp", R"(
             layout(local_size_x = 8, local_size_y = 8) in;
@@ -35,7 +34,7 @@ class ExecutorFaultsVk : public ExecutorTest {
         return builder;
     }
 
-    // The one diagnostic of a creation that must fail.
+    // Expects that creation fails, and returns its only diagnostic.
     Diagnostic fault_of(ExecutorInput input) {
         Result<std::unique_ptr<Executor>> made = Executor::create(device(), std::move(input));
         if (made || made.errors().size() != 1) {
@@ -154,7 +153,7 @@ TEST_F(ExecutorFaultsVk, a_frame_that_never_ends_is_a_time_out_that_names_passes
     ASSERT_FALSE(next.ok()) << "after a time-out nothing runs any more";
     EXPECT_EQ(finished.errors()[0].code, "V407");
     EXPECT_TRUE(mentions(finished.errors()[0], "read")) << finished.errors()[0].message;
-    // The frame was only late. Then the executor may go, and nothing stays behind.
+    // The frame was only late. After waiting, the executor can be destroyed without leaks.
     ASSERT_TRUE(immediate_submit(device(), "waiting", [](VkCommandBuffer) {}).ok());
 }
 
@@ -171,8 +170,7 @@ TEST_F(ExecutorFaultsVk, a_lost_device_names_the_passes_of_the_frame) {
     EXPECT_FALSE(executor->finish().ok());
 }
 
-// Fails the N-th call of one entry point; the others go through. Plain functions need a place for their
-// state.
+// Lets the N-th call of one function fail. Its state is global, because Vulkan functions are plain functions.
 struct FailingCall {
     uint32_t calls_left = 0;
     DeviceFunctions real{};
@@ -212,7 +210,7 @@ VKAPI_ATTR VkResult VKAPI_CALL create_fence(VkDevice device, const VkFenceCreate
     return result != VK_SUCCESS ? result : failing.real.vkCreateFence(device, info, allocator, fence);
 }
 
-// Every N until creation succeeds; how many failed on the way.
+// Tries every N until creation succeeds; returns the number of failures.
 template <class Create>
 uint32_t fail_each_call(Create create) {
     for (uint32_t n = 0; n < 100; ++n) {

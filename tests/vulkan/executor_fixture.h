@@ -1,5 +1,5 @@
-// Purpose: small frames for tests of the executor: shaders written in the test, graphs by GraphBuilder, plans
-// by compile(), results by readback. A validating device; any message fails the test.
+// Purpose: small frames for tests of the executor: shaders written in the test, graphs from GraphBuilder,
+// plans from compile(), results from readbacks. Any validation message fails the test.
 #pragma once
 
 #include <cstring>
@@ -20,17 +20,17 @@ class ExecutorTest : public DeviceTest {
     ExecutorTest();
     ~ExecutorTest() override;
 
-    // GLSL for one stage, kept under `path`: "fill.comp", "flat/flat.vert".
+    // Stores GLSL for one stage under `path`: "fill.comp", "flat/flat.vert".
     void write_shader(const std::string& path, const std::string& glsl) const;
-    // Compiles a reference and gives it to `pass`: bindings by port name, size of Params.
+    // Compiles a shader and assigns it to `pass`: bindings by port name, size of Params.
     void use_shader(PassDecl& pass, const std::string& reference, ProgramKind kind);
     [[nodiscard]] ShaderInterface interface_of(const std::string& reference) const;
 
     [[nodiscard]] FramePlan compile_plan(const test::GraphBuilder& builder);
-    // An input with the plan and all shaders that the test has used.
+    // An input with the plan and all shaders used by the test so far.
     [[nodiscard]] ExecutorInput input_for(FramePlan plan) const;
     [[nodiscard]] std::unique_ptr<Executor> executor_for(ExecutorInput input);
-    // Runs `frames` frames without waiting in between, then gives all that was read back.
+    // Runs `frames` frames without waiting between them, then returns all readbacks.
     [[nodiscard]] static std::vector<ReadbackData> run_frames(Executor& executor, uint32_t frames,
                                                               const FrameInput& first = {});
 

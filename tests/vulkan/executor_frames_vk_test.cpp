@@ -1,5 +1,4 @@
-// Frames in flight, imports between frames, and what the validation layers hear when a barrier
-// is lost.
+// Frames in flight, imports between frames, and validation messages when a barrier is missing.
 #include <algorithm>
 
 #include "tests/vulkan/executor_fixture.h"
@@ -23,7 +22,8 @@ void main() { dst = texelFetch(src, ivec2(gl_FragCoord.xy), 0).r + 1u; })";
 
 class ImportedOutputVk : public ExecutorTest {
  protected:
-    // "count" draws the frame's number into a transient, "pass_on" that plus one into the imported output.
+    // "count" draws the frame's number to a transient; "pass_on" writes that number plus one to the imported
+    // output.
     FramePlan make_plan() {
         write_shader("count.frag", kCount);
         write_shader("pass_on.frag", kPassOn);
@@ -73,7 +73,7 @@ TEST_F(ImportedOutputVk, is_read_in_its_exit_state_after_any_number_of_frames) {
     }
 }
 
-// Attachment writes that are sampled in another layout are what the layer can see.
+// The layer can detect attachment writes that are sampled in another layout.
 TEST_F(ImportedOutputVk, a_dropped_barrier_is_heard_and_names_its_pass) {
     {
         FramePlan plan = make_plan();

@@ -1,5 +1,5 @@
-// What outlives a frame: histories of every length by every kind of access, kept resources, and what they
-// hold before anybody wrote them.
+// Persistent resources: histories of every length with every kind of access, kept resources, and first-frame
+// values.
 #include <string>
 
 #include "tests/vulkan/executor_fixture.h"
@@ -15,7 +15,7 @@ constexpr uint32_t kFrames = 9;
 constexpr uint32_t kFirst = 7;
 constexpr std::array<float, 4> kFirstFrame{kFirst, 0, 0, 0};
 
-// The next number from one of an earlier frame; another one when there is no such frame.
+// Computes the next number from that of an earlier frame, or a different number if there is no such frame.
 constexpr const char* kNext = "texelFetch(src, ivec2(AT), 0).r * 3u + params.srcValid";
 
 uint32_t next(uint32_t before, bool valid) {
@@ -45,7 +45,7 @@ class ExecutorHistoryVk : public ExecutorTest, public testing::WithParamInterfac
                                       "; }");
     }
 
-    // "state" is made from "state[-N]", and the roles in between are only kept.
+    // "state" is computed from "state[-N]"; the ages in between are only kept.
     void add_next(GraphBuilder& builder, PassKind kind, uint32_t history) {
         ResourceId state = builder.image("state", Format::r32u, 4);
         ResourceId oldest = state;
@@ -80,7 +80,7 @@ class ExecutorHistoryVk : public ExecutorTest, public testing::WithParamInterfac
     void expect_numbers(FramePlan plan, uint32_t history) {
         const auto executor = executor_for(input_for(std::move(plan)));
         ASSERT_NE(executor, nullptr);
-        // Numbered from anywhere: what is valid depends on the frames that were run.
+        // Frame numbers may start anywhere: validity depends on the number of frames that ran.
         FrameInput first;
         first.frame_index = 100;
         const std::vector<ReadbackData> read = run_frames(*executor, kFrames, first);
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Lengths, ExecutorHistoryVk, testing::Values(1u, 2u, 3u)
 
 using ExecutorKeptVk = ExecutorHistoryVk;
 
-// Copies, clears and readbacks find the right copy too, and depth has a first value like any other.
+// Copies, clears and readbacks also use the right copy, and depth also has a first-frame value.
 TEST_F(ExecutorKeptVk, copies_and_clears_follow_the_ring) {
     GraphBuilder builder;
     const ResourceId words = builder.buffer("words", 16);

@@ -1,4 +1,4 @@
-// What the host gives a frame reaches that frame and no other, however many are in flight.
+// Data from the host reaches exactly its own frame, for any number of frames in flight.
 #include "tests/vulkan/executor_fixture.h"
 #include "weft/pass.h"
 
@@ -71,7 +71,7 @@ TEST_P(ParamsVk, reach_the_frame_they_were_given_for) {
 INSTANTIATE_TEST_SUITE_P(PushAndUniform, ParamsVk, testing::Bool(),
                          [](const auto& kind) { return kind.param ? "push" : "uniform"; });
 
-// A C++ pass: words from the host, one more than fits, and a filled second port.
+// A C++ pass that uploads words, tries one word too many, and fills a second port.
 struct UploadWords {
     static constexpr std::string_view kType = "upload_words";
     static constexpr std::array<PortDecl, 2> kPorts{Out{"words", Access::copy_write},

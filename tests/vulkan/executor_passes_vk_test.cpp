@@ -1,4 +1,4 @@
-// Every kind of pass does what it says, byte by byte, and the validation layers have nothing to say about it.
+// The result of every kind of pass, byte by byte, without validation messages.
 #include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
@@ -93,7 +93,7 @@ TEST_F(ExecutorPassesVk, clear_values_of_integer_images_and_buffers_are_integers
     }
 }
 
-// Vulkan wants depth copies at multiples of four bytes; what is delivered has no gaps all the same.
+// Vulkan requires depth copies at multiples of four bytes, but the delivered data has no gaps.
 TEST_F(ExecutorPassesVk, depth_reads_back_tightly_packed) {
     GraphBuilder builder;
     const ResourceId depth = builder.image("depth", Format::d16, 3, 2);
@@ -107,7 +107,7 @@ TEST_F(ExecutorPassesVk, depth_reads_back_tightly_packed) {
     EXPECT_EQ(values_of<uint16_t>(read[0]), std::vector<uint16_t>(9 + 1, 0xFFFF));
 }
 
-// Blending sees what was there; the colour mask keeps a channel.
+// Blending uses the previous content; the colour mask protects a channel.
 TEST_F(ExecutorPassesVk, fullscreen_blends_onto_what_is_there) {
     write_shader("add.frag", R"(
         layout(location = 0) out vec4 dst;
@@ -138,7 +138,7 @@ TEST_F(ExecutorPassesVk, fullscreen_blends_onto_what_is_there) {
     }
 }
 
-// A pass that leaves out what its shader calls optional still has valid descriptors.
+// A pass that leaves optional bindings of its shader unconnected still has valid descriptors.
 TEST_F(ExecutorPassesVk, bindings_that_the_graph_leaves_out_have_dummies) {
     write_shader("optional.comp", R"(
         layout(local_size_x = 1) in;

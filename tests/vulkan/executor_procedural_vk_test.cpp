@@ -1,4 +1,4 @@
-// Draws without a list: vertices that only their index tells apart, and instances drawn in order.
+// Draws without a draw list: vertices that differ only in their index, and instances in order.
 #include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
@@ -9,7 +9,7 @@ using ExecutorProceduralVk = ExecutorTest;
 
 constexpr uint32_t kSide = 8;
 
-// Instance i covers the columns from i on: what is seen in a column is the last of those that cover it.
+// Instance i covers the columns from i on; each column shows the last instance that covers it.
 TEST_F(ExecutorProceduralVk, instances_are_drawn_one_after_the_other) {
     write_shader("strip/strip.vert", R"(
         layout(location = 0) flat out uint shade;

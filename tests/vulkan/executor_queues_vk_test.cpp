@@ -1,4 +1,4 @@
-// Batches on several logical queues: what they wait for and signal, and what happens when one of them fails.
+// Batches on several logical queues: their waits and signals, and failures.
 #include <algorithm>
 
 #include "tests/vulkan/executor_fixture.h"
@@ -9,7 +9,7 @@ namespace {
 
 using test::GraphBuilder;
 
-// Plain functions stand in for the device's: what they saw and shall do.
+// Functions that replace the device's: the recorded calls and the results to return.
 struct Submissions {
     struct One {
         std::vector<uint64_t> waits;
@@ -139,7 +139,7 @@ TEST_F(ExecutorQueuesVk, batches_signal_and_await_the_values_that_plans_document
         for (const QueueWait& wait : batches[batch].waits)
             if (frame > 0 || !wait.previous_frame)
                 waits.push_back(value(wait.batch, wait.previous_frame ? frame - 1 : frame));
-        if (frame == 0) waits.push_back(1);  // what precedes it
+        if (frame == 0) waits.push_back(1);  // the work before the first frame
         EXPECT_EQ(one.waits, waits) << "frame " << frame << ", batch " << batch;
     }
 }

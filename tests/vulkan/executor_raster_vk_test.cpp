@@ -1,4 +1,4 @@
-// Raster passes: pipelines for every variant, vertex streams and sets by what the shader declares, state as
+// Raster passes: pipelines for every variant, vertex streams and sets according to the shader, state from
 // data.
 #include "tests/vulkan/executor_fixture.h"
 #include "tests/vulkan/triangle_source.h"
@@ -12,7 +12,7 @@ constexpr uint32_t kSide = 8;
 
 class ExecutorRasterVk : public ExecutorTest {
  protected:
-    // One pass "draw" onto a cleared rgba32f image (and d32f depth), read back by "read".
+    // One pass "draw" to a cleared rgba32f image (and d32f depth), read back by "read".
     PassDecl& add_draw(GraphBuilder& builder, const std::string& shader) {
         target_ = builder.image("target", Format::rgba32f, kSide);
         const ResourceId depth = builder.image("depth", Format::d32f, kSide);
@@ -63,7 +63,7 @@ class ExecutorRasterVk : public ExecutorTest {
         for (uint32_t y = 0; y < kSide; ++y)
             for (uint32_t x = 0; x < kSide; ++x)
                 for (uint32_t c = 0; c < 4; ++c) {
-                    if (x + y == kSide - 1) continue;  // centres on the edge: the fill rule's business
+                    if (x + y == kSide - 1) continue;  // centres on the edge depend on the fill rule
                     ASSERT_EQ(texels[(y * kSide + x) * 4 + c], x + y < kSide - 1 ? inside[c] : -1)
                         << x << ", " << y;
                 }
@@ -78,7 +78,7 @@ TEST_F(ExecutorRasterVk, draws_every_variant_of_a_list_with_its_constants) {
     const TriangleSource source(device());
     GraphBuilder builder;
     add_draw(builder, "flat");
-    // The second variant draws over the first, with set 3 times set 0.
+    // The second variant draws over the first, with the product of set 3 and set 0.
     expect_triangle(run(builder, source), {0.25F * 4, 0.5F * 3, 0.75F * 2, 1});
     EXPECT_EQ(source.drawn, (std::vector<std::string>{"opaque/0", "opaque/1"}));
 }
@@ -125,7 +125,7 @@ TEST_F(ExecutorRasterVk, scissor_and_viewport_are_the_pass_s) {
     const std::vector<float> texels = run(builder, source);
     ASSERT_EQ(texels.size(), kSide * kSide * 4);
     for (uint32_t i = 0; i < kSide * kSide; ++i)
-        if (i != 7) {  // its centre lies on the triangle's edge
+        if (i != 7) {  // its centre is on the triangle's edge
             EXPECT_EQ(texels[i * 4] > 0, i == 5 || i == 6) << i;
         }
 }

@@ -1,5 +1,5 @@
-// Multisampled attachments and what becomes of their samples when the pass ends, sample by sample against
-// edge functions evaluated here.
+// Resolving multisampled attachments at the end of a pass, compared sample by sample with edge functions
+// computed here.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,8 @@ constexpr uint32_t kSamples = 4;
 struct Point {
     double x = 0, y = 0;
 };
-// In pixels; all on the grid of 1/256 that rasterisers snap to, and through no sample.
+// In pixels; all corners are on the 1/256 grid to which rasterisers round, and no edge passes through a
+// sample.
 constexpr std::array<Point, 3> kCorners{Point{1.25, 2.0625}, Point{3.6875, 14.25}, Point{14.5625, 5.875}};
 // Vulkan's standard sample locations.
 constexpr std::array<Point, kSamples> kSamplePoints{Point{0.375, 0.125}, Point{0.875, 0.375},
@@ -52,7 +53,7 @@ class ExecutorResolveVk : public ExecutorTest {
         return id;
     }
 
-    // Draws the triangle into `many`, resolved into `one` (or that part of it).
+    // Draws the triangle to `many`, resolved to `one` (or to the given part of it).
     PassDecl& add_draw(GraphBuilder& builder, ResourceId many, ResourceId one,
                        std::optional<SubresourceRange> part = {}) {
         const ResourceId depth = multisampled(builder, "depth", Format::d32f);
@@ -80,7 +81,7 @@ class ExecutorResolveVk : public ExecutorTest {
         use_shader(draw, "tri", ProgramKind::raster);
     }
 
-    // Resolved into one mip of one of two layers; "read" delivers that, "read_other" the other layer.
+    // Resolves to one mip of one of two layers; "read" reads that layer, "read_other" the other one.
     GraphBuilder draw_into(uint32_t mip, uint32_t layer) {
         GraphBuilder builder;
         const ResourceId many = multisampled(builder, "many", Format::rgba32f);
@@ -133,7 +134,7 @@ class ExecutorResolveVk : public ExecutorTest {
                               inside[c] * static_cast<float>(count) / kSamples)
                         << x << ", " << y;
             }
-        // The triangle has an inside, an outside and all kinds of edge.
+        // The triangle has interior and exterior pixels, and pixels with every number of covered samples.
         EXPECT_TRUE(std::ranges::all_of(pixels_with, [](uint32_t pixels) { return pixels > 0; }));
     }
 };
@@ -156,7 +157,7 @@ TEST_F(ExecutorResolveVk, the_target_may_be_any_mip) {
 TEST_F(ExecutorResolveVk, the_target_may_be_any_layer) {
     const GraphBuilder builder = draw_into(1, 1);
     if (!device().info().driver.starts_with("llvmpipe")) return expect_only_the_part(run(builder));
-    // Which would write layer 0.
+    // The driver would write layer 0 instead.
     const Result<std::unique_ptr<Executor>> made =
         Executor::create(device(), input_for(compile_plan(builder)));
     ASSERT_FALSE(made.ok());

@@ -1,5 +1,5 @@
-// Passes that share a rendering scope draw in their order, each with its own state, and the scope keeps what
-// its last pass says.
+// Passes that share a rendering scope draw in order, each with its own state, and the scope stores as its
+// last pass declares.
 #include <cmath>
 
 #include "tests/graph/compile/naive_plan.h"
@@ -47,7 +47,7 @@ class ExecutorScopesVk : public ExecutorTest {
         return read;
     }
 
-    // A fullscreen pass that gives `value` everywhere.
+    // A fullscreen pass that writes `value` everywhere.
     void add_fill(GraphBuilder& builder, const char* name, const char* value, ResourceId target,
                   const BlendState& blend, const std::optional<RectPx>& scissor) {
         const std::string file = std::string(name) + ".frag";
@@ -60,7 +60,7 @@ class ExecutorScopesVk : public ExecutorTest {
         use_shader(pass, file, ProgramKind::fullscreen);
     }
 
-    // Draws the triangle of the list at depth `z`.
+    // Draws the list's triangle at depth `z`.
     PassDecl& add_draw(GraphBuilder& builder, const std::string& name, const char* z, const char* color,
                        const std::vector<test::BuilderUse>& uses) {
         write_shader(name + "/" + name + ".vert",
@@ -83,7 +83,7 @@ class ExecutorScopesVk : public ExecutorTest {
     ImportCatalog imports_;
 };
 
-// (x + y) * 3 where the scissors say so, which any other order would give differently.
+// (x + y) * 3 inside the scissors; another order would give another value.
 TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors) {
     BlendState add, multiply;
     add.enabled = multiply.enabled = true;
@@ -116,7 +116,7 @@ TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors
     }
 }
 
-// The near triangle is cut to the left half; the far one, drawn later, is seen beside it only.
+// The near triangle is clipped to the left half; the far one, drawn later, is visible only in the rest.
 TEST_F(ExecutorScopesVk, a_depth_tested_pair_in_one_scope_sees_its_depth) {
     const TriangleSource source(device());
     GraphBuilder builder;
@@ -144,7 +144,7 @@ TEST_F(ExecutorScopesVk, a_depth_tested_pair_in_one_scope_sees_its_depth) {
             ASSERT_EQ(texels.size(), kSide * kSide * 4);
             for (uint32_t i = 0; i < texels.size(); ++i) {
                 const uint32_t x = i / 4 % kSide, y = i / 4 / kSide;
-                if (x + y == kSide - 1) continue;            // centres on the edge: the fill rule's business
+                if (x + y == kSide - 1) continue;            // centres on the edge depend on the fill rule
                 const float inside = x < kSide / 2 ? 4 : 6;  // the second variant adds one
                 ASSERT_EQ(texels[i], x + y < kSide - 1 ? inside : -1) << x << ", " << y;
             }

@@ -1,5 +1,4 @@
-// Purpose: history for graphs made by hand: "x", "x[-1]" … become the roles of one ring, as resolve() makes
-// them.
+// Purpose: adds history to hand-made graphs: "x", "x[-1]" … become one ring, as in resolve().
 #pragma once
 
 #include <array>
@@ -9,7 +8,7 @@
 
 namespace weft::test {
 
-// `history` 0 keeps one copy. The roles must all be there, of the same shape.
+// `history` 0 keeps one copy. All resources of the ring must exist and have the same shape.
 void make_ring(ResolvedGraph& graph, const std::string& name, uint32_t history,
                const std::array<float, 4>& first_frame);
 

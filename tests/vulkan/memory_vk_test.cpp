@@ -1,4 +1,4 @@
-// Buffers and images hold what was uploaded, and every failure is a typed error that leaks nothing.
+// Buffers and images contain the uploaded data, and every failure is a typed error without leaks.
 #include "weft/vulkan/memory.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ ResourceDecl image_decl(Format format, Extent3D extent, uint32_t mips, uint32_t 
     return decl;
 }
 
-// What mip `mip` of a freshly uploaded image holds.
+// Content of mip `mip` of a newly uploaded image.
 std::vector<std::byte> read_back(Device& device, const Image& image, uint32_t mip, size_t size_bytes) {
     Result<Buffer> target = Buffer::create(device, size_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                            Buffer::Memory::readback, "readback");
@@ -84,7 +84,7 @@ TEST_F(MemoryVk, a_buffer_holds_what_was_uploaded) {
 }
 
 TEST_F(MemoryVk, every_mip_and_layer_holds_what_was_uploaded) {
-    // Odd sizes, so that levels do not end at the staging alignment by chance.
+    // Odd sizes, so that levels do not end on a multiple of the staging alignment.
     const ResourceDecl decl = image_decl(Format::rgba8, {13, 7, 1}, 3, 2);
     ResourceDecl array = decl;
     array.image_kind = ImageKind::d2_array;
@@ -220,7 +220,8 @@ TEST_F(MemoryVk, a_time_out_is_a_typed_error_after_which_nothing_is_destroyed) {
         ASSERT_EQ(owned->fn().vkDeviceWaitIdle(owned->handle()), VK_SUCCESS);
     }
     EXPECT_TRUE(owned->abandoned());
-    EXPECT_TRUE(destroy_device(std::move(owned)).empty());  // not even the device, with all that lives in it
+    EXPECT_TRUE(destroy_device(std::move(owned)).empty());  // destroying the device with all its objects
+                                                            // gives no message
 }
 
 TEST(CreationInfo, follows_the_declaration) {

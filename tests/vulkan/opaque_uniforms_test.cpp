@@ -1,4 +1,4 @@
-// Shaders that hide the values of their uniforms are valid, and have the interface that they had.
+// Shaders with hidden uniform values are valid, and keep their interface.
 #include "vulkan/pipelines/opaque_uniforms.h"
 
 #include <map>
@@ -17,7 +17,7 @@ void expect_valid(const ShaderProgram& program) {
         EXPECT_EQ(shader::spirv_fault(module.spirv), std::nullopt) << program.reference;
 }
 
-// Of graphs' shaders, push constants shall be named Params. The index of all blocks is not.
+// In shaders of graphs, push constants must be named Params. The index added to all blocks has another name.
 ShaderInterface reflected(const ShaderProgram& program) {
     shader::InterfaceFaults faults;
     ShaderInterface interface = shader::reflect_program(program.modules, faults);
@@ -26,11 +26,11 @@ ShaderInterface reflected(const ShaderProgram& program) {
     return interface;
 }
 
-// First indices into arrays of blocks, in order, and what is added to each in a module that hides uniforms.
+// First indices into arrays of blocks, in order; in a module with hidden uniforms, the added index of each.
 std::vector<uint32_t> first_indices(const ShaderModule& module, bool hidden) {
     constexpr uint32_t kVariable = 59, kAccessChain = 65, kIAdd = 128, kUniform = 2;
     std::set<uint32_t> blocks;
-    std::map<uint32_t, uint32_t> summands;  // by sum
+    std::map<uint32_t, uint32_t> summands;  // index: result id of the sum
     std::vector<uint32_t> indices;
     shader::SpirvReader reader(module.spirv);
     for (shader::SpirvInstruction i; reader.next(i);) {
@@ -112,7 +112,7 @@ void main() { sums.items[0] = 1u; }
     EXPECT_EQ(with_opaque_uniforms(program).modules[0].spirv, program.modules[0].spirv);
 }
 
-// No GLSL becomes this: a variable of class Uniform, 7, that is loaded at once.
+// glslang does not produce this: a variable of storage class Uniform (2) that is loaded as a whole.
 TEST_F(OpaqueUniforms, LeaveProgramsThatTakeABlockAsOneValue) {
     ShaderProgram program;
     program.modules.push_back(

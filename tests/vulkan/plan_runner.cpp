@@ -11,7 +11,7 @@
 namespace weft::vk {
 namespace {
 
-// Any numbers will do that differ from word to word and from import to import.
+// Arbitrary numbers that differ between words and between imports.
 std::vector<std::byte> content_of(const std::string& name, uint64_t size_bytes) {
     uint32_t state = 2166136261u;
     for (const char c : name) state = (state ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -23,7 +23,7 @@ std::vector<std::byte> content_of(const std::string& name, uint64_t size_bytes) 
     return bytes;
 }
 
-// Everything before is visible to the copy, and the copy to the host.
+// Orders all earlier work before the copy, and makes the copy visible to the host.
 void order_copy(const Device& device, VkCommandBuffer commands, VkPipelineStageFlags2 stage,
                 VkAccessFlags2 access) {
     VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
@@ -80,7 +80,7 @@ TestImports::TestImports(Device& device, const ResolvedGraph& graph) : device_(&
 
 void TestImports::make(const ResourceDecl& decl) {
     ResourceDecl own = decl;
-    // Uploads end in shader_read_only.
+    // An upload leaves the image in shader_read_only.
     own.usage |= usage::kTransferSrc | usage::kTransferDst | usage::kSampled;
     const std::vector<std::byte> content = content_of(decl.name, content_bytes(decl));
     Status filled = Unit{};

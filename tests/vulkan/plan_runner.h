@@ -1,5 +1,5 @@
-// Purpose: runs plans on a device for tests: compiles their shaders, makes their imports and reads all of
-// their results. Failures are gtest failures, and what is returned is then empty.
+// Purpose: runs plans on a device for tests: compiles their shaders, creates their imports and reads back all
+// results. A failure is reported to gtest, and the result is empty.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,23 @@
 
 namespace weft::vk {
 
-// Programs of tests/graph/shaders/, by file name, each compiled when it is first asked for.
+// Programs of tests/graph/shaders/, by file name; each is compiled on first use.
 class TestShaders {
  public:
-    // Adds what `graph` needs and returns the whole catalogue.
+    // Adds the programs that `graph` needs and returns all programs.
     const ShaderCatalog& for_graph(const ResolvedGraph& graph);
 
  private:
     ShaderCatalog catalog_;
 };
 
-// A plan's imports as objects of the test's own, filled with numbers that depend on their names only.
+// Objects for a plan's imports, filled with numbers that depend only on their names.
 class TestImports {
  public:
     TestImports(Device& device, const ResolvedGraph& graph);
 
     [[nodiscard]] ImportBindings bindings() const;
-    // Call when nothing is in flight any more.
+    // Call this when no frame is in flight.
     [[nodiscard]] std::map<std::string, std::vector<std::byte>> buffer_contents() const;
 
  private:
@@ -40,7 +40,7 @@ class TestImports {
 
 struct PlanResult {
     std::vector<ReadbackData> readbacks;                    // in the order of frames
-    std::map<std::string, std::vector<std::byte>> imports;  // the buffers, after the last frame
+    std::map<std::string, std::vector<std::byte>> imports;  // content of the buffers after the last frame
 };
 
 struct RunOptions {

@@ -1,5 +1,6 @@
-// Three queue families, which a layer below the validation layer makes of the driver's one: the layer judges
-// every transfer between them, every shared resource and what each queue can do.
+// Tests with three queue families, which a layer below the validation layer simulates on a driver with one.
+// The validation layer checks every ownership transfer, every shared resource and the capabilities of each
+// queue.
 #include <algorithm>
 #include <set>
 
@@ -21,7 +22,7 @@ class QueueFamiliesVk : public ExecutorTest {
         return options;
     }
 
-    // Random frames, that is, with every kind of transfer that a plan can hold.
+    // A plan of a random frame, with every kind of transfer that plans can contain.
     FramePlan plan_of(uint32_t seed) {
         const ResolvedGraph graph = test::random_graph(seed, test::all_features());
         CompileOptions options;
@@ -30,7 +31,7 @@ class QueueFamiliesVk : public ExecutorTest {
     }
 
  private:
-    // The loader stacks layers in the order in which it finds them: the validation layer next to the program.
+    // The loader orders layers by search path: the validation layer comes first, next to the program.
     ScopedEnvironment path_{"VK_LAYER_PATH",
                             "/usr/local/share/vulkan/explicit_layer.d:/etc/vulkan/explicit_layer.d:"
                             "/usr/share/vulkan/explicit_layer.d:" WEFT_MOCK_FAMILIES_DIR};
@@ -104,7 +105,7 @@ TEST_F(QueueFamiliesVk, a_transfer_without_its_first_half_is_heard) {
     })) << (messages.empty() ? "nothing was heard" : messages[0].text);
 }
 
-// Lets a barrier on a transfer queue wait for fragment shaders; false when there is none.
+// Makes a barrier on a transfer queue wait for fragment shaders; returns false if there is no such barrier.
 bool plant_fragment_stage(FramePlan& plan) {
     const Schedule& schedule = plan.schedule;
     for (uint32_t position = 0; position < schedule.queue.size(); ++position) {

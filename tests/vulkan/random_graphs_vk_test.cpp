@@ -1,5 +1,5 @@
-// Random frames give the same bytes under the compiler's plan as under a plan that shares no memory and waits
-// for everything, and the validation layers agree with every barrier.
+// The compiler's plan of a random frame gives the same bytes as a plan without shared memory and with full
+// barriers, and the validation layers give no message.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -27,7 +27,7 @@ uint32_t hand_over_count(const FramePlan& plan) {
     return count;
 }
 
-// Resources of the graph whose names are in both, in case a plan leaves an import alone.
+// Compares resources that are in both results, because a plan may not use an import.
 void expect_equal(const PlanResult& compiled, const PlanResult& naive) {
     ASSERT_EQ(compiled.readbacks.size(), naive.readbacks.size());
     ASSERT_FALSE(naive.readbacks.empty());
@@ -48,9 +48,9 @@ DeviceProfile three_families() {
     return profile;
 }
 
-// With all that graphs can have, on one to four logical queues, of one family or of several that the device
-// lacks. Here they share what queues the device has, so that every order between batches is the one of the
-// plan. Three frames, so that what is remembered for two is read.
+// Graphs with all features, on one to four logical queues, of one family or of several that the device lacks.
+// They share the device's queues, so that only the plan orders batches. Three frames, so that a history of
+// two frames is read.
 TEST_F(RandomGraphsVk, RunsBitForBitWithAllFeaturesOnSeveralQueues) {
     constexpr uint32_t kFirst = 100;
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 200 : 36;

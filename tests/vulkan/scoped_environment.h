@@ -1,4 +1,4 @@
-// Purpose: points the Vulkan loader elsewhere while it lives.
+// Purpose: changes an environment variable of the Vulkan loader during the object's lifetime.
 #pragma once
 
 #include <cstdlib>

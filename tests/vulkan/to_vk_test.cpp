@@ -1,4 +1,4 @@
-// The tables between Weft's enumerations and Vulkan's are total, and one to one where they must be.
+// The tables between Weft's enumerations and Vulkan's are complete, and one-to-one where necessary.
 #include "vulkan/device/to_vk.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace weft::vk {
 namespace {
 
-// Number of different Vulkan values that the enumerators up to `last` give.
+// Number of different Vulkan values for the enumerators up to `last`.
 template <class Enum>
 size_t distinct(Enum last) {
     std::set<int64_t> values;

@@ -1,5 +1,5 @@
-// Purpose: the smallest DrawSource: one triangle in two vertex streams, a frame set with one colour for each
-// view, and a set 3 with one more. What it was asked to draw is kept for the test.
+// Purpose: a minimal DrawSource: one triangle in two vertex streams, a frame set with one colour per view,
+// and a set 3 with another colour. It records its calls for the test.
 #pragma once
 
 #include <array>
@@ -14,17 +14,17 @@ namespace weft::vk {
 
 class TriangleSource final : public DrawSource {
  public:
-    // Corners in clip space, counter-clockwise as seen with y down; the second stream is a weight per corner.
+    // Corners in clip space, counter-clockwise with y pointing down; the second stream has a weight per
+    // corner.
     explicit TriangleSource(Device& device);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
-    // Indirectly, a list has two draws; the indices are those of the triangle, then those of its mirror
-    // image.
+    // With indirect draws, a list has two draws: the indices of the triangle, then those of its mirror image.
     void record(const DrawContext& context) const override;
 
-    // Streams 0: "position" (two floats), 1: "weight" (one float). Variants "plain" and "tinted" (TINT is
-    // true).
+    // Stream 0: "position" (two floats), stream 1: "weight" (one float). Variants "plain" and "tinted" (TINT
+    // is true).
     [[nodiscard]] static ImportDecl draw_list(const std::string& name);
 
     static constexpr std::array<float, 4> kCameraColor{0.25F, 0.5F, 0.75F, 1.0F};

@@ -1,4 +1,4 @@
-// Every texel of every mip of the Hi-Z is the exact range of the pixels below it, at any size.
+// Every texel of every Hi-Z mip is the exact depth range of the pixels that it covers, for any size.
 #include <algorithm>
 #include <map>
 
@@ -18,7 +18,7 @@ struct DepthRange {
     }
 };
 
-// By the definition: of the pixels in squares of `side`.
+// The definition: the depth range of the pixels in squares of `side`.
 std::vector<DepthRange> ranges(const std::vector<glm::vec4>& depth, Extent3D size, uint32_t side,
                                uint32_t columns, uint32_t rows) {
     std::vector<DepthRange> found(size_t{columns} * rows);
@@ -47,7 +47,7 @@ class HiZ : public SessionTest {
         }
     }
 
-    // Two frames of other depths, once for each size.
+    // Two frames with different depths, for each size.
     void run(const std::vector<Extent3D>& sizes) {
         std::vector<std::string> observed{"depth"};
         for (uint32_t mip = 0; mip < kMips; ++mip) observed.push_back("hiz.mip(" + std::to_string(mip) + ")");
@@ -87,7 +87,7 @@ TEST_F(HiZ, IsExactInColumns) {
     run(sizes);
 }
 
-// Across the border of a square of 128 pixels, in both directions.
+// Tests positions across the border of a square of 128 pixels, in both directions.
 TEST_F(HiZ, IsExactAroundSquares) {
     run({{127, 129, 1}, {128, 128, 1}, {129, 127, 1}, {257, 130, 1}});
 }

@@ -1,5 +1,5 @@
-// The lists of tiles hold every light that reaches a pixel, are sorted and the same in every run, and say
-// what had no room.
+// The light list of each tile contains every light that reaches one of its pixels, is sorted and the same in
+// every run, and lights without room are reported.
 #include <algorithm>
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
@@ -14,7 +14,7 @@ namespace {
 constexpr Extent3D kSize{320, 180, 1};
 constexpr const char* kGraph = "tiles.json";
 
-// With one directional light, which is never listed.
+// The scene has one directional light, which is never in a list.
 scene::Scene scene_with(const char* name, uint32_t lights) {
     Result<scene::Scene> scene = scene::make_builtin(name);
     EXPECT_TRUE(scene);
@@ -26,7 +26,7 @@ scene::Scene scene_with(const char* name, uint32_t lights) {
     return std::move(*scene);
 }
 
-// Everything in another place, where single precision has few places behind the point left.
+// Moves the scene far from the origin, where single precision has few fractional digits.
 void move_away(scene::Scene& scene, const glm::vec3& by) {
     const glm::mat4 move = glm::translate(glm::mat4(1), by);
     for (scene::Instance& instance : scene.instances) instance.transform = move * instance.transform;
@@ -34,7 +34,7 @@ void move_away(scene::Scene& scene, const glm::vec3& by) {
     for (scene::Camera& camera : scene.cameras) camera.transform = move * camera.transform;
 }
 
-// The scene's own cameras, and views from within its bounds to all sides.
+// The scene's own cameras, and views from inside its bounds in all directions.
 std::vector<scene::Camera> cameras(const scene::Scene& scene, size_t count) {
     std::vector<scene::Camera> found = scene.cameras;
     const glm::vec3 size = scene.bounds_max - scene.bounds_min;
@@ -86,8 +86,9 @@ TEST_F(LightTiles, MissNoLightFarFromTheOrigin) {
     expect_nothing_missed(frame_of(scene, scene.cameras.at(0)), "far away");
 }
 
-// Each light is straight before a pixel and ends a hair behind it: on a wall that faces the camera a rounding
-// decides, so that what the shaders allow for it is needed.
+// Each light is directly in front of a pixel and its range ends just behind the surface. On a wall that faces
+// the camera, rounding decides whether it reaches the surface, so the shaders' tolerance for rounding is
+// needed.
 scene::Scene lights_that_just_reach(const scene::Scene& scene, const scene::Camera& camera,
                                     const TileFrame& frame) {
     std::mt19937 engine(3);
@@ -171,8 +172,8 @@ TEST_F(LightTiles, CountWhatHasNoRoom) {
     EXPECT_EQ(cut.mask, whole.mask) << "bits have no limit";
 }
 
-// From the nearest pane to the surface behind it, or on for 200 m where there is none: places every few
-// centimetres.
+// Positions every few centimetres from the nearest pane to the surface behind it, or for 200 m if there is
+// none.
 TilePlaces glass_places(const TileFrame& frame) {
     TilePlaces places(frame.tiles());
     const glm::dmat4 to_world = glm::inverse(glm::dmat4(frame.view.projection) * glm::dmat4(frame.view.view));
@@ -232,7 +233,7 @@ TEST_P(ManyLightTiles, MissNoLightInAnyView) {
     const scene::Scene scene = scene_with(name, lights);
     for (const Extent3D& size : {kSize, Extent3D{641, 361, 1}, Extent3D{1366, 768, 1}})
         for (const scene::Camera& camera : cameras(scene, 5))
-            // More than this would take buffers that not every device has.
+            // More lights would need larger buffers than some devices support.
             expect_nothing_missed(frame_of(scene, camera, size, std::min(lights, 4096u)),
                                   std::string(name) + ", " + std::to_string(lights) + " lights, " +
                                       camera.name + ", " + std::to_string(size.width) + " × " +

@@ -1,6 +1,5 @@
-// How many lights are listed in vain in a room with 3,072 of them, at 1080p: floor, columns, spheres and a
-// far wall, with the lights anywhere in it. The limits are those of culling by a box for each occupied depth
-// slice.
+// Counts unnecessary list entries in a room with 3,072 lights at 1080p: floor, columns, spheres and a far
+// wall, with lights anywhere inside. The limits are those of culling by a box for each occupied depth slice.
 #include <random>
 
 #include "tests/render/light_tiles/tile_fixture.h"

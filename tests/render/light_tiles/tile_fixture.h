@@ -1,4 +1,4 @@
-// One frame of a graph with light tiles, with what the lists were made from and what they hold.
+// Renders one frame of a graph with light tiles, and reads the lists and the data that they were made from.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@ struct TileFrame {
     std::vector<float> depth, glass_depth;
     std::vector<shared::Light> lights;
     uint32_t directional = 0;
-    std::vector<uint32_t> tile_lights, overflow, mask, glass_lights;  // words, as they are
+    std::vector<uint32_t> tile_lights, overflow, mask, glass_lights;  // raw words of the buffers
 
     [[nodiscard]] uint32_t across() const { return (size.width + kTilePx - 1) / kTilePx; }
     [[nodiscard]] uint32_t tiles() const { return across() * ((size.height + kTilePx - 1) / kTilePx); }
 };
 
-// What the list of a tile says, in its order.
+// The lights in the list of a tile, in the list's order.
 inline std::vector<uint32_t> list_of(const TileFrame& frame, const std::vector<uint32_t>& words,
                                      uint32_t tile) {
     const size_t begin = size_t{tile} * (words.size() / frame.tiles());
@@ -33,7 +33,7 @@ class TileTest : public SessionTest {
  protected:
     using Params = std::map<std::string, double>;
 
-    // Fails the test and returns nothing when anything goes wrong.
+    // On any error, fails the test and returns an empty frame.
     TileFrame tiles(const std::string& graph, const scene::Scene& scene, const scene::Camera& camera,
                     Extent3D size, const Params& params, std::vector<std::string> observed) {
         passes_ = registered_passes();
@@ -81,13 +81,13 @@ class TileTest : public SessionTest {
         if (name == "tileMask") copy(data.bytes, frame.mask);
         if (name == "glassLights") copy(data.bytes, frame.glass_lights);
         if (name != "lights") return;
-        const size_t count = frame.lights.size();  // of the buffer, so many are lights
+        const size_t count = frame.lights.size();  // number of lights in the buffer
         copy(data.bytes, frame.lights);
         frame.lights.resize(count);
     }
 };
 
-// How the lists compare with what is found pixel by pixel.
+// The result of comparing the lists with a search pixel by pixel.
 struct Comparison {
     size_t listed = 0, needed = 0, missed = 0;
     [[nodiscard]] double in_vain_percent() const {

@@ -1,4 +1,4 @@
-// The reference for anisotropic reflection against what is known of it.
+// Tests the reference for anisotropic reflection against its known properties.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,8 +8,8 @@
 namespace weft::test {
 namespace {
 
-// Over ∫ D·(n·h): half vectors of an even hemisphere, stretched. By u = cos θ of that hemisphere, of which
-// each stands for 2 u: so the grazing ones, whose values have no bound, count little.
+// An average weighted by D·(n·h): half vectors of a uniform hemisphere, stretched. Each sample at u = cos θ
+// has weight 2 u, so grazing directions, where values are unbounded, have little weight.
 template <class Value>
 double mean_over_normals(const Stretched& s, const Value& value) {
     constexpr int kSteps = 1200;
@@ -34,8 +34,8 @@ TEST(ReferenceAnisotropy, DistributionIsNormalised) {
         double sum = 0;
         for (int i = 0; i < kSteps; ++i)
             for (int j = 0; j < kSteps; ++j) {
-                // tan of an angle on either axis, so that the plane has an end; each axis as wide as its
-                // lobe.
+                // Uses the tangent of an angle on both axes, so that the infinite plane has finite
+                // coordinates; each axis is scaled to its lobe.
                 const double a = ((i + 0.5) / kSteps - 0.5) * kPi, b = ((j + 0.5) / kSteps - 0.5) * kPi;
                 const double x = s.along * std::tan(a), y = s.across * std::tan(b);
                 const double area = s.along * s.across / std::pow(std::cos(a) * std::cos(b), 2);
@@ -48,7 +48,8 @@ TEST(ReferenceAnisotropy, DistributionIsNormalised) {
 }
 
 TEST(ReferenceAnisotropy, MaskingLeavesTheProjectedArea) {
-    // ∫ D·G1(v)·max(v·h, 0) dω = n·v (Heitz 2014, equation 15); D·(n·h) weighs the half vectors already.
+    // ∫ D·G1(v)·max(v·h, 0) dω = n·v (Heitz 2014, equation 15); the half vectors are already weighted by
+    // D·(n·h).
     const Stretched s = stretched(0.5, 0.7);
     for (const glm::dvec3 v :
          {glm::dvec3(0.8, 0, 0.6), glm::dvec3(0, 0.8, 0.6), glm::dvec3(0.6, 0.6, 0.52915026)}) {

@@ -1,5 +1,5 @@
-// Anisotropic metal against its reference, through the pipelines that are shipped: a square that faces
-// the camera, in strips of different strength and direction, under parallel light.
+// Anisotropic metal in the shipped pipelines, compared with its reference: a square that faces the camera, in
+// strips of different strength and direction, under parallel light.
 #include <array>
 #include <numbers>
 
@@ -15,7 +15,7 @@ const glm::vec3 kColor{0.9f, 0.6f, 0.3f};
 
 class Anisotropy : public SessionTest, public ::testing::WithParamInterface<const char*> {
  protected:
-    // cd/m² in the middle of each strip.
+    // Radiance in cd/m² in the middle of each strip.
     std::array<glm::vec3, kStrips> strips(const scene::Scene& scene) {
         return strips(scene, WEFT_SOURCE_DIR "/graphs/" + std::string(GetParam()) + ".json");
     }
@@ -50,7 +50,7 @@ class Anisotropy : public SessionTest, public ::testing::WithParamInterface<cons
             return glm::dvec3(std::cos(turn_rad) * w.x + std::sin(turn_rad) * w.y,
                               -std::sin(turn_rad) * w.x + std::cos(turn_rad) * w.y, w.z);
         };
-        // Highlights tell even a camera 1 km away from one that is infinitely far.
+        // Highlights depend measurably on whether the camera is 1 km away or infinitely far.
         const glm::dvec2 uv = uv_of_pixel(pixel_of(strip));
         const glm::dvec3 v = glm::normalize(glm::dvec3(1 - 2 * uv.x, 2 * uv.y - 1, 1000));
         const glm::dvec3 wanted = reflected_by_metal(s, kColor, turned(v), turned(from)) * 10.0;
@@ -59,7 +59,7 @@ class Anisotropy : public SessionTest, public ::testing::WithParamInterface<cons
     }
 };
 
-// What depends on materials and not on how lights are found.
+// Tests that depend on materials, not on the method of light culling.
 class AnisotropicMaterials : public Anisotropy {};
 
 std::string graph_name(const ::testing::TestParamInfo<const char*>& tested) {
@@ -91,7 +91,7 @@ TEST_P(Anisotropy, StrengthAndRotationAreThoseOfTheExtension) {
 
 TEST_P(AnisotropicMaterials, TexturesTurnAndWeaken) {
     scene::Scene scene = striped_metal();
-    // Along −x at full strength; along +y at 0.4; along +x+y at full, turned by a quarter.
+    // Direction −x at full strength; +y at 0.4; +x+y at full strength, rotated by a quarter turn.
     const std::array<std::array<uint8_t, 4>, kStrips> texels{
         {{0, 128, 255, 255}, {128, 255, 102, 255}, {255, 255, 255, 255}, {128, 0, 255, 255}}};
     const std::array<double, kStrips> turn{0, kPi / 2, kPi / 4 + kPi / 2, -kPi / 2},
@@ -106,7 +106,7 @@ TEST_P(AnisotropicMaterials, TexturesTurnAndWeaken) {
     scene.lights = {frontal_light(10)};
     scene.lights[0].direction = -kFrom[2];
     const std::array<glm::vec3, kStrips> found = strips(scene);
-    for (size_t i = 0; i < kStrips; ++i)  // 128 of 255 is not quite the middle
+    for (size_t i = 0; i < kStrips; ++i)  // 128 of 255 is not exactly one half
         expect_metal(found[i], i, stretched(0.5, strength[i]), turn[i], kFrom[2], 2e-2);
 }
 

@@ -1,5 +1,5 @@
-// What shapes that shine alike all over send to a point, by sampling their surfaces in double precision: no
-// closed form.
+// The light from uniformly emitting shapes at a point, computed by sampling their surfaces in double
+// precision, without a closed form.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,8 @@ void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Vis
     }
 }
 
-// Around the axis and along it; the ends by their height, over which a sphere's area is even.
+// Samples around the axis and along it. The ends are sampled by height, because a sphere's area is uniform in
+// height.
 template <class Visit>
 void visit_capsule(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int turns = 720,
                    int steps = 300) {
@@ -69,7 +70,7 @@ void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& 
     visit_capsule(light, at, visit);
 }
 
-// The same in fewer patches, of about this length.
+// The same with fewer patches, of about this length.
 template <class Visit>
 void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& visit, double patch_m) {
     const auto patches = [&](double length_m) {
@@ -81,7 +82,7 @@ void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& 
     visit_capsule(light, at, visit, 2 * patches(1.6 * b), patches(a));
 }
 
-// Of the nearest point of a rectangle, or of a capsule's axis.
+// Distance to the nearest point of a rectangle, or of a capsule's axis.
 inline double distance_to_light(const shared::Light& light, const glm::dvec3& at) {
     const glm::dvec3 way = at - glm::dvec3(light.position), direction(light.direction), side(light.side);
     const double a = light.half_size_m.x, b = light.half_size_m.y;

@@ -1,4 +1,4 @@
-// The reference BRDF against numbers that are known: Smith terms, normalisation, split-sum scale and bias,
+// The reference BRDF compared with known values: Smith terms, normalisation, split-sum scale and bias,
 // energy.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ TEST(ReferenceBrdf, SmithTermsAtAlphaHalfAndSixtyDegrees) {
 
 TEST(ReferenceBrdf, DistributionIsNormalised) {
     for (const double alpha : {0.05, 0.25, 0.5, 1.0}) {
-        // ∫ D·(n·h) dω over the hemisphere; substituting u = tan²θ keeps sharp lobes resolved.
+        // ∫ D·(n·h) dω over the hemisphere; the substitution u = tan²θ resolves narrow lobes.
         double sum = 0;
         constexpr int kSteps = 200000;
         for (int i = 0; i < kSteps; ++i) {
@@ -36,8 +36,8 @@ struct ScaleBias {
     double scale = 0, bias = 0;
 };
 
-// The split sum's two integrals (Karis 2013), over the visible normals (Heitz 2018, "Sampling the
-// GGX Distribution of Visible Normals"): what is left to sum, G2 / G1, is bounded.
+// The two integrals of the split sum (Karis 2013), sampled over the visible normals (Heitz 2018, "Sampling
+// the GGX Distribution of Visible Normals"), so that the remaining integrand, G2 / G1, is bounded.
 ScaleBias directional_albedo(double roughness, double n_v) {
     const double alpha = roughness * roughness;
     const glm::dvec3 v(std::sqrt(1 - n_v * n_v), 0, n_v);
@@ -46,7 +46,7 @@ ScaleBias directional_albedo(double roughness, double n_v) {
     ScaleBias sum;
     constexpr int kSamples = 1 << 19;
     for (int i = 0; i < kSamples; ++i) {
-        // Hammersley points: evenly spread, so the error falls nearly as 1 / n.
+        // Hammersley points are distributed evenly, so the error falls nearly as 1 / n.
         uint32_t bits = static_cast<uint32_t>(i);
         double mirrored = 0;
         for (double half = 0.5; bits != 0; bits >>= 1, half /= 2) mirrored += (bits & 1) * half;

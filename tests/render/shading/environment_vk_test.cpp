@@ -1,5 +1,5 @@
-// What surrounds a scene: the background against a second sampler, and what plain surfaces send back of it
-// against closed forms.
+// Environment light: the background compared with a second sampler, and reflection by plain surfaces compared
+// with closed forms.
 #include <algorithm>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
@@ -22,7 +22,7 @@ scene::Environment environment_of(uint32_t width, uint32_t height,
     return scene::build_environment(width, height, texels);
 }
 
-// A square of 8 m in y = 0 that only reflects diffusely.
+// A square of 8 m in y = 0 with only diffuse reflection.
 scene::Scene matt_plane(float albedo) {
     scene::Scene scene;
     scene.meshes.push_back(ground_mesh());
@@ -42,7 +42,7 @@ scene::Camera camera_at(glm::vec3 eye, glm::vec3 at, float fov_y_rad) {
     return camera;
 }
 
-// Bilinear between the four nearest texels; sides meet, poles end.
+// Bilinear interpolation of the four nearest texels; it wraps horizontally and clamps at the poles.
 glm::dvec3 sampled(const scene::Environment& e, glm::dvec3 w) {
     const double u = 0.5 + std::atan2(w.x, -w.z) / (2 * kPi), v = std::acos(w.y / glm::length(w)) / kPi;
     const double x = u * e.width_px - 0.5, y = v * e.height_px - 0.5;
@@ -62,19 +62,19 @@ class EnvironmentLight : public SessionTest {
     void expect_background(glm::vec3 at);
 };
 
-// So narrow a view that a texel is wider than a pixel. Samplers know 1/256 of a texel.
+// The view is so narrow that a texel is wider than a pixel. Samplers have a precision of 1/256 texel.
 void EnvironmentLight::expect_background(glm::vec3 at) {
     scene::Scene scene = matt_plane(1);
     scene.environment = environment_of(16, 8, [](uint32_t x, uint32_t y) {
         return glm::vec3(1 + (x * 7 + y * 3) % 5, float(x), (x + y) % 2 == 0 ? 100.0f : 40.0f);
     });
-    const glm::vec3 eye(0, -50, 0);  // below the plane, which is seen from above only
+    const glm::vec3 eye(0, -50, 0);  // below the plane, which is visible only from above
     const scene::Camera camera = camera_at(eye, eye + at, 0.9f);
     const Rendered r = render(scene, camera, kSize, 0, {"hdr"});
     ASSERT_EQ(r.images.size(), 1u);
     const glm::dmat3 axes(camera.transform);
     const double tan_y = std::tan(0.45), tan_x = tan_y * kSize.width / kSize.height;
-    const glm::dvec3 steepest(4, 15, 60);  // between neighbours
+    const glm::dvec3 steepest(4, 15, 60);  // largest difference between neighbours
     for (uint32_t y = 0; y < kSize.height; ++y)
         for (uint32_t x = 0; x < kSize.width; ++x) {
             const glm::dvec3 ray = axes * glm::dvec3(((x + 0.5) / kSize.width * 2 - 1) * tan_x,
@@ -106,7 +106,8 @@ TEST_F(EnvironmentLight, InAWhiteFurnaceAWhitePlaneVanishes) {
             render(scene, camera_at({1, 4, 3}, {0, 0, 0}, 0.9f), kSize, 0, {"hdr", "depth", "albedo"});
         ASSERT_EQ(r.images.size(), 3u);
         for (size_t i = 0; i < r.images.at("hdr").size(); ++i) {
-            // The metal's single bounce loses up to two thirds of the light at grazing angles, never gains.
+            // With single scattering, metal loses up to two thirds of the light at grazing angles, and never
+            // gains any.
             const glm::vec4 texel = r.images.at("hdr")[i];
             const bool plain = !metal || r.images.at("depth")[i].r <= 0;
             ASSERT_LE(texel.g, 3.01) << i;

@@ -1,6 +1,6 @@
-// Highlights of capsules and rectangles on a white mirror of a floor, against the integral of what it
-// reflects over the light. One point of a light cannot stand for all of it: what is stated here is how far
-// off it is.
+// Highlights of capsules and rectangles on a white mirror floor, compared with the integral of the reflection
+// over the light. The shaders use one representative point per light, which is not exact; the tests limit the
+// error.
 #include <array>
 
 #include "tests/render/shading/area_reference.h"
@@ -11,18 +11,20 @@ namespace weft::test {
 namespace {
 
 struct Expectation {
-    double roughness, least, most;  // the sum over the floor, of the integral's
+    double roughness, least, most;  // limits for the sum over the floor, relative to the integral's
 };
-// The first channels of irradiance.json. Measured: 0.85 to 1.16, 0.75 to 1.09, 0.66 to 1.03.
+// In the order of the first channels in irradiance.json. Measured: 0.85 to 1.16, 0.75 to 1.09, 0.66 to 1.03.
 constexpr std::array kExpectations{Expectation{0.1, 0.8, 1.2}, Expectation{0.3, 0.7, 1.15},
                                    Expectation{0.6, 0.62, 1.08}};
-constexpr double kMostOff = 0.5;     // differences at points, added up, of the integral's sum; measured: 0.46
-constexpr int kMoves = 4;            // each way, by a quarter of a metre: between the points
-const glm::dvec3 kEye(0.5, 2.5, 6);  // as in irradiance.comp
+constexpr double kMostOff = 0.5;     // limit for the sum of differences at points, relative to the integral's
+                                     // sum; measured: 0.46
+constexpr int kMoves = 4;            // positions in each direction, a quarter of a metre apart: they lie
+                                     // between the points
+const glm::dvec3 kEye(0.5, 2.5, 6);  // same value as in irradiance.comp
 
 using Highlights = std::array<double, kExpectations.size()>;
 
-// What a mirror at the point sends to the eye.
+// The light that a mirror at the point reflects to the eye.
 Highlights mirrored(const shared::Light& light, const glm::dvec3& at) {
     const glm::dvec3 v = glm::normalize(kEye - at);
     Highlights sum{};
@@ -32,7 +34,7 @@ Highlights mirrored(const shared::Light& light, const glm::dvec3& at) {
         const auto add = [&](const glm::dvec3& l, double solid_angle) {
             sum[i] += reflected(mirror, v, l).x * solid_angle;
         };
-        // Of a third of the lobe's width.
+        // Steps of a third of the lobe's width.
         visit_light(light, at, add, roughness * roughness * distance_to_light(light, at));
     }
     return sum;
@@ -40,7 +42,7 @@ Highlights mirrored(const shared::Light& light, const glm::dvec3& at) {
 
 class Highlight : public Irradiance {
  protected:
-    // Each in kMoves² places.
+    // Tests each light at kMoves² positions.
     void expect_highlights(scene::LightType type, std::span<const Placement> placements) {
         constexpr size_t kPlaces = size_t{kMoves} * kMoves;
         std::vector<Placement> all;

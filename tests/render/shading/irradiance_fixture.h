@@ -1,4 +1,5 @@
-// What lights send to 8 × 8 points of the plane y = 0, a metre apart, and what a white mirror there sends on.
+// Measures the irradiance of lights at 8 × 8 points of the plane y = 0, a metre apart, and the reflection of
+// a white mirror there.
 #pragma once
 
 #include <span>
@@ -17,8 +18,9 @@ inline const glm::dvec3 kUp(0, 1, 0);
 
 struct Measured {
     std::vector<shared::Light> lights;
-    std::vector<glm::vec4> irradiance;  // kPoints for each light
-    std::vector<glm::vec4> highlight;   // the same: radiance by roughness, as the graph has them
+    std::vector<glm::vec4> irradiance;  // kPoints values for each light
+    std::vector<glm::vec4> highlight;   // the same; the channels are radiances for the roughnesses in the
+                                        // graph
     [[nodiscard]] glm::dvec3 at(size_t light, size_t point) const {
         return glm::dvec3(irradiance[light * kPoints + point]);
     }

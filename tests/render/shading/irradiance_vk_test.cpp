@@ -1,6 +1,6 @@
-// Irradiance on a plane, by the shaders themselves: lights without extent against their closed forms,
-// capsules and rectangles against numeric integrals, above the horizon, across it, close and far; and what
-// light functions let through.
+// Irradiance on a plane, computed by the shaders: lights without extent compared with closed forms; capsules
+// and rectangles compared with numeric integrals, above and across the horizon, near and far; and light
+// functions.
 #include <array>
 
 #include "tests/render/shading/area_reference.h"
@@ -37,8 +37,8 @@ TEST_F(Irradiance, OfLightsWithoutExtentIsTheirClosedForm) {
     std::printf("worst relative error %.1e\n", worst);
 }
 
-// Relative to what is expected, but for what is less than 1e-5 of the light of a whole sky. There may be more
-// lights than placements.
+// Relative to the expected value, with a floor of 1e-5 of the light of a whole sky. There may be more lights
+// than placements.
 template <class Reference>
 void expect_close(const Measured& m, std::span<const Placement> placements, double tolerance,
                   const Reference& reference) {
@@ -104,7 +104,8 @@ TEST_F(Irradiance, OfCapsulesIsThatOfTheirPatches) {
     };
     const Measured m = measure(placed(scene::LightType::capsule, placements));
     expect_close(m, placements, 0.02, [](const shared::Light& light, const glm::dvec3& at) {
-        if (distance_to_light(light, at) < 1.05 * double(light.half_size_m.y)) return -1.0;  // inside
+        if (distance_to_light(light, at) < 1.05 * double(light.half_size_m.y))
+            return -1.0;  // the point is inside the light
         return area_irradiance(light, at, kUp);
     });
 }
@@ -119,7 +120,7 @@ scene::Light shaped(scene::LightType type, glm::vec3 position, glm::vec3 directi
     return light;
 }
 
-// What a function lets through, as the same light with and without it tells.
+// The factor of a light function, measured with two equal lights, of which only one has the function.
 class Functions : public Irradiance {
  protected:
     std::vector<double> factors(scene::Light light, const scene::LightFunction& function,
@@ -132,7 +133,7 @@ class Functions : public Irradiance {
         const Measured m = measure(std::move(scene));
         std::vector<double> shares;
         if (m.irradiance.empty()) return shares;
-        // Plain lights come first.
+        // Lights without a function come first.
         const size_t shaped = m.lights[0].function != 0 ? 0 : 1, plain = 1 - shaped;
         for (size_t i = 0; i < kPoints; ++i)
             shares.push_back(m.at(plain, i).x > 1e-6 ? m.at(shaped, i).x / m.at(plain, i).x : -1);
@@ -144,7 +145,7 @@ TEST_F(Functions, DoorsCutTheLightOffWhereTheyAre) {
     scene::LightFunction function;
     function.doors = {0.3f, 0.6f, scene::LightFunction::kNoDoor, 0.4f};
     function.softness = 0.02f;
-    // Faces down; its width is +x, its height −z.
+    // The light faces down; its width is along +x, its height along −z.
     for (const scene::LightType type :
          {scene::LightType::spot, scene::LightType::point, scene::LightType::rectangle}) {
         const std::vector<double> shares = factors(shaped(type, {0, 3, 0}, {0, -1, 0}, {1, 0, 0}), function);
@@ -163,7 +164,7 @@ TEST_F(Functions, DoorsCutTheLightOffWhereTheyAre) {
 
 TEST_F(Functions, CurvesFollowTheirBezier) {
     scene::LightFunction function;
-    function.curve = {0, 0, 1.0f / 3, 1};  // t²: undoes the inverse square
+    function.curve = {0, 0, 1.0f / 3, 1};  // t² cancels the inverse square
     function.reach_m = 4;
     const scene::Light light = shaped(scene::LightType::point, {0, 1, 0}, {0, -1, 0}, {1, 0, 0});
     const std::vector<double> shares = factors(light, function);

@@ -1,10 +1,10 @@
-// The ways to find the lights of a pixel agree with a loop over all of them: one-pass tiled shading to the
-// last bit, and light volumes within what blending into half floats rounds away. Half floats have 11 bits; a
-// light that reaches a pixel is one more rounding of the sum, to nearest or towards 0, and all sums on the
-// way are at most the whole:
+// All methods for finding the lights of a pixel agree with a loop over all lights: one-pass tiled shading
+// exactly, light volumes within the rounding of blending to half floats. Half floats have 11 bits. Each light
+// that reaches a pixel rounds the sum once more, to nearest or towards 0, and no partial sum exceeds the
+// total:
 //   |blended − looped| ≤ (lights + 2) · 2⁻¹⁰ · looped + (lights + 2) · 2⁻²⁴
-// where the two are the base's and the loop's own rounding, and the last term is half a step of the smallest
-// half floats.
+// The 2 stands for the rounding of the initial value and of the loop; the last term is half a step of the
+// smallest half floats.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/render/session_fixture.h"
@@ -20,7 +20,8 @@ std::string graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
 }
 
-// The last light of all is one that the first two cameras see, so that nobody may forget it: areas are last.
+// The last light is visible to the first two cameras, so that a method that drops it fails. Area lights come
+// last.
 scene::Scene lights_scene(uint32_t lights) {
     Result<scene::Scene> scene = scene::make_builtin("lights", {.lights = lights});
     EXPECT_TRUE(scene);
@@ -40,8 +41,8 @@ scene::Scene lights_scene(uint32_t lights) {
     return std::move(*scene);
 }
 
-// Lights that proxies are drawn differently for: narrow and wide cones, some that hold the eye, others that
-// have no range, and one behind the eye.
+// Lights for which light volumes are special cases: narrow and wide cones, cones that contain the eye, lights
+// without a range, and one behind the eye.
 void add_awkward_lights(scene::Scene& scene, const scene::Camera& camera) {
     const glm::vec3 eye(camera.transform[3]), ahead = -glm::vec3(camera.transform[2]);
     const auto add = [&](scene::LightType type, const glm::vec3& position, float range_m, float cone_rad) {
@@ -103,7 +104,7 @@ double reaching(const std::vector<shared::Light>& lights, const glm::dvec3& posi
     return count;
 }
 
-// The worst share of the bound that a channel takes.
+// The largest error of a channel, relative to the bound.
 double worst_share(const Rendered& looped, const Rendered& blended) {
     const Image &a = looped.images.at("hdr@lighting"), &b = blended.images.at("hdr@lighting"),
                 &depth = looped.images.at("depth");

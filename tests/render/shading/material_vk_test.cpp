@@ -1,5 +1,5 @@
-// Materials against closed forms, through both shipped pipelines: what glTF 2.0 and its extensions say that
-// each number and channel does to the light that a square sends to the camera.
+// Materials in both shipped pipelines compared with closed forms: the effect of each number and channel of
+// glTF 2.0 and its extensions on the light that a square reflects to the camera.
 #include <array>
 #include <numbers>
 
@@ -15,7 +15,7 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
  protected:
     [[nodiscard]] static bool deferred() { return std::string_view(GetParam()) == "deferred"; }
 
-    // cd/m² of every pixel, row by row.
+    // Radiance in cd/m² of every pixel, row by row.
     std::vector<glm::vec4> radiance(const scene::Scene& scene) {
         const std::string graph = std::string(WEFT_SOURCE_DIR "/graphs/") + GetParam() + ".json";
         const std::unique_ptr<render::Session> session =
@@ -28,8 +28,8 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
         return render::decode_texels(readbacks.at(0).format, readbacks[0].bytes);
     }
     glm::vec3 center(const scene::Scene& scene) { return radiance(scene)[8 * kQuadSize.width + 8]; }
-    // Half floats keep 11 bits. The G-buffer keeps roots in steps of 1/255, so half a step on either side.
-    // `slack` is what else the expectation is uncertain by.
+    // Half floats keep 11 bits. The G-buffer stores square roots in steps of 1/255, so the error is half a
+    // step. `slack` is the additional uncertainty of the expected value.
     static void expect_near(double found, double root, double scale, const std::string& what,
                             double slack = 0) {
         const double step = deferred() ? 0.5 / 255 : 0;
@@ -44,7 +44,8 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
         scene.textures.push_back({"texture", width_px, height_px, space, {std::move(rgba)}});
         return static_cast<uint32_t>(scene.textures.size() - 1);
     }
-    // Makes the square `count` upright strips of equal width, with a material each, all like the first.
+    // Divides the square into `count` vertical strips of equal width, each with its own copy of the first
+    // material.
     static void make_strips(scene::Scene& scene, uint32_t count) {
         scene.materials.resize(count, scene.materials[0]);
         scene.instances.clear();
@@ -74,7 +75,7 @@ TEST_P(Materials, VertexColoursAreInterpolatedAndMultiplyTheBaseColour) {
     scene::Scene scene = quad_scene();
     scene.lights = {frontal_light(10)};
     scene.materials[0].base_color = {0.5f, 1, 0.25f, 1};
-    // Red grows to the right, green upwards, blue is the same everywhere.
+    // Red increases to the right, green upwards; blue is constant.
     scene.meshes[0].colors = {{0, 0, 0.5f, 1}, {1, 0, 0.5f, 1}, {1, 1, 0.5f, 1}, {0, 1, 0.5f, 1}};
     const std::vector<glm::vec4> found = radiance(scene);
     for (size_t i = 0; i < found.size(); ++i) {
@@ -87,7 +88,7 @@ TEST_P(Materials, VertexColoursAreInterpolatedAndMultiplyTheBaseColour) {
 }
 
 TEST_P(Materials, EachMeshHasItsOwnColoursAndUvs) {
-    // Three squares side by side: without streams, with both, without again.
+    // Three squares side by side: without vertex colours and second uvs, with both, and without again.
     scene::Scene scene = quad_scene();
     const uint32_t texture = add_texture(scene, 2, {255, 255, 255, 255, 0, 0, 0, 255});
     scene.materials[0].emissive = glm::vec3(4);
@@ -119,8 +120,8 @@ TEST_P(Materials, ColoursTintOnlyTheEmissionThatAsksForIt) {
 }
 
 TEST_P(Materials, EverySlotReadsItsOwnUvSet) {
-    // The left texel is white, the right one black; the first set sees the left one, the second the right
-    // one.
+    // The left texel is white, the right one black; the first uv set addresses the left one, the second set
+    // the right one.
     scene::Scene scene = quad_scene();
     scene.lights = {frontal_light(10)};
     const uint32_t texture = add_texture(scene, 2, {255, 255, 255, 255, 0, 0, 0, 255});
@@ -164,8 +165,8 @@ TEST_P(Materials, ReflectanceFollowsTheIndexOfRefractionAndTheSpecularFactors) {
         const Case& c = cases[i];
         for (int k = 0; k < 3; ++k) {
             const double f0 = std::min(std::pow((c.ior - 1) / (c.ior + 1), 2) * c.color[k], 1.0);
-            // Face to face D = 1 / (π α²) and V = 1/4. The G-buffer keeps the coat's factor in steps of
-            // 1/255.
+            // At normal incidence D = 1 / (π α²) and V = 1/4. The G-buffer stores the specular factor in
+            // steps of 1/255.
             expect_near(strip(found, i, cases.size())[k], std::sqrt(f0), c.specular * 100 / (4 * kPi),
                         "ior " + std::to_string(c.ior), deferred() ? 0.5 / 255 / c.specular : 0);
         }
@@ -183,7 +184,7 @@ TEST_P(Materials, GreenIsRoughnessAndBlueIsMetalness) {
     scene.materials[1].metallic_roughness_texture = nearest(add_texture(scene, 1, {255, 255, 0, 255}));
     const std::vector<glm::vec4> found = radiance(scene);
     const double alpha = std::pow(0.8 * 204 / 255, 2);
-    // Half a step of the roughness is four times as much of α².
+    // An error of half a step in roughness is four times as large in α².
     const double slack = deferred() ? 4 * 0.5 / 255 / std::sqrt(alpha) : 0;
     for (int k = 0; k < 3; ++k)
         expect_near(strip(found, 0, 2)[k], std::sqrt(scene.materials[0].base_color[k]),
@@ -212,7 +213,8 @@ TEST_P(Materials, OcclusionDarkensOnlyTheAmbientLight) {
 TEST_P(Materials, NormalMapsTiltTowardsUAndUp) {
     scene::Scene scene = quad_scene();
     scene.materials[0].normal_texture =
-        nearest(add_texture(scene, 1, {191, 85, 230, 255}));  // right, down, out
+        nearest(add_texture(scene, 1, {191, 85, 230, 255}));  // normals pointing right, down, and out of the
+                                                              // surface
     constexpr std::array kScales{1.0f, 0.4f, -1.0f};
     make_strips(scene, 3);
     for (size_t i = 0; i < 3; ++i) scene.materials[i].normal_scale = kScales[i];
@@ -239,7 +241,7 @@ TEST_P(Materials, AlphaAtTheCutoffIsDrawn) {
     scene.materials[0].alpha_cutoff = 0.5f;
     scene.materials[1].alpha_cutoff = std::nextafter(0.5f, 1.0f);
     scene.materials[2].alpha_cutoff = 0;
-    // The alpha of vertex colours counts too; where nothing asks for it, alpha is ignored.
+    // The alpha of vertex colours counts too; an opaque material ignores alpha.
     scene.meshes.push_back(scene.meshes[0]);
     scene.meshes[1].colors.assign(4, {1, 1, 1, 0.75f});
     scene.instances[3].mesh = scene.instances[4].mesh = 1;
@@ -255,7 +257,8 @@ TEST_P(Materials, MirroredObjectsKeepTheirOutside) {
         glm::vec3 scale;
         bool double_sided, lit;
     };
-    // The back of a surface is not drawn, or, of a double-sided one, lit from its own side.
+    // The back of a single-sided surface is not drawn; the back of a double-sided one is lit from its own
+    // side.
     const std::vector<Case> cases{{{-1, 1, 1}, false, true},  {{-1, -1, 1}, false, true},
                                   {{1, 1, -1}, false, false}, {{-1, 1, -1}, false, false},
                                   {{1, 1, -1}, true, true},   {{-1, 1, -1}, true, true}};
@@ -278,7 +281,7 @@ TEST_P(Materials, PointLightsEndAtTheirRange) {
     for (const float range_m : {0.0f, 2.5f, 2.0f}) {
         scene::Light light;
         light.intensity = 40;
-        light.position = {1.0f / 16, -1.0f / 16, 2};  // over the middle of the pixel
+        light.position = {1.0f / 16, -1.0f / 16, 2};  // above the middle of the pixel
         light.range_m = range_m;
         scene.lights = {light};
         const double window = range_m > 0 ? std::clamp(1 - std::pow(2 / range_m, 4), 0.0, 1.0) : 1;
@@ -305,7 +308,7 @@ TEST_P(Materials, SpotLightsFadeBetweenTheirCones) {
 }
 
 TEST_P(Materials, UnlitIsTheBaseColourWhateverShines) {
-    // What KHR_materials_unlit becomes: a black surface that glows in its base colour.
+    // KHR_materials_unlit becomes a black surface that emits its base colour.
     scene::Scene scene = quad_scene();
     scene.lights = {frontal_light(1000)};
     scene.sky_zenith = scene.sky_horizon = glm::vec3(5);

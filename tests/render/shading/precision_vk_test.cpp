@@ -1,5 +1,5 @@
-// Deferred shading sees a surface through the G-buffer, forward shading sees the surface itself: by how much
-// the two may differ follows from the G-buffer's formats (docs/precision.md), pixel by pixel.
+// Deferred shading reads a surface from the G-buffer, forward shading reads the surface itself. The
+// G-buffer's formats limit the difference of the two for each pixel (docs/precision.md).
 #include <algorithm>
 #include <functional>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr Extent3D kSize{160, 90, 1};
 
-// What one pixel of the G-buffer stores, each number as the shaders use it.
+// The values that the G-buffer stores for one pixel, as shaders read them.
 struct Stored {
     glm::dvec3 base_root{0};
     double occlusion = 1, roughness = 1, metalness = 0;
@@ -22,13 +22,13 @@ struct Stored {
     glm::dvec3 position{0};
 };
 
-// Half a step of 8 bits; of an octahedral normal in 16 bits, 0.0037°; of a depth in single precision,
-// reconstructed through a matrix, as a share of the distance.
+// Half a step of 8 bits; the error of an octahedral normal in 16 bits, 0.0037°; the relative error of a
+// distance reconstructed from a single-precision depth through a matrix.
 constexpr double kHalfStep = 0.5 / 255, kNormalRad = 0.0037 * kPi / 180, kDepthShare = 4e-6;
-// Two roundings to half floats, and what single precision loses in some hundred operations.
+// Two roundings to half floats, and the error of about a hundred operations in single precision.
 constexpr double kRounding = 2.0 / 2048 + 2e-4;
-// Both pictures are evaluated with first differences of one number at a time; what they do together is less
-// than a quarter of that.
+// The bound adds the first-order effects of one number at a time; combined effects are less than a quarter of
+// it.
 constexpr double kTogether = 1.25;
 
 struct View {
@@ -37,7 +37,7 @@ struct View {
     glm::dvec3 eye{0};
 };
 
-// The gradient sky of shaders/include/sky.glsl.
+// The gradient sky as in shaders/include/sky.glsl.
 glm::dvec3 sky(const scene::Scene& scene, const glm::dvec3& w) {
     const glm::dvec3 zenith(scene.sky_zenith), horizon(scene.sky_horizon);
     if (w.y >= 0) return glm::mix(horizon, zenith, std::sqrt(w.y));
@@ -50,7 +50,7 @@ glm::dvec3 matt_sky(const scene::Scene& scene, const glm::dvec3& n) {
     return glm::mix(glm::dvec3(scene.sky_horizon) * 0.25, above, 0.5 + 0.5 * n.y);
 }
 
-// Lazarov's directional albedo.
+// Lazarov's approximation of the directional albedo.
 glm::dvec2 dfg(double roughness, double nv) {
     const double a = 1 - roughness, b = 0.0425 - 0.0275 * roughness, c = 1.04 - 0.572 * roughness,
                  d = 0.022 * roughness - 0.04;
@@ -83,7 +83,7 @@ glm::dvec3 radiance(const Stored& p, const View& view) {
     return sum + p.occlusion * (matt * matt_sky(*view.scene, s.normal) + mirror * seen);
 }
 
-// How far each stored number may be from the true one, both ways.
+// The largest errors of each stored number, in both directions.
 glm::dvec3 bound(const Stored& p, const View& view) {
     const glm::dvec3 stored = radiance(p, view);
     glm::dvec3 sum(0);
@@ -160,7 +160,7 @@ TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
             if (deferred.images.at("depth")[i].r <= 0) continue;
             ++surfaces;
             const glm::dvec3 a(deferred.images.at("hdr")[i]), b(forward.images.at("hdr")[i]);
-            // Half floats end at 2⁻²⁴.
+            // The smallest half float is 2⁻²⁴.
             const glm::dvec3 allowed =
                 bound(stored_at(deferred, i, to_world), view) * gain + glm::max(a, b) * kRounding + 1.2e-7;
             for (int c = 0; c < 3; ++c) {

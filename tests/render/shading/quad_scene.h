@@ -1,4 +1,5 @@
-// A square that fills the picture, for closed forms: every pixel's place on it, and so its light, is known.
+// A square that fills the picture, for closed forms: the position of every pixel on it is known, and so is
+// its light.
 #pragma once
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace weft::test {
 
 inline constexpr Extent3D kQuadSize{16, 16, 1};
 
-// From (-1, -1, 0) to (1, 1, 0), facing +z; uv (0, 0) is its upper left corner. Lambertian, white.
+// From (-1, -1, 0) to (1, 1, 0), facing +z; uv (0, 0) is its upper left corner. Diffuse white.
 inline scene::Scene quad_scene() {
     scene::Scene scene;
     scene::Mesh quad;
@@ -31,7 +32,7 @@ inline scene::Scene quad_scene() {
     scene.instances = {{"quad", 0, 0, glm::mat4(1)}};
     scene::Camera camera;
     camera.name = "front";
-    // Far off, so that every pixel looks straight at it.
+    // The camera is far away, so that all view rays are nearly parallel.
     constexpr float kDistanceM = 1000;
     camera.transform = glm::translate(glm::mat4(1), glm::vec3(0, 0, kDistanceM));
     camera.fov_y_rad = 2 * std::atan(1 / kDistanceM);
@@ -39,7 +40,7 @@ inline scene::Scene quad_scene() {
     return scene;
 }
 
-// A level square of 8 m around the origin, facing +y.
+// A horizontal square of 8 m around the origin, facing +y.
 inline scene::Mesh ground_mesh() {
     scene::Mesh mesh;
     mesh.positions = {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}};
@@ -50,7 +51,7 @@ inline scene::Mesh ground_mesh() {
     return mesh;
 }
 
-// 1 lx on what faces the camera, times `intensity`.
+// Light of 1 lx times `intensity` on surfaces that face the camera.
 inline scene::Light frontal_light(float intensity) {
     scene::Light light;
     light.type = scene::LightType::directional;
@@ -59,7 +60,7 @@ inline scene::Light frontal_light(float intensity) {
     return light;
 }
 
-// Of pixel i, row by row.
+// uv of pixel i; pixels are numbered row by row.
 inline glm::vec2 uv_of_pixel(size_t i) {
     return {(static_cast<float>(i % kQuadSize.width) + 0.5f) / static_cast<float>(kQuadSize.width),
             (static_cast<float>(i / kQuadSize.width) + 0.5f) / static_cast<float>(kQuadSize.height)};

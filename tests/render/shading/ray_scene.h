@@ -1,6 +1,6 @@
-// Rays against the triangles of a scene, for references that share nothing with what they check: a tree of
-// boxes, split at the middle. Opaque and masked surfaces stop a ray; masked ones where their picture does,
-// nearest texel of mip 0.
+// Ray casting against the triangles of a scene, for references that are independent of the tested code: a
+// tree of boxes, split in the middle. Opaque surfaces stop a ray; masked surfaces do so where the nearest
+// texel of mip 0 passes the cutoff.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,11 @@ namespace weft::test {
 
 struct RayHit {
     double distance_m = 0;
-    glm::dvec3 normal{0};  // of the triangle, unit length, towards where the ray came from
+    glm::dvec3 normal{0};  // of the triangle, unit length, on the side of the ray's origin
     uint32_t material = 0;
 };
 
-// What masked surfaces are to a ray: as they look, or as if they had no picture, or as if they were not
-// there.
+// How rays treat masked surfaces: as drawn, as if opaque, or as if absent.
 enum class Masks : uint8_t { as_drawn, solid, absent };
 
 class RayScene {
@@ -35,7 +34,7 @@ class RayScene {
         split(0, static_cast<uint32_t>(order_.size()));
     }
 
-    // The nearest beyond `from_m`. `direction` is of unit length.
+    // The nearest hit beyond `from_m`. `direction` has unit length.
     [[nodiscard]] std::optional<RayHit> first(const glm::dvec3& origin, const glm::dvec3& direction,
                                               double from_m) const {
         return cast(origin, direction, from_m, Masks::as_drawn, false);
@@ -54,7 +53,8 @@ class RayScene {
     struct Node {
         glm::dvec3 least{std::numeric_limits<double>::infinity()},
             most{-std::numeric_limits<double>::infinity()};
-        uint32_t first = 0, count = 0;  // count 0: an inner node; its children are the next node and `second`
+        uint32_t first = 0, count = 0;  // count 0: an inner node, whose children are the next node and
+                                        // `second`
         uint32_t second = 0;
     };
 
@@ -148,7 +148,7 @@ class RayScene {
         return best;
     }
 
-    // Möller and Trumbore 1997, "Fast, Minimum Storage Ray-Triangle Intersection".
+    // Algorithm: Möller and Trumbore 1997, "Fast, Minimum Storage Ray-Triangle Intersection".
     [[nodiscard]] std::optional<double> hit(const Triangle& t, const glm::dvec3& origin,
                                             const glm::dvec3& direction, double from_m, double to_m,
                                             Masks masks) const {

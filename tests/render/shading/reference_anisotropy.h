@@ -1,6 +1,6 @@
-// Reflection of an anisotropic metal in double precision: GGX with a roughness for each of two directions
-// (Burley 2012), height-correlated Smith for it (Heitz 2014), roughness and strength as
-// KHR_materials_anisotropy says. Directions are along tangent, bitangent and normal.
+// Reflection of an anisotropic metal in double precision: GGX with two roughnesses (Burley 2012),
+// height-correlated Smith for it (Heitz 2014), roughness and strength as in KHR_materials_anisotropy.
+// Directions have components along tangent, bitangent and normal.
 #pragma once
 
 #include "tests/render/shading/reference_brdf.h"
@@ -27,7 +27,7 @@ inline double smith_lambda(const Stretched& s, const glm::dvec3& w) {
     return (std::sqrt(1 + slope2) - 1) / 2;
 }
 
-// f · n·l of a metal; 0 below the horizon.
+// f · n·l for a metal; 0 below the horizon.
 inline glm::dvec3 reflected_by_metal(const Stretched& s, const glm::dvec3& color, const glm::dvec3& v,
                                      const glm::dvec3& l) {
     if (l.z <= 0) return glm::dvec3(0);

@@ -1,6 +1,5 @@
-// Surface reflection in double precision, written from the papers and from nothing else: GGX (Trowbridge and
-// Reitz 1975, Walter et al. 2007), height-correlated Smith (Heitz 2014), Schlick's Fresnel, layered as
-// glTF 2.0 says.
+// Surface reflection in double precision, written only from the papers: GGX (Trowbridge and Reitz 1975,
+// Walter et al. 2007), height-correlated Smith (Heitz 2014), Schlick's Fresnel, layered as in glTF 2.0.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +10,7 @@ namespace weft::test {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-// Λ of Smith's masking function for a direction at `cosine` from the normal.
+// Λ in Smith's masking function, for a direction with `cosine` to the normal.
 inline double smith_lambda(double alpha, double cosine) {
     const double tan2 = (1 - cosine * cosine) / (cosine * cosine);
     return (std::sqrt(1 + alpha * alpha * tan2) - 1) / 2;

@@ -1,5 +1,5 @@
-// What the G-buffer says of a normal, and lights say to a point, in double precision: octahedral normals, and
-// the distance window and cones of KHR_lights_punctual.
+// Decoding of octahedral normals, and light at a point, in double precision: distance window and cones as in
+// KHR_lights_punctual.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ inline glm::dvec3 octahedral_normal(const glm::vec4& e) {
     return glm::normalize(n);
 }
 
-// Irradiance on a plane that faces the light; `l` becomes the direction towards it.
+// Irradiance on a plane that faces the light; sets `l` to the direction towards the light.
 inline glm::dvec3 incident(const shared::Light& light, const glm::dvec3& at, glm::dvec3& l) {
     if (light.type == shared::kLightDirectional) {
         l = -glm::dvec3(light.direction);

@@ -1,5 +1,5 @@
-// Shading by tile lists: the same picture as without culling, in deferred and in forward shading, and each
-// tile in the one list of its class.
+// Shading with tile lists: it gives the same picture as without culling, in deferred and in forward shading,
+// and each tile is in exactly one list, that of its class.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -22,7 +22,7 @@ std::string graph_path(const std::string& name) {
 
 class TileShading : public SessionTest {
  protected:
-    // What is observed, as bytes, after one frame.
+    // The bytes of the observed resources after one frame.
     std::map<std::string, std::vector<std::byte>> bytes_of(const scene::Scene& scene,
                                                            const std::string& graph,
                                                            std::vector<std::string> observed,
@@ -48,7 +48,7 @@ class TileShading : public SessionTest {
     std::vector<uint16_t> hdr_of(const scene::Scene& scene, const std::string& graph) {
         return words<uint16_t>(bytes_of(scene, graph, {"hdr"})["hdr"]);
     }
-    // Of each tile its lights, in the list's order: what lies behind a list's end belongs to nobody.
+    // The lights of each tile, in the list's order; words after the end of a list are ignored.
     static std::vector<std::vector<uint32_t>> lists_in(const std::vector<std::byte>& bytes) {
         const std::vector<uint32_t> all = words<uint32_t>(bytes);
         const size_t stride = all.size() / kTiles;
@@ -67,7 +67,8 @@ class TileShading : public SessionTest {
         size_t differ = 0, lit = 0;
         int worst = 0;
         for (size_t i = 0; i < found.size(); ++i) {
-            // Of two that are not negative the bits differ by as many steps as the values.
+            // For two non-negative values, the difference of the bits is the number of representable steps
+            // between them.
             const int off = std::abs(int{found[i]} - int{wanted[i]});
             differ += off > 0 ? 1 : 0;
             lit += i % 4 != 3 && wanted[i] > 0 ? 1 : 0;
@@ -80,7 +81,7 @@ class TileShading : public SessionTest {
     }
 };
 
-// Two scenes of very different depth, with `kLights` in each.
+// Two scenes with very different depth, with `kLights` lights each.
 std::vector<scene::Scene> crowded_scenes() {
     std::vector<scene::Scene> scenes;
     scene::BuiltinOptions options;
@@ -100,7 +101,8 @@ TEST_F(TileShading, ForwardPicturesAreThoseOfAllLights) {
     for (const scene::Scene& scene : crowded_scenes()) expect_same(scene, "forward_plus", "forward");
 }
 
-// Though one has its depth from the G-buffer and the other from a pass of its own. Extended: all cameras.
+// The lists agree although one pipeline takes depth from the G-buffer and the other from a separate pass. All
+// cameras are tested only with WEFT_EXTENDED.
 TEST_F(TileShading, DeferredAndForwardHaveTheSameLists) {
     const scene::Scene scene = crowded_scenes()[0];
     const std::vector<std::string> names{"tileLights", "glassTileLights"};
@@ -122,7 +124,7 @@ TEST_F(TileShading, DeferredAndForwardHaveTheSameLists) {
 }
 
 TEST_F(TileShading, EachTileIsInTheListOfItsClass) {
-    // Below the horizon's line only: the upper part of the picture is sky, the ground's edge is far from all
+    // Only the ground is lit: the upper part of the picture is sky, and the ground's edge is far from all
     // lamps.
     scene::Scene scene = std::move(scene::make_builtin("spheres")).value();
     scene.lights[0].range_m = 6;

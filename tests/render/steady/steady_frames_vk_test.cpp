@@ -1,5 +1,5 @@
-// Frame after frame costs the same: nothing is compiled once a graph draws, no object stays, and memory does
-// not grow. Without validation layers, which grow by themselves.
+// Every frame costs the same: after the start nothing is compiled, no object remains, and memory does not
+// grow. Runs without validation layers, because they use more and more memory themselves.
 #include <nlohmann/json.hpp>
 
 #include "tests/render/code_counter/code_counter.h"
@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 constexpr Extent3D kSize{64, 36, 1};
 constexpr double kStep_s = 1.0 / 60;
-constexpr uint32_t kFirstFrames = 3;  // that may compile
+constexpr uint32_t kFirstFrames = 3;  // frames that may compile
 constexpr uint32_t kSteadyFrames =
-    9;  // with the first ones longer than every history, and than a round of jitter
+    9;  // together with the first frames longer than every history and the jitter sequence
 constexpr int64_t kMiB = 1 << 20;
 
 bool extended() {
@@ -67,11 +67,11 @@ class Steady : public SessionTest {
         }
         ASSERT_TRUE(session_->finish());
     }
-    // Each is over before the next one begins.
+    // Waits for each frame before the next one begins.
     void draw_apart(uint32_t frames) {
         for (uint32_t i = 0; i < frames; ++i) ASSERT_NO_FATAL_FAILURE(draw(1));
     }
-    // With another tier or parameters from now on.
+    // Selects another tier or other parameters for the next frames.
     void select(const render::Selection& selection) {
         render::Preparation made = session_->prepare(selection);
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
@@ -92,8 +92,8 @@ class Steady : public SessionTest {
     double time_s_ = 0;
 };
 
-// llvmpipe draws on the calling thread: how much of its buffers is touched doesn't depend on how busy the
-// machine is.
+// llvmpipe renders on the calling thread here, so that its memory use does not depend on the load of the
+// machine.
 class SteadyMemory : public Steady {
     const vk::ScopedEnvironment one_thread_{"LP_NUM_THREADS", "0"};
 };
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, SteadyGraph, testing::ValuesIn(shipped_graphs(
 INSTANTIATE_TEST_SUITE_P(Shipped, SteadyMemoryOfGraph, testing::ValuesIn(shipped_graphs()),
                          [](const auto& graph) { return graph.param; });
 
-// What an author may write.
+// Branches and loops that shader authors may write.
 class SteadyBranches : public Steady {
  protected:
     const std::string graph_ = WEFT_SOURCE_DIR "/tests/render/steady/branches.json";
@@ -168,7 +168,7 @@ TEST_F(SteadyBranches, CompileNothingWhenAParameterChanges) {
     EXPECT_EQ(objects.live(), live);
 }
 
-// The newer driver that tests/drivers/fetch.sh gets from Debian.
+// The newer driver, which tests/drivers/fetch.sh downloads from Debian.
 class SteadyOnMesaOfBackports : public Steady {
  protected:
     void SetUp() override {
@@ -199,7 +199,7 @@ TEST_F(SteadyOnMesaOfBackports, ShippedGraphsCompileNothing) {
     }
 }
 
-// Lights that move, which are uploaded in every frame.
+// Moving lights, which are uploaded in every frame.
 TEST_F(Steady, MovingLightsCompileNothing) {
     const ObjectCounter objects(*device_);
     ASSERT_NO_FATAL_FAILURE(begin(shipped("light_indexed"), "lights"));

@@ -1,4 +1,5 @@
-// What a graph sees of the sun's shadows: of points anywhere in the world, and of the surface in each pixel.
+// Reads the sun shadows that a graph computes, for arbitrary world positions and for the surface in each
+// pixel.
 #pragma once
 
 #include <sstream>
@@ -10,7 +11,7 @@ namespace weft::test {
 inline constexpr uint32_t kGrid = 384;
 inline const std::string kSunGraphs = WEFT_SOURCE_DIR "/tests/render/sun/";
 
-// Points of the world: as many rows and columns as grid.json has.
+// World positions; grid.json defines the number of rows and columns.
 struct Grid {
     glm::vec3 corner{0}, right{0}, down{0};
     [[nodiscard]] glm::vec3 at(uint32_t i) const {
@@ -31,9 +32,9 @@ inline void put(std::string& text, const std::string& word, const glm::vec3& val
 }
 
 struct Seen {
-    std::vector<float> share;        // by point
-    std::vector<glm::vec4> normals;  // octahedral, where the graph has them
-    std::vector<glm::vec4> depths;   // near plane / distance before the eye
+    std::vector<float> share;        // lit share, by point
+    std::vector<glm::vec4> normals;  // octahedral; empty if the graph has no normals
+    std::vector<glm::vec4> depths;   // near plane divided by the distance from the eye
     render::SunCascades sun;
     glm::vec3 eye{0};
 };
@@ -76,7 +77,7 @@ inline uint32_t cascade_at(const render::SunCascades& sun, double distance_m) {
     return i;
 }
 
-// Of the map that a point is looked up in; of both where two blend.
+// The texel size of the map used for a point; where two maps blend, the larger one.
 inline double texel_at(const Seen& seen, const glm::vec3& point) {
     const double distance_m = glm::distance(point, seen.eye);
     const uint32_t i = cascade_at(seen.sun, distance_m);

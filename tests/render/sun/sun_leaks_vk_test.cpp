@@ -1,4 +1,4 @@
-// The sun in the atrium against rays: no light leaks into shadows, and nothing shadows itself.
+// Sun shadows in the atrium compared with rays: no light leaks into shadows, and no surface shadows itself.
 #include <cstdlib>
 
 #include "tests/render/shading/ray_scene.h"
@@ -8,16 +8,16 @@
 namespace weft::test {
 namespace {
 
-// What rays say of the surface in a pixel, for the filter's reach around it.
+// The result of rays for the surface in a pixel, over the neighbourhood that the shadow filter covers.
 enum class Sunlight : uint8_t { all, none, some };
 
 struct Pixel {
     glm::dvec3 at{0}, normal{0};
 };
 
-// Rays from points around the one in question on its plane, `steps` each way, which the map has up to
-// `reach_m` away. What casts a shadow but does not rise above the surface by `lift_m` may be lost. Holes
-// decide nothing: maps see them coarser.
+// Casts `steps` × `steps` rays from points around the pixel's point on its plane, up to `reach_m` away.
+// Shadow casters that rise less than `lift_m` above the surface may be missed. Masked holes do not decide,
+// because shadow maps are coarser.
 Sunlight sunlight(const RayScene& rays, const Pixel& pixel, const glm::dvec3& to_sun, double reach_m,
                   double lift_m, int steps) {
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun)),
@@ -44,8 +44,8 @@ struct Count {
 
 class SunInTheAtrium : public SunShadows {
  protected:
-    // Every `step`th pixel both ways. Where rays find the sun, or do not find it, all around, the map must
-    // say the same.
+    // Tests every `step`th pixel in both directions. If all rays reach the sun, or none does, the map must
+    // agree.
     void expect_sound(uint32_t camera_index, float hour, Extent3D size, uint32_t step) {
         const scene::Scene scene = atrium(hour);
         const RayScene rays(scene);
@@ -66,7 +66,7 @@ class SunInTheAtrium : public SunShadows {
     }
 
  private:
-    // What is seen there, but for what can't be judged.
+    // The surface in the pixel; nullopt for surfaces that this test cannot judge.
     static std::optional<Pixel> judged(const scene::Scene& scene, const RayScene& rays,
                                        const scene::Camera& camera, const Seen& seen, Extent3D size,
                                        uint32_t x, uint32_t y) {
@@ -77,20 +77,20 @@ class SunInTheAtrium : public SunShadows {
                                                          (1 - (y + 0.5) / size.height * 2) * tan_y, -1));
         const std::optional<RayHit> hit = rays.first(eye, ray, camera.near_m);
         if (!hit || glm::dot(hit->normal, to_sun) < 0.05) return std::nullopt;
-        // Leaves are smaller than texels and lie on one another.
+        // Leaves are smaller than texels and overlap.
         if (scene.materials[hit->material].alpha_mode == scene::AlphaMode::mask) return std::nullopt;
-        // Through the holes of leaves a ray and a pixel may see different things.
+        // Through the holes of leaves, a ray and a pixel may see different surfaces.
         const size_t i = size_t{y} * size.width + x;
         const double before_eye_m = hit->distance_m * glm::dot(ray, -glm::dvec3(camera.transform[2]));
         if (std::abs(seen.depths[i].r * before_eye_m / camera.near_m - 1) > 1e-3) return std::nullopt;
-        // What a normal map turns away from the sun is dark anyway.
+        // Normals that face away from the sun are dark anyway.
         if (glm::dot(octahedral_normal(seen.normals[i]), to_sun) < 0.05) return std::nullopt;
         return Pixel{eye + ray * hit->distance_m, hit->normal};
     }
 
     static void judge(const RayScene& rays, const Seen& seen, const Pixel& pixel, float share, Count& count) {
-        constexpr float kTolerated = 0.1f;  // of the sun
-        // Cords that lamps hang from are half a texel thick: few rays may miss them, though the map does not.
+        constexpr float kTolerated = 0.1f;  // tolerated share of the sun's light
+        // Cords of lamps are half a texel wide: a few rays may miss them although the map does not.
         constexpr int kFew = 5, kMany = 49;
         const glm::dvec3 to_sun(seen.sun.constants.to_sun);
         const double texel_m = texel_at(seen, glm::vec3(pixel.at));

@@ -1,4 +1,4 @@
-// Shadows of the sun: where their edges lie, and that they stand still.
+// Shadows of the sun: the position of their edges, and that they do not move with the camera.
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -8,7 +8,7 @@
 namespace weft::test {
 namespace {
 
-// A box of 1 m × 0.8 m × 0.7 m that floats over the ground, under a sun that is tilted both ways.
+// A box of 1 m × 0.8 m × 0.7 m floating above the ground; the sun's direction is tilted along both axes.
 const glm::vec3 kBoxLeast{-0.5f, 0.6f, -0.35f}, kBoxMost{0.5f, 1.4f, 0.35f};
 
 scene::Mesh box_mesh(const glm::vec3& least, const glm::vec3& most) {
@@ -54,7 +54,7 @@ scene::Scene box_scene(const glm::vec3& to_sun) {
     return scene;
 }
 
-// The box as the sun sees it: its outline in the plane across the light, anticlockwise.
+// The box's outline as seen from the sun, counter-clockwise in the plane perpendicular to the light.
 class Outline {
  public:
     explicit Outline(const glm::dvec3& to_sun)
@@ -64,7 +64,7 @@ class Outline {
             corners.push_back(
                 place({(i & 1) != 0 ? kBoxMost.x : kBoxLeast.x, (i & 2) != 0 ? kBoxMost.y : kBoxLeast.y,
                        (i & 4) != 0 ? kBoxMost.z : kBoxLeast.z}));
-        // A side is one that has all corners on its left.
+        // An edge belongs to the outline if all other corners are on its left.
         for (const glm::dvec2& a : corners) {
             for (const glm::dvec2& b : corners) {
                 const glm::dvec2 way = b - a;
@@ -76,7 +76,7 @@ class Outline {
             }
         }
     }
-    // How far a point lies within the shadow, across the light: negative outside.
+    // Distance of a point from the shadow's edge, perpendicular to the light: positive inside the shadow.
     [[nodiscard]] double depth_m(const glm::dvec3& point) const {
         double least = std::numeric_limits<double>::infinity();
         for (const Side& side : sides_) least = std::min(least, glm::dot(place(point) - side.at, side.left));
@@ -117,7 +117,7 @@ TEST_P(UnderATiltedSun, TheUmbraOfABoxEndsWhereItShould) {
         dark += within > 3 ? 1 : 0;
         const float wanted = within > 0 ? 0 : 1;
         wrong += std::abs(within) > 3 && std::abs(seen.share[i] - wanted) > 1e-4f ? 1 : 0;
-        // Where half of the filter is dark, between this point and its right or lower neighbour.
+        // The place between this point and its right or lower neighbour where the filter is half dark.
         for (const uint32_t j : {i + 1, i + kGrid}) {
             if (j >= kGrid * kGrid || (j == i + 1 && j % kGrid == 0)) continue;
             const float a = seen.share[i] - 0.5f, b = seen.share[j] - 0.5f;
@@ -141,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Radians, UnderATiltedSun, ::testing::Values(0.2f, 0.5f,
                              return "Tilt" + std::to_string(static_cast<int>(c.param * 100));
                          });
 
-// Points that stand still, looked up while the camera moves by steps of less than a texel of the finest map.
+// Fixed points are sampled while the camera moves in steps of less than a texel of the finest map.
 TEST_F(SunShadows, StandStillWhileTheCameraCreeps) {
     constexpr int kSteps = 3;
     const scene::Scene scene = atrium(10);
@@ -162,7 +162,7 @@ TEST_F(SunShadows, StandStillWhileTheCameraCreeps) {
             ASSERT_EQ(after.share.size(), before.share.size());
             for (uint32_t i = 0; i < before.sun.count; ++i)
                 moved += before.sun.cascades[i].origin_texels != after.sun.cascades[i].origin_texels ? 1 : 0;
-            // Half a step of 8 bits.
+            // Tolerance: half a step of 8 bits.
             for (size_t i = 0; i < after.share.size(); ++i)
                 changed += std::abs(after.share[i] - before.share[i]) > 0.5f / 255 ? 1 : 0;
             before = std::move(after);

@@ -1,4 +1,4 @@
-// What the default scene promises: enough to look at, at a cost a processor can draw.
+// Properties of the default scene: enough detail, at a cost that a CPU renderer can handle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ void expect_textured_materials_in_use(const Scene& scene) {
     EXPECT_GE(masked, 3u);
 }
 
-// A graph may take the first of them only: the lamps that are off by day come last.
+// Graphs may use only the first lights, so lamps that are off by day must come last.
 void expect_sun_and_lamps(const Scene& scene, bool night) {
     size_t suns = 0, lit = 0;
     bool still_lit = true;
@@ -83,7 +83,9 @@ void expect_named_cameras_in_free_space(const Scene& scene) {
     for (const Instance& instance : scene.instances) {
         const Bounds bounds = instance_bounds(scene, instance);
         const glm::vec3 size = bounds.max - bounds.min;
-        if (std::max({size.x, size.y, size.z}) > 4) continue;  // walls and floors surround the cameras
+        if (std::max({size.x, size.y, size.z}) > 4)
+            continue;  // skips walls and floors, which surround the
+                       // cameras
         for (const Camera& camera : scene.cameras) {
             const glm::vec3 eye(camera.transform[3]);
             const bool inside = glm::all(glm::greaterThan(eye, bounds.min - 0.1f)) &&
@@ -124,7 +126,7 @@ void expect_texels_of_one_order_of_size(const Scene& scene) {
     EXPECT_LT(odd, 0.03 * area);
 }
 
-// One test, because making the scene costs more than looking at it.
+// A single test, because generating the scene takes longer than checking it.
 TEST(BuiltinAtrium, KeepsItsPromises) {
     const Result<Scene> scene = make_builtin("atrium");
     ASSERT_TRUE(scene.ok());
@@ -145,7 +147,7 @@ TEST(BuiltinAtrium, LightsItsLampsAtNight) {
     expect_sun_and_lamps(*scene, true);
 }
 
-// Nothing jumps from one minute to the next, the moon's rise aside, when neither sheds light.
+// Light changes smoothly from minute to minute, except at moonrise, when sun and moon are both dark.
 TEST(Daylight, GoesByDegrees) {
     for (int minute = 0; minute < 24 * 60; ++minute) {
         const Daylight a = daylight_at(static_cast<float>(minute) / 60),

@@ -1,5 +1,4 @@
-// What every built-in scene must be, whatever it shows: valid meshes, complete textures, the same on every
-// run.
+// Properties of every built-in scene: valid meshes, complete textures, the same result on every run.
 #include "weft/scene/builtin_scenes.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@ Scene make(const std::string& name) {
     return std::move(scene).value();
 }
 
-// FNV-1a over everything that reaches a picture.
+// FNV-1a over all data that affects a picture.
 class Digest {
  public:
     void add(const void* data, size_t size_bytes) {
@@ -59,7 +58,7 @@ uint64_t digest_of(const Scene& scene) {
 struct TriangleCounts {
     size_t total = 0;
     size_t degenerate = 0;
-    size_t facing_away = 0;  // from their vertex normals
+    size_t facing_away = 0;  // number of triangles that face away from their vertex normals
 };
 
 void count_triangles(const Mesh& mesh, TriangleCounts& counts) {
@@ -143,7 +142,7 @@ void expect_bounds_of_everything(const Scene& scene) {
 
 class BuiltinScene : public testing::TestWithParam<std::string> {};
 
-// One test, because making a scene costs more than looking at it.
+// A single test, because generating a scene takes longer than checking it.
 TEST_P(BuiltinScene, IsValidAndTheSameTwice) {
     const Scene scene = make(GetParam());
     for (const Mesh& mesh : scene.meshes) expect_valid_streams(mesh);

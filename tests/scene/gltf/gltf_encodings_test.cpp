@@ -1,4 +1,4 @@
-// The same geometry written as quantised integers, and files that hold several scenes.
+// Geometry stored as quantised integers, and files that contain several scenes.
 #include <cmath>
 
 #include "tests/scene/gltf/gltf_fixture.h"
@@ -8,7 +8,7 @@ namespace {
 
 class GltfEncodings : public GltfTest {
  protected:
-    // One triangle whose positions are `bytes`, read by the accessor members `form`.
+    // One triangle whose positions are `bytes`; `form` has members of the accessor.
     static GltfText triangle(const Bytes& bytes, const std::string& form, uint32_t stride_bytes) {
         GltfText text;
         text.buffer = bytes;

@@ -32,7 +32,7 @@ void append_png_chunk(Bytes& out, const char* type, const Bytes& body) {
     append_big_endian(out, crc32(checked));
 }
 
-// zlib's format with stored blocks.
+// zlib's format with uncompressed blocks.
 Bytes store(const Bytes& raw) {
     Bytes out{0x78, 0x01};
     uint32_t a = 1;

@@ -1,5 +1,5 @@
-// Purpose: small glTF files written to a temporary folder, piece by piece, so that a test shows only what it
-// is about.
+// Purpose: writes small glTF files to a temporary folder from separate parts, so that a test shows only the
+// relevant ones.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ void append(Bytes& bytes, std::initializer_list<T> values) {
 [[nodiscard]] std::string base64(std::span<const uint8_t> bytes);
 [[nodiscard]] std::string data_uri(std::span<const uint8_t> bytes);
 
-// An 8-bit RGBA PNG without compression. `rgba` may be shorter than the size says: a header that lies.
+// An uncompressed 8-bit RGBA PNG. `rgba` may be shorter than the size in the header, to make a broken file.
 [[nodiscard]] Bytes png(uint32_t width_px, uint32_t height_px, std::span<const uint8_t> rgba);
 
 // The top-level members of a glTF as JSON text. Starts as one triangle: positions (0,0,0) (1,0,0) (0,1,0),
@@ -41,7 +41,7 @@ struct GltfText {
     [[nodiscard]] Bytes glb(const Bytes& binary) const;
 
     std::map<std::string, std::string> members;
-    Bytes buffer;  // what "buffers" holds, unless `members` has its own
+    Bytes buffer;  // content for "buffers", unless `members` contains "buffers"
 };
 
 class GltfTest : public ::testing::Test {
@@ -54,10 +54,10 @@ class GltfTest : public ::testing::Test {
     void write(const std::string& name, std::span<const uint8_t> bytes) const;
     void write(const std::string& name, const std::string& text) const;
 
-    // The scene, which must load.
+    // Loads the scene and fails the test on an error.
     Scene load(const GltfText& text);
     Scene load_file(const std::string& name);
-    // Loads what must fail and returns the first error.
+    // Expects that loading fails, and returns the first error.
     Diagnostic fail(const GltfText& text, const SceneLimits& limits = {});
     Diagnostic fail_file(const std::string& name, const SceneLimits& limits = {});
     [[nodiscard]] bool warned(const std::string& code) const;
@@ -67,7 +67,7 @@ class GltfTest : public ::testing::Test {
     Diagnostics errors_;
 };
 
-// Code and pointer of a diagnostic, for one readable comparison: "S104 /accessors/0/count".
+// Code and pointer of a diagnostic as one text: "S104 /accessors/0/count".
 [[nodiscard]] std::string where(const Diagnostic& diagnostic);
 
 }  // namespace weft::scene::test

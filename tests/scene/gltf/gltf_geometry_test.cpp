@@ -53,8 +53,8 @@ TEST_F(GltfGeometry, ReadsEveryIndexType) {
 
 TEST_F(GltfGeometry, KeepsOnlyTheVerticesThatAreUsed) {
     GltfText text;
-    append<float>(text.buffer,
-                  {9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0});  // at 104: a vertex nobody uses, then three
+    append<float>(text.buffer, {9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0});  // at byte 104: an unused vertex, then
+                                                                       // three used ones
     append<uint16_t>(text.buffer, {1, 2, 3, 0});
     text.members["bufferViews"] = R"([{"buffer":0,"byteOffset":104,"byteLength":48},
         {"buffer":0,"byteOffset":152,"byteLength":8}])";
@@ -77,7 +77,7 @@ TEST_F(GltfGeometry, MissingNormalsAreFlat) {
 }
 
 TEST_F(GltfGeometry, TangentsFollowUAndTheGreenChannelPointsUp) {
-    // u grows along +x, and v falls along +y: the image stands upright.
+    // u increases along +x, and v decreases along +y: the image is upright.
     const Mesh mesh = load(GltfText()).meshes.at(0);
     for (size_t i = 0; i < 3; ++i) {
         expect_near(glm::vec3(mesh.tangents[i]), {1, 0, 0});
@@ -87,8 +87,8 @@ TEST_F(GltfGeometry, TangentsFollowUAndTheGreenChannelPointsUp) {
 
 TEST_F(GltfGeometry, ReadsSparseAccessors) {
     GltfText text;
-    append<uint16_t>(text.buffer, {1, 0});  // at 104
-    append<float>(text.buffer, {7, 0, 0});  // at 108
+    append<uint16_t>(text.buffer, {1, 0});  // at byte 104
+    append<float>(text.buffer, {7, 0, 0});  // at byte 108
     text.members["bufferViews"].insert(text.members["bufferViews"].size() - 1,
                                        R"(,{"buffer":0,"byteOffset":104,"byteLength":2},
                                        {"buffer":0,"byteOffset":108,"byteLength":12})");
@@ -141,7 +141,7 @@ TEST_F(GltfGeometry, StripsAndFansBecomeTriangles) {
         EXPECT_TRUE(gltf::triangle_list(mode, {1, 2}).empty());
 }
 
-// A quad as a strip is the same mesh as its two triangles: same corners, same sides.
+// A quad stored as a strip gives the same mesh as two triangles: same corners, same front sides.
 TEST_F(GltfGeometry, AStripIsDrawnLikeItsTriangles) {
     const auto quad = [&](const std::string& mode, const std::vector<uint16_t>& corners) {
         GltfText text;

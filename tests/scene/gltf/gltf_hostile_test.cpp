@@ -9,7 +9,7 @@ namespace {
 
 class GltfHostile : public GltfTest {
  protected:
-    // Replaces the first `from` in a member.
+    // A glTF with the first `from` in a member replaced.
     static GltfText with(const std::string& member, const std::string& from, const std::string& to) {
         GltfText text;
         std::string& json = text.members.at(member);
@@ -103,7 +103,7 @@ TEST_F(GltfHostile, SparsePartsPastTheirBytes) {
     EXPECT_EQ(where(fail(broken("3", "2"))), "S104 /accessors/0/sparse/values");
     EXPECT_EQ(where(fail(broken("3", "77"))), "S110 /accessors/0/sparse/values/bufferView");
     GltfText order = broken("2", "0");
-    append<uint16_t>(order.buffer, {2, 1});  // they must ascend
+    append<uint16_t>(order.buffer, {2, 1});  // indices must ascend
     order.members["bufferViews"].insert(order.members["bufferViews"].size() - 1,
                                         R"(,{"buffer":0,"byteOffset":104,"byteLength":4})");
     std::string& accessors = order.members["accessors"];
@@ -196,7 +196,7 @@ TEST_F(GltfHostile, DepthBombs) {
     EXPECT_EQ(fail_file("bomb.gltf").code, "S107");
     write("bomb.gltf", R"({"a":)" + open);
     EXPECT_EQ(fail_file("bomb.gltf").code, "S107");
-    // Brackets in strings are only text.
+    // Brackets inside strings are only text.
     GltfText text;
     text.members["extras"] = "\"\\\"" + open + "\"";
     EXPECT_EQ(load(text).meshes.size(), 1u);
@@ -293,10 +293,10 @@ TEST_F(GltfHostile, KeysThatStandTwiceAreRefusedWithTheirPlace) {
     EXPECT_EQ(fault.line, 4u);
     EXPECT_EQ(fault.column, 2u);
     EXPECT_NE(fault.message.find("\"name\""), std::string::npos) << fault.message;
-    // The same key, written in another way; in what is not read, too.
+    // The same key with an escape; also inside members that are not read.
     write("escaped.gltf", R"({"asset":{"version":"2.0"},"extras":{"a":1,"\u0061":2}})");
     EXPECT_EQ(fail_file("escaped.gltf").code, "S114");
-    // As a value, or in another object, it is another thing.
+    // The same text as a value or as a key of another object is not a duplicate.
     write("fine.gltf", R"({"asset":{"version":"2.0"},"extras":{"a":"a","b":{"a":["a","a"]},"\"":0,"\\":0}})");
     (void)load_file("fine.gltf");
 }
@@ -316,14 +316,14 @@ TEST_F(GltfHostile, AFileOfTheFirstVersionIsNamedAsSuch) {
     EXPECT_NE(fault.message.find("glTF 1.0"), std::string::npos) << fault.message;
     EXPECT_NE(fault.help.at(0).find("convert"), std::string::npos);
     EXPECT_EQ(errors_.size(), 1u) << "all else is a consequence";
-    // The version may be left out there.
+    // glTF 1.0 may omit the version.
     write("older.gltf", R"({"meshes":{"a":{}},"nodes":{"b":{}}})");
     EXPECT_EQ(where(fail_file("older.gltf")), "S113 /asset");
     EXPECT_EQ(errors_.size(), 1u);
 }
 
-// 20,000 primitives of three vertices each, of one accessor with 100,000 sparse values: these are looked at
-// once.
+// 20,000 primitives of three vertices share one accessor with 100,000 sparse values, which must be checked
+// only once.
 TEST_F(GltfHostile, SparseValuesAreNotReadAgainByEachPrimitive) {
     constexpr uint32_t kValues = 100'000;
     Bytes bytes;
@@ -349,7 +349,7 @@ TEST_F(GltfHostile, SparseValuesAreNotReadAgainByEachPrimitive) {
     EXPECT_LE(cost.cpu_s, 2);
 }
 
-// One large picture that lets no light through, shown by 2,000 materials that might: it is looked at once.
+// 2,000 materials that may be transparent share one large opaque picture, which must be inspected only once.
 TEST_F(GltfHostile, APictureIsNotSearchedForHolesByEachMaterial) {
     const std::string picture = weft::test::black_png(4096, 1024);
     write("a.png", Bytes(picture.begin(), picture.end()));
@@ -366,7 +366,7 @@ TEST_F(GltfHostile, APictureIsNotSearchedForHolesByEachMaterial) {
     EXPECT_LE(cost.cpu_s, 2);
 }
 
-// Every instance has a name, which may be its mesh's.
+// Every instance has a name, possibly copied from its mesh.
 TEST_F(GltfHostile, NamesAreCountedWhereverTheyAreCopied) {
     std::string nodes;
     for (int i = 0; i < 10'000; ++i) nodes += std::string(i > 0 ? "," : "") + R"({"mesh":0})";

@@ -1,5 +1,4 @@
-// Lights of glTF that are more than points: shapes and functions of `extras.weft`; and what is wrong with
-// lights.
+// glTF lights with shapes and functions from `extras.weft`, and faults of lights.
 #include <cmath>
 
 #include "tests/scene/gltf/gltf_fixture.h"
@@ -40,7 +39,7 @@ TEST_F(GltfLights, RectanglesHaveTheirCandelaStraightAhead) {
 }
 
 TEST_F(GltfLights, CapsulesLieAlongTheirNodesX) {
-    // A quarter turn about z: x becomes y.
+    // A quarter turn about z maps x to y.
     const Light light = only_light(
         R"({"type":"point","intensity":5,"extras":{"weft":{"type":"capsule","length":2,"radius":0.25}}})",
         R"("rotation":[0,0,0.70710678,0.70710678],)");

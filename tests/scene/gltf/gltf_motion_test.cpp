@@ -1,4 +1,4 @@
-// What moves is shown at rest, and the warnings name it.
+// Animated objects are shown in their rest pose, and warnings name them.
 #include "tests/scene/gltf/gltf_fixture.h"
 
 namespace weft::scene::test {

@@ -1,5 +1,4 @@
-// Vertex colours and the second set of texture coordinates: read where something uses them, stored nowhere
-// else.
+// Vertex colours and second texture coordinates: read if a material uses them, not stored otherwise.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +9,7 @@ namespace {
 
 class GltfStreams : public GltfTest {
  protected:
-    // Gives the triangle an attribute whose three elements are `bytes`, read by the accessor members `form`.
+    // Gives the triangle an attribute whose three elements are `bytes`; `form` has members of the accessor.
     static void add_attribute(GltfText& text, const std::string& name, const Bytes& bytes,
                               const std::string& form) {
         while (text.buffer.size() % 4 != 0) text.buffer.push_back(0);
@@ -60,7 +59,7 @@ TEST_F(GltfStreams, ColoursOfEveryEncodingAreTheSame) {
         const Mesh mesh = load(text).meshes.at(0);
         EXPECT_TRUE(warnings_.empty()) << form;
         ASSERT_EQ(mesh.colors.size(), 3u) << form;
-        // Fifths are whole numbers of both kinds of steps.
+        // Fifths are exact in both integer formats.
         for (size_t i = 0; i < 3; ++i) EXPECT_LT(glm::length(mesh.colors[i] - kColors[i]), 1e-6f) << form;
     }
 }
@@ -162,7 +161,7 @@ TEST_F(GltfStreams, AMeshWithoutSecondUvsIsNamed) {
 }
 
 TEST_F(GltfStreams, TangentsBelongToTheNormalMapsUvs) {
-    // In the first set u grows along +x, in the second along +y.
+    // In the first set u increases along +x, in the second along +y.
     GltfText text = with_second_uvs(R"({"normalTexture":{"index":0,"texCoord":1}})");
     const float turned[6] = {0, 0, 0, 1, 1, 0};
     std::memcpy(&text.buffer[text.buffer.size() - sizeof turned], turned, sizeof turned);

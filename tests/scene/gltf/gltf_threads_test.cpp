@@ -1,4 +1,4 @@
-// Images are decoded on several threads: the scene and the messages are those of one thread.
+// Images are decoded on several threads; scene and messages must be the same as with one thread.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -13,7 +13,7 @@ namespace {
 
 class GltfThreads : public GltfTest {
  protected:
-    // `count` images of noise, each colour and data of one material.
+    // `count` images of noise; one material uses each image both as colour and as data.
     static GltfText with_images(int count, uint32_t side_px) {
         GltfText text;
         std::mt19937 random(7);
@@ -62,7 +62,7 @@ TEST_F(GltfThreads, TheSceneIsThatOfOneThread) {
 TEST_F(GltfThreads, EveryBrokenImageIsReportedInTheFilesOrder) {
     GltfText text = with_images(6, 8);
     std::string& images = text.members["images"];
-    // Headers stay whole, so that only decoding finds out.
+    // Headers are valid, so the fault appears only during decoding.
     const Bytes cut = png(8, 8, Bytes(8, 1));
     for (const char* name : {"i1", "i4"}) {
         const size_t begin = images.find("data:", images.find(std::string("\"") + name + "\""));
@@ -111,7 +111,7 @@ TEST(WorkerThreads, TheBudgetHoldsAndOneLargeJobStillRuns) {
         } else {
             EXPECT_EQ(taken, 500u) << "alone";
         }
-        std::this_thread::sleep_for(std::chrono::microseconds(100));  // so that jobs overlap
+        std::this_thread::sleep_for(std::chrono::microseconds(100));  // makes jobs overlap
         ++ran;
         now -= bytes;
     });

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using scene::test::Bytes;
 
-// std::mt19937 is the same everywhere, distributions are not.
+// std::mt19937 is the same on every platform, distributions are not.
 class Dice {
  public:
     explicit Dice(uint32_t seed) : random_(seed) {}
@@ -127,16 +127,16 @@ void spoil(Json& root, Dice& dice) {
         case 2:
             if (!target.is_structured()) target = odd_value(dice);
             break;
-        case 3: {  // what belongs elsewhere
+        case 3: {  // a value that belongs elsewhere
             Json copy = other;
             target = std::move(copy);
             break;
         }
-        case 4:  // missing
+        case 4:  // removes a member
             if (target.is_structured() && !target.empty())
                 target.erase(std::next(target.begin(), dice.below(static_cast<uint32_t>(target.size()))));
             break;
-        case 5:  // many times
+        case 5:  // repeats an element many times
             if (target.is_array() && !target.empty()) {
                 const Json item = target[0];
                 const uint32_t times = item.is_structured() ? 500 + dice.below(20'000) : 100'000;

@@ -1,5 +1,5 @@
-// Purpose: scenes that nobody would export: a file that uses every part of glTF that is read, with random
-// faults. The same seed gives the same scene everywhere.
+// Purpose: makes random broken scenes: a file that uses every supported part of glTF, with random faults. The
+// same seed gives the same scene on every machine.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace weft::test {
 
-// Text of a .gltf whose buffers and images are data: URIs.
+// The text of a .gltf whose buffers and images are data: URIs.
 [[nodiscard]] std::string hostile_scene(uint32_t seed);
 
 }  // namespace weft::test

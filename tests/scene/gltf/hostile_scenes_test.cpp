@@ -1,4 +1,4 @@
-// Random hostile scenes: each is loaded or refused with a reason, cheaply, and none ends the process.
+// Random hostile scenes: each is loaded or rejected with a reason at low cost, and none crashes the process.
 #include "tests/scene/gltf/hostile_scenes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 class HostileScenes : public GltfTest {};
 
-// A failure names its seed.
+// The message of a failure contains its seed.
 TEST_F(HostileScenes, AreLoadedOrRefusedCheaply) {
     const char* value = std::getenv("WEFT_EXTENDED");
     const bool extended = value != nullptr && *value != '\0' && std::string(value) != "0";
@@ -33,7 +33,7 @@ TEST_F(HostileScenes, AreLoadedOrRefusedCheaply) {
         EXPECT_LE(cost.grown_bytes, uint64_t{1} << 30) << "seed " << seed;
         loaded += cost.answer == 0 ? 1 : 0;
     }
-    // Otherwise nothing behind the first check would have been reached.
+    // Otherwise only the first checks would have been tested.
     EXPECT_GE(loaded, count / 10);
     EXPECT_LE(loaded, count * 9 / 10);
 }

@@ -1,4 +1,4 @@
-// Environments: what the mips mean and the irradiance they send, against closed forms.
+// Environments: averages in mips and irradiance, compared with closed forms.
 #include "weft/scene/environment.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Through the middle of a texel: -z in the middle column, +x right of it, +y on top.
+// The direction through the centre of a texel: -z in the middle column, +x to its right, +y on top.
 glm::dvec3 direction_of(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     const double azimuth = ((x + 0.5) / width - 0.5) * 2 * kPi, polar = (y + 0.5) / height * kPi;
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
@@ -53,7 +53,7 @@ void expect_irradiance(const Environment& environment, const std::function<doubl
 }
 
 TEST(Environment, AConstantOneLightsEverySideAlike) {
-    // Texels of any shape: the integrals are exact.
+    // Texels of any shape, because the integrals are exact.
     expect_irradiance(
         environment_of(7, 3, [](glm::dvec3) { return glm::dvec3(2.5); }), [](glm::dvec3) { return 2.5; },
         1e-6);
@@ -86,7 +86,8 @@ TEST(Environment, HalfTheSkyLightsByTheShareThatIsSeen) {
         [](glm::dvec3 n) { return (1 + n.y) / 2; }, 1e-6);
 }
 
-// The harmonics of a sun alone fall to -1/8 of its light; the sky must still be seen behind it.
+// The harmonics of a sun alone become negative, down to -1/8 of its light; the sky's light must remain
+// visible there.
 TEST(Environment, ASunDoesNotDarkenTheOtherSides) {
     const glm::dvec3 sun = glm::normalize(glm::dvec3(1, 1, -1));
     const Environment environment = environment_of(128, 64, [&](glm::dvec3 w) {
@@ -119,7 +120,7 @@ TEST(Environment, TheLastMipIsTheMeanOverTheSphere) {
     }
 }
 
-// A bright texel beside a pole is a sliver: a blurred mip must not show it as a spoke.
+// A texel near a pole is very narrow: a blurred mip must not show it as a bright spoke.
 TEST(Environment, MipsAreEvenAroundThePoles) {
     Environment environment =
         environment_of(128, 64, [](glm::dvec3 w) { return glm::dvec3(std::atan2(w.x, -w.z) > 0 ? 1 : 0); });
@@ -129,8 +130,8 @@ TEST(Environment, MipsAreEvenAroundThePoles) {
         least = std::min(least, glm::unpackF3x9_E1x5(mip[x]).r);
         most = std::max(most, glm::unpackF3x9_E1x5(mip[x]).r);
     }
-    // The row nearest to the pole spans ten texels of the equator; without evening it goes from 0 to 1 in
-    // one.
+    // The row nearest to the pole would cover ten texels of the equator; without averaging it would jump from
+    // 0 to 1.
     EXPECT_NEAR(least + most, 1, 1e-2);
     float steepest = 0;
     for (size_t x = 0; x < 32; ++x)

@@ -1,4 +1,4 @@
-// What the decoders say of pictures that are none, and what the others may cost.
+// The decoders' messages for invalid pictures, and the memory and time for all others.
 #include "weft/scene/image_decode.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::string corpus(const std::string& name) {
     return file;
 }
 
-// Of 6x3 pixels.
+// Decodes a picture of 6x3 pixels.
 DecodedImage decode_with(const std::string& chunk_behind_header) {
     using namespace std::literals;
     const std::string header = png_chunk("IHDR", "\0\0\0\6\0\0\0\3\x08\6\0\0\0"sv);
@@ -60,7 +60,7 @@ TEST(ImageDecode, ADamagedPngIsRefused) {
     EXPECT_FALSE(decode_image(bytes_of(file)).error.empty());
 }
 
-// The data of one texel inflates to 100 MB.
+// A picture of one texel whose data inflates to 100 MB.
 TEST(ImageDecode, APngOfMoreDataThanItsSizeNeedsIsRefusedBeforeItIsInflated) {
     const std::string file = test::swollen_png(100'000'000);
     ASSERT_LT(file.size(), kMiB);
@@ -71,11 +71,11 @@ TEST(ImageDecode, APngOfMoreDataThanItsSizeNeedsIsRefusedBeforeItIsInflated) {
     EXPECT_EQ(cost.answer, 0);
     EXPECT_LE(cost.grown_bytes, 4 * kMiB);
     EXPECT_LE(cost.cpu_s, 0.05);
-    // What is below that does no harm: a row of it is inflated.
+    // Smaller excess data is accepted: only a row of it is inflated.
     EXPECT_EQ(decode_image(bytes_of(test::swollen_png(64'000))).rgba.size(), 4u);
 }
 
-// Texts and colour profiles may inflate to 8 MB each, and a file may hold thousands.
+// Texts and colour profiles may inflate to 8 MB each, and a file may contain thousands of them.
 TEST(ImageDecode, TextsAndProfilesAreNotInflated) {
     const std::string stream = test::swollen_png(8'000'000);
     const size_t begin = stream.find("IDAT") + 4, end = stream.find("IEND") - 8;
@@ -90,7 +90,7 @@ TEST(ImageDecode, TextsAndProfilesAreNotInflated) {
     EXPECT_LE(cost.grown_bytes, 4 * kMiB);
 }
 
-// Every file of the corpus, whole and cut anywhere: no more than its header says.
+// Every file of the corpus, whole and truncated anywhere, needs at most the memory computed from its header.
 TEST(ImageDecode, TakesNoMoreThanTheHeaderSays) {
     for (const char* name : {"rgba8.png", "rgba16.png", "interlaced.png", "palette4.png", "base.jpg",
                              "prog.jpg", "progressive.jpg", "cmyk.jpg", "gray.jpg", "sub.jpg"}) {
@@ -108,7 +108,7 @@ TEST(ImageDecode, TakesNoMoreThanTheHeaderSays) {
     }
 }
 
-// The frame header of a JPEG, made to say another size.
+// A JPEG whose frame header is changed to another size.
 std::string with_jpeg_size(std::string file, char frame, uint16_t width_px, uint16_t height_px) {
     const size_t at = file.find(std::string("\xff") + frame);
     EXPECT_NE(at, std::string::npos);
@@ -119,7 +119,7 @@ std::string with_jpeg_size(std::string file, char frame, uint16_t width_px, uint
     return file;
 }
 
-// A progressive JPEG keeps its coefficients: the header tells how many.
+// A progressive JPEG needs memory for its coefficients; the header determines how much.
 TEST(ImageDecode, AProgressiveJpegCountsItsCoefficients) {
     const std::string file = with_jpeg_size(corpus("progressive.jpg"), '\xc2', 4096, 2048);
     const std::optional<ImageSize> size = read_image_size(bytes_of(file));
@@ -131,7 +131,7 @@ TEST(ImageDecode, AProgressiveJpegCountsItsCoefficients) {
     EXPECT_LE(cost.grown_bytes, size->texels() * 4 + size->decoder_bytes + 2 * kMiB);
 }
 
-// Each scan goes over the whole picture, so a small file could ask for hours.
+// Each scan processes the whole picture, so a small file could take hours.
 TEST(ImageDecode, AJpegOfManyScansIsRefused) {
     const std::string file = corpus("progressive.jpg");
     const size_t last = file.rfind("\xff\xda"), end = file.rfind("\xff\xd9");

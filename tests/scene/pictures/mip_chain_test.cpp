@@ -21,7 +21,7 @@ TEST(MipChain, GoesDownToOneTexel) {
 }
 
 TEST(MipChain, AveragesLinearDataAsItIs) {
-    // 4×4 of columns 0, 100, 200, 40: pairs average to 50 and 120, all to 85.
+    // 4×4 texels with columns 0, 100, 200, 40: pairs average to 50 and 120, all to 85.
     Bytes rgba;
     for (int y = 0; y < 4; ++y) {
         for (const uint8_t value : {0, 100, 200, 40}) rgba.insert(rgba.end(), {value, value, value, 255});
@@ -35,16 +35,16 @@ TEST(MipChain, AveragesLinearDataAsItIs) {
 }
 
 TEST(MipChain, AveragesColourInLinearLight) {
-    // Half black and half white is half the light: 188 in sRGB, not 128. Alpha has no curve.
+    // Half black and half white gives half the light: 188 in sRGB, not 128. Alpha is linear.
     const Bytes rgba{0, 0, 0, 0, 255, 255, 255, 255};
     EXPECT_EQ(build_mip_chain(2, 1, rgba, {TexelMeaning::srgb_color})[1], (Bytes{188, 188, 188, 128}));
 }
 
 TEST(MipChain, WeighsOddSizesByArea) {
-    // Three texels onto one: a third each.
+    // Three texels become one: a third each.
     const Bytes rgba{30, 0, 0, 255, 60, 0, 0, 255, 90, 0, 0, 255};
     EXPECT_EQ(build_mip_chain(3, 1, rgba, {TexelMeaning::linear_data})[1][0], 60);
-    // Five onto two: (a + b + c/2) / 2.5.
+    // Five become two: (a + b + c/2) / 2.5.
     const Bytes five{100, 0, 0, 255, 50, 0, 0, 255, 20, 0, 0, 255, 0, 0, 0, 255, 200, 0, 0, 255};
     const auto mips = build_mip_chain(5, 1, five, {TexelMeaning::linear_data});
     EXPECT_EQ(mips[1][0], 64);
@@ -52,7 +52,7 @@ TEST(MipChain, WeighsOddSizesByArea) {
 }
 
 TEST(MipChain, NormalsKeepTheirLength) {
-    // +x and +z average to the direction between them.
+    // +x and +z average to the direction halfway between them.
     const Bytes rgba{255, 128, 128, 255, 128, 128, 255, 255};
     const Bytes texel = build_mip_chain(2, 1, rgba, {TexelMeaning::normal})[1];
     EXPECT_NEAR(texel[0], 218, 1);
@@ -61,7 +61,7 @@ TEST(MipChain, NormalsKeepTheirLength) {
 }
 
 TEST(MipChain, MasksKeepTheirCoverage) {
-    // One texel in four is solid, so no average passes a cutoff of one half; the coverage should stay a
+    // One texel in four is opaque, so no average passes a cutoff of one half; the coverage must remain a
     // quarter.
     Bytes rgba = repeat({255, 255, 255, 0}, 256);
     for (size_t y = 0; y < 16; y += 2) {

@@ -1,4 +1,4 @@
-// Radiance pictures: both encodings, and every way of being broken.
+// Radiance pictures: both encodings, and all kinds of broken files.
 #include "scene/pictures/radiance_picture.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::string row_start(uint8_t width) {
     return {'\2', '\2', '\0', char(width)};
 }
 
-// Ten texels, each channel one run, then the rest literally.
+// Ten texels: each channel has one run, then literal values.
 std::string coded_row() {
     std::string row = row_start(10);
     for (const char value : {char(128), char(64), char(32), char(130)}) {
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Broken{"NoSize", header("-Y 0 +X 8") + "1234", "-Y height +X width"},
                       Broken{"HugeNumber", header("-Y 99999999999 +X 8"), "-Y height +X width"},
                       Broken{"CutFlat", header("-Y 2 +X 2") + "0123456789", "ends in row 2 of 2"},
-                      // What makes stb's decoder run for ever.
+                      // This input makes stb's decoder loop for ever.
                       Broken{"CutCoded", header("-Y 2 +X 10") + coded_row() + row_start(10), "row 2 of 2"},
                       Broken{"NoCount", header("-Y 1 +X 10") + row_start(10) + std::string(40, '\0'),
                              "broken in row 1"},

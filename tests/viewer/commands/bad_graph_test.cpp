@@ -1,5 +1,5 @@
-// Faulty graphs through the `weft` program: exit code 3 within 5 s and 1 GiB, the fault's place, and a
-// remedy. Each fault by itself: diagnostics_test.cpp.
+// Faulty graphs in the `weft` program: exit code 3 within 5 s and 1 GiB, the fault's place, and a remedy.
+// diagnostics_test.cpp tests each fault separately.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/program.h"
@@ -46,7 +46,7 @@ TEST(BadGraph, AllFaultsAreReportedAtOnce) {
                    {"2:73: error[W102]", "3:24: error[W116]", "4:53: error[W101]"});
 }
 
-// What hostile files do to parsers: depth, size, and bytes that are no text.
+// Typical attacks on parsers: depth, size, and bytes that are not text.
 TEST(BadGraph, HostileFilesAreRefusedQuickly) {
     const ScratchFolder scratch;
     scratch.write("deep.json", std::string(200'000, '['));

@@ -1,5 +1,5 @@
-// Faulty and hostile scenes through the `weft` program: exit code 3 within 5 s and 1 GiB, file and JSON
-// pointer, and a remedy. No device is needed: scenes are read first.
+// Faulty and hostile scenes in the `weft` program: exit code 3 within 5 s and 1 GiB, file and JSON pointer,
+// and a remedy. No device is needed, because scenes are read first.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -12,10 +12,10 @@ namespace {
 
 struct BadScene {
     const char* name;
-    const char* from;  // replaced in the good scene …
-    const char* to;    // … by this
+    const char* from;  // text to replace in a valid scene
+    const char* to;    // its replacement
     const char* code;
-    const char* pointer;  // or line and column
+    const char* pointer;  // expected JSON pointer, or line and column
     const char* help;
 };
 
@@ -77,7 +77,7 @@ class BadSceneTest : public testing::TestWithParam<BadScene> {};
 TEST_P(BadSceneTest, IsRefusedByFileAndPointer) {
     const BadScene& bad = GetParam();
     const ScratchFolder scratch;
-    // Large enough to be read as the buffer, if somebody did.
+    // Large enough to serve as the buffer, if it could be read.
     scratch.write("secret.bin", std::string(64, 's'));
     scratch.write("scene/a/keep", "");
     scratch.write("scene/scene.gltf", replaced(square_gltf(), bad.from, bad.to));
@@ -118,7 +118,7 @@ TEST(BadScene, AnEnvironmentIsJudgedByItsHeader) {
     const ScratchFolder scratch;
     const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
     scratch.write("huge.hdr", header + "-Y 16384 +X 16384\n");
-    // Ends within a coded row, where a decoder that trusts its input waits for ever.
+    // The file ends inside a coded row; a decoder without a check would never return.
     scratch.write("cut.hdr", header + "-Y 512 +X 1024\n" + std::string("\2\2\4\0\377", 5));
     scratch.write("text.hdr", "no picture");
     const auto with = [&](const std::string& env) {

@@ -1,4 +1,4 @@
-// `weft bench frame` from outside, on the device that is there.
+// Runs `weft bench frame` on the available device.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

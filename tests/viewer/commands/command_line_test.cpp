@@ -1,4 +1,4 @@
-// The contract that scripts rely on: exit codes, what goes to stdout, and what the commands say.
+// Behaviour that scripts rely on: exit codes, data on stdout, and messages of the commands.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -64,13 +64,13 @@ const std::vector<BadUsage>& bad_usages() {
     return usages;
 }
 
-// Every flag that takes a number, with the message's range: what is no finite number within it is refused.
+// Every flag with a number, and its range: other values, and texts that are not finite numbers, are refused.
 struct NumberFlag {
     const char* name;
     std::vector<std::string> command;
     const char* flag;
     const char* range;
-    const char* below;  // just out of range
+    const char* below;  // slightly out of range
     const char* above;
 };
 
@@ -330,7 +330,7 @@ TEST(NoDevice, AnUnknownDeviceIsOneToo) {
 TEST(TimeOut, IsExitCode7NamingThePassesInFlight) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
-    // A pass that never ends, and the rest done in a thousandth of the time that it gets.
+    // One pass never ends; the rest of the frame needs a thousandth of the time limit.
     folder.write("endless.comp", R"(#version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 writeonly uniform image2D x;
@@ -355,8 +355,8 @@ void main() {
     EXPECT_NE(run.err.find("turning"), std::string::npos) << run.text();
 }
 
-// So short a time runs out anywhere: in an upload, in a frame, or not at all.
-// It need not be a shader's fault: a scene may hold more than the device draws in that time.
+// Such a short time limit may expire anywhere: in an upload, in a frame, or not at all. The shader need not
+// be faulty: a scene may have more objects than the device can draw in that time.
 TEST(TimeOut, CountsTheObjectsThatThePassesInFlightDraw) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;

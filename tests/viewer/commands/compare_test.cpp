@@ -1,4 +1,4 @@
-// `weft compare` from outside: numbers, limits, formats, and pictures that it must not trust.
+// Runs `weft compare`: numbers, limits, formats, and untrusted pictures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr uint32_t kWidth_px = 13, kHeight_px = 9;
 
-// 8-bit values.
+// Texels of 8-bit values.
 std::vector<Texel> noise(uint32_t seed) {
     std::mt19937 random(seed);
     std::vector<Texel> texels(size_t{kWidth_px} * kHeight_px);
@@ -31,7 +31,7 @@ std::vector<Texel> map_values(std::vector<Texel> texels, float (*function)(float
     return texels;
 }
 
-// From 8-bit values.
+// Converts 8-bit values to linear values.
 float to_linear(float step) {
     const float v = step / 255;
     return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
@@ -57,7 +57,7 @@ class Compare : public testing::Test {
         scratch_.write(name, file);
     }
 
-    // Exit code 3 with this code, and nothing on stdout.
+    // Expects exit code 3 with this code, and no data on stdout.
     void expect_refused(const std::string& a, const std::string& b, const std::string& code,
                         const std::vector<std::string>& more = {}) const {
         const RunResult run = compare(a, b, more);
@@ -132,7 +132,7 @@ TEST_F(Compare, TheHeatMapHasThePicturesSize) {
         EXPECT_EQ(heat.at("width"), kWidth_px);
         EXPECT_EQ(heat.at("height"), kHeight_px);
     }
-    // A limit that is passed doesn't keep it from being written, and no difference is magma's darkest colour.
+    // The map is written even when the limit is exceeded; the darkest colour of magma means no difference.
     EXPECT_EQ(compare("a.png", "b.png", {"--max", "0", "--output", "over.png"}).exit_code, 6);
     EXPECT_EQ(compare("over.png", "over.png").exit_code, 0);
     EXPECT_EQ(compare("a.png", "a.png", {"-o", "none.png"}).exit_code, 0);
@@ -160,7 +160,7 @@ TEST_F(Compare, ReadsRawPicturesOfAllKinds) {
     EXPECT_EQ(compare("grey.pfm", "white.pfm", {"--metric", "max"}).out, "0\n");
 }
 
-// The name says nothing: what a file holds does.
+// The content of a file determines its format, not its name.
 TEST_F(Compare, EncodesRawPicturesToCompareThemWithDisplayValues) {
     write_raw("linear.exr", map_values(noise(1), to_linear));
     write_raw("linear.pfm", map_values(noise(1), to_linear));
@@ -204,7 +204,7 @@ TEST_F(Compare, RefusesTexelsThatAreNoNumbersUnlessRawOnesAreCompared) {
     EXPECT_EQ(compare("nan.exr", "good.pfm", {"--metric", "max", "--max", "1e30"}).exit_code, 6);
 }
 
-// Nothing of the size that a header claims is allocated before that size is checked.
+// Memory for the size in a header is allocated only after that size is checked.
 TEST_F(Compare, RefusesHugePicturesByTheirHeaders) {
     const std::vector<Texel> one{{0, 0, 0}};
     scratch_.write("wide.png", png_file(16385, 1, one));
@@ -224,12 +224,14 @@ TEST_F(Compare, RefusesHugePicturesByTheirHeaders) {
     }
 }
 
-// What comparing takes in all is counted: the files, the pictures, and the maps of differences.
+// The limit covers all memory of a comparison: files, pictures, and maps of differences.
 TEST_F(Compare, TakesNoMoreMemoryThanTheLimitSays) {
     const auto black = [&](const char* name, const std::string& size, uint64_t texels) {
         scratch_.write(name, "PF\n" + size + "\n-1.0\n");
         const std::filesystem::path file = scratch_.path() / name;
-        std::filesystem::resize_file(file, std::filesystem::file_size(file) + texels * 12);  // takes no room
+        std::filesystem::resize_file(file,
+                                     std::filesystem::file_size(file) + texels * 12);  // a sparse file,
+                                                                                       // without disk space
     };
     black("more.pfm", "8192 4096", uint64_t{8192} * 4096);
     const RunResult refused = compare("more.pfm", "more.pfm");
@@ -282,7 +284,7 @@ TEST_F(Compare, AgreesWithImageMagickOnPsnr) {
     EXPECT_NEAR(std::stod(ours.out), std::strtod(theirs.c_str(), nullptr), 0.01) << theirs;
 }
 
-// What `render` writes, `compare` reads.
+// `compare` reads all formats that `render` writes.
 TEST_F(Compare, ReadsWhatRenderWrites) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     for (const char* name : {"r.png", "r.exr", "r.pfm"}) {

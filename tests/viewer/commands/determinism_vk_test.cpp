@@ -1,4 +1,4 @@
-// The same picture, bit for bit, from run to run and for every number of the driver's threads.
+// Pictures are equal in every bit, for every run and every number of driver threads.
 #include <gtest/gtest.h>
 
 #include <set>

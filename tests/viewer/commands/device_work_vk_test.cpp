@@ -1,5 +1,5 @@
-// The graph of the page's section on samples, blits and indirect work, as a user runs it, each result against
-// what the pictures before it say.
+// Runs the graph of the documentation's section on samples, blits and indirect work, and compares each result
+// with the pictures that it was computed from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 using Texel = std::array<float, 3>;
-constexpr uint32_t kDraws = 50;  // of builtin:spheres: 7 x 7, and the ground
+constexpr uint32_t kDraws = 50;  // objects in builtin:spheres: 7 x 7 spheres, and the ground
 constexpr uint32_t kWidth = 121, kHeight = 86;
 
 class DeviceWork : public testing::Test {
@@ -27,7 +27,7 @@ class DeviceWork : public testing::Test {
         graph_ = read_text(folder_ / "sparse.json");
     }
 
-    // A resource of the graph, at its own size; without a word from the validation layer.
+    // Renders a resource of the graph at its own size; the validation layer must give no message.
     PfmImage picture(const std::string& graph, const std::string& resource, uint32_t every, uint32_t first) {
         std::vector<std::string> arguments{
             "render",     "builtin:spheres",
@@ -60,7 +60,8 @@ TEST_F(DeviceWork, DrawingByTheListsOwnCommandsIsDrawingTheList) {
     EXPECT_EQ(indirect.texels, direct.texels);
 }
 
-// Away from edges, where every sample shows one object, a pixel of the whole picture is one of its halves'.
+// Away from edges, where all samples see one object, each pixel of the whole picture equals that of one of
+// the two halves.
 TEST_F(DeviceWork, CulledDrawsAreGoneAndTheOthersAreThere) {
     const PfmImage all = picture("sparse.json", "color", 1, 0), even = picture("sparse.json", "color", 2, 0),
                    odd = picture("sparse.json", "color", 2, 1);
@@ -104,7 +105,7 @@ TEST_F(DeviceWork, TheThumbnailIsThePictureFilteredLinearly) {
         for (uint32_t x = 0; x < small.width_px; ++x) {
             const Texel wanted =
                 bilinear(color, (x + 0.5) * kWidth / small.width_px, (y + 0.5) * kHeight / small.height_px);
-            // Half floats of values to 1, and eight bits for the place between two texels.
+            // Tolerance: half floats of values up to 1, and eight bits for positions between two texels.
             for (size_t c = 0; c < 3; ++c) ASSERT_NEAR(small.at(x, y)[c], wanted[c], 0.005) << x << ", " << y;
         }
 }

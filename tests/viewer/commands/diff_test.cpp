@@ -1,4 +1,4 @@
-// What `weft diff` says of two plans.
+// The output of `weft diff` for two plans.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
-// The shipped graph with one text in place of another.
+// The shipped graph with one text replaced by another.
 std::string changed_graph(const std::string& what, const std::string& by) {
     std::ifstream in(kDeferred);
     std::ostringstream content;

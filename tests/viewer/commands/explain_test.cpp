@@ -1,4 +1,4 @@
-// Every question that `weft explain` takes, asked of the shipped graph: the answers name lines and columns of
+// Every kind of question to `weft explain`, about the shipped graph: the answers contain lines and columns of
 // its file.
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
-// Where `text` stands for the first time in a file from `after` on: "file:line:column".
+// The first place of `text` in a file after `after`: "file:line:column".
 std::string place_of(const std::string& file, const std::string& text, const std::string& after = "") {
     std::ifstream in(file);
     std::ostringstream content;
@@ -56,7 +56,7 @@ TEST(Explain, ALivePassNamesWhoNeedsIt) {
          "it is there for \"tonemap\" (" + pass_place("tonemap") + ")", "writes \"backbuffer\", the output"});
 }
 
-// A pass that nobody reads from, and one that only the first reads from.
+// A pass without readers, and a pass that only the first pass reads.
 TEST(Explain, ACulledPassNamesItsReasonAndItsReaders) {
     const ScratchFolder scratch;
     scratch.write("graph.json", R"({

@@ -1,4 +1,4 @@
-// Other people's files as a user sees them: a glTF goes in, pixels and messages come out.
+// Renders glTF files as a user does, and checks pixels and messages.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ class ForeignScene : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Graphs, ForeignScene, testing::Values("deferred", "forward"),
                          [](const auto& tested) { return std::string(tested.param); });
 
-// Where the ray of a pixel meets the ground, seen by the camera of square_gltf().
+// The point where the ray of a pixel meets the ground, for the camera of square_gltf().
 struct Ground {
     double x, z;
 };
@@ -44,7 +44,7 @@ Ground ground_at(uint32_t i, uint32_t j, uint32_t width_px, uint32_t height_px) 
 }
 
 TEST_P(ForeignScene, VertexColoursOfAnUnlitSquareAreItsPixels) {
-    // The positions, clamped, are its colours: red grows with x and blue with z, from edge to edge.
+    // Positions, clamped, are used as colours: red increases with x and blue with z.
     std::string gltf = replaced(square_gltf(), R"("POSITION": 0)", R"("POSITION": 0, "COLOR_0": 0)");
     gltf = replaced(gltf, R"([0.8, 0.2, 0.1, 1],)", R"([0.5, 1, 0.25, 1],)");
     gltf = replaced(gltf, R"("doubleSided": true,)",
@@ -83,7 +83,7 @@ TEST_P(ForeignScene, WhatIsDrawnIsNotMissed) {
 TEST(ForeignSceneLeftOut, IsSaidOnce) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
-    // The shipped pipeline without its pass for what is transparent.
+    // The shipped pipeline without its pass for transparent surfaces.
     std::string graph = read_text(WEFT_SOURCE_DIR "/graphs/deferred.json");
     const size_t begin = graph.find("\"glass\":"), end = graph.find("\"tonemap\":");
     ASSERT_LT(begin, end);

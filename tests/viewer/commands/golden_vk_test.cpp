@@ -1,4 +1,5 @@
-// The pictures of tests/golden: to the bit on the driver that made them, and by eye on any other.
+// The pictures of tests/golden: equal in every bit on the driver that made them, and visually equal on other
+// drivers.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +11,7 @@ namespace weft::test {
 namespace {
 
 const std::filesystem::path kFolder = WEFT_SOURCE_DIR "/tests/golden";
-// Of FLIP, whose 0.005 nobody sees.
+// A FLIP value of 0.005 is invisible.
 constexpr const char* kSame = "0.005";
 
 class Golden : public testing::TestWithParam<GoldenView> {};

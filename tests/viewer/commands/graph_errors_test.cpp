@@ -1,5 +1,4 @@
-// How errors of graphs reach the people who wrote them: by the names that they use, and before slow work
-// begins.
+// Errors of graphs: messages use the user's own paths, and appear before slow work begins.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -43,7 +42,7 @@ TEST_F(GraphErrors, OfShadersNameFilesAsTheGraphWasNamed) {
     EXPECT_TRUE(absolute.err.starts_with(folder_ / "mine/tone.glsl")) << absolute.text();
 }
 
-// Compiled programs of one folder are not those of another, though both are called the same from inside.
+// Compiled programs of two folders are not confused, although their relative names are equal.
 TEST_F(GraphErrors, FoldersThatAreCalledTheSameAreNotTakenForEachOther) {
     std::filesystem::create_directories(folder_.path() / "yours");
     folder_.write("mine/tone.glsl", "float tone(float x) { return x; }\n");

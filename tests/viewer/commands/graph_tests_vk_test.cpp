@@ -1,5 +1,4 @@
-// `weft check --run`: the tests that graphs hold, those of the shipped ones and some that must fail; and
-// debug views.
+// `weft check --run`: tests inside graphs, both shipped ones and some that must fail; also debug views.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +21,7 @@ class GraphTests : public testing::Test {
         if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     }
 
-    // A graph that fills x with `value`, in which `rest` are more sections.
+    // Checks a graph that fills x with `value`; `rest` contains further sections.
     RunResult check(const std::string& value, const std::string& rest) const {
         folder_.write("value.comp", R"(#version 460
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -44,7 +43,7 @@ void main() { imageStore(x, ivec2(gl_GlobalInvocationID.xy), vec4(params.zero + 
         return run_weft({"check", folder_ / "g.json", "--run"});
     }
 
-    // "$$" stands before what the message must point at, in line 10 or below.
+    // "$$" marks the place that the message must name, in line 10 or later.
     void expect_failure(const std::string& value, std::string rest, const std::string& message) const {
         const size_t mark = rest.find("$$");
         rest.erase(mark, 2);
@@ -127,7 +126,7 @@ TEST_F(GraphTests, WhatATestNamesMustBeThere) {
         EXPECT_NE(run.err.find(code), std::string::npos) << code << "\n" << run.text();
 }
 
-// The graph's own number of frames is an expression, which only the run knows.
+// The graph's number of frames is an expression, whose value is known only at run time.
 TEST_F(GraphTests, FramesOfAllRunsAreLimited) {
     const RunResult run = check("0.5", R"("frames": "10000 + zero", "tests": [
       { "size": [32, 32], "frames": 2 }, { "size": [32, 32], "params": { "zero": 6383 } } ])");
@@ -186,7 +185,7 @@ TEST_F(DebugViews, ThePictureIsNoneOfTheirBusiness) {
     EXPECT_NE(read_text(folder_ / "view.png"), read_text(folder_ / "plain.png"));
 }
 
-// Rows from the top, three numbers a pixel.
+// Rows from the top, three numbers per pixel.
 struct Picture {
     size_t width = 0, height = 0;
     std::vector<float> numbers;
@@ -207,7 +206,7 @@ Picture read_pfm(const std::string& text) {
     const size_t row = picture.width * 3;
     if (kind != "PF" || scale >= 0) return {};
     picture.numbers.resize(row * picture.height);
-    for (size_t y = picture.height; y-- > 0;)  // stored from the bottom
+    for (size_t y = picture.height; y-- > 0;)  // the file stores rows from the bottom
         in.read(reinterpret_cast<char*>(&picture.numbers[y * row]),
                 static_cast<std::streamsize>(row * sizeof(float)));
     return picture;
@@ -240,7 +239,7 @@ TEST_F(DebugPictures, WhereNothingWasDrawnTheyAllShowTheSameStripes) {
 }
 
 TEST_F(DebugPictures, NumbersAsColoursHaveALegend) {
-    // The middle of the bar: 120 pixels from the tenth on, 10 above the bottom.
+    // The middle row of the colour bar: 120 pixels, starting at the tenth, 10 above the bottom.
     const auto bar = [](const Picture& shown) {
         std::vector<std::array<float, 3>> colors;
         for (size_t x = 10; x < 130; ++x) colors.push_back(shown.at(x, 180 - 16));
@@ -254,7 +253,7 @@ TEST_F(DebugPictures, NumbersAsColoursHaveALegend) {
         << "each number has a colour of its own";
     EXPECT_EQ(heats.front()[0], 0);
     EXPECT_EQ(heats.back()[0], 1);
-    // Numbers are white on black; colours that are seen as such need none.
+    // Numbers are shown in white on black; views in plain colours have none.
     const auto letters = [](const Picture& shown) {
         size_t count = 0;
         for (size_t y = 180 - 25; y < 180 - 20; ++y)

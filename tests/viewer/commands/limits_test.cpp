@@ -1,4 +1,4 @@
-// The table of limits: docs/SECURITY.md shows it as it is, and --limits changes it.
+// The table of limits: docs/SECURITY.md must show it unchanged, and --limits changes the values.
 #include "weft/limits.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(LimitTable, TheDocumentedTableIsTheOneInTheCode) {
     EXPECT_EQ(documented, real);
 }
 
-// A row for each member: a forgotten one could not be changed.
+// Every member needs a row; otherwise it could not be changed.
 TEST(LimitTable, HasARowForEachLimit) {
     EXPECT_EQ(limit_table().size(), sizeof(Limits) / sizeof(uint64_t));
     Limits limits;

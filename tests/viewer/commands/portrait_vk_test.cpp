@@ -1,4 +1,4 @@
-// A picture that is higher than wide shows a built-in scene from side to side.
+// A portrait picture shows the full width of a built-in scene.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/commands/render_stats.h"

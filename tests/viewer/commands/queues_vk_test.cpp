@@ -1,5 +1,4 @@
-// However many queues a frame is planned for, the picture is the same, and the validation layer has nothing
-// to say.
+// The picture is the same for any number of queues in the plan, and the validation layer gives no message.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,7 +10,7 @@
 namespace weft::test {
 namespace {
 
-// The shipped pipeline, with its passes asking for all kinds of queues.
+// The shipped pipeline with queue hints of all kinds in its passes.
 std::string graph_with_hints() {
     std::string graph = read_text(WEFT_SOURCE_DIR "/graphs/deferred.json");
     const auto hint = [&](const std::string& pass, const std::string& queue) {
@@ -41,7 +40,7 @@ TEST(Queues, OnePictureForAnyNumber) {
     EXPECT_GE(plans.size(), 3u) << "plans for one, two and three queues differ";
 }
 
-// As they are shipped.
+// Without changed hints.
 TEST(Queues, EveryShippedGraphGivesOnePicture) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;

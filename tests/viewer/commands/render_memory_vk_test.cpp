@@ -1,4 +1,4 @@
-// What `weft render` holds does not grow with the number of frames, whatever is read back in each.
+// The memory of `weft render` does not grow with the number of frames, even if each frame is read back.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/program.h"
@@ -16,7 +16,7 @@ TEST(RenderMemory, IsNotThatOfAllFramesThatWereReadBack) {
         EXPECT_EQ(run.exit_code, 0) << run.text();
         return static_cast<int64_t>(run.max_rss_bytes);
     };
-    // 2 MiB a frame are read back.
+    // Each frame reads back 2 MiB.
     EXPECT_LT(most_bytes("44") - most_bytes("4"), 32 << 20);
 }
 

@@ -1,4 +1,4 @@
-// What `weft render` says of its frames in the file of --stats.
+// Reads the statistics of frames that `weft render --stats` writes.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What `weft render --stats` says of the run itself.
+// The statistics about the run itself in `weft render --stats`.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/commands/render_stats.h"

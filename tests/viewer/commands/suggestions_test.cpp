@@ -1,4 +1,4 @@
-// Whatever name the command line takes: a misspelt one is guessed at.
+// For every kind of name on the command line, a misspelt name gets a suggestion.
 #include <gtest/gtest.h>
 
 #include <filesystem>

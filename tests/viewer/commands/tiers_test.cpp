@@ -1,5 +1,5 @@
-// Tiers through the program: all are checked in one go with one message for each cause, each can be planned
-// and compared.
+// Tiers in the program: all tiers are checked together with one message per cause; each can be planned and
+// compared.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 namespace weft::test {
 namespace {
 
-// Lines of a graph whose tiers differ; `rays` is used in tier "high" only.
+// A graph whose tiers differ; only tier "high" uses `rays`.
 std::string graph_with(const std::string& tiers, const std::string& more = "") {
     return R"({
   "version": 1, "name": "tiers", "imports": { "backbuffer": "output" },
@@ -87,7 +87,7 @@ TEST(TiersOfAFile, ArePlannedAndCompared) {
     EXPECT_NE(unknown.err.find("did you mean \"low\""), std::string::npos) << unknown.err;
 }
 
-// Only tier "high" stores to `x`, which rgba8_srgb can't do: so it is rgba8 in the file as it is, too.
+// Only tier "high" stores to `x`, which rgba8_srgb does not support, so `x` is rgba8 without a tier too.
 TEST(TiersOfAFile, ShareTheirFormats) {
     const ScratchFolder folder;
     folder.write("store.comp", R"(#version 460

@@ -1,5 +1,5 @@
-// Every scene at every size runs without a word from the validation layer, and the layer was there to speak:
-// with a pass's barriers left out it does.
+// Every scene at every size renders without a message of the validation layer. To prove that the layer is
+// active, a pass's barriers are removed, which must give a message.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ struct ValidationRun {
     const char* scene;
     const char* size;
     const char* name;
-    bool quick;  // runs without WEFT_EXTENDED as well, for two frames
+    bool quick;  // also runs without WEFT_EXTENDED, for two frames
 };
 
 void PrintTo(const ValidationRun& run, std::ostream* out) {

@@ -1,4 +1,4 @@
-// `weft view --headless` as a person or a script uses it: files change while it draws.
+// `weft view --headless`, used by a person or a script: files change while it renders.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -29,7 +29,7 @@ class View : public ::testing::Test {
     [[nodiscard]] nlohmann::json stats() const {
         return nlohmann::json::parse(read_text(folder_ / "stats.json"));
     }
-    // As most editors save.
+    // Saves the file by renaming, as most editors do.
     void save(const std::string& name, const std::string& text) const {
         folder_.write(name + "~", text);
         fs::rename(folder_ / (name + "~"), folder_ / name);
@@ -120,8 +120,8 @@ TEST_F(View, EndsWhileItWaitsForAGraph) {
     ASSERT_TRUE(program.says("weft: waiting for the graph to be mended")) << program.err();
     program.send(SIGINT);
     EXPECT_EQ(program.exit_code(), 3) << program.err();
-    // Where nobody can mend it in time: input has ended, a script asks for so many frames, there is no such
-    // file.
+    // Cases in which no edit can correct the fault: the input has ended, a script gives a number of frames,
+    // the file is missing.
     EXPECT_EQ(run_weft(arguments()).exit_code, 3);
     const RunResult script = run_weft(arguments({"--frames", "5"}));
     EXPECT_EQ(script.exit_code, 3);
@@ -145,7 +145,7 @@ TEST_F(View, WritesThePictureAfterEachReload) {
     EXPECT_EQ(program.exit_code(), 0) << program.err();
 }
 
-// Nobody holds its input open, as in a script: then it is over at once, but not before there is a picture.
+// The input is closed, as in a script: the command ends immediately, but renders one picture first.
 TEST_F(View, DrawsAFrameThoughItsInputHasEnded) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;

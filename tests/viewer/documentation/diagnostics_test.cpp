@@ -1,6 +1,6 @@
-// Every diagnostic that a graph can give: tests/diagnostics/ has a failing file for each, in which a comment
-// below the fault marks its column ("// ^ W103"), and a corrected one. "// args: …" are further arguments,
-// and a mark "// nowhere: W120" is of a fault that no place in a file can show.
+// Every diagnostic of a graph: tests/diagnostics/ has a failing file for each, in which a comment below the
+// fault marks its column ("// ^ W103"), and a corrected file. "// args: …" gives further arguments; the mark
+// "// nowhere: W120" is for a fault without a place in a file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ constexpr size_t kCodeLength = 4;
 constexpr double kMostTime_s = 5;
 constexpr uint64_t kMostMemory_bytes = uint64_t{1} << 30;
 
-// Codes that no graph file can bring about.
+// Codes that no graph file can cause.
 const std::map<std::string, std::string> kWithoutFile{
     {"W162", "a validation message is a fault of Weft or of the driver: plans are proved not to cause any"},
     {"W177", "of files, W108 and W201 come first; a program may hand in shaders that it compiled itself"},
@@ -34,7 +34,7 @@ const std::map<std::string, std::string> kWithoutFile{
 
 struct Place {
     std::string code;
-    std::string file;  // its name alone; empty: nowhere
+    std::string file;  // file name only; empty: no place
     uint32_t line = 0;
     uint32_t column = 0;
     auto operator<=>(const Place&) const = default;
@@ -55,13 +55,13 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-// What follows `mark`, or nullopt.
+// The text after `mark`, or nullopt.
 std::optional<std::string> after_mark(const std::string& line, std::string_view mark) {
     const size_t at = line.find(mark);
     return at == std::string::npos ? std::nullopt : std::optional(line.substr(at + mark.size()));
 }
 
-// Of a comment line that holds nothing but carets and codes.
+// Adds the marks of a comment line that contains only carets and codes.
 void add_carets(const std::string& line, const std::string& file, uint32_t of_line, std::set<Place>& marks) {
     for (size_t at = line.find("^ W"); at != std::string::npos; at = line.find("^ W", at + 1))
         marks.insert({line.substr(at + 2, kCodeLength), file, of_line, static_cast<uint32_t>(at + 1)});
@@ -71,7 +71,7 @@ std::set<Place> marks_in(const fs::path& path) {
     std::set<Place> marks;
     std::istringstream lines(read_text(path));
     const std::string file = path.filename().string();
-    uint32_t number = 0, last = 0;  // the last line that is no mark
+    uint32_t number = 0, last = 0;  // the last line that is not a mark
     for (std::string line; std::getline(lines, line);) {
         ++number;
         const size_t begin = line.find_first_not_of(' ');
@@ -107,7 +107,7 @@ bool needs_device(const fs::path& path) {
     return std::ranges::find(arguments, "--run") != arguments.end();
 }
 
-// Failing files, in order of their names.
+// Failing files, sorted by name.
 std::vector<std::string> failing_files() {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(kFolder)) {
@@ -132,7 +132,7 @@ class Diagnosed : public testing::TestWithParam<std::string> {
     static fs::path corrected() { return kFolder / (GetParam() + std::string(kGood)); }
 };
 
-// Marks in shaders and included files count when a message leads there.
+// Marks in shaders and included files are considered if a message names the file.
 TEST_P(Diagnosed, AtTheMarkedPlacesAndNowhereElse) {
     const RunResult run = check(failing());
     const Json list = Json::parse(run.out, nullptr, false);
@@ -166,7 +166,7 @@ TEST_P(Diagnosed, NotInTheCorrectedFile) {
 INSTANTIATE_TEST_SUITE_P(All, Diagnosed, testing::ValuesIn(failing_files()),
                          [](const auto& row) { return row.param; });
 
-// The page says of each code which files show it.
+// For each code, the documentation names the files that show it.
 TEST(DiagnosticFiles, AreThereForEveryCodeOfThePage) {
     const std::vector<std::string> files = failing_files();
     std::istringstream page(read_text(WEFT_SOURCE_DIR "/docs/diagnostics.md"));

@@ -1,5 +1,4 @@
-// Quotes in the README and under docs/ are what the program says, and tables name all that there is. No
-// device.
+// Quotations in the README and docs/ agree with the program's output, and tables are complete. No device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +17,7 @@ namespace {
 
 const std::filesystem::path kRoot = WEFT_SOURCE_DIR;
 
-// A fence, and the comment right before it.
+// A fenced block, and the comment directly before it.
 struct Fence {
     std::string page, comment, text;
     size_t line = 0;
@@ -51,8 +50,8 @@ std::vector<Fence> fences_of(const std::filesystem::path& page) {
     return fences;
 }
 
-// "<!-- message of FILE, OLD becomes NEW -->": the program says the quote of a copy of the file with that
-// edit.
+// "<!-- message of FILE, OLD becomes NEW -->": for a copy of FILE with that edit, the program prints the
+// quoted message.
 void expect_quote(const Fence& fence) {
     static const std::regex form("<!-- message of ([^,]+), (.+) becomes (.+) -->");
     std::smatch parts;
@@ -66,7 +65,7 @@ void expect_quote(const Fence& fence) {
     EXPECT_NE(run.err.find(fence.text), std::string::npos) << "it says\n" << run.err;
 }
 
-// The tutorial's messages are compared as it is followed, in tutorial_vk_test.cpp.
+// tutorial_vk_test.cpp compares the tutorial's messages while it follows the steps.
 TEST(Documentation, QuotedMessagesAreWhatTheProgramPrints) {
     static const std::regex message(R"((error|warning)\[[A-Z]\d{3}\]:)");
     size_t quoted = 0;
@@ -82,7 +81,7 @@ TEST(Documentation, QuotedMessagesAreWhatTheProgramPrints) {
     EXPECT_GE(quoted, 2u);
 }
 
-// The members of a struct that C++ and GLSL share, with their types: "vec4[9]".
+// The members of a struct shared by C++ and GLSL, with their types: "vec4[9]".
 std::map<std::string, std::string> members_of(const std::string& file, const std::string& name) {
     const std::string text = read_text(kRoot / "shaders/include/shared" / file);
     const size_t begin = text.find("struct " + name + " {"), end = text.find("};", begin);

@@ -1,5 +1,5 @@
-// The pages under docs/ do what they say: their files go into a folder, and the program that is already built
-// runs them. Nothing is compiled but shaders.
+// Runs the examples of the pages in docs/: their files are written to a folder and run with the built
+// program. Only shaders are compiled.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 constexpr const char* kPage = "writing-a-pass.md";
 constexpr double kStrength = 0.9;
 
-// Half a step of rounding when `display` is stored and half when the output is.
+// Two roundings of half a step: in storing `display`, and in storing the output.
 constexpr double kTwoRoundings = 1.01 / 255;
 
 void write_snippets(const std::string& page, const ScratchFolder& folder) {
@@ -28,7 +28,7 @@ void write_snippets(const std::string& page, const ScratchFolder& folder) {
     for (const auto& [name, content] : snippets) folder.write(name, content);
 }
 
-// Renders in `folder`, as the page says, at an odd size.
+// Renders in `folder` with the page's commands, at an odd size.
 RunResult render(const ScratchFolder& folder, const std::string& graph, std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", "builtin:spheres", "--graph",   graph,
                                        "--size", "61x43",           "--validate"};
@@ -109,7 +109,7 @@ TEST(Documentation, TheGraphPageRuns) {
     EXPECT_LE(farthest, 1.0f);
 }
 
-// Graphs and shaders in folders of the project's own, and the script that CI runs.
+// Graphs and shaders in a project's own folders, and the script for CI.
 TEST(Documentation, TheProjectPageRuns) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;

@@ -1,5 +1,5 @@
-// The files that a page of the documentation shows: a line "<!-- file: NAME -->" followed by a fence. Tests
-// write them into a folder and run them, so that no page can rot.
+// The files shown on a page of the documentation: a line "<!-- file: NAME -->" followed by a fenced block.
+// Tests write the files to a folder and run them, so that the pages stay correct.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace weft::test {
 
-// NAME → content, for a page under docs/.
+// Content by file name, for a page in docs/.
 [[nodiscard]] std::map<std::string, std::string> snippets_of(const std::string& page);
 
 }  // namespace weft::test

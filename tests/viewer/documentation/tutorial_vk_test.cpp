@@ -1,6 +1,5 @@
-// The tutorial, followed literally: its files are written, its commands run and its mistakes made, in its
-// order, in an empty folder. Pictures are small, and those of the court show spheres unless tests run their
-// full matrices.
+// Follows the tutorial literally, in its order, in an empty folder: writes its files, runs its commands,
+// makes its mistakes. Pictures are small, and spheres replace the court except with WEFT_EXTENDED.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +24,7 @@ std::string substituted(std::string text, const std::string& from, const std::st
     return text;
 }
 
-// The same at a size for tests, under validation, with a picture of raw values.
+// The same command with a small size, validation, and a picture of raw values.
 std::string as_tested(std::string command) {
     command = substituted(command, "--size 480x270", "--size 64x36 --validate");
     command = substituted(command, "--headless", "--headless --frames 3");
@@ -36,7 +35,7 @@ std::string as_tested(std::string command) {
     return substituted(command, "./weft render", "./weft render builtin:spheres --frames 2");
 }
 
-// How far apart the darkest and the lightest value of a channel are.
+// Difference between the darkest and the lightest value of a channel.
 float contrast(const PfmImage& image) {
     float most = 0;
     for (size_t c = 0; c < 3; ++c) {
@@ -59,7 +58,7 @@ class Tutorial : public testing::Test {
         return run_program({"sh", "-c", command + " 2>&1"}, {}, folder_.path());
     }
 
-    // All pictures but the first step's show something.
+    // All pictures except the first step's must have contrast.
     void expect_picture(const std::string& command) {
         const size_t at = command.find("-o ") + 3;
         const std::string file = command.substr(at, command.find(' ', at) - at);
@@ -98,7 +97,7 @@ class Tutorial : public testing::Test {
     size_t printed_ = 0;
 };
 
-// The marks are comments, which no reader sees.
+// The marks are comments, which readers do not see.
 TEST(TutorialPage, NamesEachFileAboveIt) {
     std::istringstream page(read_text(WEFT_SOURCE_DIR "/docs/tutorial.md"));
     size_t files = 0;

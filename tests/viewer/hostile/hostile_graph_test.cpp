@@ -1,4 +1,4 @@
-// Graphs, profiles and files of limits that ask for too much: refused before the memory or the time is spent.
+// Graphs, profiles and limits files that request too much: they are refused before memory or time is spent.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/hostile/hostile_run.h"
@@ -57,7 +57,7 @@ TEST_F(HostileGraph, UnknownKeysByTheHundredThousand) {
 TEST_F(HostileGraph, LargeFiles) {
     expect_refused_cheaply(check("{ \"name\": \"" + std::string(9u << 20, 'x') + "\" }"),
                            {"graph.json: error[W004]", "more than 8 MiB", "graph.jsonBytes"});
-    // Two gigabytes of nothing, which take no room on disk: they are not read.
+    // A sparse file of two gigabytes, which must not be read.
     scratch_.write("graph.json", "{");
     std::filesystem::resize_file(scratch_ / "graph.json", uint64_t{2} << 30);
     const RunResult run = run_weft({"check", scratch_ / "graph.json"});
@@ -127,7 +127,7 @@ TEST_F(HostileGraph, ImagesBeyondTheLimits) {
                   {"--profile", scratch_ / "big.json"}),
             {"graph.json:2:", "at /resources/x", message});
     };
-    // A device that has no limits of its own.
+    // A device without limits of its own.
     std::string profile = run_weft({"doctor", "--json"}).out;
     if (profile.empty()) profile = read_text(WEFT_SOURCE_DIR "/framework/profiles/lavapipe.json");
     const auto raised = [&](const char* key) {

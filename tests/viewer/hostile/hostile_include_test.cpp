@@ -1,6 +1,5 @@
-// Includes that reach out of the graph's folder: links, paths that climb, pipes. Nothing outside is opened,
-// and no message quotes it. Scenes have the like in hostile_scene_test.cpp, shaders in
-// hostile_shader_test.cpp.
+// Includes that lead out of the graph's folder: links, "..", pipes. No outside file is opened, and no message
+// quotes one. hostile_scene_test.cpp has similar tests for scenes, hostile_shader_test.cpp for shaders.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -71,7 +70,7 @@ TEST_F(HostileInclude, PipesDevicesAndFoldersAreNotRead) {
 TEST_F(HostileInclude, LinksInsideAndTheGraphItselfMayBeLinks) {
     EXPECT_EQ(check("inside.json").exit_code, 0);
     EXPECT_EQ(check("parts/good.json").exit_code, 0);
-    // Its user named it: includes lie beside the link.
+    // The user named the link, so includes are searched beside the link.
     scratch_.write("elsewhere/graph.json", including("parts/good.json"));
     fs::create_symlink(scratch_ / "elsewhere/graph.json", scratch_.path() / "graphs/named.json");
     const RunResult named = run_weft({"check", scratch_ / "graphs/named.json"});

@@ -39,7 +39,8 @@ bool WatchedFolder::was_opened() {
 
 namespace {
 
-// A log for each thread, so that no call is split by those of another; the first thread's is the first.
+// One log per thread, so that no call is interrupted by those of another thread; the first log is the first
+// thread's.
 std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> logs;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) logs.push_back(entry.path());
@@ -50,7 +51,8 @@ std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder) 
     return logs;
 }
 
-// "openat(AT_FDCWD</folder>, "name", …) = 3</folder/name>", where strace says what descriptors stand for.
+// Matches "openat(AT_FDCWD</folder>, "name", …) = 3</folder/name>", in which strace shows the files of
+// descriptors.
 void read_log(const std::filesystem::path& log, TracedRun& traced) {
     static const std::regex call(
         R"re(^(open|openat|openat2|creat|execve)\((?:[A-Z_0-9]+<([^>]*)>, )?"([^"]*)".* = (-?\d+)(?:<([^>]*)>)?)re");
@@ -63,7 +65,7 @@ void read_log(const std::filesystem::path& log, TracedRun& traced) {
             traced.executed.push_back(parts[3]);
             continue;
         }
-        // What the descriptor stands for has no links any more; a file without a name is called "…/#17
+        // The file shown for the descriptor has all links resolved; a deleted file is shown as "…/#17
         // (deleted)".
         traced.opened.push_back(parts[5].matched ? parts[5].str() : parts[3].str());
     }
@@ -82,7 +84,7 @@ std::optional<TracedRun> run_weft_traced(const std::vector<std::string>& argumen
                                    "-o",        scratch / "logs/log",
                                    WEFT_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    // The leak checker is a tracer itself.
+    // LeakSanitizer cannot run under strace, because both use ptrace.
     TracedRun traced{run_program(words, {{"ASAN_OPTIONS", "detect_leaks=0"}}, folder), {}, {}, false};
     for (const std::filesystem::path& log : logs_in(scratch.path() / "logs")) read_log(log, traced);
     if (traced.executed.empty()) return std::nullopt;

@@ -1,5 +1,5 @@
-// What every hostile file must end in: exit code 3 with a place and a remedy, within 5 s and 1 GiB, and
-// nothing outside of its folder opened.
+// The required result for every hostile file: exit code 3 with a place and a remedy, within 5 s and 1 GiB,
+// and no file opened outside its folder.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@
 
 namespace weft::test {
 
-// `wanted`: parts of the message.
+// `wanted`: texts that the message must contain.
 void expect_refused_cheaply(const RunResult& run, const std::vector<std::string>& wanted);
 
-// A folder that nobody may look into, watched with inotify: it needs no rights, and works in any container.
+// A folder that must not be read, watched with inotify, which needs no privileges and works in any container.
 class WatchedFolder {
  public:
     explicit WatchedFolder(const std::filesystem::path& folder);
@@ -22,18 +22,18 @@ class WatchedFolder {
     WatchedFolder(const WatchedFolder&) = delete;
     WatchedFolder& operator=(const WatchedFolder&) = delete;
 
-    // True when it, or a file in it, was opened since the last call.
+    // True if the folder or a file in it was opened since the last call.
     [[nodiscard]] bool was_opened();
 
  private:
     int inotify_ = -1;
 };
 
-// The same run again under strace. Nothing when strace is not there or may not trace.
+// Runs the same command under strace. nullopt if strace is missing or may not trace.
 struct TracedRun {
     RunResult run;
-    std::vector<std::string> opened;    // absolute, links resolved
-    std::vector<std::string> executed;  // programs that were started, the first one included
+    std::vector<std::string> opened;    // absolute paths with links resolved
+    std::vector<std::string> executed;  // started programs, including the first
     bool used_network = false;
 };
 [[nodiscard]] std::optional<TracedRun> run_weft_traced(const std::vector<std::string>& arguments,

@@ -1,4 +1,4 @@
-// Shaders that cost the compiler too much, or reach for files that are none of theirs.
+// Shaders that are too expensive to compile, or include files outside the allowed folders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class HostileShader : public testing::Test {
     static std::string including(const std::string& line) {
         return std::string(kHead) + "#include " + line + "\nvoid main() { " + kStore + " }\n";
     }
-    // Each macro is the one before it, twice.
+    // Each macro expands to two copies of the previous one.
     static std::string bomb(const std::string& core) {
         std::string text = kHead;
         text += "#define A0 " + core + "\n";
@@ -103,7 +103,7 @@ TEST_F(HostileShader, NothingOutsideTheShaderFoldersIsOpened) {
     EXPECT_TRUE(outside.was_opened()) << "the watch sees nothing";
 }
 
-// Besides, it shows that weft starts its worker and nothing else.
+// Also shows that weft starts only its worker.
 TEST_F(HostileShader, NothingOutsideTheShaderFoldersIsOpenedAsStraceSeesIt) {
     scratch_.write("graph/good.glsl", "float good;\n");
     scratch_.write("graph/hostile.comp", including("\"good.glsl\"\n#include \"up/secret.glsl\""));
@@ -150,7 +150,7 @@ TEST_F(HostileShader, MoreFilesThanAShaderMayHave) {
     expect_refused_cheaply(check(including("\"large.glsl\"")), {"error[W203]", "larger than 1 MiB"});
 }
 
-// Nobody writes shaders of SPIR-V by hand, but somebody may write to the cache.
+// Authors do not write SPIR-V, but another program may write to the cache.
 TEST_F(HostileShader, WhatIsInTheCacheIsNotBelieved) {
     ASSERT_EQ(check(including("\"good.glsl\"")).exit_code, 3);
     scratch_.write("graph/good.glsl", "\n");

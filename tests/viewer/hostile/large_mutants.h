@@ -1,5 +1,5 @@
-// Purpose: large graphs for which nobody made the reader: deep, wide, chained, misspelt, up to 1 MiB, and
-// then damaged. The same seed gives the same graph.
+// Purpose: very large graphs up to 1 MiB (deep, wide, chained, misspelt), which are then damaged. The same
+// seed gives the same graph.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@ namespace weft::test {
 
 struct LargeMutant {
     uint32_t seed = 0;
-    std::string how;   // "wide ports, 421337 bytes, a byte changed"
-    std::string text;  // of the graph's file
+    std::string how;   // description, such as "wide ports, 421337 bytes, a byte changed"
+    std::string text;  // text of the graph file
 };
 [[nodiscard]] LargeMutant make_large_mutant(uint32_t seed);
 

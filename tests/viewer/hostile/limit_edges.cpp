@@ -8,7 +8,7 @@ namespace {
 
 using Text = std::string;
 
-// `more` goes before the passes and ends with a comma, if it is anything.
+// `more` comes before the passes; unless empty, it must end with a comma.
 Text graph(const Text& more, const Text& resources, const Text& passes) {
     return "{ \"version\": 1, \"imports\": { \"backbuffer\": \"output\" },\n" + more + "\"resources\": { " +
            resources + " },\n\"passes\": { " + passes + (passes.empty() ? "" : ", ") +
@@ -47,7 +47,7 @@ void json_depth(const ScratchFolder& folder, uint64_t count) {
 }
 
 void json_values(const ScratchFolder& folder, uint64_t count) {
-    constexpr uint64_t kOthers = 14;  // of graph() and of the parameter
+    constexpr uint64_t kOthers = 14;  // values in graph() and in the parameter
     write_graph(folder, "\"params\": { \"p\": { \"default\": 0, \"enum\": [" +
                             joined(count - kOthers, [](uint64_t) { return Text("0"); }) + "] } },\n");
 }
@@ -80,7 +80,7 @@ void tiers(const ScratchFolder& folder, uint64_t count) {
                 "\"x\": \"rgba8\"", "\"p\": { \"type\": \"clear\", \"out\": [\"x\"] }");
 }
 
-// A chain: each waits for the next.
+// A chain in which each constant depends on the next.
 void constants(const ScratchFolder& folder, uint64_t count) {
     write_graph(folder, "\"consts\": { " + joined(count, [&](uint64_t i) {
                             return numbered("c", i) + ": " +
@@ -88,7 +88,7 @@ void constants(const ScratchFolder& folder, uint64_t count) {
                         }) + " },\n");
 }
 
-// 1+1+1…, and a sign before it where the count is even.
+// 1+1+1…, with a sign in front if the count is even.
 Text sum_of(uint64_t parts) {
     Text sum = parts % 2 == 0 ? "-1" : "1";
     for (uint64_t i = 0; i < (parts - 1) / 2; ++i) sum += "+1";
@@ -131,7 +131,7 @@ void test_frames(const ScratchFolder& folder, uint64_t count) {
                         }) + "],\n");
 }
 
-// Eight bytes a texel.
+// Eight bytes per texel.
 void test_bytes(const ScratchFolder& folder, uint64_t count) {
     const uint64_t width = count >= (1u << 20) ? 8192 : 64;
     const uint64_t height = (count + width * 8 - 1) / (width * 8);
@@ -139,9 +139,9 @@ void test_bytes(const ScratchFolder& folder, uint64_t count) {
                             "] }],\n");
 }
 
-// One after the other, each reading what the one before it wrote.
+// A chain of passes; each reads the result of the previous one.
 void passes(const ScratchFolder& folder, uint64_t count) {
-    const uint64_t chain = count - 1;  // "show" is one, too
+    const uint64_t chain = count - 1;  // "show" is also a pass
     write_graph(
         folder, "",
         joined(chain, [](uint64_t i) { return numbered("r", i) + ": { \"format\": \"r8\", \"size\": 4 }"; }),
@@ -159,10 +159,10 @@ void pass_ports(const ScratchFolder& folder, uint64_t count) {
                 "\"p\": { " + clear_of(0, count) + " }");
 }
 
-// Each round writes layers of its own: many writers of one layer would reach graph.steps first.
+// Each round writes its own layers: many writers of one layer would exceed graph.steps first.
 void ports(const ScratchFolder& folder, uint64_t count) {
     constexpr uint64_t kEach = 128;
-    const uint64_t others = count - 1;  // "show" has one
+    const uint64_t others = count - 1;  // "show" has one port
     const uint64_t rounds = others / kEach, rest = others % kEach;
     const auto layer = [](uint64_t i) { return "\"r" + std::to_string(i) + ".layer(i)\""; };
     write_graph(folder, "",
@@ -177,7 +177,7 @@ void ports(const ScratchFolder& folder, uint64_t count) {
 }
 
 void resources(const ScratchFolder& folder, uint64_t count) {
-    // The output is one, too.
+    // The output is also a resource.
     write_graph(folder, "", joined(count - 1, [](uint64_t i) { return numbered("r", i) + ": \"rgba8\""; }));
 }
 
@@ -208,7 +208,7 @@ void transient_bytes(const ScratchFolder& folder, uint64_t count) {
                             "], \"layers\": " + std::to_string(layers));
 }
 
-// About as many steps as there are pairs of these.
+// The number of steps is about the number of pairs.
 void steps(const ScratchFolder& folder, uint64_t count) {
     constexpr uint64_t kStepsPerPair = 4;
     uint64_t each = 1;

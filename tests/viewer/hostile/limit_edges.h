@@ -1,5 +1,5 @@
-// Purpose: for each limit of a graph's file, the worst input at its edge: text that holds exactly so much of
-// what the limit counts.
+// Purpose: the worst input at the edge of each limit on graph files: a text with exactly as many things as
+// the limit allows.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace weft::test {
 
 struct LimitEdge {
     const char* limit;    // "graph.passes"
-    uint64_t small = 0;   // a value for runs that must not cost much
-    bool is_good = true;  // at the edge the graph is accepted; otherwise it is refused for another reason
-    // Writes graph.json, and what it includes.
+    uint64_t small = 0;   // a lower value, for quick runs
+    bool is_good = true;  // at the edge the graph is accepted; false: it is refused for another reason
+    // Writes graph.json and the files that it includes.
     void (*write)(const ScratchFolder& folder, uint64_t count) = nullptr;
 };
 [[nodiscard]] std::span<const LimitEdge> limit_edges();

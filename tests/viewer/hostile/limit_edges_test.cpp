@@ -1,5 +1,5 @@
-// Walks the table of limits: at each edge the worst input is accepted, with one more it is refused at a
-// place, and both end within 5 s of CPU and 1 GiB. A new limit without an edge fails.
+// Tests each limit at its edge: the worst input is accepted, one more is refused at a place, and both end
+// within 5 s of CPU time and 1 GiB. A new limit without such an input fails.
 #include "tests/viewer/hostile/limit_edges.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 constexpr double kMostCpu_s = 5;
 constexpr uint64_t kMostMemory_bytes = uint64_t{1} << 30;
 
-// Limits of other files than graphs, by the suite of tests that has their edges.
+// Limits of files other than graphs, and the test suite that covers them.
 const std::map<std::string, std::string> kSuites{
     {"shader", "HostileShader"}, {"scene", "HostileScene"}, {"picture", "Compare"}};
 
@@ -83,7 +83,7 @@ TEST_F(LimitEdges, AreSharpWhereverTheyAreSet) {
     }
 }
 
-// Whatever a graph costs, there is one number of steps that lets it pass, and one fewer that doesn't.
+// For every graph there is a number of steps that is enough, and one step fewer is not.
 TEST_F(LimitEdges, StepsAreCountedExactly) {
     const auto edge = std::ranges::find(limit_edges(), std::string_view("graph.steps"), &LimitEdge::limit);
     edge->write(scratch_, 400);
@@ -101,8 +101,8 @@ TEST_F(LimitEdges, StepsAreCountedExactly) {
     EXPECT_EQ(run_with(enough).exit_code, 0);
 }
 
-// What costs the checker most within graph.steps: thousands of parts that barriers change one by one, and
-// thousands of passes that read them all.
+// The most expensive input for the checker within graph.steps: thousands of parts changed by separate
+// barriers, and thousands of passes that read all of them.
 TEST_F(LimitEdges, HoldForPlansOfManyParts) {
     const auto check_graph = [&](const std::string& written, int readers) {
         scratch_.write("graph.json", R"json({ "version": 1, "imports": { "backbuffer": "output" },
@@ -118,7 +118,7 @@ TEST_F(LimitEdges, HoldForPlansOfManyParts) {
     check_graph(R"json("out": ["x"])json", 830);
 }
 
-// Thousands of resources that take turns in the same memory, mip by mip.
+// Thousands of resources that reuse the same memory, mip by mip.
 TEST_F(LimitEdges, HoldForManyResourcesInOneMemory) {
     constexpr int kGroups = 1300, kEach = 12;
     std::string resources, passes;
@@ -159,7 +159,7 @@ TEST_F(LimitEdges, HoldWithTheWorstInput) {
                     static_cast<double>(most.max_rss_bytes) / 1048576.0);
         edge->write(scratch_, row.of(defaults) + 1);
         const RunResult more = check();
-        // Some limits are those of the device as well, which come first.
+        // Some limits are also limits of the device, which are checked first.
         EXPECT_TRUE(more.exit_code == 3 || !edge->is_good) << row.name << more.text();
     }
 }

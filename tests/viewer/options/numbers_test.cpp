@@ -1,4 +1,4 @@
-// What counts as a number on the command line.
+// The texts that are accepted as numbers on the command line.
 #include "viewer/options/numbers.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(Numbers, MayBeFractionsWhereTheFlagSaysSo) {
     for (const char* text :
          {"1/0", "0/0", "nan/1", "1/inf", "1/2/3", "/2", "1/", "/", "1e300/1e-300", "1 / 2"})
         EXPECT_FALSE(finite_fraction(text)) << text;
-    // What is passed on reads back as the same number.
+    // The text written by decimal() must give the same number when read again.
     EXPECT_EQ(finite_number(decimal(1.0 / 60)), 1.0 / 60);
 }
 

@@ -11,7 +11,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-// Root needs no namespace of users, and may not have one.
+// Root needs no user namespace, and may be unable to create one.
 std::vector<std::string> own_mounts(const std::string& script) {
     return {"unshare", geteuid() == 0 ? "-m" : "-rm", "sh", "-c", script};
 }

@@ -1,4 +1,4 @@
-// Runs programs where writing must fail: on a disk that is full, and without the rights of root.
+// Runs programs where writing must fail: on a full disk, and without root's privileges.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace weft::test {
 
-// Runs a shell script where the folder $DISK is a file system of `size` ("64k") of its own, which is gone
-// afterwards. The script may use fill_disk, which leaves no room on it. Requires can_mount().
+// Runs a shell script with the folder $DISK on its own file system of `size` ("64k"), which is removed
+// afterwards. The script may call fill_disk to fill it. Requires can_mount().
 [[nodiscard]] RunResult run_on_small_disk(const std::string& size, const std::string& script,
                                           const Environment& environment = {});
-// The system lets this user make a namespace with a file system of its own.
+// True if this user may create a namespace with its own file system.
 [[nodiscard]] bool can_mount();
 
-// Runs a shell script as a user who may do only what the permissions of files say: root loses its privileges.
+// Runs a shell script as a user who is restricted by file permissions: root loses its privileges.
 [[nodiscard]] RunResult run_without_privileges(const std::string& script);
 
-// `weft` with these arguments, as words of a shell script.
+// A `weft` command with these arguments, quoted for a shell script.
 [[nodiscard]] std::string weft_in_shell(const std::vector<std::string>& arguments);
 
 }  // namespace weft::test

@@ -1,4 +1,4 @@
-// Every write to standard output is checked: data that does not arrive is an error.
+// Every write to standard output is checked: lost data is an error.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -15,7 +15,7 @@ constexpr const char* kBroken = WEFT_SOURCE_DIR "/tests/diagnostics/W103_port.js
 struct Printer {
     const char* name;
     std::vector<std::string> arguments;
-    int exit_code = 0;  // where all goes well
+    int exit_code = 0;  // exit code of a successful run
 };
 
 void PrintTo(const Printer& printer, std::ostream* out) {
@@ -66,7 +66,7 @@ TEST_P(Printed, ToAFullDevice) {
 }
 
 TEST_P(Printed, ToAPipeThatNobodyReads) {
-    // Descriptor 3 lets the pipe be opened for writing, and is closed again.
+    // Descriptor 3 allows opening the pipe for writing, and is then closed.
     const ScratchFolder scratch;
     const std::string pipe = scratch / "pipe";
     const std::string open = "mkfifo " + pipe + "; exec 3<>" + pipe + " 4>" + pipe + " 3<&-; ";

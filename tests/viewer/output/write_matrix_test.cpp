@@ -1,6 +1,6 @@
-// Every file that `weft` writes is complete or not there, and an old one stays until then: each kind of file,
-// wherever writing it can fail. Kinds that need a device run with WEFT_EXTENDED, except where nothing is
-// rendered.
+// Every file written by `weft` is complete or absent, and an old file stays until the new one is complete.
+// Tests each kind of file with each cause of failure. Kinds that need a device run only with WEFT_EXTENDED,
+// unless nothing is rendered.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -22,10 +22,10 @@ constexpr const char* kOld = "the old file";
 struct Writer {
     const char* name;
     const char* extension;
-    std::vector<std::string> arguments;  // "OUT" stands for the file
+    std::vector<std::string> arguments;  // "OUT" is replaced by the file
     bool needs_device = false;
-    bool quick = false;         // needs a device, but is part of every run
-    const char* end = nullptr;  // of a file that is not the same in each run
+    bool quick = false;         // runs always, although it needs a device
+    const char* end = nullptr;  // for a file that differs in each run: its expected end
 };
 
 void PrintTo(const Writer& writer, std::ostream* out) {
@@ -87,7 +87,7 @@ class Written : public testing::TestWithParam<Writer> {
         EXPECT_EQ(shell(command(fresh)).exit_code, 0);
         return !found.empty() && found == read_text(fresh);
     }
-    // Nothing but what the test put there.
+    // Expects only the files that the test created.
     void expect_no_drafts() const {
         for (const auto& entry : fs::directory_iterator(scratch_.path()))
             EXPECT_FALSE(entry.path().filename().string().starts_with(".weft-")) << entry.path();
@@ -115,7 +115,7 @@ TEST_P(Written, OntoAFullDiskTheOldFileStays) {
     if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     if (!can_mount()) GTEST_SKIP() << "this user may not mount a file system";
     const std::string file = std::string("$DISK/out") + GetParam().extension;
-    // The shell replaces $DISK; quotes would keep it from doing so.
+    // The shell must expand $DISK, so it must not be quoted.
     std::string write = command("OUT_ON_DISK");
     const size_t at = write.find("'OUT_ON_DISK'");
     ASSERT_NE(at, std::string::npos);
@@ -192,15 +192,15 @@ TEST_P(Written, IntoAPipe) {
     EXPECT_TRUE(is_whole(got));
 }
 
-// The program ends when it has written the data and asks for it to be put on the disk. write_signals_test.cpp
-// has more.
+// The program is killed after it has written the data and calls fsync. write_signals_test.cpp has further
+// cases.
 TEST_P(Written, KilledWhileItWritesTheOldFileStays) {
     if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     scratch_.write(fs::path(out()).filename(), kOld);
     const std::string strace =
         "strace -f -qq -o " + (scratch_ / "trace") + " -e trace=fsync -e inject=fsync:";
     if (shell(strace + "error=EIO true").exit_code != 0) GTEST_SKIP() << "strace is missing or may not trace";
-    // The shell, which strace ends like, says that it was killed.
+    // strace ends in the same way as the program, so the shell reports that it was killed.
     const RunResult run = shell(strace + "signal=KILL " + command(out()));
     EXPECT_EQ(run.exit_code, 128 + 9) << run.text();
     EXPECT_EQ(read_text(out()), kOld);
@@ -218,7 +218,7 @@ TEST(WrittenFirst, WhatCanBeKnownIsSaidBeforeAnythingIsRead) {
     EXPECT_EQ(run.err.find("none.json:"), std::string::npos) << run.text();
 }
 
-// Whether it renders first shows in the time: a million frames take hours.
+// If it rendered before checking, the test would take hours for a million frames.
 TEST(WrittenFirst, NoFileIsWrittenOverAnInputOrAnotherOutput) {
     const ScratchFolder scratch;
     const std::string graph =

@@ -1,4 +1,4 @@
-// A program that is ended while it writes leaves the old file, and a file that is in its place is on the
+// If the program is killed while it writes, the old file stays; a file in its final place is stored on the
 // disk.
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ class Interrupted : public testing::Test {
         whole_ = read_text(out());
         scratch_.write("folder/out.json", kOld);
     }
-    // `weft schema` under strace, which does what `faults` say ("fsync:signal=KILL") to system calls.
+    // Runs `weft schema` under strace, which injects `faults` ("fsync:signal=KILL") into system calls.
     [[nodiscard]] RunResult write_under_strace(const std::vector<std::string>& faults) const {
         std::vector<std::string> words{"strace",
                                        "-f",
@@ -40,7 +40,7 @@ class Interrupted : public testing::Test {
         const fs::directory_iterator folder(scratch_.path() / "folder");
         return static_cast<size_t>(std::distance(begin(folder), end(folder)));
     }
-    // The file system can make files that have no name yet.
+    // True if the file system supports unnamed files.
     [[nodiscard]] bool has_nameless_files() const {
         const int file = open((scratch_ / "folder").c_str(), O_TMPFILE | O_WRONLY, 0600);
         if (file >= 0) close(file);
@@ -64,7 +64,7 @@ TEST_F(Interrupted, KilledBeforeTheFirstFileIsThereNothingIsThere) {
     EXPECT_EQ(files(), has_nameless_files() ? 0u : 1u) << "a draft was left";
 }
 
-// Without /proc, or on a file system that has no files without names.
+// Without /proc, or on a file system without unnamed files.
 TEST_F(Interrupted, ADraftWithANameTakesThePlaceAsWell) {
     const RunResult run = write_under_strace({"linkat:error=ENOENT"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
@@ -100,7 +100,7 @@ TEST_F(Interrupted, AnErrorOfTheDiskLeavesTheOldFileAndNoDraft) {
     }
 }
 
-// Else a power failure could leave an empty file in place of the old one.
+// Otherwise a power failure could leave an empty file in place of the old one.
 TEST_F(Interrupted, TheDataIsOnTheDiskBeforeItTakesItsPlace) {
     ASSERT_EQ(write_under_strace({}).exit_code, 0);
     const std::string trace = read_text(scratch_ / "trace");

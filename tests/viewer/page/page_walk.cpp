@@ -9,7 +9,7 @@
 namespace weft::test {
 namespace {
 
-// What stands between `begin` and the end of a comment; nullopt if the line is another.
+// The text between `begin` and the end of a comment; nullopt for other lines.
 std::optional<std::string> comment(const std::string& line, std::string_view begin) {
     constexpr std::string_view kEnd = " -->";
     if (!line.starts_with(begin) || !line.ends_with(kEnd)) return std::nullopt;

@@ -1,9 +1,9 @@
-// A page of the documentation as something to follow: what a reader writes, runs and sees, in the page's
-// order.
+// A page of the documentation as a list of steps, in the order of the page: files to write, commands to run,
+// output to expect.
 //   <!-- file: NAME -->                      the next fence is that file; it replaces an earlier one
-//   ```sh                                    commands, one a line
-//   ```console                               "$ COMMAND" and what it prints
-//   <!-- mistake: FILE: OLD => NEW -->       the next fence is about FILE with every OLD made NEW
+//   ```sh                                    commands, one per line
+//   ```console                               "$ COMMAND" and its output
+//   <!-- mistake: FILE: OLD => NEW -->       the next fence uses FILE with every OLD replaced by NEW
 #pragma once
 
 #include <string>
@@ -20,13 +20,13 @@ struct PageMistake {
 struct PageEvent {
     enum class Kind { file, commands, console };
     Kind kind = Kind::file;
-    std::string name;                // of the file
-    std::vector<std::string> lines;  // inside the fence
+    std::string name;                // name of the file
+    std::vector<std::string> lines;  // lines inside the fence
     PageMistake mistake;
-    int line = 0;  // where the fence begins, from 1
+    int line = 0;  // first line of the fence, from 1
 };
 
-// For a page under docs/. Fences of other kinds are left out.
+// For a page in docs/. Other kinds of fences are ignored.
 [[nodiscard]] std::vector<PageEvent> events_of(const std::string& page);
 
 [[nodiscard]] std::string joined(const std::vector<std::string>& lines);

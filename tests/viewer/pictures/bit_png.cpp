@@ -26,7 +26,7 @@ uint32_t crc32(const std::string& bytes) {
     return ~crc;
 }
 
-// RFC 1951. Huffman codes go highest bit first, everything else lowest bit first.
+// RFC 1951: Huffman codes start with the highest bit, all other values with the lowest.
 class BitWriter {
  public:
     void bits(uint32_t value, int count) {
@@ -54,11 +54,11 @@ class BitWriter {
     int used_ = 0;
 };
 
-// `count` zero bytes as a zlib stream (RFC 1950): one literal, then copies of 258 bytes from one byte before.
+// `count` zero bytes as a zlib stream (RFC 1950): one literal, then copies of 258 bytes at distance 1.
 std::string zeros(uint64_t count) {
     BitWriter out;
-    out.bits(1, 1);  // the last block
-    out.bits(1, 2);  // fixed codes
+    out.bits(1, 1);  // marks the last block
+    out.bits(1, 2);  // fixed Huffman codes
     const auto literal = [&] { out.code(0x30, 8); };
     uint64_t left = count;
     if (left > 0) literal(), --left;
@@ -90,7 +90,7 @@ std::string black_png_with(uint32_t width_px, uint32_t height_px, uint64_t data_
     std::string header;
     append_big_endian(header, width_px);
     append_big_endian(header, height_px);
-    header += std::string("\1\0\0\0\0", 5);  // one bit, grey
+    header += std::string("\1\0\0\0\0", 5);  // one bit per texel, grey
     return std::string("\x89PNG\r\n\x1a\n") + png_chunk("IHDR", header) +
            png_chunk("IDAT", zeros(data_bytes)) + png_chunk("IEND", "");
 }

@@ -1,5 +1,5 @@
-// Large pictures in small files: PNGs of one bit a texel, all black, compressed as far as fixed Huffman codes
-// go.
+// Large pictures in small files: black PNGs of one bit per texel, with the best compression of fixed Huffman
+// codes.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace weft::test {
 
-// Correct in every byte: whoever decodes it gets width × height texels.
+// A completely valid file of width × height texels.
 [[nodiscard]] std::string black_png(uint32_t width_px, uint32_t height_px);
 
-// As the header says one texel, of which the data inflates to `data_bytes`.
+// A file with one texel according to its header, whose data inflates to `data_bytes`.
 [[nodiscard]] std::string swollen_png(uint64_t data_bytes);
 
 // A chunk with its length and checksum.

@@ -1,4 +1,4 @@
-// Raw pictures as `weft render -o x.pfm` writes them.
+// Raw pictures written by `weft render -o x.pfm`.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct PfmImage {
     }
 };
 
-// Little endian, three channels; nullopt when the file is anything else.
+// Reads little-endian files with three channels; nullopt for other files.
 [[nodiscard]] std::optional<PfmImage> read_pfm(const std::string& path);
 
 }  // namespace weft::test

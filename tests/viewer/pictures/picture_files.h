@@ -1,4 +1,4 @@
-// Pictures as files, written from nothing: what the program's own writers have no part in.
+// Writes picture files without the program's own writers.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@ namespace weft::test {
 
 using Texel = std::array<float, 3>;
 
-// Row 0 on top. Values as they are.
+// Row 0 on top. Values are stored unchanged.
 [[nodiscard]] std::string pfm_file(uint32_t width_px, uint32_t height_px, std::span<const Texel> texels,
                                    bool big_endian = false);
-// Scan lines of 32-bit floats without compression.
+// Uncompressed scan lines of 32-bit floats.
 [[nodiscard]] std::string exr_file(uint32_t width_px, uint32_t height_px, std::span<const Texel> texels);
 // 8-bit values, 0 to 255, opaque.
 [[nodiscard]] std::string png_file(uint32_t width_px, uint32_t height_px, std::span<const Texel> texels);

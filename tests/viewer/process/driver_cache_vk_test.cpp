@@ -1,4 +1,5 @@
-// A full disk under the caches: Mesa's shader cache, which ended the program with SIGBUS, and Weft's own.
+// A full disk below the caches: Mesa's shader cache, which ends a program with SIGBUS in that case, and
+// Weft's own.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/output/full_disk.h"
@@ -13,7 +14,8 @@ class FullCache : public testing::Test {
         if (!has_device()) GTEST_SKIP() << "no Vulkan device";
         if (!can_mount()) GTEST_SKIP() << "this user may not mount a file system";
     }
-    // Renders with all caches on a disk of that size. What the caches hold when it begins is up to `before`.
+    // Renders with all caches on a disk of that size. The script `before` sets the initial content of the
+    // caches.
     [[nodiscard]] static RunResult render(const std::string& size, const std::string& before = "") {
         const ScratchFolder out;
         const std::string picture = out / "a.png";
@@ -42,14 +44,14 @@ TEST_F(FullCache, RendersWithoutMesasCacheAndSaysSo) {
     EXPECT_NE(run.err.find("No space left on device"), std::string::npos) << run.text();
 }
 
-// The disk space of the index is taken at the start, and nothing that is cached later fits.
+// The program reserves the index's disk space at the start; nothing else fits on the disk.
 TEST_F(FullCache, RendersWhereOnlyTheIndexHasRoom) {
     const RunResult run = render("1292k");
     expect_picture(run);
     EXPECT_FALSE(warns(run)) << run.text();
 }
 
-// As an earlier run of another program leaves it: the size is there, the disk space is not.
+// As another program leaves it: the index has its full size, but no disk space.
 TEST_F(FullCache, TakesTheSpaceOfAnIndexThatHasNone) {
     const RunResult run = render(
         "64k", "mkdir \"$DISK/mesa_shader_cache\"; truncate -s 1310728 \"$DISK/mesa_shader_cache/index\"");

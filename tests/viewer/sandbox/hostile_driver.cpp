@@ -1,5 +1,5 @@
-// A Vulkan driver that is no driver: when it is loaded it does what code that a file smuggled in would do,
-// and prints what came of it, a line each. WEFT_HOSTILE_FOLDER names a folder that it has no business in.
+// A fake Vulkan driver that acts like malicious code: when it is loaded it attempts forbidden operations, and
+// prints the result of each on a line. WEFT_HOSTILE_FOLDER names a folder that it must not access.
 #include <fcntl.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
@@ -39,7 +39,7 @@ bool sends_to_others() {
     return true;
 }
 
-// When something happens to a descriptor, its owner gets a signal.
+// The owner of a descriptor gets a signal when the descriptor becomes ready.
 bool owns_signals_of(pid_t process) {
     int pair[2];
     if (pipe(pair) != 0) return false;
@@ -53,7 +53,7 @@ bool writes_to_descriptor(const char* number) {
     return number != nullptr && write(std::atoi(number), "x", 1) == 1;
 }
 
-// A process that outlives this one and holds none of its files open.
+// Starts a process that outlives this one and keeps no files open.
 void leave_behind() {
     const pid_t child = fork();
     if (child == 0) {
@@ -82,7 +82,7 @@ __attribute__((constructor)) void attack() {
     say("owns signals of its parent", owns_signals_of(getppid()));
     say("writes to a file left open", writes_to_descriptor(std::getenv("WEFT_HOSTILE_DESCRIPTOR")));
     if (std::getenv("WEFT_HOSTILE_CHILD") != nullptr) leave_behind();
-    // Ends with this process, and stops nobody.
+    // Tracing ends with this process, and stops no other process.
     say("traces its parent", ptrace(PTRACE_SEIZE, getppid(), nullptr, nullptr) == 0);
     say("makes memory that runs", mmap(nullptr, 4096, PROT_READ | PROT_WRITE | PROT_EXEC,
                                        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED);

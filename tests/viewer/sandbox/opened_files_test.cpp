@@ -1,5 +1,5 @@
-// What `weft` opens, as strace sees it: the graph's folder, the scene's folder, the files that the command
-// line names, and what the tool itself needs. Links that lead elsewhere are refused without being opened.
+// The files that `weft` opens, observed with strace: the graph's folder, the scene's folder, files on the
+// command line, and files of the program itself. Links that lead elsewhere are refused without being opened.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void main() { backbuffer = texelFetch(x, ivec2(gl_FragCoord.xy), 0); }
 )";
 constexpr const char* kValue = "const float value = 0.5;\n";
 
-// Belong to the system: libraries, the loader and drivers, devices, time zones.
+// Files of the system: libraries, the loader and drivers, devices, time zones.
 constexpr std::array kSystem{"/usr/",       "/lib/",      "/lib64/",        "/etc/ld.so",
                              "/etc/vulkan", "/etc/drirc", "/etc/localtime", "/etc/ssl/",
                              "/proc/",      "/sys/",      "/dev/"};
@@ -60,7 +60,7 @@ class Opens : public testing::Test {
                 "-o",      scratch_ / "out/a.png",
                 "--stats", scratch_ / "out/a.json"};
     }
-    // What the tool itself reads and writes: shipped files, the program's folder, its caches.
+    // Files of the program itself: shipped files, its own folder, its caches.
     [[nodiscard]] static std::vector<std::string> of_the_tool() {
         const std::string source = WEFT_SOURCE_DIR;
         std::vector<std::string> all{source + "/graphs/",
@@ -69,7 +69,7 @@ class Opens : public testing::Test {
                                      source + "/docs/diagnostics.md",
                                      fs::path(WEFT_PROGRAM).parent_path().string() + "/",
                                      fs::weakly_canonical(WEFT_TEST_CACHE).string()};
-        // The drivers' settings of this user.
+        // This user's settings of drivers.
         if (const char* home = std::getenv("HOME")) all.push_back(std::string(home) + "/.");
         all.insert(all.end(), kSystem.begin(), kSystem.end());
         return all;
@@ -85,7 +85,7 @@ class Opens : public testing::Test {
         for (const std::string& program : traced.executed)
             EXPECT_EQ(fs::path(program).parent_path(), fs::path(WEFT_PROGRAM).parent_path()) << program;
     }
-    // Moves a file out of its folder and leaves a link to it.
+    // Moves a file out of its folder and replaces it by a link.
     void link_away(const std::string& name) const {
         fs::rename(root_ / name, root_ / "elsewhere" / fs::path(name).filename());
         fs::create_symlink(root_ / "elsewhere" / fs::path(name).filename(), root_ / name);
@@ -115,8 +115,8 @@ TEST_F(Opens, RenderReadsTheSceneToo) {
 
 struct Link {
     const char* name;
-    const char* file;   // lies elsewhere, with a link to it in its place
-    const char* error;  // the refusal
+    const char* file;   // the file that is moved and replaced by a link
+    const char* error;  // expected error
 };
 
 void PrintTo(const Link& link, std::ostream* out) {
@@ -134,7 +134,7 @@ TEST_P(OpensLink, ThatLeadsElsewhereIsRefusedUnopened) {
     expect_only(*traced, {"graph"});
 }
 
-// The graph's own file is named on the command line: it may be a link. Its folder is that of the link.
+// The graph file is named on the command line, so it may be a link. Its folder is that of the link.
 INSTANTIATE_TEST_SUITE_P(All, OpensLink,
                          testing::Values(Link{"Shader", "graph/draw.comp", "error[W20"},
                                          Link{"ShaderInclude", "graph/value.glsl", "error[W203]"},

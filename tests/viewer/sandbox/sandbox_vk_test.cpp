@@ -1,5 +1,5 @@
-// --sandbox: what runs inside renders the same picture and reaches nothing else; where the kernel offers no
-// sandbox, nothing runs at all.
+// --sandbox: a command inside renders the same picture and can access nothing else; if the kernel does not
+// support the sandbox, nothing runs.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/landlock.h>
@@ -36,7 +36,7 @@ class Sandbox : public testing::Test {
         if (sandbox) words.emplace_back("--sandbox");
         return words;
     }
-    // With a driver that attacks when it is loaded. A file is left open for the program.
+    // Runs with a driver that attacks when it is loaded. The program inherits an open file.
     [[nodiscard]] RunResult attack(bool sandbox, const Environment& more = {}) const {
         const int left_open =
             open((scratch_ / "elsewhere/open.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -66,7 +66,7 @@ constexpr const char* kAttacks[] = {
     "changes rights",        "makes a network socket",     "makes a local socket",
     "makes a datagram pair", "owns signals of its parent", "writes to a file left open"};
 
-// Without a sandbox each of these works: the test would see it.
+// Without a sandbox each attack works, so the test can detect them.
 TEST_F(Sandbox, CodeOutsideReachesEverything) {
     const RunResult run = attack(false);
     for (const char* what : kAttacks)
@@ -92,7 +92,7 @@ TEST_F(Sandbox, CodeInsideReachesNothing) {
     expect_only({"keep.txt"});
 }
 
-// The output's folder holds other people's files, too.
+// The output's folder also contains other files.
 TEST_F(Sandbox, CodeInsideReachesNoFileBesideTheOutput) {
     const RunResult run = attack(true, {{"WEFT_HOSTILE_FOLDER", scratch_ / "out"}});
     EXPECT_NE(run.err.find("hostile: makes a file refused"), std::string::npos) << run.text();
@@ -111,7 +111,7 @@ TEST_F(Sandbox, NoProcessOutlivesIt) {
     kill(left, SIGKILL);
 }
 
-// A process substitution of the shell is such an output.
+// An example is a process substitution of the shell.
 TEST_F(Sandbox, AnOutputMayBeAnOpenDescriptor) {
     const int file = open((scratch_ / "elsewhere/plan.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const RunResult plan = run_weft({"plan", WEFT_SOURCE_DIR "/graphs/deferred.json", "--sandbox", "-o",
@@ -150,7 +150,7 @@ constexpr const char* kGraph = R"({ "version": 1, "imports": { "backbuffer": "ou
   "tests": [{ "size": [32, 32], "expect": { "finite": ["x"] } }]
 })";
 
-// Its own shader is compiled by the worker, which is a process of its own, in the same sandbox.
+// A worker process compiles the graph's own shader, in the same sandbox.
 TEST_F(Sandbox, AGraphBesideItsShadersIsCheckedAndRun) {
     scratch_.write("graph/graph.json", kGraph);
     scratch_.write("graph/own.comp",
@@ -177,7 +177,7 @@ TEST_F(Sandbox, FaultsKeepTheirExitCodes) {
     expect_only({"keep.txt", "plan.txt"});
 }
 
-// Never silently without.
+// Without sandbox support the command must not run unprotected.
 TEST_F(Sandbox, WithoutLandlockNothingRuns) {
     std::vector<std::string> words{WEFT_WITHOUT_LANDLOCK, WEFT_PROGRAM};
     for (const std::string& word : render(scratch_ / "out/frame.png", true)) words.push_back(word);

@@ -1,4 +1,4 @@
-// without_landlock PROGRAM ARGUMENT…: runs a program as on a kernel without Landlock.
+// without_landlock PROGRAM ARGUMENT…: runs a program as if the kernel did not support Landlock.
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>

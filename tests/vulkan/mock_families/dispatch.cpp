@@ -7,7 +7,7 @@
 namespace weft::mock_families {
 namespace {
 
-// Begins with the pointer that the loader wants to find, and set, in every dispatchable handle.
+// Every dispatchable handle begins with the loader's dispatch pointer.
 struct MockQueue {
     const void* loader_data = nullptr;
     VkQueue real = VK_NULL_HANDLE;
@@ -19,7 +19,7 @@ struct DeviceEntry {
     std::array<MockQueue, kFamilyCount> queues;
 };
 
-// A layer has no object of its own to keep state in: the loader calls plain functions.
+// Global state, because the loader calls plain functions, without an object of the layer.
 struct Registry {
     std::mutex mutex;
     std::map<const void*, InstanceFunctions> instances;

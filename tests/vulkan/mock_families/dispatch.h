@@ -1,5 +1,6 @@
-// Purpose: what the layer keeps: the next layer's functions by instance and device, and the queues that it
-// invents. Handles of one instance or device begin with the same pointer, the loader's, which is the key.
+// Purpose: the layer's state: the next layer's functions by instance and device, and the queues that it
+// simulates. Handles of one instance or device begin with the same pointer, the loader's dispatch table,
+// which is used as the key.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -12,7 +13,7 @@ namespace weft::mock_families {
 
 inline constexpr uint32_t kFamilyCount = 3;
 
-// The next layer's functions behind those that the layer replaces.
+// The next layer's versions of the functions that this layer replaces.
 struct DeviceFunctions {
     PFN_vkDestroyDevice vkDestroyDevice = nullptr;
     PFN_vkGetDeviceQueue vkGetDeviceQueue = nullptr;
@@ -32,8 +33,7 @@ void add_device(VkDevice device, PFN_vkGetDeviceProcAddr next);
 void forget(VkInstance instance);
 void forget(VkDevice device);
 
-// Asked for while the instance was made: later on, the loader answers with the top of the chain, not the
-// rest.
+// Queried during instance creation: later the loader returns functions of the top layer, not of the next one.
 struct InstanceFunctions {
     PFN_vkGetInstanceProcAddr next = nullptr;
     PFN_vkDestroyInstance vkDestroyInstance = nullptr;
@@ -43,7 +43,7 @@ struct InstanceFunctions {
 
 [[nodiscard]] const DeviceFunctions& functions_of(const void* dispatchable);
 
-// The queue that stands for the driver's `real` one in this family.
+// The simulated queue in this family for the driver's queue `real`.
 [[nodiscard]] VkQueue mock_queue(VkDevice device, uint32_t family, VkQueue real);
 [[nodiscard]] VkQueue real_queue(VkQueue mock);
 

@@ -1,7 +1,7 @@
-// A Vulkan layer that makes a driver with one queue family look like one with three: graphics, compute and
-// transfer, compute and transfer, and transfer alone, with a queue each. Below it all of them are the
-// driver's one queue; above it the validation layer sees three and judges family transfers, sharing and what
-// a queue can do. Loaded by tests/vulkan/queue_families_vk_test.cpp.
+// A Vulkan layer that shows a driver with one queue family as three families with one queue each: graphics,
+// compute and transfer; compute and transfer; transfer only. The driver below sees only its own queue. The
+// validation layer above sees three families and checks transfers, sharing and queue capabilities. Loaded by
+// tests/vulkan/queue_families_vk_test.cpp.
 #include <vulkan/vk_layer.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr std::array<VkQueueFamilyProperties, kFamilyCount> kFamilies{{
     {VK_QUEUE_TRANSFER_BIT, 1, 0, {1, 1, 1}},
 }};
 
-// The one that the driver has.
+// The driver's only family.
 constexpr uint32_t kRealFamily = 0;
 
 VKAPI_ATTR void VKAPI_CALL get_families(VkPhysicalDevice, uint32_t* count, VkQueueFamilyProperties* out) {
@@ -43,7 +43,7 @@ template <class Link, VkStructureType Type>
 Link* find_link(const void* chain) {
     for (auto* at = static_cast<const VkBaseInStructure*>(chain); at != nullptr; at = at->pNext) {
         if (at->sType != Type) continue;
-        // The loader's chain is ours to advance, as every layer does.
+        // Every layer must advance the loader's chain.
         auto* link = const_cast<Link*>(reinterpret_cast<const Link*>(at));
         if (link->function == VK_LAYER_LINK_INFO) return link;
     }
