@@ -1,5 +1,4 @@
-// Purpose: notations of the command line (sizes, parameters), and documented options that are not implemented
-// yet.
+// Purpose: notations of the command line (sizes, parameters), and names that are reserved for later versions.
 #pragma once
 
 #include <map>
@@ -27,8 +26,8 @@ namespace weft::viewer {
 // The fault in the file name of a plot; empty if it is valid.
 [[nodiscard]] std::string plot_fault(const std::string& text);
 
-// A message for a documented flag or command that is not implemented yet; empty if the arguments contain
-// none. It is reported before any other fault, and its values are not checked.
+// A message for a flag or command that is reserved for a later version; empty if the arguments contain none.
+// It is reported before any other fault, and its values are not checked.
 [[nodiscard]] std::string future_fault(const std::vector<std::string>& arguments);
 
 }  // namespace weft::viewer
