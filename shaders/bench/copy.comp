@@ -1,4 +1,4 @@
-// Moves bytes: 16 of them in and out for each invocation.
+// Copies memory: each invocation reads and writes 16 bytes.
 #version 460
 
 layout(local_size_x = 256) in;

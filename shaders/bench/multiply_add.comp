@@ -1,5 +1,5 @@
-// Multiplies and adds: 8 chains of 512 multiplications and additions each, so 8,192 operations for each invocation; the
-// chains are independent, so that no result is waited for.
+// Measures arithmetic: 8 chains of 512 multiplications and additions each, so 8,192 operations per
+// invocation. The chains are independent, so that no operation waits for the result of another chain.
 #version 460
 
 layout(local_size_x = 64) in;

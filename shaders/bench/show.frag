@@ -1,4 +1,4 @@
-// Asks for everything that was measured, so that none of it is left out.
+// Reads all measured results, so that no pass is culled.
 #version 460
 
 layout(location = 0) out vec4 backbuffer;

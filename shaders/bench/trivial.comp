@@ -1,4 +1,4 @@
-// The least that a pass over the picture does: one texel in, one texel out.
+// The cheapest possible pass over a picture: reads one texel and writes one texel.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,4 +1,4 @@
-// The next smaller mip.
+// Computes the next smaller mip.
 #version 460
 #include "half_float.glsl"
 #include "thirteen_taps.glsl"

@@ -1,5 +1,6 @@
-// The picture at half its size. Boxes with a bright speck in them count for less, or the speck would flicker through
-// all mips: Karis 2013, "Tone Mapping". `calm` 0 keeps all light, 1 tames what shines brighter than white.
+// The picture at half its size. Boxes with a bright texel get less weight, because the texel would otherwise
+// flicker in all mips: Karis 2013, "Tone Mapping". `calm` 0 conserves all light, 1 reduces values brighter
+// than white.
 #version 460
 #include "half_float.glsl"
 #include "thirteen_taps.glsl"

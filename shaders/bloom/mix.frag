@@ -1,4 +1,5 @@
-// What the lens scatters, for a pass that blends by alpha: the picture keeps 1 − strength of itself.
+// The light that the lens scatters, for a pass with alpha blending: the picture keeps 1 − strength of its
+// light.
 #version 460
 #include "tent.glsl"
 

@@ -1,4 +1,4 @@
-// The mean of 3×3 bilinear taps under a tent: what a coarse mip looks like from a finer one, without its squares.
+// A tent filter of 3×3 bilinear taps: upsamples a coarse mip without visible squares.
 
 vec3 tent(sampler2D src, vec2 uv) {
     const vec2 texel = 1.0 / vec2(textureSize(src, 0));

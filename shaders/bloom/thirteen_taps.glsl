@@ -1,6 +1,6 @@
-// Halves a picture: five overlapping boxes of 2×2 bilinear taps, the middle one with half of the weight. Every texel of
-// the source counts for as much as any other, so brightness is kept.
-// Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare".
+// Halves a picture with five overlapping boxes of 2×2 bilinear taps; the middle box has half of the weight.
+// Every source texel has the same total weight, so brightness is conserved. Jimenez 2014, "Next Generation
+// Post Processing in Call of Duty: Advanced Warfare".
 
 struct Box {
     vec3 mean;

@@ -1,4 +1,5 @@
-// Lays the coarser mip over this one, in place. A share of light moves outwards and none is added.
+// Blends the coarser mip into this one, in place. Part of the light spreads outwards; the total does not
+// increase.
 #version 460
 #include "half_float.glsl"
 #include "tent.glsl"
@@ -8,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D coarse;
 layout(rgba16f) uniform image2D bloom;
 
-layout(push_constant) uniform Params { float spread; } params;  // 0 to 1: what share comes from the coarser mip
+layout(push_constant) uniform Params { float spread; } params;  // 0 to 1: weight of the coarser mip
 
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

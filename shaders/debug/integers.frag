@@ -1,5 +1,4 @@
-// Shows an image of unsigned integers.
-// Output: sRGB-encoded [0, 1]. DECODE is the place of a name in debug_decoders().
+// Shows an image of unsigned integers. Output: sRGB-encoded [0, 1]. DECODE is an index into debug_decoders().
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
@@ -13,10 +12,10 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform usampler2D shown;
-uniform sampler2D surface;  // the depth that was drawn with it: 0 where nothing was
+uniform sampler2D surface;  // depth drawn together with the image: 0 where nothing was drawn
 
 layout(push_constant) uniform Params {
-    float black, white;  // what is shown as 0 and as 1
+    float black, white;  // values shown as black and as white
 } params;
 
 void main() {

@@ -1,4 +1,4 @@
-// Depth of what covers what is behind it: masked surfaces have holes.
+// Depth of surfaces that hide the surfaces behind them: masked surfaces have holes.
 #version 460
 #include "material_set.glsl"
 #include "surface_fragment.glsl"

@@ -1,4 +1,4 @@
-// Geometry of a pass that wants depth and nothing else.
+// Geometry for a pass that writes only depth.
 #version 460
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"

@@ -1,6 +1,6 @@
-// Both blurs over the sharp picture, for a pass that blends premultiplied colours. Whether a pixel is blurred behind the
-// focus its own depth says, so edges of what is sharp stay sharp. A pixel that is blurred before the focus doesn't show
-// itself through its own blur, but what it hides.
+// Combines both blurs with the sharp picture, for a pass that blends premultiplied colours. A pixel's own
+// depth decides whether it is blurred behind the focus, so edges of sharp surfaces stay sharp. Through the
+// blur of a foreground pixel the estimated hidden colour is visible, not the sharp pixel.
 #version 460
 #include "frame_set.glsl"
 #include "circle.glsl"
@@ -13,7 +13,7 @@ uniform sampler2D depth;
 
 layout(push_constant) uniform Params { float focus; float aperture; } params;
 
-// Between pixels, and smoothed over two of them: the gaps between the taps vanish.
+// Bilinear interpolation, smoothed over two pixels, which hides the gaps between taps.
 vec4 smoothed(float layer) {
     const vec2 texel = 1.0 / vec2(textureSize(soft, 0).xy);
     vec4 sum = vec4(0.0);

@@ -1,9 +1,10 @@
-// The picture at half resolution, in what is blurred behind the focus, what is blurred before it, and what that hides,
-// each multiplied by its share before it is averaged: what is sharp weighs nothing in the blurs, so they can't spread it.
-// Liu 2016, "Rendering 'Monster Hunter Online'".
+// Splits the picture at half resolution into three layers: blurred behind the focus, blurred in front of it,
+// and colours hidden by the front layer. Each is multiplied by its share before averaging: sharp surfaces
+// have no weight in the blurs, so their light does not spread. Liu 2016, "Rendering 'Monster Hunter Online'".
 //
-// Each half keeps one radius a pixel: the mean of four, weighted by their light. Where a lamp and the sky meet in a pixel,
-// nearly all of its light is the lamp's, so it spreads over the lamp's circle and not over the sky's, which is larger.
+// Each half stores one radius per pixel: the mean of four, weighted by their light. In a pixel with a lamp
+// and the sky, nearly all light comes from the lamp, so it spreads over the lamp's circle and not over the
+// sky's larger one.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -16,11 +17,11 @@ uniform sampler2D depth;
 layout(rgba16f) writeonly uniform image2D behind;
 layout(rgba16f) writeonly uniform image2D before;
 layout(rgba16f) writeonly uniform image2D hidden;
-layout(rg16f) writeonly uniform image2D circles;  // radii behind and before
+layout(rg16f) writeonly uniform image2D circles;  // radii behind and in front of the focus
 
 layout(push_constant) uniform Params { float focus; float aperture; } params;
 
-// The light that a radius stands for. Black pixels have radii, too.
+// The weight of a radius in the mean. Black pixels also have a small weight.
 float weight(vec4 color) { return dot(color.rgb, vec3(0.25, 0.5, 0.25)) + 1e-4 * color.a; }
 
 void main() {

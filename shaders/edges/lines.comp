@@ -1,7 +1,7 @@
-// Where the picture breaks. r: depth jumps; g: the surface bends.
+// Finds discontinuities of the picture. r: depth jumps; g: creases of the surface.
 //
-// Depth is near / distance, which runs straight across the screen on any plane, however steeply that is seen: only where
-// its second difference isn't 0 does a surface end or bend. The line is drawn on the nearer side, `lineWidth` wide.
+// Depth is near / distance, which is linear in screen space on any plane, at any angle. Only where its second
+// difference is not 0 does a surface end or bend. The line is drawn on the nearer side, `lineWidth` wide.
 #version 460
 #include "octahedral.glsl"
 
@@ -12,9 +12,9 @@ uniform sampler2D normal;
 layout(rg8) writeonly uniform image2D lines;
 
 layout(push_constant) uniform Params {
-    float lineWidth;  // px
-    float jump;       // of depth, as a share of the distance
-    float crease;     // degrees
+    float lineWidth;  // in pixels
+    float jump;       // smallest depth jump, relative to the distance
+    float crease;     // smallest angle, in degrees
 } params;
 
 ivec2 inside(ivec2 pixel) { return clamp(pixel, ivec2(0), textureSize(depth, 0) - 1); }

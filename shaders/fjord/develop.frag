@@ -1,4 +1,4 @@
-// The finished picture: the view and its shafts of light, darker corners, a filmic curve.
+// The final picture: the view with light shafts, vignetting and a filmic curve.
 #version 460
 #include "srgb.glsl"
 

@@ -1,5 +1,6 @@
-// The land's height, once for all rays: ridges that are rough where they are high and smooth in the valleys (Musgrave
-// 1989, "The Synthesis and Rendering of Eroded Fractal Terrains"), with a bent valley cut through that holds the water.
+// The height map of the land, computed once for all rays: ridges that are rough at the top and smooth in the
+// valleys (Musgrave 1989, "The Synthesis and Rendering of Eroded Fractal Terrains"), with a curved valley
+// that contains the water.
 #version 460
 #include "land.glsl"
 

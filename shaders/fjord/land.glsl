@@ -1,9 +1,9 @@
-// Where things are. Kilometres; y is up, the water is at 0, the camera looks along +z.
+// The layout of the scene. Kilometres; y is up, the water is at 0, the camera looks along +z.
 
 const vec2 kLandCorner = vec2(-8.0, -1.0);
 const float kLandSide = 16.0;
 const vec3 kEye = vec3(0.15, 0.05, 0.0);
-const float kFocal = 1.45;  // in half heights of the picture
+const float kFocal = 1.45;  // in units of half the picture's height
 const float kHighest = 2.1;
 
 vec3 to_sun() { return normalize(vec3(-0.16, 0.105, 1.0)); }
@@ -19,7 +19,7 @@ uint bits_of(ivec2 p) {
 
 float corner(ivec2 p) { return float(bits_of(p) >> 8) / 16777216.0; }
 
-// Smooth noise in [0, 1] over a lattice of 1.
+// Smooth noise in [0, 1] with lattice spacing 1.
 float noise(vec2 p) {
     const vec2 cell = floor(p), f = p - cell;
     const vec2 s = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
@@ -28,10 +28,11 @@ float noise(vec2 p) {
                mix(corner(i + ivec2(0, 1)), corner(i + ivec2(1, 1)), s.x), s.y);
 }
 
-// The next octave: twice as fine, turned so that lattices don't line up.
+// Coordinates for the next octave: about twice the frequency, rotated so that lattices are not aligned.
 vec2 finer(vec2 p) { return mat2(1.6, 1.2, -1.2, 1.6) * p + 17.3; }
 
-// Octaves that a patch of this width, in lattices of the first, can't show give way to their mean: they would glitter.
+// Noise for a footprint of this width (in units of the first lattice): octaves finer than the footprint are
+// replaced by their mean, because they would cause flickering.
 float soft_noise_within(vec2 p, int octaves, float width) {
     float sum = 0.0, share = 0.5;
     for (int i = 0; i < octaves; ++i, share *= 0.5, width *= 2.0, p = finer(p))

@@ -1,5 +1,5 @@
-// Light that the air scatters on its way from the sun: what lies between a pixel and the sun on the picture, summed.
-// Mitchell 2007, "Volumetric Light Scattering as a Post-Process", GPU Gems 3.
+// Light shafts: sums the light between a pixel and the sun's position in the picture. Mitchell 2007,
+// "Volumetric Light Scattering as a Post-Process", GPU Gems 3.
 #version 460
 #include "half_float.glsl"
 #include "land.glsl"

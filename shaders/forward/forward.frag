@@ -1,5 +1,5 @@
-// A surface and its light in one pass. Opaque and masked surfaces cover what is behind; transparent ones go over it
-// by their alpha, premultiplied. Output: scene-linear Rec.709, cd/m² × preExposure.
+// Shades a surface in the same pass that draws it. Opaque and masked surfaces hide those behind; transparent
+// ones are blended by their premultiplied alpha. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
 #include "brdf.glsl"
 #include "frame_set.glsl"
@@ -12,9 +12,9 @@
 
 layout(constant_id = 0) const bool MASKED = false;
 layout(constant_id = 1) const bool BLENDED = false;
-// Sees what the G-buffer of the deferred pipeline would have kept, so that the two can be compared.
+// Rounds values as the G-buffer of the deferred pipeline does, so that the two can be compared.
 layout(constant_id = 2) const bool QUANTIZED = false;
-// By the draw list of that name; others draw what is anisotropic as if it were not.
+// True for the draw list of that name; other lists treat anisotropic surfaces as isotropic.
 layout(constant_id = 3) const bool ANISOTROPIC = false;
 
 layout(location = 5) in vec3 world_point;

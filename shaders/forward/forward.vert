@@ -1,4 +1,4 @@
-// Forward shading's geometry.
+// Geometry for forward shading.
 #version 460
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"

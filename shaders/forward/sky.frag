@@ -1,4 +1,4 @@
-// The sky behind everything that is drawn over it. Output: scene-linear Rec.709, cd/m² × preExposure.
+// The sky, drawn before all surfaces. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"

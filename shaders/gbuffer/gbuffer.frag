@@ -1,5 +1,5 @@
-// G-buffer: what the lighting needs to know of the nearest surface. Emission goes straight into hdr, to which the
-// lighting adds in place.
+// Writes the G-buffer: the data about the nearest surface that lighting needs. Emission is written directly
+// to hdr; lighting adds to it in place.
 #version 460
 #include "frame_set.glsl"
 #include "material_set.glsl"
@@ -11,11 +11,11 @@ layout(constant_id = 0) const bool MASKED = false;
 layout(location = 5) in vec4 clip_now;
 layout(location = 6) in vec4 clip_before;
 
-layout(location = 0) out vec4 albedo;    // rgb: √ base colour; drivers differ in how they decode sRGB, roots are exact
+layout(location = 0) out vec4 albedo;    // rgb: √ base colour; drivers decode sRGB differently, but square roots are exact
 layout(location = 1) out vec2 normal;    // octahedral, world space
 layout(location = 2) out vec4 orm;       // occlusion, perceptual roughness, metalness
 layout(location = 3) out vec4 specular;  // rgb: √F0 of the dielectric, a: specularFactor
-layout(location = 4) out vec2 velocity;  // uv now − uv before
+layout(location = 4) out vec2 velocity;  // uv now − uv in the previous frame
 layout(location = 5) out vec4 hdr;       // emission × preExposure
 
 void main() {

@@ -1,4 +1,4 @@
-// G-buffer geometry.
+// Geometry for the G-buffer.
 #version 460
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"

@@ -1,8 +1,10 @@
-// The nearest and the farthest depth of squares of 2 to 128 pixels, in one dispatch: a workgroup is one square of 128
-// pixels, so no square is split and none waits for another workgroup.
-// in   depth       reversed: 1 near, 0 the sky, which counts as nothing
-// out  mip0…mip6   r: max z, g: min z over what is no sky; 0 and 1 where all is. Mip k has one texel for each square of
-//                  2^(k+1) pixels from pixel 0; the images hang over the picture to whole squares of 128 pixels.
+// The nearest and the farthest depth of squares of 2 to 128 pixels, in one dispatch. A workgroup processes
+// one square of 128 pixels, so no square is split and no workgroup waits for another.
+// in   depth       reversed: 1 near, 0 the sky, which is ignored
+// out  mip0…mip6   r: max z, g: min z of pixels other than sky; 0 and 1 if all are sky. Mip k has one texel
+// for each
+//                  square of 2^(k+1) pixels from pixel 0; the images are rounded up to whole squares of 128
+//                  pixels.
 #version 460
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -10,17 +12,17 @@ layout(local_size_x = 16, local_size_y = 16) in;
 uniform sampler2D depth;
 layout(rg32f) writeonly uniform image2D mip0, mip1, mip2, mip3, mip4, mip5, mip6;
 
-const int kSide1 = 32;  // texels of mip 1 along a square of 128 pixels
+const int kSide1 = 32;  // texels of mip 1 along the side of a 128-pixel square
 const vec2 kSky = vec2(0.0, 1.0);
 
-// Mips 1 to 5 of the square, one behind the other.
+// Mips 1 to 5 of the square, one after another.
 shared vec2 ranges[kSide1 * kSide1 + 16 * 16 + 8 * 8 + 4 * 4 + 2 * 2];
 
 vec2 merged(vec2 a, vec2 b) { return vec2(max(a.x, b.x), min(a.y, b.y)); }
 
 vec2 range_of(float z) { return z > 0.0 ? vec2(z) : kSky; }
 
-// Of 2 × 2 pixels. What hangs over the picture repeats its last pixels, which are in the same square.
+// Range of 2 × 2 pixels. Outside the picture its last pixels are repeated, which lie in the same square.
 vec2 quad_range(ivec2 first, ivec2 last) {
     if (any(greaterThan(first, last))) return kSky;
     const ivec2 second = min(first + 1, last);
@@ -29,7 +31,7 @@ vec2 quad_range(ivec2 first, ivec2 last) {
                          range_of(texelFetch(depth, ivec2(first.x, second.y), 0).r)));
 }
 
-// A quarter of the square: each thread has 4 × 4 pixels of it.
+// Processes a quarter of the square: each thread reads 4 × 4 of its pixels.
 void reduce_pixels(ivec2 quarter, ivec2 thread, ivec2 last) {
     const ivec2 in_square = quarter * 16 + thread;
     const ivec2 texel = ivec2(gl_WorkGroupID.xy) * kSide1 + in_square;
@@ -44,7 +46,7 @@ void reduce_pixels(ivec2 quarter, ivec2 thread, ivec2 last) {
     ranges[in_square.y * kSide1 + in_square.x] = range;
 }
 
-// One texel of the next mip, from four that begin at `from` in rows of twice `side`.
+// One texel of the next mip, from four texels that start at `from`, in rows of twice `side`.
 vec2 next_range(int from, ivec2 at, int side) {
     const int first = from + at.y * 4 * side + at.x * 2;
     return merged(merged(ranges[first], ranges[first + 1]),

@@ -1,26 +1,28 @@
-// Light of capsules and rectangles that shine alike all over. Units: vector irradiance of unit radiance (sr), ∫ ω dω over
-// what the light covers; its dot product with a normal is the irradiance on it over the radiance.
-// Rectangle: Lambert's formula (Lambert 1760; Baum, Rushmeier and Winget 1989), cut at the horizon. The fit of an arc over
-// its sine: Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines".
-// Capsule: the same contour integral, ½ ∮ r × dr, over its silhouette, which is two arcs of great circles and, at the
-// ends, two of small ones. Highlights: representative points, Karis 2013, "Real Shading in Unreal Engine 4".
+// Light of capsules and rectangles with uniform emission. Units: vector irradiance for unit radiance (sr), ∫
+// ω dω over the solid angle of the light; its dot product with a normal is irradiance divided by radiance.
+// Rectangle: Lambert's formula (Lambert 1760; Baum, Rushmeier and Winget 1989), clipped at the horizon. The
+// fit of an arc over its sine: Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time Polygonal-Light Shading with
+// Linearly Transformed Cosines". Capsule: the same contour integral, ½ ∮ r × dr, over its silhouette, which
+// consists of two great-circle arcs and, at the ends, two small-circle arcs. Highlights: representative
+// points, Karis 2013, "Real Shading in Unreal Engine 4".
 #ifndef WEFT_AREA_LIGHTS
 #define WEFT_AREA_LIGHTS
 #include "brdf.glsl"
 #include "lights.glsl"
 
 struct AreaIncident {
-    float irradiance;   // on the surface, of unit radiance
-    vec3 whole;         // vector irradiance, toward the light
-    float window;       // of the range
-    vec3 center;        // direction to the middle of what is seen
-    vec3 mirrored;      // direction to the point that the highlight shows
-    float aspect;       // how much longer than wide it is, as seen from here
-    vec3 along;         // its length
+    float irradiance;   // irradiance on the surface, for unit radiance
+    vec3 whole;         // vector irradiance, towards the light
+    float window;       // factor of the range limit
+    vec3 center;        // direction to the middle of the visible part
+    vec3 mirrored;      // direction to the point used for the highlight
+    float aspect;       // ratio of length to width, as seen from the surface
+    vec3 along;         // axis of the length
 };
 
-// As atan(y, x), to 2e-7. What is left above the horizon is a small difference of angles, and devices may round their own
-// by 2e-4. The polynomial is atanf() of Moshier's Cephes library, 1992.
+// Same as atan(y, x), with an error of 2e-7. The visible part above the horizon is a small difference of
+// angles, and device implementations may have errors of 2e-4. The polynomial is atanf() of Moshier's Cephes
+// library, 1992.
 float angle_of(float y, float x) {
     const float longer = max(max(abs(x), abs(y)), 1e-30), shorter = min(abs(x), abs(y));
     const bool steep = shorter > 0.41421356 * longer;
@@ -32,17 +34,17 @@ float angle_of(float y, float x) {
     return y < 0.0 ? -angle : angle;
 }
 
-// ∫ r × dr along the great circle from a to b, which need not have unit length.
+// ∫ r × dr along the great circle from a to b; a and b need not have unit length.
 vec3 edge_integral(vec3 a, vec3 b) {
     const float scale = inversesqrt(max(dot(a, a) * dot(b, b), 1e-30));
     const float x = dot(a, b) * scale, y = abs(x);
     const float fit = 6.28318530718 * (0.8543985 + (0.4965155 + 0.0145206 * y) * y) / (3.4175940 + (4.1616724 + y) * y);
     const float arc_over_sine = x > 0.0 ? fit : kPi * inversesqrt(max(1.0 - x * x, 1e-7)) - fit;
-    // Of a and b − a: where the two are nearly the same direction, a × b would have no digits left.
+    // Computed from a and b − a: if both directions are nearly equal, a × b would lose all digits.
     return cross(a, b - a) * (scale * arc_over_sine);
 }
 
-// What of the edge from a to b is above the horizon; where it crosses it the point is kept.
+// The integral over the part of the edge from a to b above the horizon; stores the point of a crossing.
 vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
     const float height_a = dot(n, a), height_b = dot(n, b);
     if (height_a <= 0.0 && height_b <= 0.0) return vec3(0.0);
@@ -52,8 +54,9 @@ vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
     return edge_integral(from, to);
 }
 
-// From the middle, with half its width and height. Corners counter-clockwise, seen from here. The loops of this file are
-// there because compilers copy a function to every place that calls it: of shaders with area lights these were two thirds.
+// Arguments: the middle, and vectors of half its width and height. Corners are counter-clockwise, seen from
+// the surface. This file uses loops because compilers inline functions at every call: without loops these
+// functions made up two thirds of the code of shaders with area lights.
 vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
     vec3 down = vec3(0.0), up = vec3(0.0), sum = vec3(0.0), to_side = -x, to_next = -y;
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
@@ -65,7 +68,7 @@ vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
     return 0.5 * (sum + edge_integral(down, up));
 }
 
-// Where the mirrored ray meets the plane of the rectangle, moved into it. All in the frame of the light.
+// The point where the mirrored ray meets the plane of the rectangle, clamped to it. All in the light's frame.
 vec2 rectangle_target(vec3 at, vec3 ray, vec2 half_size) {
     const float steps = ray.z < -1e-4 * at.z ? -at.z / ray.z : 1e4;
     return clamp(at.xy + ray.xy * steps, -half_size, half_size);
@@ -88,20 +91,21 @@ AreaIncident rectangle_at(vec3 n, vec3 v, vec3 position, Light light) {
     incident.mirrored = normalize(light.side * target.x + up * target.y - way);
     incident.center = incident.irradiance > 0.0 ? normalize(incident.whole) : n;
     const vec3 sight = normalize(way);
-    // A side that is seen at a slant is foreshortened.
+    // A side seen at an angle is foreshortened.
     const vec2 slant = sqrt(max(vec2(1.0) - at.xy * at.xy / dot(at, at), vec2(1e-4)));
     incident.along = light.side - sight * dot(light.side, sight);
     incident.aspect = (light.half_size_m.x * slant.x) / (light.half_size_m.y * slant.y);
     return incident;
 }
 
-// The silhouette of a capsule, seen from the origin. `axis` and `away` span the plane through origin and segment.
+// The silhouette of a capsule, seen from the origin. `axis` and `away` span the plane through the origin and
+// the segment.
 struct Silhouette {
     vec3 axis;
-    vec3 away;          // across it, from the origin
-    float distance;     // of the axis
-    float tangent;      // of where the two long sides touch, across the axis
-    vec2 ends;          // where along the axis the segment begins and ends
+    vec3 away;          // perpendicular to the axis, pointing away from the origin
+    float distance;     // distance of the axis
+    float tangent;      // distance of the two tangent lines along `away`
+    vec2 ends;          // positions along the axis where the segment begins and ends
     float radius;
 };
 
@@ -115,21 +119,21 @@ Silhouette silhouette_of(vec3 middle, vec3 axis, vec2 half_size) {
     s.distance = length(across);
     s.away = across / s.distance;
     s.ends = along + vec2(-half_size.x, half_size.x);
-    // From within it is all around: as if on its skin.
+    // For points inside the capsule, its light comes from all directions, as on its surface.
     const float nearest = length(vec2(max(abs(along) - half_size.x, 0.0), s.distance));
     s.radius = min(half_size.y, 0.999 * nearest);
     s.tangent = sqrt(max(s.distance * s.distance - s.radius * s.radius, 0.0));
     return s;
 }
 
-// The end at z along the axis: half the angle that its arc goes round the end's middle. `outward` is +1 or −1.
+// Half of the arc angle around the end at z along the axis. `outward` is +1 or −1.
 float end_arc(Silhouette s, float z, float outward) {
     const float length2 = z * z + s.distance * s.distance;
     const float grazing = sqrt(max(length2 - s.radius * s.radius, 1e-20));
     return angle_of(sqrt(length2) * s.tangent / (s.distance * grazing), outward * z * s.radius / (s.distance * grazing));
 }
 
-// As (along the axis, away) : the end's share of ∮ r × dr.
+// The contribution of the end to ∮ r × dr, with components (along the axis, away).
 vec2 end_integral(Silhouette s, float z, float outward) {
     const float length2 = z * z + s.distance * s.distance, r2 = s.radius * s.radius;
     const vec2 to_middle = vec2(z, s.distance), across = vec2(s.distance, -z) * outward;
@@ -137,7 +141,7 @@ vec2 end_integral(Silhouette s, float z, float outward) {
            2.0 * s.radius * s.tangent / (s.distance * length2) * across;
 }
 
-// The angle between where the long sides begin and end.
+// The angle between the ends of the long sides.
 float side_angle(Silhouette s) {
     return angle_of(s.tangent * (s.ends.y - s.ends.x), s.tangent * s.tangent + s.ends.x * s.ends.y);
 }
@@ -149,8 +153,8 @@ vec3 capsule_whole(Silhouette s) {
     return 0.5 * (s.axis * plane.x + s.away * plane.y);
 }
 
-// The part of a contour along a circle around `c` that is above the horizon: r(φ) = c + u cos φ + w sin φ, φ within
-// ±half_arc, u and w of the same length. The integral of n · (r × dr).
+// Integral of n · (r × dr) over the part above the horizon of an arc around `c`: r(φ) = c + u cos φ + w sin
+// φ, with φ within ±half_arc, and u and w of the same length.
 float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     const float cos2 = dot(c, c), sin2 = dot(u, u);
     const float height = dot(n, c), x = dot(n, u), y = dot(n, w), swing = max(length(vec2(x, y)), 1e-20);
@@ -165,7 +169,7 @@ float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     return sum;
 }
 
-// The stretch of the horizon that is covered: from the least to the greatest azimuth of what crosses it.
+// The covered part of the horizon: from the smallest to the largest azimuth of the crossings.
 struct Horizon {
     vec3 first;
     vec2 azimuths;
@@ -213,16 +217,16 @@ float side_above(Silhouette s, vec3 n, float side, inout Horizon horizon) {
     }
     vec3 down = vec3(0.0), up = vec3(0.0);
     const vec3 sum = edge_above(n, a, b, down, up);
-    const vec3 crossing = down != vec3(0.0) ? down : up;  // of a great circle's arc there is one at most
+    const vec3 crossing = down != vec3(0.0) ? down : up;  // a great-circle arc crosses the horizon at most once
     if (crossing != vec3(0.0)) note_crossing(horizon, n, crossing);
     return dot(n, sum);
 }
 
-// The irradiance of a capsule that the horizon cuts.
+// The irradiance of a capsule that the horizon intersects.
 float capsule_above(Silhouette s, vec3 n) {
     Horizon horizon = Horizon(vec3(0.0), vec2(0.0), false);
     float sum = 0.0;
-    // Seen end on it is the nearer end alone.
+    // Seen along its axis, only the nearer end is visible.
     const bool whole = s.tangent > 0.0, first = abs(s.ends.x) < abs(s.ends.y);
     [[dont_unroll]] for (float outward = -1.0; outward < 2.0; outward += 2.0) {
         if (whole) sum += side_above(s, n, -outward, horizon);
@@ -232,7 +236,7 @@ float capsule_above(Silhouette s, vec3 n) {
     return max(0.5 * (sum + horizon.azimuths.y - horizon.azimuths.x), 0.0);
 }
 
-// The point of the capsule next to the mirrored ray.
+// The point of the capsule nearest to the mirrored ray.
 vec3 capsule_target(vec3 middle, vec3 axis, vec2 half_size, vec3 ray) {
     const float along = dot(ray, axis);
     const float shift = (dot(ray, middle) * along - dot(middle, axis)) / max(1.0 - along * along, 1e-4);
@@ -261,11 +265,12 @@ AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
     return incident;
 }
 
-// The lobe of the whole light as that of its representative point, divided by what moving the lobe over the light adds to
-// it. On the sphere of half vectors a light of the sides 2a and 2b adds to GGX, which is 1 / (π α²) in its middle and
-// whose integral along a line from there is 1 / (4 α), by its area 4ab / (π α²) and by its outline (a + b) / α (Steiner's
-// formula). Half vectors turn half as far as the light, and across the plane of incidence by 1 / v·h more. So a mirror
-// shows the light's own radiance.
+// The lobe of an area light: the lobe of its representative point, divided by a factor for widening the lobe
+// by the light. On the sphere of half vectors, a light with sides 2a and 2b increases the integral of GGX,
+// which is 1 / (π α²) at its centre and has an integral of 1 / (4 α) along a line from the centre, by a term
+// for its area, 4ab / (π α²), and one for its outline, (a + b) / α (Steiner's formula). Half vectors rotate
+// half as far as the light, and perpendicular to the plane of incidence 1 / v·h further. In the limit of a
+// mirror, the result is the light's own radiance.
 vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
     const float covered = max(length(incident.whole), 1e-20);
     const float v_h = max(dot(v, normalize(v + incident.mirrored)), 0.05);
@@ -279,7 +284,7 @@ vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
     return reflect_light(coat, v, incident.mirrored) * (covered / (1.0 + added));
 }
 
-// Reflected radiance, of a light of unit radiance.
+// Reflected radiance for a light of unit radiance.
 vec3 reflect_area(Surface s, vec3 v, vec3 position, Light light) {
     AreaIncident incident;
     if (light.type == kLightRectangle) {

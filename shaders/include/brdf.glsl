@@ -7,20 +7,20 @@
 
 const float kPi = 3.14159265358979;
 
-// A surface as the lighting loop sees it.
+// A surface in the form that light loops use.
 struct Surface {
     vec3 normal;
     vec3 diffuse;     // albedo of the base; black for metals
     vec3 f0;
     float f90;
     float alpha;      // roughness²
-    bool anisotropic; // the rest counts only then
-    vec3 tangent;     // across the normal: where the highlight is stretched to
+    bool anisotropic; // if false, the following members are unused
+    vec3 tangent;     // perpendicular to the normal: the direction in which the highlight is longer
     vec3 bitangent;
     vec2 alphas;      // along tangent and bitangent
 };
 
-// The least α that is lit by points: below it a highlight is smaller than any pixel and overflows half floats.
+// The smallest α for point lights: with less, a highlight is smaller than a pixel and overflows half floats.
 const float kMinAlpha = 0.002;
 
 Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughness, vec3 dielectric_f0, float specular) {
@@ -36,7 +36,8 @@ Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughne
     return s;
 }
 
-// Rougher along `tangent`, of unit length and across the normal; `strength` from 0 to 1. KHR_materials_anisotropy.
+// Rougher along `tangent`, which has unit length and is perpendicular to the normal; `strength` from 0 to 1.
+// KHR_materials_anisotropy.
 Surface stretched(Surface s, vec3 tangent, float strength) {
     s.anisotropic = true;
     s.tangent = tangent;
@@ -45,7 +46,7 @@ Surface stretched(Surface s, vec3 tangent, float strength) {
     return s;
 }
 
-// 1 − (n·h)² is taken as |n × h|², which keeps its digits when the highlight is sharp.
+// 1 − (n·h)² is computed as |n × h|², which stays precise for narrow highlights.
 float ggx_distribution(float alpha, vec3 n, vec3 h) {
     const vec3 c = cross(n, h);
     const float a2 = alpha * alpha;
@@ -62,8 +63,8 @@ float smith_visibility(float alpha, float nl, float nv) {
     return 0.5 / max(lambda_v + lambda_l, 1e-7);
 }
 
-// The same two of an anisotropic surface: Burley 2012, "Physically-Based Shading at Disney"; Heitz 2014. Each direction
-// is given along tangent, bitangent and normal.
+// The same two functions for an anisotropic surface: Burley 2012, "Physically-Based Shading at Disney"; Heitz
+// 2014. Each direction has components along tangent, bitangent and normal.
 float stretched_ggx_distribution(vec2 alphas, vec3 h) {
     const vec3 flattened = vec3(h.xy / alphas, h.z);
     const float d = dot(flattened, flattened);
@@ -82,8 +83,8 @@ float stretched_specular(Surface s, vec3 v, vec3 l, vec3 h, float nl, float nv) 
            stretched_smith_visibility(s.alphas, vec3((to_surface * l).xy, nl), vec3((to_surface * v).xy, nv));
 }
 
-// The normal of a plain mirror that shows about the middle of what a stretched lobe reflects. McAuley 2015, "Rendering
-// the World of Far Cry 4".
+// The normal of an isotropic mirror that reflects about the middle of the anisotropic lobe. McAuley 2015,
+// "Rendering the World of Far Cry 4".
 vec3 bent_normal(Surface s, vec3 v, float roughness) {
     const float strength = sqrt(clamp((s.alphas.x - s.alpha) / max(1.0 - s.alpha, 1e-4), 0.0, 1.0));
     const float straight = 1.0 - strength * (1.0 - roughness);

@@ -1,11 +1,11 @@
-// How debug views colour what they show.
+// Colours of debug views.
 #ifndef WEFT_DEBUG_COLORS
 #define WEFT_DEBUG_COLORS
 
-// Where nothing was drawn: dark stripes, which no number is shown as.
+// Dark stripes where nothing was drawn; no number is shown like this.
 vec3 nothing_color(ivec2 pixel) { return ((pixel.x + pixel.y) >> 2 & 1) == 0 ? vec3(0.09, 0.1, 0.13) : vec3(0.17, 0.18, 0.22); }
 
-// 0 to 1 over black, indigo, magenta, orange and pale yellow: brighter is always more.
+// Maps 0 to 1 to black, indigo, magenta, orange and pale yellow; brightness always increases.
 vec3 heat_color(float x) {
     const vec3 stops[5] =
         vec3[](vec3(0.0, 0.0, 0.02), vec3(0.23, 0.1, 0.5), vec3(0.75, 0.2, 0.45), vec3(0.98, 0.6, 0.2), vec3(1.0, 1.0, 0.75));
@@ -14,10 +14,10 @@ vec3 heat_color(float x) {
     return mix(stops[i], stops[i + 1], at - float(i));
 }
 
-// A colour of its own for each number; neighbours differ much, 0 is black.
+// A distinct colour for each number; neighbouring numbers differ clearly, 0 is black.
 vec3 index_color(uint index) {
     if (index == 0u) return vec3(0.0);
-    const float hue = fract(float(index & 0xFFFFu) * 0.61803399);  // the golden ratio spreads best
+    const float hue = fract(float(index & 0xFFFFu) * 0.61803399);  // the golden ratio gives an even distribution
     const vec3 wheel = clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
     return mix(vec3(0.45), wheel, 0.7) * ((index & 1u) == 1u ? 1.0 : 0.75);
 }

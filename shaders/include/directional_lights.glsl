@@ -1,5 +1,5 @@
-// What the directional lights, the first ones of the buffer `lights`, send from a surface to the eye; of the sun only what
-// its shadows leave.
+// The light that a surface reflects to the eye from the directional lights, which come first in the buffer
+// `lights`. The sun's light is multiplied by its shadow.
 #ifndef WEFT_DIRECTIONAL_LIGHTS
 #define WEFT_DIRECTIONAL_LIGHTS
 #include "light_reflection.glsl"

@@ -1,4 +1,4 @@
-// Set 0: the frame and the view. Included by every shader that needs either.
+// Set 0: the frame and the view. Every shader that uses one of them includes this file.
 #ifndef WEFT_FRAME_SET
 #define WEFT_FRAME_SET
 #include "shared/frame.glsl"
@@ -18,6 +18,6 @@ vec3 world_position(vec2 uv, float depth) {
     return world.xyz / world.w;
 }
 
-// Direction of the camera ray through `uv`: towards the point on the near plane.
+// Direction of the camera ray through `uv`, towards the point on the near plane.
 vec3 ray_direction(vec2 uv) { return normalize(world_position(uv, 1.0) - view.eye); }
 #endif

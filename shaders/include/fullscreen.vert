@@ -1,9 +1,9 @@
 #version 460
 
-// One triangle that covers the target, made from the vertex index alone. uv is (0,0) at the top left corner of
-// row 0 and (1,1) at the bottom right, because the viewport is Vulkan's own: y points down.
-// The order of the corners is counter-clockwise, so the triangle survives back-face culling.
-// Depth is 0: the far plane under reversed Z.
+// One triangle that covers the target, computed from the vertex index alone. uv is (0,0) at the top left
+// corner of row 0 and (1,1) at the bottom right, because in Vulkan's viewport y points down. The corners are
+// in counter-clockwise order, so back-face culling keeps the triangle. Depth is 0: the far plane with
+// reversed Z.
 layout(location = 0) out vec2 uv;
 
 void main() {

@@ -1,5 +1,5 @@
-// The surface that the G-buffer keeps at a pixel. Its ports are albedo, normal, orm and specular; gbuffer/gbuffer.frag says
-// what they hold.
+// Reads a surface from the G-buffer at a pixel. Ports: albedo, normal, orm and specular; gbuffer/gbuffer.frag
+// describes their contents.
 #ifndef WEFT_GBUFFER_SURFACE
 #define WEFT_GBUFFER_SURFACE
 #include "brdf.glsl"
@@ -10,7 +10,7 @@ uniform sampler2D normal;
 uniform sampler2D orm;
 uniform sampler2D specular;
 
-// `material` is what orm holds there.
+// `material` is the content of orm there.
 Surface gbuffer_surface(ivec2 pixel, vec3 material) {
     const vec3 base_root = texelFetch(albedo, pixel, 0).rgb;
     const vec4 coat = texelFetch(specular, pixel, 0);

@@ -1,7 +1,8 @@
-// What a surface sends to the eye of one light, whatever its kind. Units: cd/m².
+// The light that a surface reflects to the eye from one light of any kind. Units: cd/m².
 //
-// A shader that knows its lights leaves out what they don't need: AREA_LIGHTS where none is a capsule or rectangle,
-// LIGHT_FUNCTIONS where none has doors, a picture or a curve. It declares the constant before it includes this file:
+// A shader can disable features that its lights do not need: AREA_LIGHTS if there are no capsules and
+// rectangles, LIGHT_FUNCTIONS if no light has doors, a picture or a curve. It declares the constant before it
+// includes this file:
 //     layout(constant_id = 3) const bool AREA_LIGHTS = true;
 //     #define AREA_LIGHTS AREA_LIGHTS
 #ifndef WEFT_LIGHT_REFLECTION
@@ -19,8 +20,8 @@ const bool LIGHT_FUNCTIONS = true;
 #include "area_lights.glsl"
 #include "light_function.glsl"
 
-// Of a light that has neither an area nor a function. Those are the first frame.plain_count, so a loop of their own spares
-// machines that walk both sides of every branch (llvmpipe) the rest.
+// For a light without area and without function. These are the first frame.plain_count lights. A separate
+// loop for them saves time on devices that execute both sides of every branch (llvmpipe).
 vec3 plain_reflection(Surface s, vec3 v, vec3 position, Light light) {
     const Incident incident = light_at(light, position);
     return reflect_light(s, v, incident.direction) * incident.irradiance;

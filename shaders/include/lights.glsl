@@ -1,5 +1,5 @@
-// What a light sends to a point. Units: lx on a plane that faces the light.
-// Distance window and cone falloff: KHR_lights_punctual.
+// The light at a point. Units: lx on a plane that faces the light. Distance window and cone falloff:
+// KHR_lights_punctual.
 #ifndef WEFT_LIGHTS
 #define WEFT_LIGHTS
 #include "shared/light.glsl"

@@ -1,7 +1,7 @@
-// What a surface sends to the eye of the lights and of the sky, but for its own emission. Units: cd/m². Deferred and
-// forward shading share it. Its ports are the buffer `lights` and, where lights are culled, the lists `tileLights`: then
-// only those of the pixel's tile are asked, in the same order. A light that is not listed would add exactly nothing, so
-// the sum is the same to the last bit.
+// The light that a surface reflects to the eye from the lights and the sky, without its own emission. Units:
+// cd/m². Deferred and forward shading share this file. Ports: the buffer `lights` and, if lights are culled,
+// the lists `tileLights`: then only the lights of the pixel's tile are evaluated, in the same order. An
+// unlisted light would contribute exactly 0, so the sum is equal in every bit.
 #ifndef WEFT_SURFACE_LIGHT
 #define WEFT_SURFACE_LIGHT
 #include "brdf.glsl"
@@ -14,7 +14,7 @@
 
 layout(constant_id = 15) const bool HAS_tileLights = false;
 
-// Directional lights are in no list; the others are those of the tile that `pixel` lies in.
+// Directional lights are not listed; the other lights come from the list of the tile of `pixel`.
 vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint all = min(frame.light_count, uint(lights.items.length()));
     const uint directional = min(frame.directional_count, all);
@@ -22,7 +22,7 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint listed = HAS_tileLights ? tileLights.items[list] : all - directional;
     vec3 radiance = directional_reflection(s, v, position);
     uint i = 0u, index = 0u;
-    for (; i < listed; ++i) {  // the plain ones come first
+    for (; i < listed; ++i) {  // plain lights come first
         index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
         if (index >= frame.plain_count) break;
         radiance += plain_reflection(s, v, position, lights.items[index]);
@@ -34,7 +34,8 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     return radiance;
 }
 
-// Of the sky. An anisotropic surface mirrors it as one does whose highlight has the same height.
+// Reflection of the sky. An anisotropic surface reflects it like an isotropic one whose highlight has the
+// same peak.
 vec3 sky_reflection(Surface s, vec3 v, float roughness) {
     if (!s.anisotropic) return ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, roughness);
     const float mean_roughness = sqrt(sqrt(s.alphas.x * s.alphas.y));

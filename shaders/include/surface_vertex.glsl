@@ -1,5 +1,6 @@
-// A vertex of a drawn surface, in the canonical vertex format: a position stream and an attribute stream, and what only
-// some meshes have in buffers beside them. What every fragment stage wants to know is handed on at locations 0 to 4.
+// A vertex of a drawn surface in the standard vertex format: a position stream, an attribute stream, and
+// buffers for streams that only some meshes have. The values for fragment stages are output at locations 0 to
+// 4.
 #ifndef WEFT_SURFACE_VERTEX
 #define WEFT_SURFACE_VERTEX
 #include "shared/instance.glsl"
@@ -13,14 +14,14 @@ layout(set = 3, binding = 0, std430) readonly buffer Instances { Instance instan
 layout(set = 3, binding = 1, std430) readonly buffer VertexColors { uvec2 vertex_colors[]; };  // rgba16, unorm
 layout(set = 3, binding = 2, std430) readonly buffer SecondUvs { vec2 second_uvs[]; };
 
-// Passes that draw the same surface find the same depth and may test for `equal`.
+// Makes the depth identical in all passes that draw the same surface, so that they can test for `equal`.
 invariant gl_Position;
 
 layout(location = 0) out vec3 world_normal;
 layout(location = 1) out vec4 world_tangent;
 layout(location = 2) out vec2 surface_uv;
 layout(location = 3) out vec2 surface_second_uv;
-// 1 − the vertex colour: without one these are zeros, which stay exact when they are interpolated.
+// 1 − the vertex colour. Without vertex colours this is 0, which interpolation keeps exact.
 layout(location = 4) out vec4 color_lack;
 
 Instance place_surface() {

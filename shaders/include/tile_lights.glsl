@@ -1,6 +1,6 @@
-// Which lights reach which tile: the lists that light culling writes. Tiles are 16 × 16 pixels, in rows from the top left;
-// the last ones of a row or column may hang over. A list is its length and then indices into the list of all lights,
-// ascending, without the directional ones. The buffer port is `tileLights`.
+// Light lists per tile, as written by light culling. Tiles are 16 × 16 pixels, in rows from the top left; the
+// last ones of a row or column may extend beyond the picture. A list is its length followed by ascending
+// indices into the list of all lights, without directional lights. The buffer port is `tileLights`.
 #ifndef WEFT_TILE_LIGHTS
 #define WEFT_TILE_LIGHTS
 #include "frame_set.glsl"
@@ -11,7 +11,7 @@ const int kTileSizeLog2 = 4;
 
 ivec2 tile_count() { return (ivec2(view.viewport_px) + (1 << kTileSizeLog2) - 1) >> kTileSizeLog2; }
 
-// Where the list of the tile that a pixel lies in begins.
+// Start of the list of the tile that contains a pixel.
 uint tile_list(ivec2 pixel) {
     const ivec2 tiles = tile_count();
     const ivec2 tile = pixel >> kTileSizeLog2;

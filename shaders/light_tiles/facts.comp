@@ -1,7 +1,9 @@
-// What debug views tell of tiles. A workgroup for each; not for speed.
+// Data about tiles for debug views. One workgroup per tile; not optimised for speed.
 // in   depth, hiz (tiles), lights, tileLights
-// out  tileFacts  r: lights listed, g: of these, how many reach no pixel, b: depth slices that have a pixel, and a half more in
-//                 every other slice; a: how much the surface faces the eye, 0 for the sky
+// out  tileFacts  r: number of listed lights, g: number of these that reach no pixel, b: number of depth
+// slices that contain
+//                 a pixel, plus a half in every other slice; a: how much the surface faces the eye, 0 for the
+//                 sky
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"
@@ -33,7 +35,8 @@ bool reaches(Light light, vec3 place) {
     return light.range_m <= 0.0 || distance(place, nearest_of(light, place)) < light.range_m;
 }
 
-// Of the lights from `first` on, so many as have a bit in a word: how many reach no pixel of the tile.
+// Tests 32 lights from index `first` on, one per bit of a word; returns the number that reaches no pixel of
+// the tile.
 uint in_vain(uint list, uint first, uint end, vec3 place, bool surface) {
     if (gl_LocalInvocationIndex == 0u) reached = 0u;
     barrier();
@@ -52,7 +55,7 @@ vec3 place_of(ivec2 pixel) {
     return world_position((vec2(pixel) + 0.5) * view.inverse_viewport, max(z, 1e-6));
 }
 
-// Drawn under numbers, so that one sees where one is.
+// Drawn below the numbers, to make the scene recognisable.
 float facing_eye(ivec2 pixel, ivec2 last, vec3 place) {
     const ivec2 beside = pixel + ivec2(pixel.x < last.x ? 1 : -1, 0), below = pixel + ivec2(0, pixel.y < last.y ? 1 : -1);
     const vec3 normal = cross(place_of(beside) - place, place_of(below) - place);

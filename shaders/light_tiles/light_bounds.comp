@@ -1,6 +1,6 @@
-// What each light reaches, in view space: once a frame, so that tiles need not do it again and again.
+// Computes the reach of each light in view space once per frame, so that tiles need not repeat this.
 // in   lights
-// out  lightBounds  see light_bounds.glsl; of directional lights nothing is written
+// out  lightBounds  see light_bounds.glsl; not written for directional lights
 #version 460
 #include "frame_set.glsl"
 #include "pixel_box.glsl"
@@ -13,7 +13,8 @@ layout(local_size_x = 64) in;
 readonly buffer Lights { Light items[]; } lights;
 layout(rgba32f) writeonly uniform image2D lightBounds;
 
-// Twice the rounding of the light's place, world to view: four products, each half a unit in the last place.
+// Twice the rounding error of the light's transformation from world to view: four products, each half a unit
+// in the last place.
 const float kTransformError = 1e-6;
 
 float sum_of_sizes(vec3 v) { return abs(v.x) + abs(v.y) + abs(v.z); }
@@ -40,8 +41,8 @@ Reach reach_of(Light light) {
     return r;
 }
 
-// Around all that the light reaches. A cone of up to 45° fits a sphere through its tip and its rim, a wider one the sphere
-// whose equator is the rim.
+// A sphere around the region that the light reaches. For a cone of up to 45° it passes through tip and rim;
+// for a wider cone its equator is the rim.
 vec4 sphere_around(Reach r) {
     const float core_m = length(r.first) + length(r.second) + r.slack_m;
     if (r.cos_spread <= 0.0 || r.range_m >= kEndless) return vec4(r.center, core_m + r.range_m);

@@ -1,17 +1,17 @@
-// Boxes and planes in view space around what a rectangle of pixels shows. Needs frame_set.glsl. Units: metres.
-// Everything is made for the centres of pixels, because that is where surfaces are shaded.
+// Boxes and planes in view space around the surfaces in a rectangle of pixels. Requires frame_set.glsl.
+// Units: metres. All of them refer to the centres of pixels, where surfaces are shaded.
 
-// What single precision may lose of a place, as a share of its distance: of a box made here, and of the same pixel's place
-// made by world_position().
+// Largest rounding error of a position in single precision, relative to its distance: for a box made here,
+// and for the same pixel's position from world_position().
 const float kPlaceError = 4e-6;
-// Instead of infinitely far; its square is still a number.
+// Used in place of infinity; its square is still finite.
 const float kEndless = 1e17;
 
 struct Box {
     vec3 low, high;
 };
 
-// x and y over distance along the view: the lower and upper ends of what some pixels show.
+// Lower and upper limits of x and y divided by the distance along the view, for some pixels.
 struct Slopes {
     vec2 low, high;
 };
@@ -29,13 +29,14 @@ Slopes slopes_of(ivec2 first, ivec2 last) {
 
 float distance_of(float z) { return min(view.near_m / z, kEndless); }
 
-// The pixels' part between two distances.
+// The part of the pixels' frustum between two distances.
 Box box_of(Slopes s, float near_m, float far_m) {
     const float from_m = near_m * (1.0 - kPlaceError), to_m = far_m * (1.0 + kPlaceError);
     return Box(vec3(min(s.low * from_m, s.low * to_m), -to_m), vec3(max(s.high * from_m, s.high * to_m), -from_m));
 }
 
-// Through the eye, inwards: x and z of the left and right ones, y and z of the lower and upper ones.
+// Normals of planes through the eye, pointing inwards: x and z of the left and right plane, y and z of the
+// lower and upper one.
 struct SidePlanes {
     vec2 left, right, lower, upper;
 };

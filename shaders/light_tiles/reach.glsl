@@ -1,26 +1,27 @@
-// What a light reaches, as a convex body in view space, and whether a box or a half-space lies apart from it. Needs
-// pixel_box.glsl. Units: metres.
+// The region that a light reaches, as a convex body in view space, and tests whether it is separate from a
+// box or half-space. Requires pixel_box.glsl. Units: metres.
 //
-// One body for all types: a core, which is a point, a segment or a rectangle, and around each of its points the part of a
-// ball that lies within a cone: all of it (point, capsule), the half that a rectangle shines to, or a spot's cone. Of such a
-// body the furthest extent in any direction has a closed form, and a direction in which a box begins beyond that extent
-// proves that the two are apart (separating axis theorem; Gottschalk, Lin and Manocha, OBBTree, 1996). The directions tried
-// are the one from the core to the box, exact for balls, and the cone's own normal towards the box.
+// One form covers all light types: a core (a point, a segment or a rectangle), and around each of its points
+// the part of a ball inside a cone: the whole ball (point, capsule), the half in front of a rectangle, or a
+// spot's cone. The extent of such a body in any direction has a closed form. If a box begins beyond that
+// extent in some direction, the two are separate (separating axis theorem; Gottschalk, Lin and Manocha,
+// OBBTree, 1996). Two directions are tested: from the core to the box, which is exact for balls, and the
+// cone's normal towards the box.
 
 struct Reach {
     vec3 center;
     float range_m;
-    vec3 first;        // half of the core's sides
-    float cos_spread;  // the cone's half angle; −1: a whole ball
+    vec3 first;        // half side of the core
+    float cos_spread;  // cosine of the cone's half angle; −1: a whole ball
     vec3 second;
     float sin_spread;
     vec3 direction;    // the cone's axis
-    float slack_m;     // what single precision may have lost; range_m has it in
+    float slack_m;     // allowance for rounding in single precision; included in range_m
 };
 
 float core_extent(Reach r, vec3 n) { return abs(dot(n, r.first)) + abs(dot(n, r.second)); }
 
-// How far the body goes from its centre in the direction of n, times the length of n.
+// Extent of the body from its centre in the direction of n, times the length of n.
 float extent(Reach r, vec3 n, float length_n) {
     const float along = dot(n, r.direction);
     const float across = sqrt(max(length_n * length_n - along * along, 0.0));
@@ -35,9 +36,9 @@ vec3 nearest_on_core(Reach r, vec3 place) {
     return r.center + r.first * u + r.second * v;
 }
 
-// Whether the box begins beyond the light's end, seen from the core towards the box.
+// True if the box begins beyond the light's extent, in the direction from the core to the box.
 bool beyond_range(Reach r, Box box) {
-    // Close to each other; that others may be closer is of no matter for what is proved with them.
+    // A pair of near points. They need not be the nearest ones, because any direction gives a valid proof.
     const vec3 core = nearest_on_core(r, clamp(r.center, box.low, box.high));
     const vec3 place = clamp(core, box.low, box.high);
     const vec3 gap = place - core;
@@ -45,9 +46,10 @@ bool beyond_range(Reach r, Box box) {
     return gap_m > r.slack_m && dot(gap, place - r.center) > extent(r, gap, gap_m);
 }
 
-// Whether the box lies beside the cone, whose surface ends in every direction that is square to it at the core.
+// True if the box lies beside the cone, outside the cone's surface in the direction perpendicular to its
+// axis.
 bool beside_cone(Reach r, Box box) {
-    if (r.cos_spread < 0.0) return false;  // not convex then
+    if (r.cos_spread < 0.0) return false;  // a ball has no cone; the formula below needs one
     const vec3 low = box.low - r.center, high = box.high - r.center;
     const vec3 aside = cross(cross(r.direction, low + high), r.direction);
     const vec3 across = aside * inversesqrt(max(dot(aside, aside), 1e-30));

@@ -1,4 +1,5 @@
-// Shows how many of each tile's lights reach none of its pixels, over the picture's edges. Of tileFacts, see facts.comp.
+// Shows how many of each tile's lights reach none of its pixels, over the picture's edges. Reads tileFacts,
+// see facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

@@ -1,5 +1,5 @@
-// Shows the depth slices of tiles as stripes, and by colour how many of the 32 have a pixel: dark where few do. Of tileFacts,
-// see facts.comp.
+// Shows the depth slices of tiles as stripes. The colour is the number of the 32 slices that contain a pixel;
+// it is dark for small numbers. Reads tileFacts, see facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

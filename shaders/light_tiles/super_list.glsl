@@ -1,6 +1,7 @@
-// What the list of a super-tile, a square of 8 × 8 tiles, holds for each light. x: its index, in 16 bits, then a bit for each
-// column and each row of tiles that it reaches into, by their sides. y: from where to where along the view it reaches, as the
-// upper halves of two floats, rounded outwards. Units: metres.
+// The entry for each light in the list of a super-tile, a square of 8 × 8 tiles. x: the light's index in 16
+// bits, then one bit for each column and each row of tiles that it may reach, tested against their side
+// planes. y: its range of distances along the view, as the upper halves of two floats, rounded outwards.
+// Units: metres.
 
 const int kTilesPerSide = 8;
 const int kTilePx = 16;

@@ -1,10 +1,11 @@
-// The lights that may reach a super-tile, a square of 128 × 128 pixels: a workgroup each looks at all lights, so that tiles
-// need to look at few. What passes by its sphere is tried once more, against the sides of all columns and rows of tiles and
-// with all that is known of its shape.
-// in   hiz          near and far of each super-tile, see hiz/hiz.comp
-//      glassHiz     optional: the same of transparent surfaces, behind which anything may be
+// The lights that may reach a super-tile, a square of 128 × 128 pixels. One workgroup per super-tile tests
+// all lights, so that tiles need to test only few. Lights whose sphere passes are tested again with their
+// exact shape, against the side planes of all columns and rows of tiles.
+// in   hiz          nearest and farthest depth of each super-tile, see hiz/hiz.comp
+//      glassHiz     optional: the same for transparent surfaces; anything may be visible behind them
 //      lightBounds  see light_bounds.comp
-// out  superLights  for each super-tile, in rows, a length and an entry for each light, ascending: see super_list.glsl. Has
+// out  superLights  for each super-tile, in rows, a length and one entry per light, ascending: see
+// super_list.glsl. Has
 //                   room for all lights
 #version 460
 #include "frame_set.glsl"
@@ -23,13 +24,13 @@ writeonly buffer SuperLights { uvec2 items[]; } superLights;
 
 #include "bounds_of_light.glsl"
 
-// Through the eye, inwards: of the columns x and z of the left plane, then of the right one; of the rows y and z of the lower
-// and the upper one.
+// Normals of planes through the eye, pointing inwards. Columns: x and z of the left plane, then of the right
+// one; rows: y and z of the lower, then of the upper one.
 shared vec4 column_sides[kTilesPerSide], row_sides[kTilesPerSide];
 
 uint list_stride() { return uint(superLights.items.length()) / (gl_NumWorkGroups.x * gl_NumWorkGroups.y); }
 
-// From where to where something is; false: nowhere.
+// The range of distances of all surfaces; false if there is none.
 bool find_range(out float near_m, out float far_m) {
     const ivec2 at = ivec2(gl_WorkGroupID.xy);
     const vec2 range = texelFetch(hiz, at, 0).rg;
@@ -51,17 +52,18 @@ void find_sides(ivec2 origin) {
     if (i >= kTilesPerSide) return;
     const ivec2 end = origin + (i + 1) * kTilePx;
     const ivec2 last = last_before(end);
-    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));  // the last one again outside the picture
+    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));  // outside the picture: the last column
     column_sides[i] = vec4(sides.left, sides.right);
     row_sides[i] = vec4(sides.lower, sides.upper);
 }
 
-// Whether any of the light is on the inner side of both planes, which leave out the axis that they contain.
+// True if part of the light's region is on the inner side of both planes. Their common axis has component 0
+// and is omitted.
 bool between(Reach r, vec3 first, vec3 second) {
     return dot(first, r.center) >= -extent(r, first, 1.0) && dot(second, r.center) >= -extent(r, second, 1.0);
 }
 
-// x is 0 where the light is in no tile.
+// x is 0 if the light reaches no tile.
 uvec2 entry_of(uint light, Reach r) {
     uint columns = 0u, rows = 0u;
     for (int i = 0; i < kTilesPerSide; ++i) {
@@ -74,7 +76,8 @@ uvec2 entry_of(uint light, Reach r) {
     return columns == 0u || rows == 0u ? uvec2(0u) : uvec2(super_index(light, columns, rows), super_range(near_m, far_m));
 }
 
-// Of the lights from `first` on, as bits: whose spheres meet the super-tile.
+// Tests the spheres of 32 lights from index `first` on; the bits of the result mark those that intersect the
+// super-tile.
 uint find_candidates(uint first, uint end, SidePlanes sides, Box box) {
     const uint own = first + kPerThread * gl_LocalInvocationIndex;
     uint found = 0u;

@@ -1,31 +1,31 @@
-// The depth slices of a tile that have a pixel, with the pixels' rows and columns. Needs pixel_box.glsl, reach.glsl,
-// sorted_list.glsl, super_list.glsl and the images `depth`, `hiz` and `glassDepth`; for workgroups of 32 threads, one a tile,
-// which have 4 × 2 pixels each.
+// The depth slices of a tile that contain a pixel, with the rows and columns of these pixels. Requires
+// pixel_box.glsl, reach.glsl, sorted_list.glsl, super_list.glsl and the images `depth`, `hiz` and
+// `glassDepth`. For workgroups of 32 threads, one workgroup per tile; each thread processes 4 × 2 pixels.
 
 const int kSlices = 32;
 
-shared uint slice_pixels[kSlices];  // columns in the lower half, rows in the upper; 0: no pixel
-shared uint slice_edges[kSlices];   // of these pixels the first column, the first row, the last ones; a byte each
-shared uint occupied;               // a bit for each slice that has a pixel
-shared uint nearest_z, farthest_z;  // bits of floats, which sort as the floats do
+shared uint slice_pixels[kSlices];  // bit masks: columns in the lower half, rows in the upper half; 0: no pixel
+shared uint slice_edges[kSlices];   // first column, first row, last column, last row of these pixels; one byte each
+shared uint occupied;               // one bit for each slice that contains a pixel
+shared uint nearest_z, farthest_z;  // bit patterns of floats, which sort in the same order as non-negative floats
 
-float first_m, slice_m, last_m;     // where the first slice begins, how thick each is, where the last one ends
+float first_m, slice_m, last_m;     // start of the first slice, thickness of a slice, end of the last slice
 
 struct TileBounds {
-    vec3 axis;     // one metre along the view, in the middle of the tile
-    float spread;  // how far the tile's pixels are from there
+    vec3 axis;     // direction through the tile's middle, one metre long along the view
+    float spread;  // largest distance of the tile's pixels from that axis, at one metre
     uint occupied;
 };
 
-// The pixels of a square in the order of textureGather.
+// The order in which textureGather returns the pixels of a square.
 const ivec2 kGathered[4] = ivec2[](ivec2(0, 1), ivec2(1, 1), ivec2(1, 0), ivec2(0, 0));
 
 ivec2 tile_origin() { return ivec2(gl_WorkGroupID.xy) * kTilePx; }
 
-// Two squares of 2 × 2 pixels, side by side.
+// Each thread processes two squares of 2 × 2 pixels, side by side.
 ivec2 squares_in_tile() { return ivec2(gl_LocalInvocationIndex & 3u, gl_LocalInvocationIndex >> 2) * ivec2(4, 2); }
 
-// 0 outside the picture.
+// Returns 0 outside the picture.
 vec4 gather_depth(sampler2D image, ivec2 square) {
     const vec4 z = textureGather(image, vec2(square + 1) * view.inverse_viewport);
     const bvec2 inside = lessThan(square + 1, ivec2(view.viewport_px));
@@ -37,7 +37,7 @@ int slice_of(float distance_m) { return int(clamp((distance_m - first_m) / slice
 
 uint pixel_bits(ivec2 in_tile) { return (1u << in_tile.x) | (1u << (16 + in_tile.y)); }
 
-// For each square, of pixels without a surface -1.
+// The slice of each pixel of a square; -1 for pixels without a surface.
 ivec4 slices_of(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square);
     return ivec4(z.x > 0.0 ? slice_of(distance_of(z.x)) : -1, z.y > 0.0 ? slice_of(distance_of(z.y)) : -1,
@@ -55,7 +55,7 @@ uint pixels_in(ivec4 slices, int k, ivec2 square) {
 
 ivec4 below(ivec4 slices, int k) { return mix(ivec4(-1), slices, lessThan(slices, ivec4(k))); }
 
-// Pixels in one slice are entered together. The slices, as bits.
+// Pixels in the same slice are added together. Returns the slices as bits.
 uint enter_opaque(ivec2 square) {
     const ivec2 beside = square + ivec2(2, 0);
     const ivec4 a = slices_of(square), b = slices_of(beside);
@@ -71,7 +71,7 @@ uint enter_opaque(ivec2 square) {
     }
 }
 
-// All slices from the transparent surface to the opaque one, or to the last; as bits, too.
+// Adds all slices from the transparent surface to the opaque one, or to the last slice. Returns them as bits.
 uint enter_translucent_square(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square), glass = gather_depth(glassDepth, tile_origin() + square);
     uint entered = 0u;
@@ -90,7 +90,7 @@ uint enter_translucent(ivec2 square) {
     return enter_translucent_square(square) | enter_translucent_square(square + ivec2(2, 0));
 }
 
-// From the nearest transparent surface to what is farthest, without the sky.
+// From the nearest transparent surface to the farthest surface, ignoring the sky.
 vec2 translucent_range() {
     for (int s = 0; s < 2; ++s) {
         const ivec2 square = tile_origin() + squares_in_tile() + ivec2(2 * s, 0);
@@ -105,7 +105,7 @@ vec2 translucent_range() {
     return vec2(uintBitsToFloat(nearest_z), uintBitsToFloat(farthest_z));
 }
 
-// False, for all threads: the tile shows nothing that is lit. Ends with a barrier.
+// Returns false, in all threads, if the tile shows no lit surface. Ends with a barrier.
 bool find_slices() {
     slice_pixels[gl_LocalInvocationIndex] = 0u;
     if (gl_LocalInvocationIndex == 0u) {
@@ -116,7 +116,7 @@ bool find_slices() {
     barrier();
     const vec2 range = TRANSLUCENT ? translucent_range() : texelFetch(hiz, ivec2(gl_WorkGroupID.xy), 0).rg;
     first_m = distance_of(range.x);
-    // No slice is thinner than what single precision tells apart.
+    // A slice must be thicker than the precision of single-precision distances.
     slice_m = max((distance_of(range.y) - first_m) / float(kSlices), kPlaceError * distance_of(range.y));
     last_m = TRANSLUCENT ? kEndless : first_m + slice_m * float(kSlices);
     const uint entered = TRANSLUCENT ? enter_translucent(squares_in_tile()) : enter_opaque(squares_in_tile());
@@ -125,7 +125,7 @@ bool find_slices() {
     return range.x > 0.0;
 }
 
-// After find_slices().
+// Call this after find_slices().
 TileBounds tile_bounds() {
     const ivec2 last = min(tile_origin() + kTilePx, ivec2(view.viewport_px)) - 1;
     const Slopes slopes = slopes_of(tile_origin(), last);
@@ -133,16 +133,17 @@ TileBounds tile_bounds() {
     return TileBounds(vec3(slopes.low + half_size, -1.0), length(half_size), occupied);
 }
 
-// The slices between two distances, as bits. What is beyond an edge by little is still at it: places are rounded.
+// The slices between two distances, as bits. Positions slightly beyond an edge still count, because of
+// rounding.
 uint slices_between(float near_m, float far_m) {
     const float a = (near_m - first_m) / slice_m - 0.01, b = (far_m - first_m) / slice_m + 0.01;
     if (b < max(a, 0.0) || (!TRANSLUCENT && a > float(kSlices))) return 0u;
     return (~0u << int(clamp(a, 0.0, kSlices - 1.0))) & (~0u >> (kSlices - 1 - int(clamp(b, 0.0, kSlices - 1.0))));
 }
 
-// The occupied slices that a light may reach which is within this sphere and between two distances: where the tile's axis is
-// within the sphere, grown by what the tile spreads at most. Tighter than from where to where the sphere goes, because a
-// tile that it meets at its rim has a short chord of it.
+// The occupied slices that a light inside this sphere and between two distances may reach: those where the
+// tile's axis lies inside the sphere, enlarged by the tile's radius. This is a tighter test than the sphere's
+// whole depth range, because a tile near the sphere's rim intersects only a short part of it.
 uint slices_at(vec4 sphere, float near_m, float far_m, TileBounds b) {
     const float at_m = dot(b.axis, sphere.xyz) / dot(b.axis, b.axis);
     const vec3 aside = sphere.xyz - at_m * b.axis, sizes = abs(sphere.xyz);
@@ -153,7 +154,7 @@ uint slices_at(vec4 sphere, float near_m, float far_m, TileBounds b) {
     return rest < 0.0 ? 0u : slices_between(max(near_m, at_m - half_m), min(far_m, at_m + half_m)) & b.occupied;
 }
 
-// After find_slices(); a barrier must follow.
+// Call this after find_slices(); the caller must add a barrier afterwards.
 void find_edges() {
     const uint pixels = slice_pixels[gl_LocalInvocationIndex], columns = pixels & 0xFFFFu, rows = pixels >> 16;
     slice_edges[gl_LocalInvocationIndex] =
@@ -168,7 +169,7 @@ Box slice_box(int k) {
     return box_of(slopes, near_m, k == kSlices - 1 ? last_m : near_m + slice_m);
 }
 
-// Whether a light, which is within this sphere, reaches one of these slices.
+// True if a light inside this sphere reaches one of these slices.
 bool reaches_slice(vec4 sphere, Reach r, uint slices) {
     for (;;) {
         const int k = max(findLSB(slices), 0);

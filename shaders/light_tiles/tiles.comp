@@ -1,16 +1,17 @@
-// The lights that may reach a tile of 16 × 16 pixels, a workgroup each: those of its super-tile that reach a box around one
-// of the tile's slices. The span from its nearest to its farthest pixel is cut into 32 slices of equal depth; a slice's box
-// is as wide as the pixels in it. After Harada's 2.5D culling (SIGGRAPH Asia 2012), which has one bit where there is a box
-// here. Columns, rows and a sphere around each light are tried first (super_list.glsl); what is left is tried again, by as
-// few threads as it takes.
-// in   depth         reversed; the sky is 0 and reached by nothing
-//      hiz           near and far of each tile, see hiz/hiz.comp
+// The lights that may reach a tile of 16 × 16 pixels, one workgroup per tile: the lights of its super-tile
+// that reach a box around one of the tile's slices. The range between its nearest and farthest pixel is
+// divided into 32 slices of equal depth; a slice's box is as wide as the pixels in it. Based on Harada's 2.5D
+// culling (SIGGRAPH Asia 2012), which has one bit for each of the boxes used here. Columns, rows and a sphere
+// around each light are tested first (super_list.glsl); the remaining lights are tested exactly, by as few
+// threads as possible.
+// in   depth         reversed; the sky is 0 and reached by no light
+//      hiz           nearest and farthest depth of each tile, see hiz/hiz.comp
 //      lightBounds, superLights  see light_bounds.comp, super_tiles.comp
-//      glassDepth    with TRANSLUCENT: the nearest transparent surface; pixels then reach from it to the opaque surface, or
-//                    without end where there is none
+//      glassDepth    with TRANSLUCENT: the nearest transparent surface; a pixel then covers the range from it to
+//                    the opaque surface, or to infinity if there is none
 // out  tileLights    for each tile, in rows, a length and the lights' indices, ascending
-//      tileOverflow  grows by what lists have no room for: lights, lists; and the longest list that was wanted
-//      tileMask      optional: the same sets, without a limit, as a bit for each light
+//      tileOverflow  counts what did not fit into lists: lights, lists; and the length of the longest list
+//      tileMask      optional: the same sets without a limit, as one bit per light
 #version 460
 #include "frame_set.glsl"
 #include "light_bounds.glsl"
@@ -34,7 +35,7 @@ coherent buffer TileMask { uint items[]; } tileMask;
 #include "bounds_of_light.glsl"
 #include "tile_slices.glsl"
 
-uint list, room;  // where the tile's list begins, and for how many lights it has room
+uint list, room;  // start of the tile's list, and number of lights for which it has room
 
 uint tile_index() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 uint tile_total() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }
@@ -49,7 +50,8 @@ uint slices_of_entry(uvec2 entry, TileBounds bounds) {
     return slices_at(sphere_of(light_of(entry)), near_of(entry), far_of(entry), bounds);
 }
 
-// Of the super-tile's list from `first` on, kRound at most: as bits, which of this thread's may reach the tile.
+// Tests up to kRound entries of the super-tile's list from `first` on; the bits of the result mark this
+// thread's candidates.
 uint find_candidates(uint first, uint end, TileBounds bounds) {
     const uvec2 tile = gl_WorkGroupID.xy % uint(kTilesPerSide);
     const uint own = first + kPerThread * gl_LocalInvocationIndex;
@@ -67,9 +69,9 @@ void put(uint light, uint place) {
 }
 
 uint fill_list() {
-    find_edges();  // the first round has the barrier
+    find_edges();  // the barrier follows in the first round
     const TileBounds bounds = tile_bounds();
-    const uint super = super_list(), end = super + 1u + superLights.items[super].x;  // never 0
+    const uint super = super_list(), end = super + 1u + superLights.items[super].x;  // `end` is never 0
     uint listed = 0u;
     for (uint first = super + 1u;;) {
         const uint slot = enter_some(find_candidates(first, end, bounds)), count = entered_count(slot);

@@ -1,4 +1,4 @@
-// Depth where it can be read while stencil tests write the image that it came from.
+// Copies depth, so that shaders can read it while stencil tests write the original image.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;

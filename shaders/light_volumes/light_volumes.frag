@@ -1,5 +1,5 @@
-// What one light sends to the surface at a pixel, to be added to the others. The back faces of its proxy only mark.
-// Output: scene-linear Rec.709, cd/m² × preExposure.
+// The light of one light source for the surface at a pixel; blending adds it to the others. For the back
+// faces of its volume only the stencil is written. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
 #include "brdf.glsl"
 #include "frame_set.glsl"

@@ -1,6 +1,6 @@
-// The tiles of each class as a list with the size of its dispatch in front. One workgroup: each of its invocations takes
-// a run of tiles, counts them, learns from the sums of those before it where to write, and writes. No atomics, so that the
-// lists are in order and the same from run to run.
+// Writes the tiles of each class as a list, preceded by the size of its dispatch. One workgroup: each
+// invocation counts the tiles of a consecutive range, gets its start position from the prefix sum of the
+// counts, and writes. Without atomics, so that the lists are ordered and the same in every run.
 #version 460
 layout(local_size_x = 256) in;
 
@@ -37,7 +37,7 @@ void write_sizes(uvec4 tiles) {
     }
 }
 
-// Inclusive sums over the workgroup: Hillis and Steele 1986, "Data Parallel Algorithms".
+// Inclusive prefix sums over the workgroup: Hillis and Steele 1986, "Data Parallel Algorithms".
 void sum_counts(uint me) {
     for (uint reach = 1u; reach < gl_WorkGroupSize.x; reach *= 2u) {
         barrier();

@@ -1,4 +1,4 @@
-// Deferred lighting of every pixel alike.
+// Deferred lighting with the same code for every pixel.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,5 +1,6 @@
-// The light that reaches every pixel: what directional lights and the sky send is added to the emission and to what light
-// volumes have added to it; pixels without a surface show the sky. Output: scene-linear Rec.709, cd/m² × preExposure.
+// Light that reaches every pixel: adds directional lights and the sky to the emission and to the result of
+// the light volumes; pixels without a surface show the sky. Output: scene-linear Rec.709, cd/m² ×
+// preExposure.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 

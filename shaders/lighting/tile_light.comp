@@ -1,4 +1,5 @@
-// Deferred lighting of the tiles in a list, a workgroup each, with what their class needs and no more.
+// Deferred lighting of the tiles in a list, one workgroup per tile, with only the features that their class
+// needs.
 #version 460
 layout(local_size_x = 16, local_size_y = 16) in;
 

@@ -1,4 +1,4 @@
-// The dish as an enamel relief: v is height, lit from the upper left, glossy where it is high.
+// Shows the dish as an enamel relief: v is the height, lit from the upper left; high parts are glossy.
 #version 460
 #include "srgb.glsl"
 
@@ -7,7 +7,7 @@ layout(location = 0) out vec4 backbuffer;
 
 uniform sampler2D cells;
 
-// B-spline weights as four bilinear taps: no cell shows its corners, however far it is magnified.
+// B-spline interpolation with four bilinear taps, so that cells have no visible corners at any magnification.
 // Sigg and Hadwiger 2005, "Fast Third-Order Texture Filtering".
 vec2 smooth_cells(vec2 place) {
     const vec2 size = vec2(textureSize(cells, 0));

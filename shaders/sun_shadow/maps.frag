@@ -1,5 +1,5 @@
-// Debug view of `sunShadow`: its maps beside one another, what is nearest to the sun brightest. Where nothing casts a
-// shadow it is blue.
+// Debug view of `sunShadow`: its maps side by side, brighter where nearer to the sun. Blue where no surface
+// casts a shadow.
 #version 460
 
 layout(location = 0) in vec2 uv;

@@ -1,4 +1,4 @@
-// Depth alone; holes in masked surfaces let the sun through.
+// Writes only depth; masked surfaces have holes that let sunlight through.
 #version 460
 #include "material_set.glsl"
 #include "surface_fragment.glsl"

@@ -1,4 +1,4 @@
-// What casts a shadow, as the sun sees it. Only masked surfaces have more than a place.
+// Shadow casters as seen from the sun. Only masked surfaces need attributes other than a position.
 #version 460
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"

@@ -1,6 +1,6 @@
-// A picture between its texels, without the blur that linear filtering adds every time history is read. Four texels a
-// side by Catmull and Rom's weights, the inner two in one tap and the corners left out: five bilinear taps.
-// Jimenez 2016, "Filmic SMAA".
+// Samples a picture between texels without the blur that repeated linear filtering of history would add.
+// Catmull-Rom weights for four texels per axis, with the inner two in one tap and without corners: five
+// bilinear taps. Jimenez 2016, "Filmic SMAA".
 
 vec4 catmull_rom(sampler2D src, vec2 uv) {
     const vec2 size = vec2(textureSize(src, 0));

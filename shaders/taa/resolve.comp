@@ -1,8 +1,9 @@
-// Blends this frame, which was seen through jittered points of its pixels, into what earlier frames saw of the same
-// surfaces. Output: scene-linear × preExposure; alpha counts the frames that are in it.
+// Blends this frame, which samples jittered positions of its pixels, with the history of the same surfaces.
+// Output: scene-linear × preExposure; alpha is the number of blended frames.
 //
-// Karis 2014, "High-Quality Temporal Supersampling": nearest-depth velocities, blending of compressed colours, YCoCg.
-// Salvi 2016, "An Excursion in Temporal Supersampling": the box of mean and deviation that history is clipped to.
+// Karis 2014, "High-Quality Temporal Supersampling": nearest-depth velocities, blending of compressed
+// colours, YCoCg. Salvi 2016, "An Excursion in Temporal Supersampling": the box of mean and deviation that
+// history is clipped to.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -19,18 +20,18 @@ layout(rgba16f) writeonly uniform image2D resolved;
 
 layout(push_constant) uniform Params {
     float beforeValid;
-    float newest;  // the least weight of this frame
-    float trust;   // deviations
+    float newest;  // smallest weight of this frame
+    float trust;   // size of the clipping box, in standard deviations
 } params;
 
-// What stands still is trusted this much more: a wire that only some frames hit is no ghost.
+// Factor for the clipping box of still pixels: a wire that only some frames hit is not a ghost.
 const float kTrustInStillness = 4.0;
-const float kStillPx = 0.01;  // less is a rounding error
+const float kStillPx = 0.01;  // smaller movements are rounding errors
 
 struct Neighbours {
     vec3 mean;
     vec3 deviation;
-    ivec2 nearest;  // the pixel whose surface is nearest
+    ivec2 nearest;  // the neighbour whose surface is nearest
     float depth;    // its depth
 };
 
@@ -52,14 +53,15 @@ Neighbours neighbours_of(ivec2 pixel) {
     return n;
 }
 
-// How far what is here has moved since the last frame, in uv. The sky has no surface that knows.
+// Movement of the pixel's content since the previous frame, in uv. For the sky it follows from the camera
+// alone.
 vec2 moved(Neighbours n, vec2 uv) {
     if (n.depth > 0.0) return texelFetch(velocity, n.nearest, 0).xy;
     const vec4 clip = view.prev_view_projection * vec4(ray_direction(uv), 0.0);
     return uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
 }
 
-// The point of the box that lies towards its middle.
+// The point where the line from `color` to the middle of the box enters the box.
 vec3 clipped(vec3 color, vec3 middle, vec3 reach) {
     const vec3 away = color - middle;
     const vec3 beyond = abs(away) / max(reach, vec3(1e-5));

@@ -1,5 +1,5 @@
-// Scene-linear to display: exposure, a filmic curve, the sRGB transfer function.
-// Output: sRGB-encoded [0, 1] for a UNORM target.
+// Converts scene-linear to display values: exposure, a filmic curve, the sRGB transfer function. Output:
+// sRGB-encoded [0, 1] for a UNORM target.
 #version 460
 #include "srgb.glsl"
 
@@ -9,7 +9,7 @@ layout(location = 0) out vec4 backbuffer;
 uniform sampler2D hdr;  // × preExposure
 
 layout(push_constant) uniform Params {
-    float exposure;  // EV on top of the camera's
+    float exposure;  // in EV, added to the camera's exposure
 } params;
 
 void main() {

@@ -1,4 +1,4 @@
-// Words into texels.
+// Copies words to texels.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,4 @@
-// A pattern of its own.
+// Writes a pattern without reading any input.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,4 @@
-// Texels into words.
+// Copies texels to words.
 #version 460
 #include "mixing.glsl"
 

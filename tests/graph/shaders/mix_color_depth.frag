@@ -1,4 +1,4 @@
-// Depth as an input while it is tested against; its bits are exact.
+// Depth as an input and for the depth test of the same pass; its bits are exact.
 #version 460
 #include "mixing.glsl"
 

@@ -1,14 +1,15 @@
-// Exact integer mixing, and the seed that tells one pass from another.
+// Exact integer mixing; the seed distinguishes passes.
 layout(push_constant) uniform Params { uint seed; } params;
 
-// Any good mixing of bits will do (M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 2020).
+// An integer hash (M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 2020).
 uint scramble(uint v) {
     const uint state = v * 747796405u + 2891336453u;
     const uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
-// The texel of the first mip, and where there are more, of the last: all that a view shows takes part.
+// Combines the texel of the first mip with that of the last mip if there are several, so that all visible
+// mips matter.
 uint fetch(usampler2D image, uvec2 at) {
     const int last = textureQueryLevels(image) - 1;
     const uint value = texelFetch(image, ivec2(at % uvec2(textureSize(image, 0))), 0).r;

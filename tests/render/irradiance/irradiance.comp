@@ -1,4 +1,5 @@
-// Irradiance by the shaders' own light_reflection(): a white matt surface sends back a πth of it. And highlights.
+// Measures irradiance with the shaders' light_reflection(): a white diffuse surface reflects irradiance / π.
+// Also measures highlights.
 #version 460
 #include "brdf.glsl"
 #include "frame_set.glsl"

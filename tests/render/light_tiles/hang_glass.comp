@@ -1,4 +1,4 @@
-// Panes before what a scene shows, also before its sky: the nearest transparent surface of each pixel, or 0.
+// Places panes in front of the scene and its sky: writes the nearest transparent surface of each pixel, or 0.
 #version 460
 #include "frame_set.glsl"
 

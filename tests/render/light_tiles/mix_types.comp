@@ -1,4 +1,5 @@
-// Makes points and spots into lights of all types, some of them unlimited, some with cones of more than 90°.
+// Changes points and spots to lights of all types; some have no range limit, some have cones of more than
+// 90°.
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"

@@ -1,6 +1,6 @@
-// The reference room of light culling, as its depth: a floor and a ceiling 8 m apart, walls 16 m apart, the far one 60 m
-// away, two rows of columns and 60 spheres, seen from the origin along −z. Units: metres.
-// out  depth  near / distance along the view, of the first thing behind each pixel's centre
+// The depth of the reference room for light culling: a floor and a ceiling 8 m apart, walls 16 m apart, the
+// far wall 60 m away, two rows of columns and 60 spheres, seen from the origin along −z. Units: metres.
+// out  depth  near / distance along the view, of the first surface behind each pixel's centre
 #version 460
 #include "frame_set.glsl"
 
@@ -71,7 +71,7 @@ const vec4 kSphere[kSpheres] = vec4[](  // centre, radius
     vec4(4.715811, -1.343897, -46.432091, 0.198927),
     vec4(3.239192, -0.389379, -37.159462, 0.543439));
 
-// All places are t · ray, where the ray has z = −1: t is the distance along the view.
+// All positions are t · ray, where the ray has z = −1: t is the distance along the view.
 float planes_hit(vec3 ray) {
     float t = min(60.0, 8.0 / abs(ray.x));
     if (ray.y < 0.0) t = min(t, -2.0 / ray.y);
@@ -79,7 +79,7 @@ float planes_hit(vec3 ray) {
     return t;
 }
 
-// Of t where a t² + 2 b t + c = 0 first, if that is ahead.
+// The first t ≥ 0 with a t² + 2 b t + c = 0; `otherwise` if there is none.
 float first_root(float a, float b, float c, float otherwise) {
     const float root = b * b - a * c;
     if (root <= 0.0) return otherwise;

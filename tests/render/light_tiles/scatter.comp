@@ -1,4 +1,4 @@
-// Depths without any order: no two texels alike, and holes of sky. In odd frames the sky is nearly everywhere.
+// Random depths: neighbouring texels differ, and some are sky. In odd frames nearly all are sky.
 #version 460
 #include "frame_set.glsl"
 

@@ -1,4 +1,4 @@
-// Bright red in focus on the left; blue and green stripes on the right, as far away as asked.
+// Bright red in focus on the left; blue and green stripes at the given distance on the right.
 #version 460
 #include "frame_set.glsl"
 layout(location = 0) in vec2 uv;

@@ -4,7 +4,7 @@ layout(push_constant) uniform Params { uint beforeValid; } params;
 uniform sampler2D before;
 layout(rgba32f) writeonly uniform image2D dst;
 
-// One where the past is as it was left, or there is none; whoever lost it shows it for good.
+// Writes 1 if the history has its expected value or is not valid yet; once it is lost, the output stays 0.25.
 void main() {
     const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     const vec4 past = texelFetch(before, at, 0);

@@ -1,4 +1,4 @@
-// Two ways that differ so much in length that llvmpipe thinks it worth to compile the one that is taken by itself.
+// Two branches of very different length, so that llvmpipe compiles a specialised version for the taken one.
 #include "sky.glsl"
 
 vec4 two_skies(bool plain, vec2 at) {
