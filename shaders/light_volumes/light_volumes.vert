@@ -22,7 +22,7 @@ const int kTriangles = 20;
 const float kMargin = 1.01;
 const float kPi = 3.14159265358979;
 const int kSides = 10;
-const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // circumscribed by inscribed circle
+const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // ratio of outer to inner radius
 const float kAroundSphere = kMargin * 1.258408572;               // the same ratio for the icosahedron's spheres
 
 const float kGolden = 1.618033988750;
