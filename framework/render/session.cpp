@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "load/shader_memory.h"
+#include "shader/shader_memory.h"
 #include "render/frame_data.h"
 #include "render/gpu_scene.h"
 #include "render/jitter.h"

@@ -1,5 +1,5 @@
 // How a session's graph is made ready, and how one takes over from another.
-#include "load/shader_memory.h"
+#include "shader/shader_memory.h"
 #include "render/frame_data.h"
 #include "render/gpu_scene.h"
 #include "weft/check/check_plan.h"

@@ -4,14 +4,14 @@
 #include <optional>
 #include <utility>
 
-#include "load/shader_memory.h"
+#include "shader/shader_memory.h"
 #include "shader/compile/glsl_compile.h"
 #include "shader/compile/shader_cache.h"
 #include "shader/compile/shader_sources.h"
 #include "shader/gate/spirv_gate.h"
 #include "shader/gate/validate_spirv.h"
 #include "shader/reflect/interface_merge.h"
-#include "shader/reflect/link_stages.h"
+#include "shader/compile/link_stages.h"
 #include "shader/reflect/local_size.h"
 
 namespace weft {

@@ -20,8 +20,6 @@ sources() { files "$@" | grep -E '\.(h|cpp|glsl|vert|frag|comp|sh|in)$' || true;
 
 everything=(framework passes shaders viewer tests)
 
-report "more than 600 lines" < <(sources "${everything[@]}" | xargs wc -l | awk '$1 > 600 && $2 != "total" { print $2 " has " $1 }')
-
 # Files of tests/ that are named after a SPIR-V capability keep its name.
 report "name says nothing" < <(
   files "${everything[@]}" | grep -v '/DemoteToHelperInvocation\.' |

@@ -10,7 +10,7 @@
 
 #include "graph/syntax/merge.h"
 #include "graph/syntax/read_graph.h"
-#include "load/shader_memory.h"
+#include "shader/shader_memory.h"
 #include "tests/render/graph_mutants.h"
 #include "weft/check/check_plan.h"
 #include "weft/compile.h"

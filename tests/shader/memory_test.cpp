@@ -1,5 +1,5 @@
 // Programs kept between loads, and the files that a load examined.
-#include "load/shader_memory.h"
+#include "shader/shader_memory.h"
 
 #include "shader/compile/glsl_compile.h"
 #include "tests/shader/shader_folder.h"

@@ -10,7 +10,7 @@
 #include <map>
 #include <sstream>
 
-#include "shader/compile/glsl_run.h"
+#include "shader/worker/glsl_run.h"
 #include "shader/gate/capability_table.h"
 #include "shader/gate/spirv_words.h"
 #include "tests/shader/shader_folder.h"

@@ -1,5 +1,5 @@
 // Formats chosen for all tiers together, and the number of loads needed to choose them.
-#include "load/shader_memory.h"
+#include "shader/shader_memory.h"
 #include "tests/shader/shader_folder.h"
 #include "weft/load/load_graph.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "load/shader_memory.h"
+#include "shader/shader_memory.h"
 #include "viewer/options/options.h"
 #include "weft/device_profile.h"
 #include "weft/load/load_graph.h"

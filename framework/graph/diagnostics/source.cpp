@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "weft/syntax/json_doc.h"
 
 namespace weft {
 namespace {

@@ -147,8 +147,4 @@ Result<RefDesc> parse_reference(const LocatedText& text, const SourceMap& source
     return ReferenceParser(text, sources).parse();
 }
 
-std::string reference_name(std::string_view text) {
-    return std::string(text.substr(0, text.find_first_of("@[.")));
-}
-
 }  // namespace weft

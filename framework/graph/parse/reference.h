@@ -4,9 +4,6 @@
 // Errors: W106, at the first character that does not fit the grammar.
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "graph/diagnostics/located_text.h"
 #include "weft/graph_desc.h"
 #include "weft/result.h"
@@ -16,9 +13,5 @@ namespace weft {
 inline constexpr uint32_t kMaxHistory = 16;
 
 [[nodiscard]] Result<RefDesc> parse_reference(const LocatedText& text, const SourceMap& sources);
-
-// The resource's name alone ("hiz" of "hiz@build.mip(0)"), which becomes the name of a port written as a
-// plain reference.
-[[nodiscard]] std::string reference_name(std::string_view text);
 
 }  // namespace weft

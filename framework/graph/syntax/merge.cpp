@@ -4,8 +4,7 @@
 #include <array>
 #include <map>
 
-#include "graph/parse/parse_context.h"
-#include "graph/parse/reference.h"
+#include "graph/syntax/reference_name.h"
 #include "graph/syntax/json_patch.h"
 #include "graph/syntax/merge.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "shader/compile/glsl_run.h"
+#include "shader/worker/glsl_run.h"
 #include "shader/compile/shader_sources.h"
 #include "shader/worker/worker_process.h"
 #include "weft/result.h"

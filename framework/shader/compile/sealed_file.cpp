@@ -5,7 +5,7 @@
 
 #include "file/write_file.h"
 #include "shader/compile/content_hash.h"
-#include "shader/compile/payload.h"
+#include "shader/worker/payload.h"
 
 namespace weft::shader {
 

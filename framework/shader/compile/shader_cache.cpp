@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "shader/compile/content_hash.h"
-#include "shader/compile/glsl_run.h"
-#include "shader/compile/payload.h"
+#include "shader/worker/glsl_run.h"
+#include "shader/worker/payload.h"
 #include "shader/compile/sealed_file.h"
 
 namespace weft::shader {

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string_view>
 
-#include "shader/compile/glsl_run.h"
+#include "shader/worker/glsl_run.h"
 #include "shader/worker/protocol.h"
 
 namespace weft::shader {

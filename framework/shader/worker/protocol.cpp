@@ -1,6 +1,6 @@
 #include "shader/worker/protocol.h"
 
-#include "shader/compile/payload.h"
+#include "shader/worker/payload.h"
 
 namespace weft::shader {
 

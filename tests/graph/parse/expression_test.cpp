@@ -5,6 +5,7 @@
 #include <map>
 
 #include "graph/parse/reference.h"
+#include "graph/syntax/reference_name.h"
 
 namespace weft::test {
 namespace {

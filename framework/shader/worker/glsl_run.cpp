@@ -1,4 +1,4 @@
-#include "shader/compile/glsl_run.h"
+#include "shader/worker/glsl_run.h"
 
 #include <glslang/Include/intermediate.h>
 #include <glslang/MachineIndependent/localintermediate.h>

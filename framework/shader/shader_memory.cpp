@@ -1,4 +1,4 @@
-#include "load/shader_memory.h"
+#include "shader/shader_memory.h"
 
 #include <algorithm>
 #include <system_error>

@@ -1,4 +1,4 @@
-#include "shader/reflect/link_stages.h"
+#include "shader/compile/link_stages.h"
 
 #include <algorithm>
 #include <map>

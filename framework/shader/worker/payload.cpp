@@ -1,4 +1,4 @@
-#include "shader/compile/payload.h"
+#include "shader/worker/payload.h"
 
 namespace weft::shader {
 

@@ -1,0 +1,14 @@
+// Purpose: the name at the beginning of a reference, for shorthand that is expanded before references are parsed.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace weft {
+
+// "hiz" for "hiz@build.mip(0)".
+[[nodiscard]] inline std::string reference_name(std::string_view text) {
+    return std::string(text.substr(0, text.find_first_of("@[.")));
+}
+
+}  // namespace weft
