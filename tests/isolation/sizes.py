@@ -33,8 +33,8 @@ def functions(lines):
         elif line.endswith("{") and ")" in line:
             first = signature_start(lines, index)
             indent = lines[first][: len(lines[first]) - len(lines[first].lstrip())]
-            is_table = " = " in lines[first] or lines[first].startswith("constexpr std::array")
-            if len(indent) in (0, 4) and not is_table and not NO_FUNCTION.match(lines[first]):
+            is_lambda = any("[](" in text for text in lines[first:index + 1])  # a row of a table
+            if len(indent) in (0, 4) and not is_lambda and not NO_FUNCTION.match(lines[first]):
                 start, closing = first, indent + "}"
 
 
