@@ -15,6 +15,9 @@
 
 namespace weft {
 
+// A diagnostic quotes no source line that is longer than this: in a minified file one line can be the whole file.
+inline constexpr size_t kMaxExcerptBytes = 4096;
+
 inline constexpr uint32_t kNoFile = UINT32_MAX;
 
 struct SourceLoc {

@@ -14,9 +14,6 @@
 
 namespace weft {
 
-// A longer source line is left out of the excerpts: a fault in a minified file would carry all of it.
-inline constexpr size_t kMaxExcerptBytes = 4096;
-
 enum class JsonKind : uint8_t { null, boolean, number, string, array, object };
 
 struct JsonMember;

@@ -1,0 +1,1 @@
+// CMake compiles precompiled headers for a target, and a target needs a source.
