@@ -40,7 +40,7 @@ std::string folder_of_scene(const std::string& scene) {
 
 // The parsed command line.
 struct CommandLine {
-    CLI::App app{"weft compiles a render graph written as JSON, proves the plan, and runs it on Vulkan.",
+    CLI::App app{"weft compiles a render graph written as JSON, checks the plan, and runs it on Vulkan.",
                  "weft"};
     RawTexts raw;
     RenderOptions render_options;
@@ -53,15 +53,16 @@ struct CommandLine {
     DiffOptions diff_options;
     CompareOptions compare_options;
     BenchCommands bench;
-    CLI::App* render = app.add_subcommand("render", "render a scene through a graph to a picture");
-    CLI::App* view = app.add_subcommand("view", "draw on and on, and follow what changes in the files");
-    CLI::App* check = app.add_subcommand("check", "find what is wrong with graph files");
+    CLI::App* render = app.add_subcommand("render", "render a scene with a graph and write a picture");
+    CLI::App* view = app.add_subcommand("view", "render continuously, and reload files that change");
+    CLI::App* check = app.add_subcommand("check", "check graph files and list their faults");
     CLI::App* plan = app.add_subcommand("plan", "show the compiled frame: order, barriers, memory");
     CLI::App* schema = app.add_subcommand("schema", "print the JSON schema of graphs, or of one graph");
-    CLI::App* explain = app.add_subcommand("explain", "say why a plan is as it is");
-    CLI::App* diff = app.add_subcommand("diff", "say what two plans have not in common");
-    CLI::App* compare = app.add_subcommand("compare", "say how far apart two pictures are");
-    CLI::App* doctor = app.add_subcommand("doctor", "say what this machine has and lacks");
+    CLI::App* explain = app.add_subcommand("explain", "answer a question about a plan");
+    CLI::App* diff = app.add_subcommand("diff", "list the differences between two plans");
+    CLI::App* compare = app.add_subcommand("compare", "compute the difference of two pictures");
+    CLI::App* doctor =
+        app.add_subcommand("doctor", "list the Vulkan devices and layers, and what is missing");
 
     CommandLine();
     void finish(const Limits& limits);

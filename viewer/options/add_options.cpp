@@ -10,15 +10,18 @@ namespace {
 constexpr NumberRange kAnyDifference{-1e30, 1e30, ""};
 
 void add_sandbox(CLI::App& command, bool& sandbox) {
-    command.add_flag("--sandbox", sandbox, "for files of strangers: run where nothing else can be opened");
+    command.add_flag("--sandbox", sandbox,
+                     "for untrusted files: run in a process that can open no other files");
 }
 
 // Options for compilation without a device.
 void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     command.add_option("--profile", o.profile,
-                       "a device profile: a file, or a shipped one's name [lavapipe]");
-    command.add_option("--size", raw.size, "of the output")->check(size_validator())->capture_default_str();
-    command.add_option("--queues", o.queues, "how many queues: graphics, compute, transfer, compute")
+                       "a device profile: a file, or the name of a shipped one [lavapipe]");
+    command.add_option("--size", raw.size, "size of the output")
+        ->check(size_validator())
+        ->capture_default_str();
+    command.add_option("--queues", o.queues, "number of queues: graphics, compute, transfer, compute")
         ->transform(whole_number_in(1, kMostQueues))
         ->capture_default_str();
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
@@ -33,48 +36,51 @@ void add_tier(CLI::App& command, OfflineOptions& o, const char* otherwise) {
 }  // namespace
 
 void add_limits(CLI::App& command, RawTexts& raw) {
-    command.add_option("--limits", raw.limits, "a JSON file of limits on what inputs may ask for");
+    command.add_option("--limits", raw.limits, "a JSON file with limits for inputs");
 }
 
 void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
-    command.add_option("SCENE", o.scene, "a .gltf or .glb file, a folder that holds one, or builtin:NAME")
+    command.add_option("SCENE", o.scene, "a .gltf or .glb file, a folder that contains one, or builtin:NAME")
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "the picture: .png, .exr or .pfm")->capture_default_str();
     command.add_option("--graph", o.graph, "the pipeline, a JSON file [the shipped graphs/deferred.json]");
-    command.add_option("--tier", o.tier, "a quality tier of the graph [the graph as it is]");
-    command.add_option("--size", raw.size, "in pixels")->check(size_validator())->capture_default_str();
-    command.add_option("--frames", o.frames, "how many to render; the last is written [the graph's, else 1]")
+    command.add_option("--tier", o.tier, "a quality tier of the graph [none]");
+    command.add_option("--size", raw.size, "size of the output in pixels")
+        ->check(size_validator())
+        ->capture_default_str();
+    command
+        .add_option("--frames", o.frames, "number of frames; the last one is written [the graph's, else 1]")
         ->transform(whole_number_in(1, 1'000'000));
     command.add_option("--fixed-dt", o.fixed_dt_s, "seconds from frame to frame, such as 0.02 or 1/60")
         ->transform(fraction_in({0, 3600, "s"}));
     command.add_option("--camera", o.camera,
                        "a camera of the scene by name, or EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG");
-    command.add_option("--env", o.env, "what surrounds the scene: sky, none, or a Radiance picture (.hdr)")
+    command.add_option("--env", o.env, "environment of the scene: sky, none, or a Radiance picture (.hdr)")
         ->check(env_validator())
         ->capture_default_str();
     command
         .add_option("--time", o.hour, "the hour of the day, 0 to 24, of builtin:atrium and builtin:lights")
         ->transform(number_in({0, 24, "hours"}));
-    command.add_option("--lights", o.lights, "so many seeded lights in place of the scene's")
+    command.add_option("--lights", o.lights, "number of seeded lights that replace the scene's")
         ->transform(whole_number_in(1, kMostLights));
-    command.add_option("--seed", o.seed, "of --lights")
+    command.add_option("--seed", o.seed, "seed for --lights")
         ->transform(whole_number_in(0, kMostSeed))
         ->capture_default_str();
-    command.add_option("--exposure", raw.exposure, "in EV, in place of the scene's")
+    command.add_option("--exposure", raw.exposure, "exposure in EV [the scene's]")
         ->transform(number_in({-40, 40, "EV"}));
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
     command.add_option("--resource", o.resource,
-                       "write this resource (name@pass.mip(e).layer(e)), not the output");
-    command
-        .add_option("--debug", o.debug, "write this debug view of the graph, or any resource made visible")
+                       "write this resource (name@pass.mip(e).layer(e)) instead of the output");
+    command.add_option("--debug", o.debug, "write this debug view of the graph, or a view of any resource")
         ->excludes("--resource");
-    command.add_flag("--validate", o.validate, "run under the validation layers; any message is exit code 5");
+    command.add_flag("--validate", o.validate,
+                     "run under the validation layers; any message gives exit code 5");
     command.add_option("--stats", o.stats, "write times, memory and hashes to this JSON file");
     command.add_option("--device", o.device, "a device's index or part of its name");
     command
         .add_option("--queues", o.queues,
-                    "how many queues to plan for: 1 graphics, 2 + compute, 3 + transfer")
+                    "number of queues to plan for: 1 graphics, 2 + compute, 3 + transfer")
         ->transform(whole_number_in(1, kMostQueues))
         ->capture_default_str();
     command.add_option("--timeout", o.timeout_s, "seconds to wait for a frame")
@@ -91,40 +97,41 @@ void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     for (const char* flag :
          {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats", "--sandbox"})
         command.remove_option(command.get_option(flag));
-    command.add_flag("--headless", o.headless, "without a window");
+    command.add_flag("--headless", o.headless, "run without a window");
     command.add_option("-o,--output", o.render.output, "write the last frame: .png, .exr or .pfm");
-    command.add_option("--frames", o.render.frames, "end after so many [SIGINT, SIGTERM, or stdin closes]")
+    command
+        .add_option("--frames", o.render.frames,
+                    "end after this many frames [end on SIGINT, SIGTERM, or when stdin closes]")
         ->transform(whole_number_in(1, 100'000'000));
-    command.add_option("--stats", o.render.stats,
-                       "write how often was reloaded, and more, to this JSON file");
+    command.add_option("--stats", o.render.stats, "write the number of reloads, and more, to this JSON file");
 }
 
 void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.files, "graph files")->required();
-    add_tier(command, o.offline, "the graph as it is and all tiers");
+    add_tier(command, o.offline, "none, and then each tier");
     add_offline(command, o.offline, raw);
     command.add_flag("--run", o.run,
                      "run the graphs' own tests, on a device and under the validation layers");
     command.add_option("--device", o.device, "for --run: a device's index or part of its name");
     add_sandbox(command, o.sandbox);
-    CLI::Option* json = command.add_flag("--json", o.json, "what was found, as JSON on stdout");
-    command.add_flag("--sarif", o.sarif, "what was found, as a SARIF 2.1.0 log on stdout")->excludes(json);
+    CLI::Option* json = command.add_flag("--json", o.json, "print the faults as JSON on stdout");
+    command.add_flag("--sarif", o.sarif, "print the faults as a SARIF 2.1.0 log on stdout")->excludes(json);
 }
 
 void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
-    add_tier(command, o.offline, "the graph as it is");
+    add_tier(command, o.offline, "none");
     add_offline(command, o.offline, raw);
     command.add_option("--format", o.format, "text, json, dot or html")
         ->check(choice_validator({"text", "json", "dot", "html"}))
         ->capture_default_str();
-    command.add_option("-o,--output", o.output, "a file in place of stdout");
+    command.add_option("-o,--output", o.output, "write to this file instead of stdout");
     add_sandbox(command, o.sandbox);
 }
 
 void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
-    command.add_option("FILE", o.file, "a graph file, whose names become choices [all graphs]");
-    command.add_option("-o,--output", o.output, "a file in place of stdout");
+    command.add_option("FILE", o.file, "a graph file, whose names the schema proposes [all graphs]");
+    command.add_option("-o,--output", o.output, "write to this file instead of stdout");
     add_limits(command, raw);
 }
 
@@ -136,36 +143,37 @@ void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command.add_option("NAME", o.names, "PASS, PASS PASS, RESOURCE RESOURCE, PASS, RESOURCE")
         ->required()
         ->expected(1, 2);
-    add_tier(command, o.offline, "the graph as it is");
+    add_tier(command, o.offline, "none");
     add_offline(command, o.offline, raw);
 }
 
 void add_diff(CLI::App& command, DiffOptions& o, RawTexts& raw) {
     command.add_option("FROM", o.from, "a graph file, or FILE:TIER")->required();
-    command.add_option("TO", o.to, "another, or the same")->required();
+    command.add_option("TO", o.to, "another graph file, or the same one")->required();
     add_offline(command, o.offline, raw);
-    command.add_flag("--json", o.json, "as JSON");
+    command.add_flag("--json", o.json, "print JSON");
 }
 
 void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
     command.add_option("REFERENCE", o.reference, "a .png, .exr or .pfm")->required();
-    command.add_option("TEST", o.test, "another of the same size")->required();
+    command.add_option("TEST", o.test, "another picture of the same size")->required();
     command
-        .add_option("--metric", o.metric,
-                    "flip: what a viewer sees, 0 to 1; psnr: in dB; max: the largest difference of a channel")
+        .add_option(
+            "--metric", o.metric,
+            "flip: the visible difference, 0 to 1; psnr: in dB; max: the largest difference of a channel")
         ->check(choice_validator({"flip", "psnr", "max"}))
         ->capture_default_str();
     command.add_option("--max", o.max, "exit code 6 when the mean FLIP, or max, is above this")
         ->transform(number_in(kAnyDifference));
     command.add_option("--min", o.min, "exit code 6 when the PSNR is below this")
         ->transform(number_in(kAnyDifference));
-    command.add_option("-o,--output", o.output, "write where they differ to this .png");
-    command.add_flag("--json", o.json, "as JSON");
+    command.add_option("-o,--output", o.output, "write a map of the differences to this .png");
+    command.add_flag("--json", o.json, "print JSON");
     add_limits(command, raw);
 }
 
 void add_doctor(CLI::App& command, DoctorOptions& o) {
-    command.add_flag("--json", o.json, "the chosen device's profile, as JSON on stdout");
+    command.add_flag("--json", o.json, "print the chosen device's profile as JSON on stdout");
     command.add_option("--device", o.device, "a device's index or part of its name");
 }
 
