@@ -1,16 +1,16 @@
-# `cmake --install BUILD --prefix DIR`: a folder that can be moved. bin/ holds the programs, lib/weft/ the shared
-# libraries that they need beyond libc, libstdc++, the Vulkan loader and the window system, share/weft/ what they
-# read; include/ and lib/ are for embedders (docs/embedding.md).
+# `cmake --install BUILD --prefix DIR`: a folder that can be moved. bin/ has the programs, lib/weft/ the shared
+# libraries that they need except libc, libstdc++, the Vulkan loader and the window system, share/weft/ their data
+# files; include/ and lib/ are for embedders (docs/embedding.md).
 include(CMakePackageConfigHelpers)
 
-# Installed, and looked through for shared libraries to carry.
+# These programs are installed, and their shared libraries are copied.
 set(WEFT_PROGRAMS weft weft-shader-worker)
-# All of the framework that embedders link to, as one archive.
+# The parts of the framework for embedders, as one archive.
 set(WEFT_EMBEDDED_LIBRARIES weft_graph weft_check weft_file weft_glsl weft_shader weft_load weft_scene weft_image weft_vulkan weft_render weft_passes)
-# Packages whose code is compiled or linked into the programs, beside the shared libraries: their licences come along.
+# Packages whose code is compiled or linked statically into the programs: their licences are copied too.
 set(WEFT_LINKED_PACKAGES glslang-dev spirv-tools libtinygltf-dev libstb-dev libglm-dev nlohmann-json3-dev libcli11-dev)
 
-# The programs. DT_RPATH, not DT_RUNPATH: what the carried libraries need is looked for beside them, too.
+# The programs. DT_RPATH instead of DT_RUNPATH, so that dependencies of the copied libraries are found beside them.
 set_target_properties(${WEFT_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/weft")
 set_property(TARGET ${WEFT_PROGRAMS} APPEND PROPERTY LINK_OPTIONS "LINKER:--disable-new-dtags")
 install(TARGETS ${WEFT_PROGRAMS} RUNTIME DESTINATION bin)
@@ -22,16 +22,16 @@ install(CODE "set(WEFT_PROGRAM_FILES \"${program_files}\")
 set(WEFT_LINKED_PACKAGES \"${WEFT_LINKED_PACKAGES}\")")
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_carried.cmake)
 
-# What they read.
+# Their data files.
 install(DIRECTORY graphs shaders DESTINATION share/weft)
 install(FILES docs/diagnostics.md DESTINATION share/weft/docs)
 install(DIRECTORY framework/profiles/ DESTINATION share/weft/profiles)
 
-# The public headers, as they lie.
+# The public headers, unchanged.
 install(DIRECTORY framework/include/weft DESTINATION include FILES_MATCHING PATTERN *.h)
 install(DIRECTORY shaders/include/shared DESTINATION include)
 
-# The archive, and how CMake and pkg-config find it and what it needs.
+# The archive, and files with which CMake and pkg-config find it and its dependencies.
 add_library(weft_embedded STATIC)
 foreach(library ${WEFT_EMBEDDED_LIBRARIES})
   target_sources(weft_embedded PRIVATE $<TARGET_OBJECTS:${library}>)
@@ -40,14 +40,14 @@ set_target_properties(weft_embedded PROPERTIES OUTPUT_NAME weft EXPORT_NAME weft
                       ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 target_include_directories(weft_embedded INTERFACE $<INSTALL_INTERFACE:include>)
 target_compile_features(weft_embedded INTERFACE cxx_std_20)
-# Nothing in this build links to it.
+# No target of this build links to it.
 set(needs glm::glm glslang::SPIRV glslang::glslang glslang::glslang-default-resource-limits SPIRV-Tools-opt
   SPIRV-Tools-static Threads::Threads ${CMAKE_DL_LIBS} weft::carried)
 target_link_libraries(weft_embedded INTERFACE "$<INSTALL_INTERFACE:${needs}>")
 install(TARGETS weft_embedded EXPORT weft ARCHIVE DESTINATION lib)
 install(EXPORT weft FILE weftTargets.cmake NAMESPACE weft:: DESTINATION lib/cmake/weft)
 
-# The names under which the loader finds the shared libraries that the archive needs.
+# The sonames of the shared libraries that the archive needs.
 set(WEFT_CARRIED "")
 foreach(library ${XXHASH_LIBRARY} ${PNG_LIBRARY} ${JPEG_LIBRARY} ${WEFT_SPIRV_CROSS_LIBRARY})
   get_filename_component(real ${library} REALPATH)

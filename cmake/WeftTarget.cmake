@@ -1,15 +1,15 @@
-# Warnings, sanitizers and the test macro that every Weft target shares.
+# Warnings, sanitizers and the test macro for all Weft targets.
 
 add_library(weft_options INTERFACE)
 target_compile_options(weft_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Woverloaded-virtual
-  -Wno-missing-field-initializers  # what an initialiser leaves out is zero: Vulkan's own convention
+  -Wno-missing-field-initializers  # members that an initialiser omits are zero, as is usual for Vulkan structs
   -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ 12 sees overlaps in std::string's operator+ that are not there (GCC bug 105329).
+  # g++ 12 warns of nonexistent overlaps in std::string's operator+ (GCC bug 105329).
   target_compile_options(weft_options INTERFACE -Wno-restrict)
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    # A precompiled header no longer counts as a system header, so more of such false warnings appear (GCC bug 105651).
+    # In a precompiled header, system headers lose their exemption from warnings, so more false warnings appear (GCC bug 105651).
     target_compile_options(weft_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
 endif()
@@ -20,7 +20,7 @@ if(WEFT_SANITIZE)
   target_link_options(weft_options INTERFACE -fsanitize=${WEFT_SANITIZE} -fno-sanitize=vptr)
 endif()
 
-# Most of a test runs once for each time it is compiled: half of the optimiser's work on it would never pay.
+# Most test code runs only once per compilation, so full optimisation costs more time than it saves.
 add_library(weft_test_options INTERFACE)
 target_link_libraries(weft_test_options INTERFACE weft_options)
 target_compile_options(weft_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
@@ -47,7 +47,7 @@ function(weft_library name)
   target_precompile_headers(${name} REUSE_FROM weft_precompiled)
 endfunction()
 
-# Seconds after which a test counts as hanging. Far beyond what any takes on a busy machine: no verdict depends on time.
+# Seconds after which a test counts as hanging. Much longer than any test takes on a busy machine, so results do not depend on time.
 set(WEFT_HANG_S 1800)
 
 # weft_test(NAME LIBS lib... [LABELS label...] SOURCES file...): one gtest binary. Its cases are found after

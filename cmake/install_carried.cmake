@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Copies the shared libraries that WEFT_PROGRAM_FILES need, and the licences of all that is handed on with them.
-# libstdc++ and libgcc_s are the compiler's; the Vulkan loader and the window system belong to the machine.
+# Copies the shared libraries that WEFT_PROGRAM_FILES need, and the licences of all installed code. libstdc++ and
+# libgcc_s belong to the compiler, the Vulkan loader and the window system to the machine, so they are not copied.
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${WEFT_PROGRAM_FILES}
   RESOLVED_DEPENDENCIES_VAR carried UNRESOLVED_DEPENDENCIES_VAR missing
   PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|stdc\\+\\+|gcc_s)\\.so" "^libvulkan\\.so"
@@ -13,7 +13,7 @@ foreach(library ${carried})
   file(INSTALL ${library} DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/weft FOLLOW_SYMLINK_CHAIN)
   file(REAL_PATH ${library} real)
   get_filename_component(name ${real} NAME)
-  # A library may be known by its place before or after /lib became a link to /usr/lib: ask by name.
+  # dpkg may list a library below /lib or below /usr/lib, because one links to the other, so search by name.
   execute_process(COMMAND dpkg-query -S "*/${name}" OUTPUT_VARIABLE owner ERROR_QUIET)
   if(owner MATCHES "^([^:,\n]+)")
     list(APPEND packages ${CMAKE_MATCH_1})

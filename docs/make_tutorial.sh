@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws the pictures of docs/tutorial.md by following it: writes the files that the page shows into an empty folder and runs
-# its commands, in the page's order. Needs ImageMagick. Look at each picture before you commit it.
+# Renders the pictures of docs/tutorial.md by following it: writes the page's files to an empty folder and runs its commands,
+# in the page's order. Requires ImageMagick. Check each picture before you commit it.
 #   docs/make_tutorial.sh [WEFT_PROGRAM]    default: ./weft
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -10,7 +10,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$images"
 
-# The page as a shell script.
+# Converts the page to a shell script.
 awk '
   /^<!-- file: .* -->$/ { name = $3; next }
   /^```/ && inside { if (name != "") print "END_OF_FILE"; name = ""; inside = 0; next }
@@ -24,7 +24,7 @@ awk '
 ln -s "$weft" "$scratch/weft"
 (cd "$scratch" && bash -e page.sh </dev/null)
 
-# 256 colours, dithered, are half the bytes; the eye needs both pictures side by side to tell.
+# Reduces pictures to 256 dithered colours: half the bytes, and the difference is hardly visible.
 small() {
   convert "$1" -strip -dither FloydSteinberg -colors 256 -define png:compression-filter=5 -define png:compression-level=9 \
     "$images/$2.png"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# The two commands of the README in a fresh Debian 12 root: `./weft render`, then `./weft test`. An ordinary CI machine,
-# used before, hides a missing install step; a root made by debootstrap a minute ago doesn't.
+# Runs the two commands of the README in a new Debian 12 root: `./weft render`, then `./weft test`. On an ordinary CI machine a
+# missing install step can stay hidden, because packages are already installed; in a new root it cannot.
 # Needs root, debootstrap and a package mirror. Prints how long each step took; exits non-zero when one fails.
 #   tests/bare_machine.sh [--keep] [--render-only]
-#     --keep         leave the root behind and say where
+#     --keep         keep the root and print its path
 #     --render-only  skip `./weft test`
 # WEFT_BARE_MIRROR   package mirror [the host's first, else http://deb.debian.org/debian]
-# WEFT_BARE_TARBALL  cache of the root: made when absent, unpacked when present
+# WEFT_BARE_TARBALL  cache of the root: created if it does not exist, else unpacked
 set -euo pipefail
 
 source_root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -83,7 +83,7 @@ make_root() {
   if [ -n "$tarball" ]; then tar -cpf "$tarball" -C "$bare" --numeric-owner .; fi
 }
 
-# The root reaches packages the way the host does: same sources, proxies, keys and names.
+# The root uses the host's package sources, proxies, keys and name resolution.
 share_network() {
   local entry
   for entry in sources.list sources.list.d apt.conf apt.conf.d trusted.gpg trusted.gpg.d keyrings auth.conf auth.conf.d; do
@@ -114,13 +114,13 @@ enter_root() {
   chmod +x "$bare/usr/sbin/policy-rc.d"
 }
 
-# Only what is committed: a stranger clones, too.
+# Uses only committed files, as a new user would after cloning.
 clone_repository() {
   git clone --quiet --no-hardlinks -c safe.directory="*" "$source_root" "$bare/root/weft"
   say "commit $(git -C "$bare/root/weft" log -1 --format='%h %s')"
 }
 
-# inside COMMAND: in the root, with nothing of the host's environment but its proxies.
+# inside COMMAND: runs it in the root; of the host's environment, only proxies are passed on.
 inside() {
   local name environment=(HOME=/root USER=root LANG=C.UTF-8 TERM=dumb
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
@@ -130,7 +130,7 @@ inside() {
   env -i "${environment[@]}" chroot "$bare" /bin/bash -c "cd /root/weft && $1"
 }
 
-# A PNG of the expected size that shows something: a black or flat one of this size compresses to a few kilobytes.
+# Checks the PNG's size in pixels and in bytes: a black or uniform picture compresses to a few kilobytes.
 check_picture() {
   local picture=$bare/root/weft/frame.png width height
   [ -s "$picture" ] || fail "no frame.png was written"

@@ -22,10 +22,10 @@ class Token(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """`"name": value` as tokens, and the entries of the value where it is an object."""
+    """`"name": value` as tokens, and the entries of the value if it is an object."""
     tokens: list
     members: dict
-    strings: list  # all strings in it that stand for values
+    strings: list  # all strings in it that are values
 
 
 def tokens_of(text):
@@ -67,7 +67,7 @@ def object_at(tokens, i):
 
 
 def named_resources(entry, keys, resources):
-    """Those that some keys of a pass refer to. A port without a reference is named after one."""
+    """The resources that the given keys of a pass refer to. A port without a reference has the name of its resource."""
     named = set()
     for key in keys:
         if key in entry.members:
@@ -87,7 +87,7 @@ def own_resources(passes, all_passes, resources):
 
 
 def measure(text, passes, also=()):
-    """(lines, tokens, resources that are there for these passes)."""
+    """(lines, tokens, resources that only these passes use)."""
     _, graph, _ = object_at(tokens_of(text), 0)
     all_passes, resources = graph["passes"].members, graph["resources"].members if "resources" in graph else {}
     missing = [name for name in passes if name not in all_passes]

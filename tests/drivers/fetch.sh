@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Puts two more Vulkan drivers and a current validation layer below build/drivers, out of Debian's packages:
+# Downloads two more Vulkan drivers and a current validation layer from Debian's packages to build/drivers:
 #   mesa-backports/icd.json                      lavapipe of Mesa in bookworm-backports
 #   swiftshader/icd.json                         SwiftShader, which chromium-common contains
 #   validation/VkLayer_khronos_validation.json   the validation layer of the same package
-# The packages are unpacked there, not installed, and apt works on a configuration of its own: the system stays as it is.
-# A package that is already there is kept; remove the folder to fetch it anew. Without network or package the reason is
+# The packages are unpacked there, not installed, and apt uses a separate configuration, so the system does not change.
+# Existing packages are kept; remove the folder to download them again. Without network or package the reason is
 # written to mesa-backports.skipped, swiftshader.skipped or validation.skipped, and the exit code is still 0.
 #
 #   tests/drivers/fetch.sh [FOLDER]    default: build/drivers
@@ -18,7 +18,7 @@ folder=$(cd "$folder" && pwd)
 
 say() { printf '%s\n' "fetch.sh: $*" >&2; }
 
-skip() {  # NAME REASON; says nothing about what an earlier run made ready
+skip() {  # NAME REASON; does nothing if an earlier run succeeded
   compgen -G "$folder/$1/*.json" >/dev/null && return
   printf '%s\n' "$2" >"$folder/$1.skipped"
   say "$1 is skipped: $2"
@@ -30,7 +30,7 @@ skip_all() {  # REASON
   exit 0
 }
 
-# apt with sources, lists and a cache of its own.
+# Runs apt with separate sources, lists and cache.
 prepare_apt() {
   local apt=$folder/apt keys=/usr/share/keyrings/debian-archive-keyring.gpg
   mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
@@ -60,7 +60,7 @@ EOF
   apt-get update -qq --error-on=any
 }
 
-# PACKAGE TARGET: the package's files, below TARGET.
+# PACKAGE TARGET: unpacks the package to TARGET.
 unpack() {
   local scratch status=0
   scratch=$(mktemp -d "$folder/unpack-XXXXXX")
@@ -70,12 +70,12 @@ unpack() {
   return "$status"
 }
 
-# LIBRARY: the names of libraries that it needs and that this machine lacks.
+# LIBRARY: prints the names of libraries that it needs and that are missing on this machine.
 missing_libraries() {
   ldd "$1" | awk '/not found/ { printf "%s%s", gap, $1; gap = ", " }'
 }
 
-# NAME LIBRARY MANIFEST CONTENT: writes the manifest last, so that its presence says that the library can be loaded.
+# NAME LIBRARY MANIFEST CONTENT: writes the manifest last, so that it exists only if the library can be loaded.
 finish() {
   local missing
   [ -f "$2" ] || { skip "$1" "the package holds no ${2##*/}"; return; }

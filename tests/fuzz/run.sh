@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the fuzz targets and runs each for some seconds on what tests/fuzz/corpus holds. What is found lies under
-# build/fuzz/found/ and fails the run; put it into the corpus together with its remedy.
+# Builds the fuzz targets and runs each for some seconds, starting with tests/fuzz/corpus. Inputs that cause faults are
+# stored in build/fuzz/found/ and fail the run; add them to the corpus together with the correction.
 #   run.sh SECONDS [graph|gltf|image|spirv]...
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -21,10 +21,10 @@ mkdir -p "$build"
 
 status=0
 for target in "${targets[@]}"; do
-  # What is learnt stays out of the source tree, and is known the next time.
+  # New inputs are stored outside the source tree and reused by the next run.
   learnt=$build/corpus/$target found=$build/found/$target
   mkdir -p "$learnt" "$found"
-  # tinyexr's leaks (image_fuzzer.cpp) would have every second input searched for more; at the end all are.
+  # Because of tinyexr's leaks (image_fuzzer.cpp) a leak check per input would be slow; leaks are checked at the end.
   leaks=1
   [ "$target" != image ] || leaks=0
   words=()

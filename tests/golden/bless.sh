@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures that views.txt names anew, with the driver that made them. Look at each before you commit it, and
-# say in the commit what you saw.
+# Renders the pictures in views.txt again, with the driver that made them. Check each picture before you commit it, and
+# describe the changes in the commit message.
 #   tests/golden/bless.sh [WEFT_PROGRAM]    default: ./weft
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -18,8 +18,8 @@ while read -r graph scene camera options; do
   "$weft" render "builtin:$scene" --graph "$root/graphs/$graph.json" --camera "$camera" --size 320x180 \
     -o "$scratch/$graph-$scene-$camera.png" --stats "$scratch/stats.json" $options </dev/null
 done <"$here/views.txt"
-# Only when all are there, so that a failure leaves the old ones. Each is copied beside its place and renamed, so that a
-# full disk leaves no half of one.
+# Replaces the old pictures only if all new ones exist. Each is copied beside its destination and then renamed, so that a
+# full disk leaves no incomplete file.
 sed -n 's/^ *"\(device\|driver\)": "\(.*\)",$/\2/p' "$scratch/stats.json" >"$scratch/driver.txt"
 next=$(mktemp -d "$here/.next-XXXXXX")
 trap 'rm -rf "$scratch" "$next"' EXIT

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The rules of the house that a grep can check. Prints every breach and fails when there is one.
+# Checks rules for the sources that grep can test. Prints every violation and fails if there is one.
 #   source_rules.sh SOURCE_ROOT
 set -euo pipefail
 cd "$1"
@@ -11,7 +11,7 @@ report() {  # RULE, breaches on stdin
     breaches=$((breaches + 1))
   done
 }
-# Everything that is ours and text; this file lists forbidden words.
+# All text files of the project except this one, which lists the forbidden words.
 files() { find "$@" -type f -not -name source_rules.sh | sort; }
 # FILE:LINE:TEXT without // comments, for rules about code.
 # shellcheck disable=SC2016  # awk's own $0
@@ -20,7 +20,7 @@ sources() { files "$@" | grep -E '\.(h|cpp|glsl|vert|frag|comp|sh|in)$' || true;
 
 everything=(framework passes shaders viewer tests)
 
-# Files of tests/ that are named after a SPIR-V capability keep its name.
+# Files in tests/ named after a SPIR-V capability keep that name.
 report "name says nothing" < <(
   files "${everything[@]}" | grep -v '/DemoteToHelperInvocation\.' |
     grep -iE '/[a-z_]*(util|common|helper|manager)[a-z_]*\.' || true)
@@ -36,7 +36,7 @@ report "unfinished" < <(
 report "shared ownership, or a singleton" < <(
   sources framework passes viewer | code | grep -E '\b(std::)?(shared_ptr|weak_ptr|make_shared)\b|[gG]et_?[iI]nstance\(' || true)
 
-# Files and stdout are written by framework/file alone, which checks every write. stderr is free.
+# Only framework/file writes files and stdout, because it checks every write. stderr may be written anywhere.
 report "written without framework/file" < <(
   sources framework viewer | grep -v '^framework/file/' | code |
     grep -E '\b(ofstream|fstream|fwrite|fputc|putchar|puts|printf|fopen) *\(|\bofstream\b|\bstdout\)|std::cout|stbi_write_[a-z]+\(|SaveEXR\(' |
@@ -46,13 +46,13 @@ report "slow third-party header in a header" < <(
   files framework passes viewer | grep -E '\.h$' |
     xargs grep -nIE '#include [<"](nlohmann/json\.hpp|CLI/|tiny_gltf|stb_|tinyexr|fmt/|glslang/)' || true)
 
-# The checker judges the stages, so it shares nothing with them.
+# The checker must be independent of the stages that it checks.
 report "framework/check includes more than plans, declarations and the standard library" < <(
   grep -nE '^ *# *include' framework/check/*.h framework/check/*.cpp |
     grep -vE '#include ("(weft/)?check/[a-z_]+\.h"|<[a-z_]+>)' |
     grep -vE '"weft/(plan|transition|declaration|access|result|source|format|shader_interface|device_profile)\.h"' || true)
 
-# Nor does the null executor, which judges both.
+# The null executor must be independent of stages and checker.
 report "framework/null includes more than plans, declarations and the standard library" < <(
   grep -nE '^ *# *include' framework/null/*.h framework/null/*.cpp |
     grep -vE '#include ("null/[a-z_]+\.h"|<[a-z_]+>|"weft/(plan|declaration)\.h")' || true)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs the build, moves the folder, and uses it as a user and as an embedder would. Exit code 77 without a device,
-# once all that needs none has passed.
+# Installs the build, moves the folder, and uses it as a user and as an embedder would. Without a device the exit code is
+# 77, after all tests that need none have passed.
 #   install_test.sh CMAKE BUILD_FOLDER SOURCE_ROOT PROGRAM
 set -euo pipefail
 cmake=$1 build=$2 source=$3 program=$4
-# Nowhere below the source tree, where the program would find what it lacks by walking up.
+# Outside the source tree, because the program also searches the folders above its own for missing files.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 installed=$scratch/moved
@@ -18,13 +18,13 @@ fail() {
 install_and_move() {
   "$cmake" --install "$build" --prefix "$scratch/first" >"$scratch/install.log"
   mv "$scratch/first" "$installed"
-  # Nothing in it may know where it was.
+  # No file may contain the old path.
   if grep -rlI -e "$scratch/first" -e "$source" "$installed/lib/cmake" "$installed/lib/pkgconfig" "$installed/include"; then
     fail "these files name a place of the machine that built them"
   fi
 }
 
-# Beyond the machine's own, every library comes from the folder.
+# Libraries that are not part of the system must come from the folder.
 check_libraries() {
   local name arrow path
   while read -r name arrow path _; do
@@ -37,7 +37,7 @@ check_libraries() {
   [ -n "$(ls -A "$installed/share/doc/weft/licences")" ] || fail "no licences came along"
 }
 
-# What a user does: an empty environment, another folder, the default picture.
+# As a user: an empty environment, another folder, the default picture.
 render_default() {
   local renders=(render --size 320x180 -o)
   (cd / && env -i ${ASAN_OPTIONS:+ASAN_OPTIONS="$ASAN_OPTIONS"} "$installed/bin/weft" "${renders[@]}" "$scratch/installed.png")
@@ -56,7 +56,7 @@ build_sample() {
   }
 }
 
-# One file, with every public header before it and warnings on.
+# One file that includes every public header, compiled with warnings.
 build_with_pkg_config() {
   (cd "$installed/include" && find weft -name '*.h' | sort | sed 's/.*/#include <&>/') >"$scratch/all_headers.h"
   # shellcheck disable=SC2046,SC2086  # flags are words
@@ -66,7 +66,7 @@ build_with_pkg_config() {
     fail "a file doesn't build with what pkg-config says"
 }
 
-# The lines of docs/embedding.md that need no CMake, but for where Weft was installed and what needs a device.
+# The commands of docs/embedding.md without CMake, with the installed path, and without commands that need a device.
 build_by_the_page() {
   cp -r "$source/docs/examples/embedding" "$scratch/by_hand"
   awk '/^<!-- compiled by the tests -->$/ { wanted = 1; next } /^```/ { inside = wanted && !inside; if (!inside) wanted = 0; next }
@@ -77,7 +77,7 @@ build_by_the_page() {
   [ -x "$scratch/by_hand/embedding" ] || fail "what docs/embedding.md says makes no program"
 }
 
-# The embedder's own image holds what the program draws.
+# The embedder's own image must contain the same picture as the program's.
 compare_sample() {
   "$scratch/embedding/embedding" "$scratch/embedded.ppm" --validate || fail "the embedding sample ended with $?"
   "$program" render builtin:spheres --device 0 --size 320x180 --frames 3 -o "$scratch/reference.png"
@@ -85,7 +85,7 @@ compare_sample() {
     fail "the embedding sample draws another picture"
 }
 
-# What docs/embedding.md quotes is what the sample says.
+# docs/embedding.md must quote the sample's actual output.
 check_quotes() {
   local line
   while IFS= read -r line; do

@@ -12,7 +12,7 @@ import graph_text
 
 # Faults that a schema can see: unknown keys, wrong types, missing keys, bad values, unknown types, formats, imports.
 STRUCTURAL = {"W101", "W102", "W108", "W109", "W115", "W116"}
-# W109 with what only reading both values can tell.
+# W109 for faults that depend on two values.
 BEYOND_SCHEMAS = {
     "the default {} lies outside the range", "the default {} is not listed", "the range ends before it begins",
     "the bounds end before they begin", "the name {} is taken", "{} has a meaning of its own in expressions",
@@ -26,7 +26,7 @@ def beyond(message):
 
 
 def documented(root):
-    """(name, value) of the whole graphs in pages."""
+    """(name, value) of the complete graphs in the documentation."""
     for page in sorted(root.glob("docs/*.md")):
         for kind, name, text in graph_text.snippets(page.read_text()):
             if kind == "file" and name.endswith(".json"):
@@ -65,7 +65,7 @@ def main():
         if not validator.is_valid(value):
             rejected += 1
             continue
-        # Names that only the graph knows: its own schema has them.
+        # Names that only the graph's own schema has.
         narrow = json.loads(graph_text.run(program, "schema", file).stdout)
         if jsonschema.Draft7Validator(narrow).is_valid(value):
             failures.append(f"{name} is accepted, though: {own[0]['code']} {own[0]['message']}")

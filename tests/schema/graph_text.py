@@ -9,7 +9,7 @@ TRAILING_COMMA = re.compile(STRING + r"|,(?=\s*[}\]])")
 
 
 def plain(text):
-    """The text without comments and trailing commas. What is in strings stays."""
+    """The text without comments and trailing commas. Strings do not change."""
     for unwanted in (COMMENT, TRAILING_COMMA):
         text = unwanted.sub(lambda match: match[0] if match[0].startswith('"') else " ", text)
     return text
@@ -24,19 +24,19 @@ def run(program, *arguments, folder=None):
 
 
 def shipped(root):
-    """The graphs that come with Weft, and those of examples."""
+    """The shipped graphs and the examples."""
     graphs = [file for folder in ("graphs", "docs/examples") for file in sorted((root / folder).rglob("*.json"))]
     return [file for file in graphs if file.name != "weft.schema.json"]
 
 
 def snippets(page):
-    """The fenced blocks of a page that a comment before them marks: (kind, name, text), kind "file" or "over"."""
+    """The fenced blocks of a page that are marked by a comment: (kind, name, text), kind "file" or "over"."""
     mark = re.compile(r"^<!-- (file|over): (\S+) -->\n+```\w*\n(.*?)^```", re.S | re.M)
     return [match.groups() for match in mark.finditer(page)]
 
 
 def verdict(failures, summary):
-    """The exit code of a test, which has said what failed and what it looked at."""
+    """Prints the failures and a summary, and returns the exit code."""
     print("\n".join(failures))
     print(summary)
     return 1 if failures else 0

@@ -15,7 +15,7 @@ SLIP = "Slip"
 
 
 def reference(text):
-    """hdr@glass → hdrSlip@glass; of a port that is an object, what its "ref" says."""
+    """hdr@glass → hdrSlip@glass; for a port that is an object, its "ref"."""
     if isinstance(text, dict):
         return {**text, "ref": reference(text["ref"])}
     end = next((i for i, c in enumerate(text) if c in "@[."), len(text))
@@ -23,9 +23,9 @@ def reference(text):
 
 
 def slips(graph):
-    """(what, graph with one name misspelt), for every name that the schema of all graphs can't know."""
+    """(what, graph with one name misspelt), for every name that the schema of all graphs cannot contain."""
     for name, body in graph["passes"].items():
-        if body is None:  # taken away from what is included
+        if body is None:  # removed from the included graph
             continue
         for key in ("in", "out"):
             ports = body.get(key, [])
@@ -36,7 +36,7 @@ def slips(graph):
                     slip = copy.deepcopy(graph)
                     at = slip["passes"][name][key]
                     at[port + SLIP] = at.pop(port)
-                    # Ports of copies and blits may be called anything.
+                    # Ports of copies and blits may have any name.
                     if body.get("type") in ("compute", "fullscreen", "raster"):
                         yield f"{name}.{key}: port {port}", slip
         for key in ("params", "constants"):
@@ -48,7 +48,7 @@ def slips(graph):
             yield from changed(graph, ["passes", name, "depth"], reference)
         if isinstance(body.get("draws"), list):
             yield from changed(graph, ["passes", name, "draws", 0], reference)
-        if "shader" in body and "type" in body:  # else the included file says which shaders may stand there
+        if "shader" in body and "type" in body:  # else the included file determines the kind of shader
             yield from changed(graph, ["passes", name, "shader"], lambda text: SLIP + text)
         if "after" in body:
             yield from changed(graph, ["passes", name, "after", 0], reference)
@@ -72,7 +72,7 @@ TIERED_SLIPS = ['"exposure": 1', '"exposure": 2', '"tonemap": { "in": { "hdr"', 
 
 
 def check_tiers(program, failures):
-    """What stands in tiers, tests and views."""
+    """The names in tiers, tests and views."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "tiered.json"
         file.write_text(TIERED)
@@ -98,7 +98,7 @@ def own_validator(program, file):
 def main():
     program, root = sys.argv[1], pathlib.Path(sys.argv[2])
     failures, count = [], 0
-    # Modules are parts: they may name what only the graphs that include them have.
+    # Modules may use names that only the including graphs declare.
     files = [file for file in graph_text.shipped(root) if file.parent.name != "modules"]
     for file in files:
         graph = graph_text.parse(file.read_text())
@@ -112,7 +112,7 @@ def main():
             if validator.is_valid(slip):
                 failures.append(f"{file.name}: accepted with a slip in {what}")
     check_tiers(program, failures)
-    # A file that isn't there, and one that isn't JSON.
+    # A missing file, and a file that is not JSON.
     for bad in ("nowhere.json", "tests/diagnostics/W001_quote.json"):
         if graph_text.run(program, "schema", root / bad).returncode != 3:
             failures.append(f"{bad} is not exit code 3")

@@ -17,7 +17,7 @@ DEFINITIONS = "#/definitions/"
 
 
 class KeyWalk:
-    """Which keys of which definitions of the schema a graph uses."""
+    """The keys of the schema's definitions that a graph uses."""
 
     def __init__(self, schema):
         self.schema = schema
@@ -58,7 +58,7 @@ class KeyWalk:
 
 
 def all_keys(schema):
-    """(definition, key) of all objects, but for kinds of passes and resources, whose keys are those of all kinds."""
+    """(definition, key) of all objects; all kinds of passes share their keys, and so do all kinds of resources."""
     keys = {("graph", key) for key in schema["properties"]}
     for name, definition in schema["definitions"].items():
         kinds = name.endswith("Pass") and name != "anyPass" or name.endswith("Resource") or name == "pass"
@@ -68,7 +68,7 @@ def all_keys(schema):
 
 
 def runs(program, file, graph, folder, has_device):
-    """Checked; its tests run and its views drawn where there is a device."""
+    """Checks the graph; with a device also runs its tests and renders its views."""
     yield graph_text.run(program, "check", file, folder=folder)
     if has_device and "tests" in graph:
         yield graph_text.run(program, "check", "--run", file, folder=folder)

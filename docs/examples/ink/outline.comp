@@ -1,5 +1,5 @@
-// Lines where the surface breaks or bends. Reversed depth is near / distance, which is affine across any plane on
-// screen, so its second difference is zero there and speaks up only at silhouettes and steps.
+// Lines at the ends and creases of surfaces. Reversed depth is near / distance, which is linear in screen space on any
+// plane, so its second difference is zero there and large only at silhouettes and steps.
 #version 460
 #include "octahedral.glsl"
 

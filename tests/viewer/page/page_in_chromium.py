@@ -21,7 +21,7 @@ ANSWER_S = 600
 
 
 class Browser:
-    """One tab, spoken to by the DevTools protocol."""
+    """One tab, controlled with the DevTools protocol."""
 
     def __init__(self):
         self.folder = tempfile.mkdtemp(prefix="weft-chromium-")
@@ -118,7 +118,7 @@ class Browser:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-# Scrolls an item into view and finds a point where it lies on top.
+# Scrolls to an item and finds a point where no other item covers it.
 SPOT = """(() => { const item = document.querySelector(%s); if (!item) return null;
   item.scrollIntoView({ block: "center", inline: "center" });
   const box = item.getBoundingClientRect(), way = item.querySelector("path.hit"), spots = [];
@@ -129,10 +129,10 @@ SPOT = """(() => { const item = document.querySelector(%s); if (!item) return nu
   return spots.find(([x, y]) => document.elementFromPoint(x, y)?.closest(".i") === item) ?? "covered"; })()"""
 SPOT_OF_OPENER = """(() => { const opener = document.querySelector("#graph .open"); if (!opener) return null;
   opener.scrollIntoView({ block: "center" }); const at = opener.getBoundingClientRect(); return [at.x + at.width / 2, at.y + at.height / 2]; })()"""
-# The text of an article and of what is explained, without blanks.
+# The text of an article and of the explanation, without white space.
 ARTICLE = '(document.getElementById(%s)?.textContent ?? "none").replace(/\\s+/g, "")'
 EXPLAINED = 'document.getElementById("explained").textContent.replace(/\\s+/g, "")'
-# Words that stick out of their box, or of their drawing.
+# Texts that extend beyond their box or drawing.
 STICKS_OUT = """(() => { const out = [];
   for (const item of document.querySelectorAll("svg .pass, svg .batch, svg .block, svg .cell")) {
     const box = item.querySelector(".box, .mark").getBBox();
@@ -149,7 +149,7 @@ STICKS_OUT = """(() => { const out = [];
       if (t.left < whole.left - 1 || t.right > whole.right + 1 || t.top < whole.top - 1 || t.bottom > whole.bottom + 1)
         out.push(text.textContent + " leaves its drawing"); } }
   return out; })()"""
-# Names in the graph that do not lie on their own edge, or through which an edge of another name runs.
+# Names in the graph that are not on their own edge, or that another edge crosses.
 STRAY_NAMES = """(() => { const out = [];
   const text = (edge) => edge.querySelector(".edgename")?.textContent ?? edge.getAttribute("aria-label").split(": ").pop();
   for (const svg of document.querySelectorAll("#graph svg")) {
@@ -162,12 +162,12 @@ STRAY_NAMES = """(() => { const out = [];
       for (const other of edges) if (other.resources !== resources && other.spots.some(inside))
         out.push(other.edge.getAttribute("aria-label") + " runs through the name " + name.textContent); } }
   return out; })()"""
-# Queues with a row of the timeline and no submission in it.
+# Queues with a row in the timeline but without a submission.
 EMPTY_ROWS = """(() => { const rows = [...document.querySelectorAll("#timeline .lanes li")];
   const batches = [...document.querySelectorAll("#timeline .batch .box")].map((box) => box.getBoundingClientRect());
   return rows.filter((row) => { const at = row.getBoundingClientRect();
     return !batches.some((b) => b.top < at.bottom && at.top < b.bottom); }).map((row) => row.textContent); })()"""
-# What lies below the explanation, where nobody can see it.
+# Items hidden below the explanation.
 COVERED = """(() => { const bar = document.getElementById("inspector"), at = bar.getBoundingClientRect(), found = new Set();
   bar.style.visibility = "hidden";
   for (let x = at.left + 5; x < Math.min(at.right, innerWidth); x += 20)
@@ -175,7 +175,7 @@ COVERED = """(() => { const bar = document.getElementById("inspector"), at = bar
       for (const part of document.elementsFromPoint(x, y)) { const of = part.closest("section, header"); if (of) found.add(of.id || "the header"); }
   bar.style.visibility = "";
   return [...found]; })()"""
-# Boxes of passes that can be seen in the graph.
+# Visible boxes of passes in the graph.
 BOXES = """[...document.querySelectorAll("#graph .pass .box")].filter((box) => box.checkVisibility({ visibilityProperty: true })).length"""
 SCALE = """(() => { const svg = document.querySelector("#graph svg"); return svg.getBoundingClientRect().width / svg.viewBox.baseVal.width; })()"""
 SMALLEST = """Math.min(...[...document.querySelectorAll("body *")].filter((e) => e.childNodes.length && e.innerText !== "")
@@ -183,7 +183,7 @@ SMALLEST = """Math.min(...[...document.querySelectorAll("body *")].filter((e) =>
 
 
 def check_hover(browser, faults, style):
-    """A pointer over the first item of this kind explains it."""
+    """The pointer over the first item of this kind shows its explanation."""
     selector = json.dumps(f"svg .i.{style}")
     spot = browser.value(SPOT % selector)
     if spot is None:
@@ -204,7 +204,7 @@ def check_hover(browser, faults, style):
 
 
 def check_keyboard(browser, faults):
-    """Tab and arrows reach a barrier, which is explained; Enter selects it, Escape lets it go."""
+    """Tab and arrows reach a barrier and show its explanation; Enter selects it, Escape clears the selection."""
     for _ in range(60):
         browser.key("Tab")
         if browser.value('!!document.activeElement.closest("#timeline svg")'):
@@ -230,7 +230,7 @@ def check_keyboard(browser, faults):
 
 
 def check_selection(browser, faults, folder, name):
-    """A click on a pass keeps what belongs to it bright in all panels, and nothing else."""
+    """A click on a pass keeps only related items bright in all panels."""
     spot = browser.value(SPOT % json.dumps("#timeline svg .pass"))
     if spot is None:
         return
@@ -283,7 +283,7 @@ def check_zoom(browser, faults):
 
 
 def check_repeats(browser, faults):
-    """A repeat of many rounds is one box; its square opens it."""
+    """A repeat of many rounds is one box; its square expands it."""
     rounds = browser.value('new Set([...document.querySelectorAll("#timeline .pass")].map((e) => e.dataset.k.split(" ")[0])).size')
     folded = browser.value(BOXES)
     if folded > 40 and browser.value('[...document.querySelectorAll("#timeline .title")].filter((e) => e.ariaLabel.includes("#")).length') > 40:
@@ -296,7 +296,7 @@ def check_repeats(browser, faults):
 
 
 def check_without_script(browser, path, faults):
-    """The drawings are complete, and nothing is offered that needs the script."""
+    """Without scripts the drawings are complete, and there are no controls that need a script."""
     browser.call("Emulation.setScriptExecutionDisabled", value=True)
     browser.open(path)
     if browser.value('document.querySelector("#graph .zoom")?.checkVisibility() ?? false'):
