@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "graph/compile/bench_graph.h"
-#include "graph/plan/plan_cache.h"
 #include "viewer/commands/commands.h"
 #include "viewer/output/formatted.h"
 #include "viewer/output/output.h"
@@ -23,30 +22,19 @@ double us_since(Clock::time_point start) {
     return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
 
-struct StageTime {
-    std::string stage;
-    double us = 0;
-};
-
 struct BenchResult {
-    double cold_us = 0, warm_min_us = 0, warm_median_us = 0, unchanged_us = 0, lookup_us = 0;
+    double cold_us = 0, warm_min_us = 0, warm_median_us = 0;
     std::vector<StageTime> stages;  // times of the fastest warm run
     FramePlan plan;
 };
 
-BenchResult measure(const ResolvedGraph& graph, CompileOptions options) {
+BenchResult measure(const ResolvedGraph& graph, const CompileOptions& options) {
     const MemoryNeeds needs = bench_needs(graph);
     BenchResult result;
     std::vector<StageTime> stages;
-    Clock::time_point stage_start;
-    options.stage_over = [&](const char* stage) {
-        stages.push_back({stage, us_since(stage_start)});
-        stage_start = Clock::now();
-    };
     const auto timed = [&] {
-        stages.clear();
-        const Clock::time_point start = stage_start = Clock::now();
-        result.plan = compile(graph, needs, options);
+        const Clock::time_point start = Clock::now();
+        result.plan = compile(graph, needs, options, &stages);
         return us_since(start);
     };
     result.cold_us = timed();
@@ -58,16 +46,6 @@ BenchResult measure(const ResolvedGraph& graph, CompileOptions options) {
     std::sort(warm.begin(), warm.end());
     result.warm_min_us = warm.front();
     result.warm_median_us = warm[warm.size() / 2];
-    options.stage_over = {};
-    PlanCache cache;
-    static_cast<void>(cache.get(graph, needs, options));
-    Clock::time_point start = Clock::now();
-    static_cast<void>(cache.get(graph, needs, options));
-    result.unchanged_us = us_since(start);
-    const std::string hash = compile_hash(graph, needs, options);
-    start = Clock::now();
-    static_cast<void>(cache.find(hash));
-    result.lookup_us = us_since(start);
     return result;
 }
 
@@ -87,8 +65,6 @@ Json to_json(const BenchOptions& options, const BenchResult& result) {
             {"queues", options.queues},
             {"cold_us", result.cold_us},
             {"warm_us", {{"min", result.warm_min_us}, {"median", result.warm_median_us}}},
-            {"unchanged_us", result.unchanged_us},
-            {"lookup_us", result.lookup_us},
             {"stages_us", stages},
             {"peak_live_bytes", plan.memory.peak_live_bytes},
             {"heap_bytes", plan.memory.heap_bytes},
@@ -102,9 +78,8 @@ std::string to_text(const BenchOptions& options, const BenchResult& result) {
     std::string text =
         formatted("%u passes, %s, seed %u, %u queue%s\n", options.passes, options.shape.c_str(), options.seed,
                   options.queues, options.queues == 1 ? "" : "s");
-    text += formatted(
-        "compile    cold %.0f us, warm %.0f us (median %.0f), unchanged %.1f us (%.1f with the hash kept)\n",
-        result.cold_us, result.warm_min_us, result.warm_median_us, result.unchanged_us, result.lookup_us);
+    text += formatted("compile    cold %.0f us, warm %.0f us (median %.0f)\n", result.cold_us,
+                      result.warm_min_us, result.warm_median_us);
     for (const StageTime& time : result.stages)
         text += formatted("  %-16s %9.1f us  %5.1f %%\n", time.stage.c_str(), time.us,
                           100 * time.us / result.warm_min_us);

@@ -1,9 +1,9 @@
 #include "weft/compile.h"
 
-#include <functional>
 #include <utility>
 
 #include "graph/compile/link.h"
+#include "graph/compile/stage_timer.h"
 #include "graph/memory/alias.h"
 #include "graph/schedule/attachment_ops.h"
 #include "graph/schedule/cull.h"
@@ -14,60 +14,45 @@
 #include "graph/sync/synchronize.h"
 
 namespace weft {
-
 namespace {
 
-using StageOver = std::function<void(const char*)>;
-
-// What follows once it is known what shares memory.
-struct Recording {
-    BarrierPlan barriers;
-    SubmissionPlan submissions;
-};
-
-Recording record(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
-                 const MemoryPlan& memory, std::vector<std::vector<AttachmentOps>> attachments,
-                 const StageOver& over) {
-    std::vector<QueueDependency> dependencies = sync.dependencies;
-    Recording recording;
-    recording.barriers = barriers(graph, order, sync, memory, std::move(attachments), dependencies);
-    over("barriers");
-    recording.submissions = submissions(order, dependencies);
-    over("submissions");
-    return recording;
+std::vector<QueueDependency> all_dependencies(const SyncTable& sync, const BarrierResult& recorded) {
+    std::vector<QueueDependency> all = sync.dependencies;
+    all.insert(all.end(), recorded.memory_dependencies.begin(), recorded.memory_dependencies.end());
+    return all;
 }
 
 }  // namespace
 
-FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const CompileOptions& options) {
-    const StageOver over = [&](const char* stage) {
-        if (options.stage_over) options.stage_over(stage);
-    };
-    LiveGraph live = cull(graph, options.keep_all_passes);
-    over("cull");
-    Schedule order = schedule(graph, live, needs, options.queues);
-    over("schedule");
-    std::vector<std::vector<AttachmentOps>> attachments = attachment_ops(graph, live, order);
-    over("attachment_ops");
-    SyncTable sync = synchronize(graph, order, attachments, find_scopes(graph, order, attachments));
-    order = add_clocks(std::move(order), sync.dependencies);
-    over("synchronize");
-    Lifetimes spans = lifetimes(graph, live, order);
-    over("lifetimes");
-    MemoryPlan memory = alias(graph, live, order, spans, needs, options.granularity_bytes);
-    over("alias");
-    Recording recording = record(graph, order, sync, memory, std::move(attachments), over);
-    // A scope does not go on behind a semaphore. Without it queues wait for each other as before.
-    ScopeTable scopes = within_batches(sync.scopes, recording.submissions);
-    if (scopes != sync.scopes) {
-        attachments = attachment_ops(graph, live, order);
-        sync = synchronize(graph, order, attachments, std::move(scopes));
-        recording = record(graph, order, sync, memory, std::move(attachments), over);
+FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const CompileOptions& options,
+                  std::vector<StageTime>* times) {
+    StageTimer timer(times);
+    LiveGraph live = timer.stage("cull", cull(graph, options.keep_all_passes));
+    Schedule order = timer.stage("schedule", schedule(graph, live, needs, options.queues));
+    const AttachmentTable ops = timer.stage("attachment_ops", attachment_ops(graph, live, order));
+    ScopeTable scopes = timer.stage("find_scopes", find_scopes(graph, order, ops));
+    SyncTable sync = timer.stage("synchronize", synchronize(graph, order, ops, std::move(scopes)));
+    order = timer.stage("add_clocks", add_clocks(std::move(order), sync.dependencies));
+    Lifetimes spans = timer.stage("lifetimes", lifetimes(graph, live, order));
+    MemoryPlan memory =
+        timer.stage("alias", alias(graph, live, order, spans, needs, options.granularity_bytes));
+    BarrierResult recorded = timer.stage("barriers", barriers(graph, order, sync, memory, ops));
+    SubmissionPlan submitted =
+        timer.stage("submissions", submissions(order, all_dependencies(sync, recorded)));
+    // A rendering scope cannot continue in another batch. The queues still wait for each other as before.
+    if (ScopeTable kept = within_batches(sync.scopes, submitted); kept != sync.scopes) {
+        sync = synchronize(graph, order, ops, std::move(kept));
+        recorded = barriers(graph, order, sync, memory, ops);
+        submitted = submissions(order, all_dependencies(sync, recorded));
     }
-    FramePlan plan = link(graph, std::move(live), std::move(order), sync, std::move(spans), std::move(memory),
-                          std::move(recording.barriers), std::move(recording.submissions));
-    over("link");
-    return plan;
+    return timer.stage("link", link({.graph = graph,
+                                     .live = std::move(live),
+                                     .schedule = std::move(order),
+                                     .sync = std::move(sync),
+                                     .lifetimes = std::move(spans),
+                                     .memory = std::move(memory),
+                                     .barriers = std::move(recorded.plan),
+                                     .submissions = std::move(submitted)}));
 }
 
 MemoryNeeds content_needs(const ResolvedGraph& graph, uint64_t alignment_bytes) {

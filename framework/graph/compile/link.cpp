@@ -25,17 +25,16 @@ std::vector<BoundaryState> boundary_states(const ResolvedGraph& graph, const Liv
 
 }  // namespace
 
-FramePlan link(ResolvedGraph graph, LiveGraph live, Schedule order, const SyncTable& sync, Lifetimes spans,
-               MemoryPlan memory, BarrierPlan barrier_plan, SubmissionPlan submission_plan) {
+FramePlan link(StageResults results) {
     FramePlan plan;
-    plan.boundary = boundary_states(graph, live, sync);
-    plan.graph = std::move(graph);
-    plan.live = std::move(live);
-    plan.schedule = std::move(order);
-    plan.lifetimes = std::move(spans);
-    plan.memory = std::move(memory);
-    plan.barriers = std::move(barrier_plan);
-    plan.submissions = std::move(submission_plan);
+    plan.boundary = boundary_states(results.graph, results.live, results.sync);
+    plan.graph = std::move(results.graph);
+    plan.live = std::move(results.live);
+    plan.schedule = std::move(results.schedule);
+    plan.lifetimes = std::move(results.lifetimes);
+    plan.memory = std::move(results.memory);
+    plan.barriers = std::move(results.barriers);
+    plan.submissions = std::move(results.submissions);
     plan.hash = plan_hash(plan);
     return plan;
 }

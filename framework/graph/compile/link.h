@@ -7,8 +7,17 @@
 
 namespace weft {
 
-[[nodiscard]] FramePlan link(ResolvedGraph graph, LiveGraph live, Schedule order, const SyncTable& sync,
-                             Lifetimes spans, MemoryPlan memory, BarrierPlan barriers,
-                             SubmissionPlan submissions);
+struct StageResults {
+    ResolvedGraph graph;
+    LiveGraph live;
+    Schedule schedule;
+    SyncTable sync;
+    Lifetimes lifetimes;
+    MemoryPlan memory;
+    BarrierPlan barriers;
+    SubmissionPlan submissions;
+};
+
+[[nodiscard]] FramePlan link(StageResults results);
 
 }  // namespace weft

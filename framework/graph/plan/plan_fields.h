@@ -152,10 +152,6 @@ void visit_fields(V& v, const Lifetimes& x) {
     v("spans", x.spans);
 }
 template <class V>
-void visit_fields(V& v, const MemoryNeed& x) {
-    v("sizeBytes", x.size_bytes), v("alignmentBytes", x.alignment_bytes), v("typeBits", x.type_bits);
-}
-template <class V>
 void visit_fields(V& v, const Placement& x) {
     v("resource", x.resource), v("heap", x.heap), v("offsetBytes", x.offset_bytes),
         v("sizeBytes", x.size_bytes);

@@ -2,7 +2,6 @@
 #include <string>
 
 #include "graph/plan/field_hash.h"
-#include "graph/plan/plan_cache.h"
 #include "weft/compile.h"
 
 namespace weft {
@@ -23,17 +22,6 @@ std::string structure_hash(FramePlan plan) {
     }
     for (GraphParam& param : plan.graph.params) param = {param.name};
     return plan_hash(plan);
-}
-
-std::string compile_hash(const ResolvedGraph& graph, const MemoryNeeds& needs,
-                         const CompileOptions& options) {
-    return hashed([&](HashVisitor& visitor) {
-        visit_fields(visitor, graph);
-        visitor("needs", needs);
-        visitor("keepAllPasses", options.keep_all_passes);
-        visitor("granularityBytes", options.granularity_bytes);
-        visitor("queues", options.queues);
-    });
 }
 
 }  // namespace weft

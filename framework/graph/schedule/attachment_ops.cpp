@@ -51,10 +51,9 @@ StoreOp store_op(const ResolvedGraph& graph, PassId pass, const UseDecl& use,
 
 }  // namespace
 
-std::vector<std::vector<AttachmentOps>> attachment_ops(const ResolvedGraph& graph, const LiveGraph& live,
-                                                       const Schedule& order) {
+AttachmentTable attachment_ops(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order) {
     const std::vector<Written> versions = versions_read(graph, live);
-    std::vector<std::vector<AttachmentOps>> result(order.order.size());
+    AttachmentTable result(order.order.size());
     for (uint32_t position = 0; position < order.order.size(); ++position) {
         const PassId id = order.order[position];
         const PassDecl& pass = graph.passes[id];

@@ -8,9 +8,10 @@
 
 namespace weft {
 
-// By position in the order, then by attachment.
-[[nodiscard]] std::vector<std::vector<AttachmentOps>> attachment_ops(const ResolvedGraph& graph,
-                                                                     const LiveGraph& live,
-                                                                     const Schedule& order);
+// By position in the order, then by attachment: colours by location, then depth.
+using AttachmentTable = std::vector<std::vector<AttachmentOps>>;
+
+[[nodiscard]] AttachmentTable attachment_ops(const ResolvedGraph& graph, const LiveGraph& live,
+                                             const Schedule& order);
 
 }  // namespace weft

@@ -150,15 +150,15 @@ uint32_t count_emitted(const BarrierPlan& plan) {
 
 }  // namespace
 
-BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
-                     const MemoryPlan& memory, std::vector<std::vector<AttachmentOps>> attachments,
-                     std::vector<QueueDependency>& dependencies) {
-    BarrierPlan plan;
+BarrierResult barriers(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
+                       const MemoryPlan& memory, const AttachmentTable& attachments) {
+    BarrierResult result;
+    BarrierPlan& plan = result.plan;
     plan.concurrent = sync.concurrent;
     plan.steps.resize(order.order.size());
     for (uint32_t position = 0; position < order.order.size(); ++position) {
         plan.steps[position].pass = order.order[position];
-        plan.steps[position].attachments = std::move(attachments[position]);
+        plan.steps[position].attachments = attachments[position];
         plan.steps[position].continues_scope = sync.scopes[position] != kNoId;
     }
     const HandOverRows rows{memory.hand_overs};
@@ -169,7 +169,7 @@ BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const Sy
             placed.barrier.resource = id;
             if (placed.barrier.reason == BarrierReason::hand_over) {
                 const QueueIndex queue = order.queue[placed.position];
-                take_over(sync, owners, queue, placed, dependencies);
+                take_over(sync, owners, queue, placed, result.memory_dependencies);
                 for (const ResourceId before : earlier.of(id, owners))
                     wait_for(sync.histories[before], queue, placed.barrier.src);
             }
@@ -178,7 +178,7 @@ BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const Sy
         if (!sync.histories[id].entry.empty()) add_to_prologue(graph, id, sync.histories[id], plan.prologue);
     }
     plan.emitted = count_emitted(plan);
-    return plan;
+    return result;
 }
 
 }  // namespace weft

@@ -3,16 +3,20 @@
 
 #include <vector>
 
+#include "graph/schedule/attachment_ops.h"
 #include "graph/sync/synchronize.h"
 #include "weft/declaration.h"
 #include "weft/plan.h"
 
 namespace weft {
 
-// Memory that passes from one queue to another adds to `dependencies`.
-[[nodiscard]] BarrierPlan barriers(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
-                                   const MemoryPlan& memory,
-                                   std::vector<std::vector<AttachmentOps>> attachments,
-                                   std::vector<QueueDependency>& dependencies);
+struct BarrierResult {
+    BarrierPlan plan;
+    // One for each time that memory passes from one queue to another, besides those of the SyncTable.
+    std::vector<QueueDependency> memory_dependencies;
+};
+
+[[nodiscard]] BarrierResult barriers(const ResolvedGraph& graph, const Schedule& order, const SyncTable& sync,
+                                     const MemoryPlan& memory, const AttachmentTable& attachments);
 
 }  // namespace weft

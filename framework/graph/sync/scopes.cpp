@@ -64,7 +64,7 @@ bool continues(const PassDecl& first, const PassDecl& second, const std::vector<
 }  // namespace
 
 ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
-                       const std::vector<std::vector<AttachmentOps>>& attachments) {
+                       const AttachmentTable& attachments) {
     ScopeTable scopes(order.order.size(), kNoId);
     std::vector<uint32_t> last(order.queues.size(), kNoId);
     for (uint32_t position = 0; position < scopes.size(); ++position) {

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "graph/schedule/attachment_ops.h"
 #include "graph/sync/barrier_history.h"
 #include "weft/plan.h"
 
@@ -16,7 +17,7 @@ namespace weft {
 using ScopeTable = std::vector<uint32_t>;
 
 [[nodiscard]] ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
-                                     const std::vector<std::vector<AttachmentOps>>& attachments);
+                                     const AttachmentTable& attachments);
 // Without those that barriers stand in front of.
 [[nodiscard]] ScopeTable undivided(ScopeTable scopes, const std::vector<ResourceHistory>& histories);
 // Without those that are submitted in another batch.

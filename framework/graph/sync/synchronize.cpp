@@ -30,8 +30,8 @@ void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
     }
 }
 
-SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order,
-                      const std::vector<std::vector<AttachmentOps>>& attachments, ScopeTable scopes) {
+SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const AttachmentTable& attachments,
+                      ScopeTable scopes) {
     const TouchTable touches = collect_touches(graph, order, attachments, scopes);
     const std::vector<std::vector<ResourceId>> rings = rings_of(graph);
     SyncTable table;
@@ -62,8 +62,8 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order,
 
 }  // namespace
 
-SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
-                      const std::vector<std::vector<AttachmentOps>>& attachments, ScopeTable candidates) {
+SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order, const AttachmentTable& attachments,
+                      ScopeTable candidates) {
     for (;;) {
         SyncTable table = with_scopes(graph, order, attachments, candidates);
         candidates = undivided(table.scopes, table.histories);

@@ -18,8 +18,7 @@ struct SyncTable {
     ScopeTable scopes;                // the candidates that no barrier divides
 };
 [[nodiscard]] SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
-                                    const std::vector<std::vector<AttachmentOps>>& attachments,
-                                    ScopeTable candidates);
+                                    const AttachmentTable& attachments, ScopeTable candidates);
 // The schedule with its clocks, which follow from the waits between queues.
 [[nodiscard]] Schedule add_clocks(Schedule order, const std::vector<QueueDependency>& dependencies);
 

@@ -19,8 +19,7 @@ void add_attachment_access(const AttachmentOps& ops, const UseDecl& use, Touch& 
 }  // namespace
 
 TouchTable collect_touches(const ResolvedGraph& graph, const Schedule& order,
-                           const std::vector<std::vector<AttachmentOps>>& attachments,
-                           const std::vector<uint32_t>& scopes) {
+                           const AttachmentTable& attachments, const std::vector<uint32_t>& scopes) {
     TouchTable touches(graph.resources.size());
     for (uint32_t position = 0; position < order.order.size(); ++position) {
         const PassId id = order.order[position];

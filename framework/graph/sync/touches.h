@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "graph/schedule/attachment_ops.h"
 #include "weft/plan.h"
 
 namespace weft {
@@ -27,7 +28,7 @@ struct RangeTouch {
 // By resource, in order of position. `scopes` says by position whose rendering scope a pass continues.
 using TouchTable = std::vector<std::vector<RangeTouch>>;
 [[nodiscard]] TouchTable collect_touches(const ResolvedGraph& graph, const Schedule& order,
-                                         const std::vector<std::vector<AttachmentOps>>& attachments,
+                                         const AttachmentTable& attachments,
                                          const std::vector<uint32_t>& scopes);
 
 }  // namespace weft

@@ -278,9 +278,8 @@ TEST(Bench, CompilesAGraphOfChanceAndSaysWhereTheTimeGoes) {
         run_weft({"bench", "compile", "--passes", "50", "--seed", "7", "--queues", "2", "--json"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     const Json json = Json::parse(run.out);
-    for (const char* key :
-         {"passes", "shape", "seed", "queues", "cold_us", "warm_us", "unchanged_us", "lookup_us", "stages_us",
-          "peak_live_bytes", "heap_bytes", "candidates", "chosen", "barriers"})
+    for (const char* key : {"passes", "shape", "seed", "queues", "cold_us", "warm_us", "stages_us",
+                            "peak_live_bytes", "heap_bytes", "candidates", "chosen", "barriers"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json.at("queues"), 2);
     EXPECT_LE(json.at("warm_us").at("min"), json.at("warm_us").at("median"));

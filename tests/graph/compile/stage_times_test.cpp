@@ -1,0 +1,30 @@
+// compile() says how long each stage took, where the caller asks for it.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/graph/samples/random_graph.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+namespace {
+
+TEST(StageTimes, NameEveryStageInOrderAndChangeNothing) {
+    const ResolvedGraph graph = random_graph(3);
+    const MemoryNeeds needs = content_needs(graph);
+    std::vector<StageTime> times{{"left from before", 0}};
+    const FramePlan plan = compile(graph, needs, {}, &times);
+    std::string stages;
+    for (const StageTime& time : times) {
+        stages += time.stage + " ";
+        EXPECT_GE(time.us, 0) << time.stage;
+    }
+    EXPECT_EQ(stages,
+              "cull schedule attachment_ops find_scopes synchronize add_clocks lifetimes alias barriers "
+              "submissions link ");
+    EXPECT_EQ(plan.hash, compile(graph, needs, {}).hash);
+}
+
+}  // namespace
+}  // namespace weft::test

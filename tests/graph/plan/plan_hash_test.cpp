@@ -1,0 +1,61 @@
+// Equal plans have equal hashes, and every field except provenance counts.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/graph/samples/random_graph.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+namespace {
+
+FramePlan some_plan() {
+    const ResolvedGraph graph = random_graph(3);
+    return compile(graph, content_needs(graph), {});
+}
+
+TEST(PlanHash, IsTheSameForTheSamePlan) {
+    const FramePlan plan = some_plan();
+    EXPECT_EQ(plan.hash, plan_hash(plan));
+    EXPECT_EQ(plan.hash, some_plan().hash);
+    EXPECT_EQ(plan.hash.size(), 32u);
+}
+
+TEST(PlanHash, NoticesEveryFieldButProvenance) {
+    const FramePlan plan = some_plan();
+    FramePlan other = plan;
+    other.graph.passes[1].name += "x";
+    EXPECT_NE(plan_hash(other), plan.hash);
+    other = plan;
+    ++other.memory.heaps[0].size_bytes;
+    EXPECT_NE(plan_hash(other), plan.hash);
+    other = plan;
+    other.schedule.queues.push_back({QueueKind::compute, 1});
+    EXPECT_NE(plan_hash(other), plan.hash);
+    other = plan;
+    other.graph.passes[0].loc = {0, 12, 3, 1};
+    EXPECT_EQ(plan_hash(other), plan.hash);
+}
+
+// A text that is longer than the buffer of the hash, and texts that cross the end of that buffer.
+TEST(PlanHash, LongNamesAreHashedWhole) {
+    FramePlan plan;
+    plan.graph.passes.resize(1);
+    std::string& name = plan.graph.passes[0].shader;
+    name.assign(10000, 'a');
+    const std::string hash = plan_hash(plan);
+    for (const size_t at : {size_t{0}, size_t{4095}, size_t{4096}, size_t{9999}}) {
+        name.assign(10000, 'a');
+        name[at] = 'b';
+        EXPECT_NE(plan_hash(plan), hash) << at;
+    }
+    for (size_t length = 3900; length < 4200; ++length) {
+        name.assign(length, 'a');
+        const std::string first = plan_hash(plan);
+        name.back() = 'b';
+        EXPECT_NE(plan_hash(plan), first) << length;
+    }
+}
+
+}  // namespace
+}  // namespace weft::test
