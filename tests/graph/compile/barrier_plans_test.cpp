@@ -18,7 +18,7 @@ BuilderUse words(ResourceId r) {
     return {"words", r, Access::storage_read, {}, kNoId};
 }
 
-TEST(Barriers, ReadAfterWriteFromComputeToFragment) {
+TEST(BarrierPlans, ReadAfterWriteFromComputeToFragment) {
     GraphBuilder b;
     const ResourceId image = b.image("image"), color = b.image("color");
     b.compute("make", {stored(image)});
@@ -36,7 +36,7 @@ TEST(Barriers, ReadAfterWriteFromComputeToFragment) {
     EXPECT_EQ(plan.barriers.emitted, 4u);
 }
 
-TEST(Barriers, WriteAfterReadWaitsWithoutFlushing) {
+TEST(BarrierPlans, WriteAfterReadWaitsWithoutFlushing) {
     GraphBuilder b;
     const ResourceId x = b.buffer("x"), y = b.buffer("y");
     b.pass("write", PassKind::clear, {{"dst", x, Access::clear_write, {}, kNoId}});
@@ -53,7 +53,7 @@ TEST(Barriers, WriteAfterReadWaitsWithoutFlushing) {
     expect_state(war.dst, {stage::kClear | stage::kCopy, access::kTransferWrite, Layout::undefined});
 }
 
-TEST(Barriers, WriteAfterWriteFlushes) {
+TEST(BarrierPlans, WriteAfterWriteFlushes) {
     GraphBuilder b;
     const ResourceId x = b.buffer("x");
     b.pass("write", PassKind::clear, {{"dst", x, Access::clear_write, {}, kNoId}}).side_effect = true;
@@ -67,7 +67,7 @@ TEST(Barriers, WriteAfterWriteFlushes) {
     expect_state(waw.dst, {stage::kComputeShader, access::kStorageWrite, Layout::undefined});
 }
 
-TEST(Barriers, ReadsBetweenTwoWritesShareOneBarrier) {
+TEST(BarrierPlans, ReadsBetweenTwoWritesShareOneBarrier) {
     GraphBuilder b;
     const ResourceId image = b.image("image"), one = b.buffer("one"), two = b.image("two");
     b.compute("make", {stored(image)});
@@ -89,7 +89,7 @@ TEST(Barriers, ReadsBetweenTwoWritesShareOneBarrier) {
     EXPECT_EQ(war.from, kNoId) << "two passes are waited for";
 }
 
-TEST(Barriers, ReadsInAnotherLayoutNeedTheirOwn) {
+TEST(BarrierPlans, ReadsInAnotherLayoutNeedTheirOwn) {
     GraphBuilder b;
     const ResourceId image = b.image("image"), one = b.buffer("one");
     b.compute("make", {stored(image)});
@@ -106,7 +106,7 @@ TEST(Barriers, ReadsInAnotherLayoutNeedTheirOwn) {
     expect_state(layout.dst, {stage::kCopy, access::kTransferRead, Layout::transfer_src});
 }
 
-TEST(Barriers, AMipChainMovesOneMipAtATime) {
+TEST(BarrierPlans, AMipChainMovesOneMipAtATime) {
     GraphBuilder b;
     const ResourceId chain = b.image("chain", Format::r32u, 16, 3), color = b.image("color");
     b.compute("mip0", {stored(chain, one_cell(0))});
@@ -128,7 +128,7 @@ TEST(Barriers, AMipChainMovesOneMipAtATime) {
     EXPECT_EQ(last.from, pass_id(plan, "mip2"));
 }
 
-TEST(Barriers, RangesOfEqualFateAreOne) {
+TEST(BarrierPlans, RangesOfEqualFateAreOne) {
     GraphBuilder b;
     const ResourceId image = b.image("image", Format::r32u, 16, 2, 3), color = b.image("color");
     b.pass("clear", PassKind::clear, {{"dst", image, Access::clear_write, {}, kNoId}});
@@ -141,7 +141,7 @@ TEST(Barriers, RangesOfEqualFateAreOne) {
     EXPECT_EQ(barrier_before(plan, "part", "image").range, one_cell(1, 1));
 }
 
-TEST(Barriers, DepthWrittenThenSampled) {
+TEST(BarrierPlans, DepthWrittenThenSampled) {
     GraphBuilder b;
     const ResourceId z = b.image("z", Format::d32f), lit = b.buffer("lit");
     b.pass("depth", PassKind::raster, {{"depth", z, Access::depth_write, {}, kNoId}});
@@ -154,7 +154,7 @@ TEST(Barriers, DepthWrittenThenSampled) {
     expect_state(raw.dst, {stage::kComputeShader, access::kSampledRead, Layout::depth_read_only});
 }
 
-TEST(Barriers, DepthTestedAndSampledAtOnceIsOneTouch) {
+TEST(BarrierPlans, DepthTestedAndSampledAtOnceIsOneTouch) {
     GraphBuilder b;
     const ResourceId z = b.image("z", Format::d32f), color = b.image("color");
     b.pass("depth", PassKind::raster, {{"depth", z, Access::depth_write, {}, kNoId}});
@@ -173,7 +173,7 @@ TEST(Barriers, DepthTestedAndSampledAtOnceIsOneTouch) {
     EXPECT_EQ(ops[1].store, StoreOp::none);
 }
 
-TEST(Barriers, HandOverAndWrapAround) {
+TEST(BarrierPlans, HandOverAndWrapAround) {
     GraphBuilder b;
     const ResourceId a = b.image("a"), mid = b.image("mid"), last = b.image("last");
     b.compute("p1", {stored(a)});
@@ -202,7 +202,7 @@ TEST(Barriers, HandOverAndWrapAround) {
     expect_state(self.src, {stage::kComputeShader, access::kNone, Layout::undefined});
 }
 
-TEST(Barriers, AnUnreadWriteIsFlushedByTheHandOver) {
+TEST(BarrierPlans, AnUnreadWriteIsFlushedByTheHandOver) {
     GraphBuilder b;
     const ResourceId x = b.buffer("x");
     b.compute("only", {stored(x)}).side_effect = true;
@@ -224,13 +224,13 @@ FramePlan with_import(const AccessState& entry, const AccessState& exit, Access 
 
 constexpr AccessState kFragmentReads{stage::kFragmentShader, access::kSampledRead, Layout::shader_read_only};
 
-TEST(Barriers, AReadOnlyImportNeedsNothing) {
+TEST(BarrierPlans, AReadOnlyImportNeedsNothing) {
     const FramePlan plan = with_import(kFragmentReads, kFragmentReads, Access::sampled_read);
     EXPECT_TRUE(barriers_before(plan, "touch", "import").empty());
     EXPECT_TRUE(plan.barriers.epilogue.empty());
 }
 
-TEST(Barriers, AnImportIsAcquiredAndReleased) {
+TEST(BarrierPlans, AnImportIsAcquiredAndReleased) {
     const FramePlan plan = with_import(kFragmentReads, kFragmentReads, Access::storage_write);
     const BarrierDecl acquire = barrier_before(plan, "touch", "import");
     EXPECT_EQ(acquire.reason, BarrierReason::acquire_import);
@@ -246,7 +246,7 @@ TEST(Barriers, AnImportIsAcquiredAndReleased) {
     expect_state(plan.boundary.front().state, kFragmentReads);
 }
 
-TEST(Barriers, APendingWriteIsFlushedBeforeAnImportIsRead) {
+TEST(BarrierPlans, APendingWriteIsFlushedBeforeAnImportIsRead) {
     const AccessState written{stage::kCopy, access::kTransferWrite, Layout::shader_read_only};
     const FramePlan plan = with_import(written, written, Access::sampled_read);
     const BarrierDecl acquire = barrier_before(plan, "touch", "import");
@@ -257,7 +257,7 @@ TEST(Barriers, APendingWriteIsFlushedBeforeAnImportIsRead) {
                  {stage::kComputeShader, access::kNone, Layout::shader_read_only});
 }
 
-TEST(Barriers, AnImportReadInAnotherLayoutGoesBack) {
+TEST(BarrierPlans, AnImportReadInAnotherLayoutGoesBack) {
     const AccessState general{stage::kComputeShader, access::kStorageRead, Layout::general};
     const FramePlan plan = with_import(general, general, Access::sampled_read);
     EXPECT_EQ(barrier_before(plan, "touch", "import").reason, BarrierReason::acquire_import);
@@ -266,7 +266,7 @@ TEST(Barriers, AnImportReadInAnotherLayoutGoesBack) {
                  {stage::kComputeShader, access::kNone, Layout::shader_read_only});
 }
 
-TEST(Barriers, LoadAndStoreOperationsFollowTheReaders) {
+TEST(BarrierPlans, LoadAndStoreOperationsFollowTheReaders) {
     GraphBuilder b;
     const ResourceId color = b.image("color"), extra = b.image("extra"), z = b.image("z", Format::d32f);
     b.pass("base", PassKind::raster,

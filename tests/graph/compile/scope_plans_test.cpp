@@ -51,7 +51,7 @@ void expect_apart(const FramePlan& plan, const char* pass) {
     EXPECT_FALSE(barriers_before(plan, pass, "target").empty());
 }
 
-TEST(Scopes, ThreePassesOverOneTargetAreOneScopeWithoutBarriers) {
+TEST(ScopePlans, ThreePassesOverOneTargetAreOneScopeWithoutBarriers) {
     Layers layers;
     layers.draw("second");
     layers.draw("third");
@@ -68,7 +68,7 @@ TEST(Scopes, ThreePassesOverOneTargetAreOneScopeWithoutBarriers) {
     EXPECT_EQ(after.from, pass_id(plan, "third"));
 }
 
-TEST(Scopes, WhatTheFirstPassDrewIsSampledInBetween) {
+TEST(ScopePlans, WhatTheFirstPassDrewIsSampledInBetween) {
     Layers layers;
     const ResourceId copy = layers.builder.image("copy", Format::rgba16f, kSide);
     layers.builder.pass("look", PassKind::fullscreen,
@@ -79,7 +79,7 @@ TEST(Scopes, WhatTheFirstPassDrewIsSampledInBetween) {
     expect_apart(layers.plan(), "second");
 }
 
-TEST(Scopes, SomethingElseHasToBeWaitedFor) {
+TEST(ScopePlans, SomethingElseHasToBeWaitedFor) {
     Layers layers;
     const ResourceId words = layers.builder.buffer("words");
     layers.builder.compute("fill", {{"dst", words, Access::storage_write, {}, kNoId}});
@@ -90,13 +90,13 @@ TEST(Scopes, SomethingElseHasToBeWaitedFor) {
     EXPECT_EQ(barriers_before(plan, "second", "words").size(), 1u);
 }
 
-TEST(Scopes, AnotherExtent) {
+TEST(ScopePlans, AnotherExtent) {
     Layers layers;
     layers.draw("second").render_extent.width /= 2;
     expect_apart(layers.plan(), "second");
 }
 
-TEST(Scopes, AClearBeginsAnother) {
+TEST(ScopePlans, AClearBeginsAnother) {
     Layers layers;
     layers.builder.pass("second", PassKind::fullscreen,
                         {{"src", layers.input, Access::sampled_read, {}, 0},
@@ -110,7 +110,7 @@ TEST(Scopes, AClearBeginsAnother) {
     expect_apart(plan, "second");
 }
 
-TEST(Scopes, AnotherMip) {
+TEST(ScopePlans, AnotherMip) {
     GraphBuilder b;
     const ResourceId target = b.image("target", Format::rgba16f, kSide, 2);
     for (uint32_t mip = 0; mip < 2; ++mip)
@@ -130,7 +130,7 @@ TEST(Scopes, AnotherMip) {
         }
 }
 
-TEST(Scopes, AMultisampledTargetThatIsResolvedInBetween) {
+TEST(ScopePlans, AMultisampledTargetThatIsResolvedInBetween) {
     for (const bool first : {true, false}) {
         Layers layers;
         layers.draw("second");
@@ -159,13 +159,13 @@ FramePlan depth_pair(Access first, Access second) {
     return compiled(b);
 }
 
-TEST(Scopes, DepthTestedPassesMergeWhereTheLayoutStays) {
+TEST(ScopePlans, DepthTestedPassesMergeWhereTheLayoutStays) {
     EXPECT_TRUE(merged(depth_pair(Access::depth_write, Access::depth_read_write), "second"));
     EXPECT_TRUE(merged(depth_pair(Access::depth_read, Access::depth_read), "second"));
     expect_apart(depth_pair(Access::depth_write, Access::depth_read), "second");
 }
 
-TEST(Scopes, WhoeverComesNextWaitsForDepthToo) {
+TEST(ScopePlans, WhoeverComesNextWaitsForDepthToo) {
     GraphBuilder b;
     const ResourceId z = b.image("z", Format::d32f, kSide);
     b.pass("first", PassKind::raster, {{"depth", z, Access::depth_write, {}, kNoId}});
@@ -183,7 +183,7 @@ TEST(Scopes, WhoeverComesNextWaitsForDepthToo) {
 }
 
 // A pass on another queue reads the first pass's version, so the second pass must wait for it.
-TEST(Scopes, NotAcrossASemaphore) {
+TEST(ScopePlans, NotAcrossASemaphore) {
     GraphBuilder b;
     const ResourceId target = b.image("target", Format::r32u, kSide),
                      out = b.image("out", Format::r32u, kSide);
@@ -204,7 +204,7 @@ TEST(Scopes, NotAcrossASemaphore) {
 }
 
 // Nothing is recorded between the two passes, but another queue waits for the first.
-TEST(Scopes, NotBehindASignal) {
+TEST(ScopePlans, NotBehindASignal) {
     for (const bool waits : {false, true}) {
         GraphBuilder b;
         const ResourceId target = b.image("target", Format::r32u, kSide), words = b.buffer("words");
@@ -229,7 +229,7 @@ TEST(Scopes, NotBehindASignal) {
     }
 }
 
-TEST(Scopes, DumpsAndAnswersSayIt) {
+TEST(ScopePlans, DumpsAndAnswersSayIt) {
     Layers layers;
     layers.draw("second");
     const FramePlan plan = layers.plan();

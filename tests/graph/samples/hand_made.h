@@ -1,0 +1,49 @@
+// Purpose: the input of single stages, made by hand, so that a test of one stage calls no other stage.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "weft/declaration.h"
+#include "weft/plan.h"
+
+namespace weft::test {
+
+inline PassId pass_of(const ResolvedGraph& graph, const std::string& name) {
+    return static_cast<PassId>(find_pass(graph, name) - graph.passes.data());
+}
+
+inline ResourceId resource_of(const ResolvedGraph& graph, const std::string& name) {
+    return static_cast<ResourceId>(find_resource(graph, name) - graph.resources.data());
+}
+
+inline LiveGraph all_live(const ResolvedGraph& graph) {
+    LiveGraph live;
+    live.live_passes.assign(graph.passes.size(), 1);
+    live.live_resources.assign(graph.resources.size(), 1);
+    live.reasons.assign(graph.passes.size(), CullReason::live);
+    live.details.resize(graph.passes.size());
+    return live;
+}
+
+// Graphics and compute, both of queue family 0.
+inline std::vector<LogicalQueue> two_queues() {
+    return {{QueueKind::graphics, 0}, {QueueKind::compute, 0}};
+}
+
+// The passes in this order; `queue` by position, by default queue 0. Without clocks.
+inline Schedule in_order(const ResolvedGraph& graph, const std::vector<std::string>& passes,
+                         std::vector<QueueIndex> queue = {}) {
+    Schedule order;
+    order.position.assign(graph.passes.size(), kNoId);
+    for (const std::string& name : passes) {
+        order.position[pass_of(graph, name)] = static_cast<uint32_t>(order.order.size());
+        order.order.push_back(pass_of(graph, name));
+    }
+    if (!queue.empty()) order.queues = two_queues();
+    if (queue.empty()) queue.assign(passes.size(), 0);
+    order.queue = std::move(queue);
+    return order;
+}
+
+}  // namespace weft::test

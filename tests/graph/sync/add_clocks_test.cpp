@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include "graph/sync/synchronize.h"
+#include "tests/graph/samples/hand_made.h"
+
+namespace weft::test {
+namespace {
+
+using Clocks = std::vector<std::vector<uint32_t>>;
+
+// Positions 0 and 2 on queue 0, positions 1 and 3 on queue 1.
+Schedule alternating() {
+    Schedule order;
+    order.order = {0, 1, 2, 3};
+    order.position = {0, 1, 2, 3};
+    order.queue = {0, 1, 0, 1};
+    order.queues = two_queues();
+    return order;
+}
+
+TEST(AddClocks, AQueueKnowsItsOwnPastAndNoOther) {
+    EXPECT_EQ(add_clocks(alternating(), {}).clocks, (Clocks{{0, 0}, {0, 0}, {1, 0}, {0, 2}}));
+}
+
+TEST(AddClocks, ADependencyHandsOnAllThatItsSourceKnows) {
+    // 1 waits for 0, and 2 waits for 1: so 2 knows position 1 of queue 1, and 3 knows position 0 of queue 0.
+    const Schedule order = add_clocks(alternating(), {{0, 1, false, kNoId}, {1, 2, false, kNoId}});
+    EXPECT_EQ(order.clocks, (Clocks{{0, 0}, {1, 0}, {1, 2}, {1, 2}}));
+    // 3 waits for 2, which comes after 0 on the same queue.
+    EXPECT_EQ(add_clocks(alternating(), {{2, 3, false, kNoId}}).clocks,
+              (Clocks{{0, 0}, {0, 0}, {1, 0}, {3, 2}}));
+}
+
+TEST(AddClocks, TheFrameBeforeAndTheEndOfTheFrameAreNoPositions) {
+    const Schedule order = add_clocks(alternating(), {{3, 0, true, kNoId}, {3, 4, false, kNoId}});
+    EXPECT_EQ(order.clocks, (Clocks{{0, 0}, {0, 0}, {1, 0}, {0, 2}}));
+}
+
+TEST(AddClocks, NothingElseOfTheScheduleChanges) {
+    const Schedule before = alternating(), after = add_clocks(before, {{0, 1, false, kNoId}});
+    EXPECT_EQ(after.order, before.order);
+    EXPECT_EQ(after.position, before.position);
+    EXPECT_EQ(after.queue, before.queue);
+    EXPECT_EQ(after.queues, before.queues);
+}
+
+}  // namespace
+}  // namespace weft::test

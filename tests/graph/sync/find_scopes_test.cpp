@@ -1,0 +1,95 @@
+// Candidates from the declarations, and which of them are left once barriers and batches are known.
+#include <gtest/gtest.h>
+
+#include "graph/sync/scopes.h"
+#include "tests/graph/samples/graph_builder.h"
+#include "tests/graph/samples/hand_made.h"
+
+namespace weft::test {
+namespace {
+
+constexpr uint32_t kNone = kNoId;
+const AttachmentOps kLoads{0, LoadOp::load, StoreOp::store};
+const AttachmentOps kClears{0, LoadOp::clear, StoreOp::store};
+
+// first, second and third draw over each other; far does nothing with it.
+ResolvedGraph layers() {
+    GraphBuilder b;
+    const ResourceId target = b.image("target"), words = b.buffer("words");
+    b.pass("first", PassKind::fullscreen, {{"color", target, Access::color_write, {}, kNoId}});
+    for (const char* name : {"second", "third"})
+        b.pass(name, PassKind::fullscreen, {{"color", target, Access::color_read_write, {}, kNoId}});
+    b.compute("far", {{"dst", words, Access::storage_write, {}, 0}});
+    return b.build();
+}
+
+ScopeTable scopes_of_layers(const ResolvedGraph& graph) {
+    return find_scopes(graph, in_order(graph, {"first", "second", "third"}), {{kClears}, {kLoads}, {kLoads}});
+}
+
+TEST(FindScopes, APassContinuesTheOneThatDrewTheSameRightBeforeIt) {
+    EXPECT_EQ(scopes_of_layers(layers()), (ScopeTable{kNone, 0, 1}));
+}
+
+TEST(FindScopes, AClearBeginsAnother) {
+    const ResolvedGraph graph = layers();
+    EXPECT_EQ(
+        find_scopes(graph, in_order(graph, {"first", "second", "third"}), {{kClears}, {kClears}, {kLoads}}),
+        (ScopeTable{kNone, kNone, 1}));
+}
+
+TEST(FindScopes, OnlyPassesOfTheSameQueueComeBetween) {
+    const ResolvedGraph graph = layers();
+    const std::vector<std::string> passes{"first", "far", "second"};
+    const AttachmentTable ops{{kClears}, {}, {kLoads}};
+    EXPECT_EQ(find_scopes(graph, in_order(graph, passes), ops), (ScopeTable{kNone, kNone, kNone}));
+    EXPECT_EQ(find_scopes(graph, in_order(graph, passes, {0, 1, 0}), ops), (ScopeTable{kNone, kNone, 0}));
+}
+
+TEST(FindScopes, ExtentResolveAndFrameSlicesMustAgree) {
+    ResolvedGraph graph = layers();
+    PassDecl& second = graph.passes[pass_of(graph, "second")];
+    second.render_extent.width /= 2;
+    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNone, kNone, kNone})) << "extent";
+    graph = layers();
+    graph.passes[pass_of(graph, "third")].colors.front().resolve_use = 0;
+    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNone, 0, kNone})) << "resolve";
+    graph = layers();
+    graph.passes[pass_of(graph, "third")].turns = 2;
+    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNone, 0, kNone})) << "runs in some frames only";
+}
+
+TEST(FindScopes, APassThatAlsoSamplesItsTargetStandsAlone) {
+    GraphBuilder b;
+    const ResourceId target = b.image("target");
+    b.pass("first", PassKind::fullscreen, {{"color", target, Access::color_write, {}, kNoId}});
+    b.pass("second", PassKind::fullscreen,
+           {{"color", target, Access::color_read_write, {}, kNoId},
+            {"src", target, Access::sampled_read, {}, 0}});
+    const ResolvedGraph graph = b.build();
+    EXPECT_EQ(find_scopes(graph, in_order(graph, {"first", "second"}), {{kClears}, {kLoads}}),
+              (ScopeTable{kNone, kNone}));
+}
+
+TEST(FindScopes, ABarrierBeforeAPassOrBehindTheOneBeforeItDivides) {
+    const ScopeTable all{kNone, 0, 1, 2};
+    ResourceHistory before, behind, epilogue;
+    before.barriers = {{1, false, {}}};
+    behind.barriers = {{2, true, {}}};
+    epilogue.barriers = {{kEpiloguePosition, false, {}}};
+    EXPECT_EQ(undivided(all, {}), all);
+    EXPECT_EQ(undivided(all, {epilogue}), all);
+    EXPECT_EQ(undivided(all, {before}), (ScopeTable{kNone, kNone, 1, 2}));
+    EXPECT_EQ(undivided(all, {behind}), (ScopeTable{kNone, 0, 1, kNone}));
+}
+
+TEST(FindScopes, ABatchBeginsAScope) {
+    SubmissionPlan plan;
+    plan.batches.resize(3);
+    plan.batches[0].positions = {0, 1};
+    plan.batches[1].positions = {2, 3};
+    EXPECT_EQ(within_batches({kNone, 0, 1, 2}, plan), (ScopeTable{kNone, 0, kNone, 2}));
+}
+
+}  // namespace
+}  // namespace weft::test

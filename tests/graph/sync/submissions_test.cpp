@@ -1,0 +1,73 @@
+#include "graph/sync/submissions.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/graph/samples/hand_made.h"
+
+namespace weft::test {
+namespace {
+
+Schedule on_queues(std::vector<QueueIndex> queue) {
+    Schedule order;
+    for (uint32_t p = 0; p < queue.size(); ++p) order.order.push_back(p), order.position.push_back(p);
+    order.queue = std::move(queue);
+    order.queues = two_queues();
+    return order;
+}
+
+// One line a batch: its queue, its positions, the batches that it waits for ("-1" for one of the frame
+// before), and whether it ends the frame.
+std::string text_of(const SubmissionPlan& plan) {
+    std::string text;
+    for (const Batch& batch : plan.batches) {
+        text += "q" + std::to_string(batch.queue) + ":";
+        for (const uint32_t position : batch.positions) text += " " + std::to_string(position);
+        for (const QueueWait& wait : batch.waits)
+            text += " after " + std::to_string(wait.batch) + (wait.previous_frame ? "-1" : "");
+        text += batch.epilogue ? " end\n" : "\n";
+    }
+    return text;
+}
+
+TEST(Submissions, OneQueueIsOneBatch) {
+    const SubmissionPlan plan = submissions(on_queues({0, 0, 0}), {});
+    EXPECT_EQ(text_of(plan), "q0: 0 1 2 end\n");
+    EXPECT_TRUE(plan.dependencies.empty());
+}
+
+TEST(Submissions, AnEmptyFrameStillEndsOnTheFirstQueue) {
+    EXPECT_EQ(text_of(submissions(on_queues({}), {})), "q0: end\n");
+}
+
+TEST(Submissions, BatchesEndBehindWhatIsWaitedForAndBeginAtWhatWaits) {
+    // 1 on the other queue waits for 0; 3 on the first queue waits for 1.
+    const SubmissionPlan plan = submissions(on_queues({0, 1, 0, 0}), {{0, 1, false, 7}, {1, 3, false, 8}});
+    EXPECT_EQ(text_of(plan), "q0: 0\nq1: 1 after 0\nq0: 2\nq0: 3 after 1 end\n");
+    ASSERT_EQ(plan.dependencies.size(), 2u);
+    EXPECT_EQ(plan.dependencies[plan.batches[1].waits[0].dependency], (QueueDependency{0, 1, false, 7}));
+    EXPECT_EQ(plan.dependencies[plan.batches[3].waits[0].dependency], (QueueDependency{1, 3, false, 8}));
+}
+
+TEST(Submissions, AWaitThatAnotherImpliesIsLeftOut) {
+    // 1 comes after 0 on its queue, so the wait for 1 covers the one for 0.
+    const SubmissionPlan plan = submissions(on_queues({0, 0, 1}), {{0, 2, false, 7}, {1, 2, false, 8}});
+    EXPECT_EQ(text_of(plan), "q0: 0 1\nq1: 2 after 0\nq0: end\n");
+    EXPECT_EQ(plan.dependencies, (std::vector<QueueDependency>{{1, 2, false, 8}}));
+}
+
+TEST(Submissions, AWaitForTheFrameBefore) {
+    // 0 waits for 1 of the frame before.
+    const SubmissionPlan plan = submissions(on_queues({0, 1}), {{1, 0, true, 7}});
+    EXPECT_EQ(text_of(plan), "q0: 0 after 1-1 end\nq1: 1\n");
+    EXPECT_EQ(plan.dependencies, (std::vector<QueueDependency>{{1, 0, true, 7}}));
+}
+
+TEST(Submissions, TheEndOfTheFrameWaitsToo) {
+    // Position 2 stands for the end of the frame.
+    EXPECT_EQ(text_of(submissions(on_queues({0, 1}), {{1, 2, false, 7}})), "q0: 0\nq1: 1\nq0: after 1 end\n");
+}
+
+}  // namespace
+}  // namespace weft::test
