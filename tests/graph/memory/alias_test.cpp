@@ -1,148 +1,136 @@
+// Heaps and offsets, and which resource takes over whose bytes.
+#include "graph/memory/alias.h"
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <random>
-
 #include "graph/memory/alias_hand_over.h"
-#include "graph/memory/alias_pack.h"
-#include "tests/graph/compile/plan_expectations.h"
+#include "tests/graph/samples/graph_builder.h"
+#include "tests/graph/samples/hand_made.h"
 
 namespace weft::test {
 namespace {
 
-bool sound(const std::vector<PackItem>& items, const Packing& packing) {
-    for (size_t i = 0; i < items.size(); ++i) {
-        const uint64_t begin = packing.offsets_bytes[i], end = begin + items[i].size_bytes;
-        if (begin % items[i].alignment_bytes != 0 || end > packing.height_bytes) return false;
-        for (size_t j = 0; j < i; ++j) {
-            const bool together = items[j].first <= items[i].last && items[i].first <= items[j].last;
-            const uint64_t other = packing.offsets_bytes[j];
-            if (together && other < end && begin < other + items[j].size_bytes) return false;
-        }
-    }
-    return true;
-}
-
-std::vector<PackItem> random_items(uint32_t seed, uint32_t count, uint32_t longest) {
-    std::mt19937 random(seed);
-    std::vector<PackItem> items;
-    for (uint32_t i = 0; i < count; ++i) {
-        const auto first = static_cast<uint32_t>(random() % count);
-        items.push_back({1 + random() % 5000, uint64_t{1} << (random() % 9), first,
-                         first + static_cast<uint32_t>(random() % longest)});
-    }
-    return items;
-}
-
-uint64_t peak_bytes(const std::vector<PackItem>& items) {
-    uint64_t peak = 0;
-    for (const PackItem& at : items) {
-        uint64_t bytes = 0;
-        for (const PackItem& item : items)
-            if (item.first <= at.first && at.first <= item.last) bytes += item.size_bytes;
-        peak = std::max(peak, bytes);
-    }
-    return peak;
-}
-
-TEST(Pack, NothingThatLivesTogetherSharesBytes) {
-    for (uint32_t seed = 0; seed < 60; ++seed) {
-        // Short lifetimes test the sparse algorithm, long ones the dense one.
-        const std::vector<PackItem> items = random_items(seed, 40 + seed, seed % 2 ? 4 : 40);
-        EXPECT_TRUE(sound(items, pack_sweep(items))) << "seed " << seed;
-        EXPECT_TRUE(sound(items, pack_size_descending(items))) << "seed " << seed;
-        const Packing best = pack(items, peak_bytes(items));
-        EXPECT_TRUE(sound(items, best)) << "seed " << seed;
-        EXPECT_LE(best.height_bytes, pack_sweep(items).height_bytes);
-        EXPECT_LE(best.height_bytes, pack_size_descending(items).height_bytes);
-    }
-}
-
-TEST(Pack, StaysNearTheLowerBound) {
-    double sum = 0;
-    for (uint32_t seed = 0; seed < 20; ++seed) {
-        std::vector<PackItem> items = random_items(seed, 100, 30);
-        for (PackItem& item : items) item.alignment_bytes = 1;
-        const uint64_t peak = peak_bytes(items);
-        sum += static_cast<double>(pack(items, peak).height_bytes) / static_cast<double>(peak);
-    }
-    EXPECT_LE(sum / 20, 1.05);
-}
-
-// A chain of images of equal size, which alternate between two places.
-FramePlan chain(uint32_t length) {
+ResolvedGraph images(uint32_t count) {
     GraphBuilder b;
-    std::vector<ResourceId> images;
-    for (uint32_t i = 0; i < length; ++i) images.push_back(b.image("i" + std::to_string(i)));
-    b.compute("p0", {{"dst", images[0], Access::storage_write, {}, kNoId}});
-    for (uint32_t i = 1; i < length; ++i)
-        b.compute("p" + std::to_string(i), {{"src", images[i - 1], Access::sampled_read, {}, kNoId},
-                                            {"dst", images[i], Access::storage_write, {}, kNoId}});
-    read_back(b, "out", images.back());
-    return compiled(b);
+    for (uint32_t i = 0; i < count; ++i) b.image("i" + std::to_string(i));
+    return b.build();
 }
 
-TEST(Alias, AChainNeedsTwoPlacesAndHandsThemOver) {
-    const FramePlan plan = chain(5);
-    EXPECT_EQ(plan.memory.sum_bytes, 5u * 1024);
-    EXPECT_EQ(plan.memory.peak_live_bytes, 2u * 1024);
-    EXPECT_EQ(plan.memory.heap_bytes, 2u * 1024);
-    const auto id = [&](const char* name) { return resource_id(plan, name); };
-    // i0 i2 i4 share one place, i1 i3 the other; the first of each takes over from the last one of the
-    // previous frame.
-    const std::vector<HandOver> wanted{{id("i4"), id("i0"), true},
-                                       {id("i3"), id("i1"), true},
-                                       {id("i0"), id("i2"), false},
-                                       {id("i1"), id("i3"), false},
-                                       {id("i2"), id("i4"), false}};
-    EXPECT_EQ(plan.memory.hand_overs, wanted);
+LifetimeSpan span(uint32_t first, uint32_t last, QueueIndex queue = 0) {
+    return {first, last, {{queue, first, last}}};
 }
 
-TEST(Alias, AResourceAloneHandsOverToItself) {
-    const FramePlan plan = chain(1);
-    EXPECT_EQ(plan.memory.hand_overs, (std::vector<HandOver>{{0, 0, true}}));
+Schedule one_queue() {
+    Schedule order;
+    order.queue.assign(8, 0);
+    return order;
 }
 
-TEST(Alias, HandOversFollowTheBytes) {
-    // In a heap of 100 bytes: first 0, then 1, both beside 2; then 3 in the memory of both.
+MemoryPlan aliased(const ResolvedGraph& graph, const Schedule& order, std::vector<LifetimeSpan> spans,
+                   const MemoryNeeds& needs, uint64_t granularity_bytes = 64) {
+    return alias(graph, all_live(graph), order, {std::move(spans)}, needs, granularity_bytes);
+}
+
+const Placement& place_of(const MemoryPlan& plan, ResourceId id) {
+    static const Placement kNowhere;
+    for (const Placement& p : plan.placements)
+        if (p.resource == id) return p;
+    ADD_FAILURE() << "resource " << id << " has no place";
+    return kNowhere;
+}
+
+// Five images, each alive together with the next one: two places, used alternately.
+TEST(Alias, AChainNeedsTwoPlacesAndTakesThemOverInTurn) {
+    const MemoryPlan plan =
+        aliased(images(5), one_queue(), {span(0, 1), span(1, 2), span(2, 3), span(3, 4), span(4, 5)},
+                MemoryNeeds(5, {1024, 1, UINT32_MAX}));
+    EXPECT_EQ(plan.sum_bytes, 5120u);
+    EXPECT_EQ(plan.peak_live_bytes, 2048u);
+    EXPECT_EQ(plan.peak_position, 1u);
+    EXPECT_EQ(plan.heap_bytes, 2048u);
+    ASSERT_EQ(plan.heaps.size(), 1u);
+    for (const ResourceId id : {2u, 4u})
+        EXPECT_EQ(place_of(plan, id).offset_bytes, place_of(plan, 0).offset_bytes) << id;
+    EXPECT_EQ(place_of(plan, 3).offset_bytes, place_of(plan, 1).offset_bytes);
+    EXPECT_NE(place_of(plan, 0).offset_bytes, place_of(plan, 1).offset_bytes);
+    const std::vector<HandOver> wanted{
+        {4, 0, true}, {3, 1, true}, {0, 2, false}, {1, 3, false}, {2, 4, false}};
+    EXPECT_EQ(plan.hand_overs, wanted);
+}
+
+TEST(Alias, AResourceAloneTakesItsBytesOverFromItself) {
+    const MemoryPlan plan = aliased(images(1), one_queue(), {span(0, 1)}, {{1024, 1, UINT32_MAX}});
+    EXPECT_EQ(plan.hand_overs, (std::vector<HandOver>{{0, 0, true}}));
+}
+
+TEST(Alias, BytesAreSharedBetweenQueuesOnlyWhereClocksProveTheOrder) {
+    Schedule order;
+    order.queue = {0, 1};
+    order.queues = two_queues();
+    for (const bool ordered : {false, true}) {
+        order.clocks = {{0, 0}, {ordered ? 1u : 0u, 0}};
+        const MemoryPlan plan =
+            aliased(images(2), order, {span(0, 0, 0), span(1, 1, 1)}, MemoryNeeds(2, {1024, 1, UINT32_MAX}));
+        EXPECT_EQ(plan.heap_bytes, ordered ? 1024u : 2048u);
+        EXPECT_EQ(plan.hand_overs.front(), (ordered ? HandOver{1, 0, true} : HandOver{0, 0, true}));
+    }
+}
+
+// An image and a buffer, alive together.
+TEST(Alias, BuffersAndImagesKeepToPagesOfTheirOwn) {
+    GraphBuilder b;
+    b.buffer("buffer"), b.image("image");
+    const ResolvedGraph graph = b.build();
+    const std::vector<LifetimeSpan> spans{span(0, 1), span(0, 1)};
+    const MemoryNeeds needs{{1000, 1, UINT32_MAX}, {400, 1, UINT32_MAX}};
+    const MemoryPlan small = aliased(graph, one_queue(), spans, needs, 256);
+    ASSERT_EQ(small.heaps.size(), 1u);
+    EXPECT_EQ(small.heap_bytes, 1024u + 512u);
+    for (const Placement& p : small.placements) EXPECT_EQ(p.offset_bytes % 256, 0u);
+    EXPECT_EQ(place_of(small, 0).size_bytes, 1000u) << "pages pad the offset, not the size";
+    const MemoryPlan large = aliased(graph, one_queue(), spans, needs, 65536);
+    ASSERT_EQ(large.heaps.size(), 2u);
+    EXPECT_FALSE(large.heaps[0].buffers);
+    EXPECT_EQ(large.heaps[0].size_bytes, 400u);
+    EXPECT_TRUE(large.heaps[1].buffers);
+    EXPECT_EQ(large.heaps[1].size_bytes, 1000u);
+}
+
+TEST(Alias, ResourcesOfDifferentMemoryTypesHaveDifferentHeaps) {
+    const MemoryPlan plan =
+        aliased(images(2), one_queue(), {span(0, 0), span(1, 1)}, {{100, 1, 4}, {60, 1, 2}});
+    ASSERT_EQ(plan.heaps.size(), 2u);
+    EXPECT_EQ(plan.heaps[place_of(plan, 0).heap].type_bits, 4u);
+    EXPECT_EQ(plan.heaps[place_of(plan, 1).heap].type_bits, 2u);
+    EXPECT_EQ(plan.heap_bytes, 160u);
+}
+
+TEST(Alias, WhatOutlivesTheFrameSharesNothing) {
+    GraphBuilder b;
+    for (const char* name : {"a", "b"}) b.ring(b.image(name), 0);
+    const MemoryPlan plan = aliased(b.build(), one_queue(), {{}, {}}, {{100, 4, 1}, {60, 4, 1}});
+    ASSERT_EQ(plan.heaps.size(), 1u);
+    EXPECT_TRUE(plan.heaps[0].persistent);
+    EXPECT_EQ(place_of(plan, 0).offset_bytes, 0u);
+    EXPECT_EQ(place_of(plan, 1).offset_bytes, 128u) << "the next multiple of the granularity";
+    EXPECT_EQ(plan.persistent_bytes, 188u);
+    EXPECT_EQ(plan.heap_bytes, 0u);
+    EXPECT_TRUE(plan.hand_overs.empty());
+}
+
+TEST(Alias, WhatNoPassUsesOrNeedsNoMemoryHasNoPlace) {
+    const MemoryPlan plan = aliased(images(3), one_queue(), {{}, span(0, 1), span(0, 1)},
+                                    {{100, 1, UINT32_MAX}, {0, 1, UINT32_MAX}, {60, 1, UINT32_MAX}});
+    ASSERT_EQ(plan.placements.size(), 1u);
+    EXPECT_EQ(plan.placements[0].resource, 2u);
+}
+
+TEST(AliasTransitions, FollowTheBytes) {
+    // 0, then 1 side by side with 2, then 3 over both, in a heap of 100 bytes.
     const std::vector<Placement> placements{{0, 0, 0, 60}, {1, 0, 0, 50}, {2, 0, 50, 50}, {3, 0, 0, 100}};
-    Lifetimes spans;
-    spans.spans = {{0, 1}, {2, 3}, {2, 3}, {4, 5}};
     const std::vector<HandOver> wanted{{3, 0, true}, {0, 1, false}, {0, 2, false},
                                        {3, 2, true}, {1, 3, false}, {2, 3, false}};
-    EXPECT_EQ(hand_overs(placements, spans), wanted);
-}
-
-// One buffer and one image alive at the same time, then another buffer and image.
-GraphBuilder mixed() {
-    GraphBuilder b;
-    const ResourceId image = b.image("image", Format::r32u, 10), words = b.buffer("words", 1000);
-    b.compute("make", {{"dst", image, Access::storage_write, {}, kNoId}});
-    b.compute("convert", {{"src", image, Access::sampled_read, {}, kNoId},
-                          {"dst", words, Access::storage_write, {}, kNoId}});
-    read_back(b, "out", words);
-    return b;
-}
-
-TEST(Alias, BuffersAndImagesKeepToPagesOfTheirOwn) {
-    const ResolvedGraph graph = mixed().build();
-    const FramePlan small = compile(graph, content_needs(graph, 1), {false, 256});
-    ASSERT_EQ(small.memory.heaps.size(), 1u);
-    for (const Placement& p : small.memory.placements) EXPECT_EQ(p.offset_bytes % 256, 0u);
-    const FramePlan large = compile(graph, content_needs(graph, 1), {false, 65536});
-    ASSERT_EQ(large.memory.heaps.size(), 2u);
-    EXPECT_NE(large.memory.heaps[0].buffers, large.memory.heaps[1].buffers);
-}
-
-TEST(Alias, MemoryTypesAreRespected) {
-    const ResolvedGraph graph = mixed().build();
-    MemoryNeeds needs = content_needs(graph, 1);
-    needs[0].type_bits = 2;
-    needs[1].type_bits = 4;
-    const FramePlan plan = compile(graph, needs, {});
-    ASSERT_EQ(plan.memory.heaps.size(), 2u);
-    for (const Placement& p : plan.memory.placements)
-        EXPECT_EQ(plan.memory.heaps[p.heap].type_bits, needs[p.resource].type_bits);
+    EXPECT_EQ(hand_overs(placements, {{{0, 1}, {2, 3}, {2, 3}, {4, 5}}}), wanted);
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "graph/schedule/cull.h"
 #include "graph/schedule/schedule.h"
 #include "graph/schedule/schedule_candidates.h"
 #include "tests/graph/samples/graph_builder.h"
+#include "tests/graph/samples/hand_made.h"
 #include "tests/graph/samples/random_graph.h"
 #include "weft/compile.h"
 
@@ -38,7 +38,7 @@ std::string names(const ResolvedGraph& graph, const std::vector<PassId>& order) 
 
 TEST(Schedule, GreedyOrdersSaveMemoryThatProgramOrderWastes) {
     const ResolvedGraph graph = produce_then_fold(8);
-    const Schedule order = schedule(graph, cull(graph), content_needs(graph));
+    const Schedule order = schedule(graph, all_live(graph), content_needs(graph));
     EXPECT_EQ(order.candidates[0].peak_live_bytes, 8u * 4096 + 16);
     EXPECT_NE(order.chosen, "program");
     const auto chosen = std::find_if(order.candidates.begin(), order.candidates.end(),
@@ -54,7 +54,7 @@ TEST(Schedule, ProgramOrderFollowsKeysThenNames) {
     b.pass("b_read", PassKind::readback, {{"src", x, Access::copy_read, {}, kNoId}}).order_key = 2;
     b.pass("a_read", PassKind::readback, {{"src", y, Access::copy_read, {}, kNoId}}).order_key = 2;
     const ResolvedGraph graph = b.build();
-    const ScheduleProblem problem = schedule_problem(graph, cull(graph), content_needs(graph));
+    const ScheduleProblem problem = schedule_problem(graph, all_live(graph), content_needs(graph));
     EXPECT_EQ(names(graph, program_order(problem)), "late_name early_name a_read b_read ");
 }
 
@@ -69,7 +69,9 @@ TEST(Schedule, OrderThroughACulledPassHolds) {
     b.after("first", "dropped");
     b.after("dropped", "second");
     const ResolvedGraph graph = b.build();
-    const Schedule order = schedule(graph, cull(graph), content_needs(graph));
+    LiveGraph live = all_live(graph);
+    live.live_passes[pass_of(graph, "dropped")] = 0;
+    const Schedule order = schedule(graph, live, content_needs(graph));
     const auto at = [&](const char* name) {
         return order.position[static_cast<size_t>(find_pass(graph, name) - graph.passes.data())];
     };
@@ -80,7 +82,9 @@ TEST(Schedule, OrderThroughACulledPassHolds) {
 TEST(Schedule, EveryCandidateRespectsEveryEdge) {
     for (uint32_t seed = 0; seed < 60; ++seed) {
         const ResolvedGraph graph = random_graph(seed);
-        const LiveGraph live = cull(graph);
+        LiveGraph live = all_live(graph);
+        for (PassId pass = 0; pass < graph.passes.size(); ++pass)
+            live.live_passes[pass] = (pass + seed) % 4 != 0;  // any passes may be culled
         const ScheduleProblem problem = schedule_problem(graph, live, content_needs(graph));
         for (const auto& order :
              {program_order(problem), forward_greedy_order(problem), backward_greedy_order(problem)}) {
