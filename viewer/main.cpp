@@ -146,7 +146,7 @@ ExitCode CommandLine::run_command() {
     if (bench.compile->parsed()) return run_bench_compile(bench.compile_options);
     if (bench.app->parsed()) return run_bench_frame(bench.frame_options);
     std::fputs(
-        "weft: say what to do: render, view, check, plan, schema, explain, diff, compare, bench or "
+        "weft: name a command: render, view, check, plan, schema, explain, diff, compare, bench or "
         "doctor\nRun "
         "`weft --help`.\n",
         stderr);

@@ -80,7 +80,7 @@ class ScopeRule {
         const auto same =
             std::find_if(after.begin(), after.end(), [&](const Bound& b) { return same_place(bound, b); });
         if (writes(bound.use->access) && !writes(same->use->access))
-            fault("what the first one draws to " + name(bound) + " is not stored by the second");
+            fault("the second does not store the result of the first in " + name(bound));
     }
 
     void check_second(const Bound& bound) {
@@ -89,7 +89,7 @@ class ScopeRule {
             std::find_if(second_.attachments.begin(), second_.attachments.end(),
                          [&](const AttachmentOps& o) { return &second_pass_.uses[o.use] == bound.use; });
         const bool loads = ops == second_.attachments.end() || ops->load == LoadOp::load;
-        if (!loads || !reads(bound.use->access)) fault("it does not draw over what is in " + name(bound));
+        if (!loads || !reads(bound.use->access)) fault("it does not keep the content of " + name(bound));
     }
 
     // Inside a scope only attachment accesses are ordered.

@@ -157,23 +157,23 @@ void check_hand_overs(const FramePlan& plan, FaultList& faults) {
                 faults.add("C341", plan.graph.resources[barrier.resource].loc,
                            "the barrier before pass " + faults.pass_name(step.pass) + " hands memory of " +
                                faults.resource_name(from) + " (" + users(plan, faults, from) + ") over to " +
-                               faults.resource_name(barrier.resource) +
-                               ", which the memory plan does not know",
-                           "every hand-over belongs into the memory plan");
+                               faults.resource_name(barrier.resource) + ", which is not in the memory plan",
+                           "every hand-over must be in the memory plan");
             }
         }
     }
     for (size_t i = 0; i < listed.size(); ++i) {
         if (used[i]) continue;
         const LifetimeSpan& to = plan.lifetimes.spans[listed[i].to];
-        faults.add("C341", plan.graph.resources[listed[i].to].loc,
-                   faults.resource_name(listed[i].to) + " (" + users(plan, faults, listed[i].to) +
-                       ") takes over the memory of " + faults.resource_name(listed[i].from) + " (" +
-                       users(plan, faults, listed[i].from) + "), but no barrier before pass " +
-                       faults.pass_name(to.first < plan.schedule.order.size() ? plan.schedule.order[to.first]
-                                                                              : kNoId) +
-                       " waits for it",
-                   "the first use of a resource needs a barrier that names whose memory it takes over");
+        faults.add(
+            "C341", plan.graph.resources[listed[i].to].loc,
+            faults.resource_name(listed[i].to) + " (" + users(plan, faults, listed[i].to) +
+                ") takes over the memory of " + faults.resource_name(listed[i].from) + " (" +
+                users(plan, faults, listed[i].from) + "), but no barrier before pass " +
+                faults.pass_name(to.first < plan.schedule.order.size() ? plan.schedule.order[to.first]
+                                                                       : kNoId) +
+                " waits for it",
+            "the first use of a resource needs a barrier that names the previous resource in its memory");
     }
 }
 

@@ -91,7 +91,7 @@ class TransitionCheck {
     void check_carried(const CarryOver& carry) {
         const ResourceDecl& decl = new_.graph.resources[carry.to];
         if (carry.from >= old_.graph.resources.size() || !old_.live.live_resources[carry.from]) {
-            add("C370", carry.to, "is carried over from what the old plan does not keep",
+            add("C370", carry.to, "is carried over from a resource that the old plan does not keep",
                 "clear it, or carry its namesake over");
             return;
         }
@@ -99,12 +99,12 @@ class TransitionCheck {
         if (from.name != decl.name || from.age != decl.age || from.format != decl.format ||
             from.lifetime != ResourceLifetime::persistent)
             add("C370", carry.to, "is carried over from \"" + from.name + "\"",
-                "only a namesake of the same format and age holds its content");
+                "only a resource of the same name, format and age has its content");
         const bool same = from.extent == decl.extent && from.mips == decl.mips &&
                           from.layers == decl.layers && from.size_bytes == decl.size_bytes;
         if (carry.resample ? decl.on_resize != OnResize::resample : !same)
             add("C370", carry.to, "has another size than the copy it is carried over from",
-                "onResize decides what becomes of its content");
+                "onResize determines its content after a change of size");
         const AccessState reading =
             access_state(carry.resample ? Access::blit_read : Access::copy_read, 0,
                          from.kind == ResourceKind::image ? from.aspects : aspect::kNone);

@@ -16,7 +16,7 @@ STRUCTURAL = {"W101", "W102", "W108", "W109", "W115", "W116"}
 BEYOND_SCHEMAS = {
     "the default {} lies outside the range", "the default {} is not listed", "the range ends before it begins",
     "the bounds end before they begin", "the name {} is taken", "{} has a meaning of its own in expressions",
-    "draws without a list have no material that says what is culled", "the number of view {} is",
+    "draws without a list have no material that determines culling", "the number of view {} is",
     "whose format is {}, can't be cleared to", "the size of {} is",
 }
 

@@ -129,7 +129,7 @@ TEST_F(Worker, ThatSleepsIsStopped) {
     write("graph/x.comp", kFine);
     const Diagnostics faults = errors("x.comp", ProgramKind::compute);
     EXPECT_EQ(faults[0].code, "X570") << to_text(faults);
-    EXPECT_NE(faults[0].message.find("says nothing"), std::string::npos) << to_text(faults);
+    EXPECT_NE(faults[0].message.find("does not answer"), std::string::npos) << to_text(faults);
 }
 
 // Limits set with `ulimit -t` stay in force and must not cause a failure: only root may raise them.
@@ -197,8 +197,8 @@ TEST_F(Worker, AllStagesOfAGraphShareOneTime) {
 TEST_F(Worker, ThatIsNotThereIsNamed) {
     write("graph/x.comp", "#version 460\nvoid main() { }\n");
     for (const auto& [program, why] :
-         {std::pair("/no/such/worker", "No such file"), std::pair("/bin/true", "says nothing"),
-          std::pair("/bin/cat", "says nothing")}) {
+         {std::pair("/no/such/worker", "No such file"), std::pair("/bin/true", "does not answer"),
+          std::pair("/bin/cat", "does not answer")}) {
         roots_.worker = program;
         const Diagnostics faults = errors("x.comp", ProgramKind::compute);
         EXPECT_EQ(faults[0].code, "X570") << to_text(faults);

@@ -63,7 +63,7 @@ std::string bench_text(const FrameBench& bench) {
         "passes\n" +
         table(bench, true);
     if (bench.graphs.size() > 1)
-        text += "\nof that what the graphs do not have in common\n" + table(bench, false) +
+        text += "\nwithout the passes common to all graphs\n" + table(bench, false) +
                 "\ncrossing points of that\n" + crossing_lines(bench);
     for (size_t light = 0; light < bench.lights.size(); ++light) {
         text += formatted("\npasses with %u lights\n", bench.lights[light]);

@@ -37,7 +37,7 @@ std::string graph_path(const std::string& graph) {
 Diagnostic no_timestamps() {
     Diagnostic d;
     d.code = "X590";
-    d.message = "this device tells no times, so nothing can be measured";
+    d.message = "this device has no timestamps, so nothing can be measured";
     d.help = {"--device chooses another; weft doctor lists them"};
     return d;
 }

@@ -33,7 +33,7 @@ void tell(const render::Reload& reload, ViewCounts& counts) {
     if (!reload.good()) {
         ++counts.failed_reloads;
         report(reload.errors);
-        std::fprintf(stderr, "weft: not reloaded: the last good graph goes on\n");
+        std::fprintf(stderr, "weft: not reloaded: the last valid graph keeps running\n");
         return;
     }
     ++counts.reloads;

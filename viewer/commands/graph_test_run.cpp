@@ -191,7 +191,7 @@ class TestRun {
         fail(expectation, "W161",
              "the frame has " + number_text(found) + " " + what + ", the test allows " +
                  number_text(expectation.most),
-             "weft plan and weft explain say where they come from");
+             "weft plan and weft explain show their reasons");
     }
 
     void check_all(const render::Session& session) {
@@ -317,7 +317,7 @@ Diagnostics run_graph_tests(const std::string& file, const CheckOptions& options
             failed.insert(failed.end(), found.begin(), found.end());
         }
     }
-    if (graph->tests.empty()) std::fprintf(stderr, "%s: holds no tests\n", file.c_str());
+    if (graph->tests.empty()) std::fprintf(stderr, "%s: contains no tests\n", file.c_str());
     return failed;
 }
 

@@ -105,7 +105,7 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
     }
     const glm::vec3 eye(n[0], n[1], n[2]), at(n[3], n[4], n[5]);
     if (glm::distance(eye, at) < 1e-6f)
-        return choice_error("X520", "this camera looks nowhere: \"" + choice + "\"",
+        return choice_error("X520", "this camera has no view direction: \"" + choice + "\"",
                             "eye and target must differ");
     const glm::vec3 forward = glm::normalize(at - eye);
     const glm::vec3 up = std::abs(forward.y) > 0.999f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);

@@ -7,7 +7,7 @@ namespace weft::viewer {
 namespace {
 
 CLI::App* add_bench_compile(CLI::App& bench, BenchOptions& o) {
-    CLI::App* command = bench.add_subcommand("compile", "how long compiling takes, on graphs made by a seed");
+    CLI::App* command = bench.add_subcommand("compile", "measure the compile time of generated graphs");
     command->add_option("--passes", o.passes, "each writes one image and reads two")
         ->transform(whole_number_in(1, 1'000'000))
         ->capture_default_str();
@@ -30,7 +30,7 @@ void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
     command->add_option("SCENE", o.scene, "as of weft render")->capture_default_str();
     command
         ->add_option("--graphs", o.graphs,
-                     "shipped graphs by name, or files; the first is what others are held against")
+                     "shipped graphs by name, or files; all are compared with the first")
         ->delimiter(',')
         ->capture_default_str();
     command->add_option("--lights", o.lights, "so many seeded lights, one after the other")

@@ -69,8 +69,8 @@ std::optional<Diagnostic> size_fault(const std::string& path, const Size& size, 
     Diagnostic d;
     d.code = "X531";
     d.file = path;
-    d.message =
-        "the picture says that it is " + std::to_string(size.width_px) + "x" + std::to_string(size.height_px);
+    d.message = "according to its header, the picture is " + std::to_string(size.width_px) + "x" +
+                std::to_string(size.height_px);
     d.message += fits ? "; to compare two of that size takes " +
                             std::to_string(comparing_bytes(size, reading)) + " bytes, the limit is " +
                             std::to_string(limits.memory_bytes)

@@ -25,9 +25,9 @@ namespace weft::viewer {
 Diagnostic no_sandbox(const std::string& why, const std::string& help) {
     Diagnostic d;
     d.code = "X595";
-    d.message = "there is no sandbox here, and nothing was run: " + why;
+    d.message = "the sandbox is not available, and nothing was run: " + why;
     if (!help.empty()) d.help.push_back(help);
-    d.help.emplace_back("run untrusted graphs in a container, or without --sandbox what you trust");
+    d.help.emplace_back("run untrusted files in a container, or trusted files without --sandbox");
     return d;
 }
 
@@ -171,9 +171,8 @@ ExitCode conclude(int status, const Stage& stage) {
         Diagnostic d;
         d.code = "X596";
         d.message =
-            std::string("what ran in the sandbox was ended by a signal: ") + strsignal(WTERMSIG(status));
-        d.help = {
-            "a driver may crash on a shader that is valid, and a library on a file: nothing was written"};
+            std::string("the process in the sandbox was ended by a signal: ") + strsignal(WTERMSIG(status));
+        d.help = {"a driver may crash on a valid shader, or a library on a file: nothing was written"};
         const bool asked = WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM;
         if (!asked) report({d});
         return ExitCode::failed;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMaxNesting = 64;
 constexpr const char* kLanguage =
-    "expressions know + - * / % ( ) min max ceil floor log2 mips(resource) .x .y, names and numbers";
+    "expressions allow + - * / % ( ) min max ceil floor log2 mips(resource) .x .y, names and numbers";
 
 struct FunctionRule {
     std::string_view name;

@@ -146,7 +146,7 @@ void check_shared_names(ParseContext& context, const JsonNode& root,
             if (is_new) continue;
             Diagnostic& error =
                 context.error(member.key_loc, "W109", "the name \"" + member.key + "\" is taken");
-            error.help.emplace_back("choose another: references could not tell the two apart");
+            error.help.emplace_back("choose another name: references could not distinguish the two");
             error.notes.push_back({error.file, it->second.line, it->second.column, "first used here"});
         }
     }

@@ -29,7 +29,7 @@ void read_range(ParseContext& context, const JsonNode& node, DebugViewDesc& view
     if (node.items.size() != 2)
         return context.error(node.loc, "W109",
                              "found " + std::to_string(node.items.size()) + " values, wanted two",
-                             "write [what is black, what is white]");
+                             "write [value shown as black, value shown as white]");
     std::array<Expr, 2> range;
     bool good = true;
     for (size_t i = 0; i < range.size(); ++i) {
@@ -63,7 +63,7 @@ void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
         if (!read_object(context, member.value, "a debug view", kViewKeys, view)) continue;
         if (member.value.find("show") == nullptr)
             missing_key(context, member.key_loc, "a debug view", "show",
-                        "say which resource: \"show\": \"hdr\"");
+                        "name the resource: \"show\": \"hdr\"");
         graph.debug.emplace(member.key, std::move(view));
     }
 }

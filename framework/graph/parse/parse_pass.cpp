@@ -170,8 +170,8 @@ struct RequiredKey {
 constexpr std::array kRequiredKeys{
     RequiredKey{"shader", kShaded, "name the shader, for example \"shader\": \"light.comp\""},
     RequiredKey{"draws", kRaster, "list the draw lists, for example \"draws\": [\"opaque\"]"},
-    RequiredKey{"in", kTransfer | kReadback, "say what is read, for example \"in\": [\"hdr\"]"},
-    RequiredKey{"out", kClear | kTransfer, "say what is written, for example \"out\": [\"hdr\"]"},
+    RequiredKey{"in", kTransfer | kReadback, "list the inputs, for example \"in\": [\"hdr\"]"},
+    RequiredKey{"out", kClear | kTransfer, "list the outputs, for example \"out\": [\"hdr\"]"},
 };
 
 std::string types_text(TypeMask types) {
@@ -285,7 +285,7 @@ void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& p
     if (pass.type == "fullscreen")
         return missing_key(context, member.key_loc,
                            "the \"state\" of a fullscreen pass with a depth attachment", "depth",
-                           "say which test is meant, for example \"state\": { \"depth\": \"equal\" }");
+                           "choose a test, for example \"state\": { \"depth\": \"equal\" }");
     pass.state.depth_test = true;
     pass.state.depth_write = true;
     pass.state.depth_compare = CompareOp::greater;
@@ -295,14 +295,15 @@ void check_procedural(ParseContext& context, const JsonNode& node, const PassDes
     if (pass.vertices.empty() || pass.state.cull != CullMode::material) return;
     const JsonNode* cull = node.find("state")->find("cull");
     const PointerScope scope(context, "state"), key(context, "cull");
-    context.error(cull->loc, "W109", "draws without a list have no material that says what is culled",
+    context.error(cull->loc, "W109", "draws without a list have no material that determines culling",
                   "write \"none\", \"front\" or \"back\"");
 }
 
 void check_port_names(ParseContext& context, const PassDesc& pass) {
     for (const PortDesc& port : pass.in)
         if (pass.indirect && port.port == "indirect")
-            context.error(port.loc, "W109", "what the pass runs is read from a port called \"indirect\"",
+            context.error(port.loc, "W109",
+                          "the port name \"indirect\" is reserved for the indirect commands",
                           "give the input another name: { \"name\": \"" + port.ref.text + "\" }");
     for (const PortDesc& port : pass.out)
         if (pass.depth && port.port == "depth")

@@ -92,7 +92,7 @@ PortDraft read_port(ParseContext& context, const JsonNode& node, std::string nam
     if (node.kind != JsonKind::object)
         wrong_type(context, node, "a reference in a string");
     else if (read_object(context, node, what, keys, draft) && !draft.has_ref)
-        missing_key(context, loc, what, "ref", "say which resource: {\"ref\": \"name\"}");
+        missing_key(context, loc, what, "ref", "name the resource: {\"ref\": \"name\"}");
     return draft;
 }
 
@@ -236,7 +236,7 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
     if (!read_object(context, node, kWhat, kVerticesKeys, pass)) return;
     const auto is_known = [](const JsonMember& member) { return member.key == "instances"; };
     if (std::ranges::all_of(node.members, is_known))  // otherwise the missing key is misspelt or present
-        missing_key(context, node.loc, kWhat, "vertices", "say how many: { \"vertices\": 3 }");
+        missing_key(context, node.loc, kWhat, "vertices", "give the number: { \"vertices\": 3 }");
 }
 
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {

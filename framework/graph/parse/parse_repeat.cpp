@@ -70,8 +70,7 @@ void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass) {
                              "name one: \"repeat\": { \"i\": \"0..3\" }, or remove the key");
     read_named(context, node, "an index", [&](const JsonMember& member) {
         if (!context.within(pass.repeat.size() + 1, context.limits().repeat_indices, member.key_loc,
-                            "indices in a repeat", "graph.repeatIndices",
-                            "let one index count what several do"))
+                            "indices in a repeat", "graph.repeatIndices", "combine several indices into one"))
             return;
         RepeatDesc repeat;
         repeat.index = member.key;

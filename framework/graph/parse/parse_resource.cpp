@@ -144,7 +144,7 @@ void check_kind(ParseContext& context, const JsonMember& member) {
     if (node.find("buffer") != nullptr) {
         refuse(context, node, "a buffer", kImageKeys);
         if (node.find("count") == nullptr)
-            missing_key(context, member.key_loc, "a buffer", "count", "say how many elements it holds");
+            missing_key(context, member.key_loc, "a buffer", "count", "give the number of elements");
         return;
     }
     refuse(context, node, "an image", kBufferKeys);
@@ -196,11 +196,12 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
     if (history != nullptr && history->number != 0 && resource.keep != KeepMode::none)
         complain(
             "keep", "a resource has \"history\" or \"keep\", not both",
-            "\"history\" makes a new copy each frame, \"keep\" goes on with the one there is: remove one");
+            "\"history\" uses a new copy in each frame, \"keep\" keeps a single copy: remove one of the two");
     const bool lasting = resource.keep != KeepMode::none || history != nullptr;
     for (const std::string_view key : {"firstFrame", "onResize"})
         if (!lasting && node.find(key) != nullptr)
-            complain(key, "\"" + std::string(key) + "\" has no meaning for what lives within one frame",
+            complain(key,
+                     "\"" + std::string(key) + "\" has no meaning for a resource that lives within one frame",
                      "add \"history\": 1 (last frame's content too) or \"keep\": true, or remove it");
     if (resource.is_buffer && resource.on_resize == OnResize::resample)
         complain("onResize", "a buffer can't be resampled", "choose \"clear\" or \"refill\"");

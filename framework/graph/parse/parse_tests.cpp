@@ -78,7 +78,7 @@ void read_most(ParseContext& context, const JsonNode& node, TestDraft& draft) {
     double most = 0;
     if (!read_number(context, node, most)) return;
     if (most < 0)
-        return context.error(node.loc, "W109", "found " + node.string + ", wanted what it is at most",
+        return context.error(node.loc, "W109", "found " + node.string + ", wanted a maximum",
                              "it is 0 or more");
     draft.test.expect.push_back({What, "", 0, most, node.loc});
 }

@@ -83,8 +83,8 @@ class ReferenceParser {
 
     bool history() {
         const size_t begin = position_++;
-        if (ref_.history != 0) return fail(begin, 1, "the reference goes back in time twice");
-        const std::string help = "[-1] is what the resource held at the end of the last frame";
+        if (ref_.history != 0) return fail(begin, 1, "the reference names an earlier frame twice");
+        const std::string help = "[-1] is the content of the resource at the end of the previous frame";
         if (peek() != '-') return fail(begin, 1, "an earlier frame is written [-1], [-2], …", help);
         ++position_;
         const size_t digits = position_;

@@ -54,7 +54,7 @@ class Patcher {
         if (keeps_nulls()) return;
         if (node.kind == JsonKind::null) {
             Diagnostic& d = log_.errors.emplace_back(log_.sources.error(
-                node.loc, "W128", "null removes a member, but there is none of this name"));
+                node.loc, "W128", "null removes a member, but there is no member of this name"));
             d.help.emplace_back("correct the name, or leave it out");
         }
         for (JsonMember& member : node.members) {

@@ -76,7 +76,7 @@ class Scan {
             const TextPosition place = position_of(json_, keys_[i].at);
             report_.error_at(
                 "S114", place.line, place.column,
-                "the key \"" + shortened(std::string(keys_[i].raw)) + "\" stands twice in one object",
+                "the key \"" + shortened(std::string(keys_[i].raw)) + "\" occurs twice in one object",
                 "remove one of the two: programs differ in which one they read");
             ++named_;
         }

@@ -65,7 +65,7 @@ void check_extensions(Checker& c) {
         if (told || is_known_extension(used[i])) continue;
         c.report.warn("S150", "/extensionsUsed/" + std::to_string(i),
                       "the extension " + used[i] + " is ignored",
-                      "the scene may look different from what its author saw; export without it to be sure");
+                      "the scene may look different than intended; export without it to be sure");
     }
 }
 

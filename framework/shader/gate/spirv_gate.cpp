@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 2> kExtensions{"SPV_EXT_demote_to_helper_
                                                       "SPV_KHR_non_semantic_info"};
 constexpr std::array<std::string_view, 2> kInstructionSets{"GLSL.std.450", "NonSemantic.DebugPrintf"};
 
-constexpr const char* kCoreOnly = "use what core GLSL 4.60 offers";
+constexpr const char* kCoreOnly = "use features of core GLSL 4.60";
 
 bool offered(const CapabilityRow& row, const ShaderTarget& target) {
     if (row.capability == SpvCapabilityStorageImageReadWithoutFormat)
@@ -45,7 +45,7 @@ std::string refusal(const CapabilityRow& row, ShaderStage stage, const ShaderTar
     }
     if (row.capability == SpvCapabilityPhysicalStorageBufferAddresses)
         return "which lets a shader read and write any address";
-    return "which no device is made with";
+    return "which is not supported on any device";
 }
 
 class CapabilityCheck {
@@ -73,8 +73,8 @@ class CapabilityCheck {
     // capability was: a rejected capability already explains it.
     void extension(const std::string& name) {
         if (!faults_.empty() || std::ranges::find(kExtensions, name) != kExtensions.end()) return;
-        fault("the SPIR-V extension " + name + ", which no device is made with", words_of_extension(name),
-              kCoreOnly);
+        fault("the SPIR-V extension " + name + ", which is not supported on any device",
+              words_of_extension(name), kCoreOnly);
     }
 
     void instruction_set(const std::string& name) {
@@ -137,7 +137,7 @@ class FeatureCheck {
         faults_.push_back({"W208", stage_, name,
                            "\"" + name +
                                "\" is shared and has an initial value, which needs the feature "
-                               "shaderZeroInitializeWorkgroupMemory, which no device is made with",
+                               "shaderZeroInitializeWorkgroupMemory, which is not supported on any device",
                            "write the value in main(), then barrier()"});
     }
 

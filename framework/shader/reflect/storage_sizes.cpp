@@ -220,7 +220,7 @@ class StorageCheck {
         if (functions_[entry_].code_bytes > rules_.limits.inlined_bytes)
             fault({},
                   "the stage is more than " + limit_bytes_text(rules_.limits.inlined_bytes) +
-                      " of SPIR-V when each call is replaced by what it calls, as drivers do",
+                      " of SPIR-V when all calls are inlined, as drivers do",
                   "call long functions from a loop, once, " + raise_limit_text("shader.inlinedBytes"));
         return faults_.size() > before;
     }

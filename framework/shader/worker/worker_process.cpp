@@ -84,7 +84,7 @@ Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::filesyste
     worker->allow(std::chrono::milliseconds(limits.stage_ms));
     const std::optional<Message> hello = worker->receive();
     if (!hello || hello->kind != MessageKind::hello || hello->texts.size() != 1)
-        return cannot_start(program, "it says nothing; shader.workerBytes may be too small for it");
+        return cannot_start(program, "it does not answer; shader.workerBytes may be too small for it");
     if (hello->texts[0] != version)
         return cannot_start(
             program, "it is of another version: \"" + hello->texts[0] + "\", wanted \"" + version + "\"");

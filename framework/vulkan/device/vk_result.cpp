@@ -43,7 +43,7 @@ Diagnostic vk_error(VkResult result, std::string_view what) {
             break;
         case VK_ERROR_DEVICE_LOST:
             error.code = "V408";
-            error.help = {"the driver gave up on the device; run with --validate to look for the cause"};
+            error.help = {"the driver lost the device; run with --validate to look for the cause"};
             break;
         case VK_ERROR_OUT_OF_HOST_MEMORY:
         case VK_ERROR_OUT_OF_DEVICE_MEMORY:

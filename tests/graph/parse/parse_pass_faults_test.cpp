@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"IndirectTwice",
                   compute("\"in\": {$$\"indirect\": \"b\"}, \"groups\": {\"indirect\": \"a\"}"),
                   {"W109"},
-                  "a port called \"indirect\"",
+                  "\"indirect\" is reserved for the indirect commands",
                   "another name"},
         FaultCase{"DrawsTypo",
                   draws("{\"list\": \"a\", $$\"indirekt\": \"b\"}"),

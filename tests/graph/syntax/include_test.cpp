@@ -192,11 +192,11 @@ TEST(Include, NullWithNothingToTakeAway) {
     expect_fault(
         {{"pipes/main.json", R"({"version": 1, "include": ["a.json"], "resources": {"spair": $$null}})"},
          {"pipes/a.json", kModule}},
-        "W128", "none of this name", "correct the name");
+        "W128", "no member of this name", "correct the name");
     expect_fault({{"pipes/main.json",
                    R"({"version": 1, "include": ["a.json"], "resources": {"n": {"size": $$null}}})"},
                   {"pipes/a.json", kModule}},
-                 "W128", "none of this name", "");
+                 "W128", "no member of this name", "");
 }
 
 TEST(Include, FilesAreCounted) {

@@ -64,7 +64,7 @@ class ViewSoak : public ::testing::Test {
         edit("live.json", "\"default\": 0.8", "\"default\": 0.5", " ms: values");
         edit("live.json", "[40, 24]", "[56, 16]", "a new plan");
         edit("live.json", "[56, 16]", "[40, 24]", "a new plan");
-        edit("paint.comp", "imageStore", "imageStor", "the last good graph goes on");
+        edit("paint.comp", "imageStore", "imageStor", "the last valid graph keeps running");
         replace("paint.comp", "imageStor(", "imageStore(");
     }
     void edit(const std::string& file, const std::string& from, const std::string& to,

@@ -53,11 +53,11 @@ TEST_F(View, FollowsEditsUntilStdinCloses) {
 
     const std::string good = read_text(folder_ / "paint.comp");
     replace("paint.comp", "imageStore", "imageStor");
-    ASSERT_TRUE(program.says("the last good graph goes on")) << program.err();
+    ASSERT_TRUE(program.says("the last valid graph keeps running")) << program.err();
     EXPECT_TRUE(program.says("paint.comp:10:")) << program.err();
     EXPECT_TRUE(program.says("error[W202]")) << program.err();
     replace("live.json", "\"default\": 0.5", "\"default\": 0.8");
-    ASSERT_TRUE(program.says("the last good graph goes on", 2)) << program.err();
+    ASSERT_TRUE(program.says("the last valid graph keeps running", 2)) << program.err();
     save("paint.comp", good);
     ASSERT_TRUE(program.says(" ms: values")) << program.err();
 
