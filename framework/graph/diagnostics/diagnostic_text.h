@@ -1,5 +1,5 @@
-// Purpose: text for a terminal: a diagnostic in pieces, so that each kind can get a colour of its own, and
-// words of a file without the characters that steer a terminal.
+// Purpose: text for a terminal: splits a diagnostic into pieces, so that each kind of piece can have its own
+// colour, and removes control characters from text of a file.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@ namespace weft {
 
 enum class TextStyle : uint8_t { plain, place, severity, code, gutter, caret, label };
 
-// A '?' stands for each byte that is not UTF-8 and for each character, other than a line feed, that moves the
-// cursor, changes colours or turns the direction of text.
+// Replaces by '?' each byte that is not UTF-8 and each character, except line feed, that moves the cursor,
+// changes colours or reverses the direction of text.
 [[nodiscard]] std::string printable(std::string_view text);
 
-// Printable.
+// The text is already printable().
 struct TextPiece {
     TextStyle style = TextStyle::plain;
     std::string text;
 };
 
-// Joined, they are to_text().
+// The concatenated pieces equal to_text().
 [[nodiscard]] std::vector<TextPiece> text_pieces(const Diagnostic& diagnostic);
 
 }  // namespace weft

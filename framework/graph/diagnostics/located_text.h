@@ -1,5 +1,5 @@
-// Purpose: a string value together with where its characters stand in a file, so that a fault inside an
-// expression or a reference is shown at its very column.
+// Purpose: a string value with the places of its characters in a file, so that a fault inside an expression
+// or a reference is reported at its exact column.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ namespace weft {
 
 struct LocatedText {
     std::string_view text;  // without quotes, escapes decoded
-    SourceLoc literal;      // of the whole token, quotes included; default: not from a file
+    SourceLoc literal;      // location of the whole token, including quotes; default: not from a file
 
-    // The place of text[offset, offset + length). An offset at the end is the closing quote. A literal with
-    // escapes has no simple columns: then the whole literal is meant.
+    // The place of text[offset, offset + length). An offset at the end is the closing quote. In a literal
+    // with escapes, columns cannot be computed, so the place of the whole literal is returned.
     [[nodiscard]] SourceLoc at(size_t offset, size_t length) const {
         const bool quoted = literal.length == text.size() + 2;
         const bool bare = literal.length == text.size();

@@ -1,4 +1,5 @@
-// Purpose: text one code point at a time. Bytes that are no UTF-8 can come from file names and broken files.
+// Purpose: iterates over the code points of a text. File names and broken files may contain bytes that are
+// not UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +8,14 @@
 
 namespace weft {
 
-// `length` in bytes; 0 where there is no code point.
+// `length` in bytes; 0 if there is no valid code point.
 struct Utf8 {
     size_t length = 0;
     uint32_t code_point = 0;
 };
 
-// The UTF-8 sequence that `text`, which is not empty, starts with: no overlong ones, no surrogates.
+// The UTF-8 sequence at the start of `text`, which must not be empty. Overlong sequences and surrogates are
+// invalid.
 [[nodiscard]] Utf8 first_code_point(std::string_view text);
 
 }  // namespace weft

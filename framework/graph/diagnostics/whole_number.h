@@ -1,5 +1,5 @@
-// Purpose: the one way from a number that somebody wrote to an integer or a float. A conversion that does not
-// fit is undefined behaviour in C++, so every such number comes through here.
+// Purpose: converts untrusted numbers to an integer or a float. In C++ a conversion that does not fit is
+// undefined behaviour, so all such conversions use these functions.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace weft {
 
-// True for a number of Int's range, fractions cut off. The bounds are powers of two, so they are exact as
-// doubles.
+// True for a number in Int's range after dropping the fraction. The bounds are powers of two, so they are
+// exact as doubles.
 template <class Int>
 [[nodiscard]] bool fits_into(double number) {
     static_assert(std::numeric_limits<Int>::is_integer);
@@ -17,14 +17,14 @@ template <class Int>
     return number > (std::numeric_limits<Int>::is_signed ? -end - 1 : -1) && number < end;
 }
 
-// Nothing for fractions, for what is out of Int's range, and for NaN.
+// nullopt for fractions, values outside Int's range, and NaN.
 template <class Int>
 [[nodiscard]] std::optional<Int> whole_number(double number) {
     if (number != std::floor(number) || !fits_into<Int>(number)) return std::nullopt;
     return static_cast<Int>(number);
 }
 
-// The nearest number of Int's range, fractions cut off; 0 for NaN.
+// The nearest value in Int's range, without its fraction; 0 for NaN.
 template <class Int>
 [[nodiscard]] Int saturated(double number) {
     if (std::isnan(number)) return 0;
@@ -36,7 +36,7 @@ template <class Int>
     return std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max());
 }
 
-// The largest float instead of infinity; NaN stays.
+// Values that are too large become the largest float instead of infinity; NaN stays NaN.
 [[nodiscard]] inline float saturated_float(double number) {
     if (std::isnan(number) || fits_into_float(number)) return static_cast<float>(number);
     return std::copysign(std::numeric_limits<float>::max(), number < 0 ? -1.0f : 1.0f);

@@ -1,5 +1,5 @@
-// Purpose: how a pass touches a resource, in terms precise enough to derive every barrier: stages, access
-// bits, image layout. The names follow Vulkan's synchronization2; to_vk.cpp holds the only mapping to its
+// Purpose: describes how a pass accesses a resource, with enough detail to derive every barrier: stages,
+// access bits, image layout. The names follow Vulkan's synchronization2; only to_vk.cpp maps them to its
 // values.
 #pragma once
 
@@ -27,7 +27,7 @@ inline constexpr StageMask kResolve = 1u << 10;
 inline constexpr StageMask kClear = 1u << 11;
 inline constexpr StageMask kHost = 1u << 12;
 inline constexpr int kCount = 13;
-inline constexpr StageMask kAll = (1u << kCount) - 1;  // of whatever queue records it
+inline constexpr StageMask kAll = (1u << kCount) - 1;  // all stages that the recording queue supports
 }  // namespace stage
 
 using AccessMask = uint32_t;
@@ -56,7 +56,7 @@ inline constexpr AccessMask kAllWrites =
 
 using AspectMask = uint8_t;
 namespace aspect {
-inline constexpr AspectMask kNone = 0;  // buffers
+inline constexpr AspectMask kNone = 0;  // for buffers
 inline constexpr AspectMask kColor = 1;
 inline constexpr AspectMask kDepth = 2;
 inline constexpr AspectMask kStencil = 4;
@@ -67,14 +67,15 @@ enum class Layout : uint8_t {
     general,
     color_attachment,
     depth_attachment,  // depth and stencil, read and write
-    depth_read_only,   // attachment and sampled at once
+    depth_read_only,   // attachment and sampled image at the same time
     shader_read_only,
     transfer_src,
     transfer_dst,
     present,
 };
 
-// What one use of a resource means. `stages` of the shader accesses depend on the pass; see access_state().
+// The kind of access of one use of a resource. For shader accesses, `stages` depend on the pass; see
+// access_state().
 enum class Access : uint8_t {
     none,
     indirect_read,
@@ -83,11 +84,11 @@ enum class Access : uint8_t {
     uniform_read,
     sampled_read,
     storage_read,
-    storage_write,       // covers the range: nothing of the old content is seen
+    storage_write,       // writes the whole range: previous content is not visible
     storage_read_write,  // in place
-    color_write,         // cleared, or wholly covered
+    color_write,         // cleared, or completely covered
     color_read_write,    // blended, masked or loaded
-    depth_write,         // first write: cleared, then tested and written
+    depth_write,         // first write of a frame: cleared, then tested and written
     depth_read_write,    // loaded, tested, written
     depth_read,          // tested only
     copy_read,
@@ -99,7 +100,7 @@ enum class Access : uint8_t {
     present,
 };
 
-// Stages, access bits and layout together: one side of a barrier.
+// Stages, access bits and layout: one side of a barrier.
 struct AccessState {
     StageMask stages = stage::kNone;
     AccessMask access = access::kNone;
@@ -108,11 +109,11 @@ struct AccessState {
     bool operator==(const AccessState&) const = default;
 };
 
-// What `a` needs when used by the given shader stages (ignored by fixed-function accesses).
-// Buffers (no aspects) have layout `undefined`. Sampled depth is `depth_read_only`, so that it may be
-// attachment and input at once; sampled colour is `shader_read_only`; storage images are `general`.
+// The state for access `a` by the given shader stages (ignored by fixed-function accesses). Buffers (no
+// aspects) have the layout `undefined`. Sampled depth uses `depth_read_only`, so that it can be attachment
+// and input at the same time; sampled colour uses `shader_read_only`; storage images use `general`.
 [[nodiscard]] AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask aspects);
-[[nodiscard]] bool reads(Access a);  // sees what was there before
+[[nodiscard]] bool reads(Access a);  // true if the access sees previous content
 [[nodiscard]] bool writes(Access a);
 
 // For dumps and messages: "compute_shader|fragment_shader", "storage_write", "shader_read_only".

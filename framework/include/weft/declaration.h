@@ -1,6 +1,6 @@
-// Purpose: what the passes of a frame declare, with every name, size, format and version resolved. Made by
-// resolve(), consumed by the later stages, and the only thing besides the plan that the checker reads.
-// Units: extents in pixels, sizes in bytes. Ids are indices into ResolvedGraph's vectors.
+// Purpose: the declarations of a frame's passes and resources, with every name, size, format and version
+// resolved. resolve() makes them; later stages read them; the checker reads only them and the plan. Units:
+// extents in pixels, sizes in bytes. Ids are indices into ResolvedGraph's vectors.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct Extent3D {
 enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
 
-// A box of mips × layers × aspects. Buffers are one subresource: mip 0, layer 0, kColor.
+// A box of mips × layers × aspects. A buffer is one subresource: mip 0, layer 0, kColor.
 struct SubresourceRange {
     uint32_t mip = 0;
     uint32_t mips = 1;
@@ -59,28 +59,29 @@ inline constexpr UsageMask kIndex = 1u << 8;
 inline constexpr UsageMask kIndirect = 1u << 9;
 }  // namespace usage
 
-// The usage that one kind of access needs.
+// The usage flag for one kind of access.
 [[nodiscard]] UsageMask usage_of(Access a);
 
 enum class ResourceLifetime : uint8_t {
     transient,   // lives within a frame; may share memory with others
     persistent,  // keeps its memory and content from frame to frame (history, keep)
-    imported,    // owned by somebody else; entry and exit states are declared
+    imported,    // owned by the program; entry and exit states are declared
 };
 
-// The states in which an imported resource is handed over and wanted back. `entry` is what may have happened
-// to it before the frame: writes in it are still pending, reads must be over before the frame writes. `exit`
-// is what comes after: the frame's writes are made visible to it.
+// The states of an imported resource before and after the frame. `entry` describes accesses before the frame:
+// its writes are still pending, and its reads must complete before the frame writes. `exit` describes
+// accesses after the frame: the frame's writes are made visible to them.
 struct ImportState {
-    AccessState entry;  // layout undefined: the content is of no interest
+    AccessState entry;  // layout `undefined`: the content is discarded
     AccessState exit;
     uint32_t family = 0;      // index into DeviceProfile::queue_families
-    bool concurrent = false;  // made for all families; else only passes on `family`'s queues may use it
+    bool concurrent = false;  // created for all queue families; otherwise only passes on queues of `family`
+                              // may use it
     bool operator==(const ImportState&) const = default;
 };
 
-// What a persistent resource holds once its size has changed: its first-frame value again, its old content
-// stretched to the new size, or nothing until its writer has run again.
+// Content of a persistent resource after its size has changed: its first-frame value, its old content scaled
+// to the new size, or undefined until its writer has run again.
 enum class OnResize : uint8_t { clear, resample, refill };
 
 struct ResourceDecl {
@@ -98,30 +99,30 @@ struct ResourceDecl {
     // buffers
     uint64_t size_bytes = 0;
     uint32_t stride_bytes = 0;
-    // both
-    UsageMask usage = 0;  // the union over all passes, live or not
-    // A persistent resource is a ring of history + 1 roles, each a ResourceDecl of its own: "color" is this
-    // frame's, "color[-1]" what it held one frame ago. From frame to frame the memory moves on: role a of
-    // frame f lives in the copy that role (f - a) mod (history + 1) had in frame 0. A ring of one keeps its
-    // content.
-    uint32_t history = 0;     // copies kept of earlier frames
-    ResourceId ring = kNoId;  // the role of age 0; kNoId when not persistent
+    // for both kinds
+    UsageMask usage = 0;  // union over all passes, including culled ones
+    // A persistent resource is a ring of history + 1 ResourceDecls: "color" is this frame's content,
+    // "color[-1]" that of one frame ago. Each frame advances the ring by one copy: age a in frame f uses the
+    // copy that age (f - a) mod (history + 1) had in frame 0. A ring of one resource keeps its content.
+    uint32_t history = 0;     // number of earlier frames to keep
+    ResourceId ring = kNoId;  // the resource of age 0 in this ring; kNoId if not persistent
     uint32_t age = 0;
-    std::array<float, 4> first_frame{0, 0, 0, 0};  // what every copy holds before anybody wrote it
+    std::array<float, 4> first_frame{0, 0, 0, 0};  // initial content of every copy
     OnResize on_resize = OnResize::clear;
     bool pre_exposed = false;
     std::optional<ImportState> import;
-    std::optional<std::array<float, 4>> clear;  // what a first raster write clears to
+    std::optional<std::array<float, 4>> clear;  // clear value for the first raster write
     SourceLoc loc;
 
     [[nodiscard]] SubresourceRange whole() const;
 };
 
-// Bytes of all texels of all mips and layers, without padding; a buffer's size.
+// Bytes of all texels of all mips and layers, without padding; for a buffer its size.
 [[nodiscard]] uint64_t content_bytes(const ResourceDecl& resource);
 [[nodiscard]] Extent3D mip_extent(const Extent3D& extent, uint32_t mip);
 
-// Which pass wrote what a read sees. producer == kNoId: the content from before the frame (import, history).
+// The pass that wrote the content seen by a read. producer == kNoId: content from before the frame (import,
+// history).
 struct VersionSource {
     SubresourceRange range;
     PassId producer = kNoId;
@@ -138,16 +139,16 @@ struct SamplerDecl {
     bool operator==(const SamplerDecl&) const = default;
 };
 
-// One port of a pass bound to one range of one resource.
+// The binding of a pass's port to a range of a resource.
 struct UseDecl {
     std::string port;
     ResourceId resource = kNoId;
     SubresourceRange range;
     Access access = Access::none;
-    AccessState state;       // access_state(access, stages, is_image); what barriers must establish
-    uint32_t history = 0;    // 0: this frame; n: the final version n frames ago
-    bool is_output = false;  // from "out" or "depth"
-    std::vector<VersionSource> sources;  // for accesses that read
+    AccessState state;       // access_state(access, stages, is_image); the state that barriers must establish
+    uint32_t history = 0;    // 0: this frame's content; n: the final content of n frames ago
+    bool is_output = false;  // declared in "out" or "depth"
+    std::vector<VersionSource> sources;  // for reading accesses
     uint32_t binding = kNoId;            // in set 1; kNoId for attachments, copies and C++ passes
     SamplerDecl sampler;
     SourceLoc loc;
@@ -155,16 +156,16 @@ struct UseDecl {
 
 enum class EdgeKind : uint8_t { raw, war, waw, after };
 
-// `to` must run after `from`. One for each reason, so that every barrier can be explained.
+// `to` must run after `from`. There is one edge for each reason, so that every barrier can be explained.
 struct EdgeDecl {
     PassId from = kNoId;
     PassId to = kNoId;
     EdgeKind kind = EdgeKind::raw;
-    ResourceId resource = kNoId;  // kNoId for `after`
+    ResourceId resource = kNoId;  // kNoId for edges from `after`
     SourceLoc loc;
 };
 
-// `readback` copies one range into host memory; an observed resource becomes such a pass.
+// `readback` copies a range to host memory; observing a resource adds such a pass.
 enum class PassKind : uint8_t { compute, fullscreen, raster, clear, copy, readback, custom };
 
 enum class CompareOp : uint8_t { never, less, equal, less_equal, greater, not_equal, greater_equal, always };
@@ -219,7 +220,7 @@ struct RectPx {
     bool operator==(const RectPx&) const = default;
 };
 
-// Everything the fixed-function pipeline offers (P. Cozzi, "The Graphics Pipeline"), as data.
+// The state of the fixed-function pipeline as data (P. Cozzi, "The Graphics Pipeline").
 struct RasterState {
     Topology topology = Topology::triangles;
     FillMode fill = FillMode::fill;
@@ -240,16 +241,16 @@ struct RasterState {
 
 struct AttachmentDecl {
     uint32_t use = kNoId;          // index into PassDecl::uses
-    uint32_t location = 0;         // colour attachments
-    uint32_t resolve_use = kNoId;  // of a multisampled one: the use that gets its averages when the pass ends
+    uint32_t location = 0;         // for colour attachments
+    uint32_t resolve_use = kNoId;  // for a multisampled attachment: the use that gets its averages at the end
+                                   // of the pass
     BlendState blend;
     std::array<float, 4> clear{0, 0, 0, 0};
-    bool covers = false;  // every texel is written: no clear needed
+    bool covers = false;  // the pass writes every texel, so no clear is needed
 };
 
-// Per-frame values that only the executor's caller knows.
-// `valid`: 1 once the content that ParamWrite::resource, a role of a ring, stands for has been written, else
-// 0.
+// Per-frame values from the executor's caller. `valid`: 1 if the content of ParamWrite::resource, a resource
+// of a ring, has been written, else 0.
 enum class Builtin : uint8_t {
     none,
     frame_index,
@@ -260,14 +261,14 @@ enum class Builtin : uint8_t {
     valid,
 };
 
-// One member of a pass's `Params` block: a literal, or a per-frame builtin.
+// The value of one member of a pass's `Params` block: a literal, or a per-frame builtin.
 struct ParamWrite {
     std::string member;
     uint32_t offset_bytes = 0;
     ScalarType scalar = ScalarType::f32;
     uint8_t components = 1;
     Builtin builtin = Builtin::none;
-    ResourceId resource = kNoId;  // of Builtin::valid
+    ResourceId resource = kNoId;  // for Builtin::valid
     std::array<double, 4> value{0, 0, 0, 0};
 };
 
@@ -282,12 +283,12 @@ struct NamedValue {
     double value = 0;
 };
 
-// What it costs to give a graph's parameter another value.
+// The work needed after a change of a graph parameter.
 enum class ParamCost : uint8_t {
-    nothing,   // nobody uses it
+    nothing,   // no pass uses it
     live,      // a value in the shaders' Params
-    pipeline,  // a specialisation constant: pipelines are made anew
-    graph,     // sizes, ranges, conditions: the graph is compiled anew
+    pipeline,  // a specialisation constant: pipelines are created again
+    graph,     // sizes, ranges, conditions: the graph is compiled again
 };
 
 struct GraphParam {
@@ -298,40 +299,43 @@ struct GraphParam {
 
 struct PassDecl {
     std::string name;
-    std::string type;  // "compute", "raster", … or a C++ pass's name; a "blit" is a copy that scales
+    std::string type;  // "compute", "raster", … or the name of a C++ pass; "blit" is a copy with scaling
     PassKind kind = PassKind::compute;
-    QueueKind queue = QueueKind::graphics;  // a hint
-    std::vector<UseDecl> uses;              // inputs first, then outputs, each in name order
-    bool side_effect = false;               // never culled
+    QueueKind queue = QueueKind::graphics;  // a hint only
+    std::vector<UseDecl> uses;              // inputs, then outputs, both sorted by name
+    bool side_effect = false;               // true: never culled
     std::string shader;                     // key into ShaderCatalog
     std::vector<SpecValue> spec_values;
     std::vector<ParamWrite> params;
     uint32_t params_bytes = 0;
     bool params_push = false;
-    std::vector<NamedValue> custom_params;    // C++ passes: by name
-    std::array<uint32_t, 3> groups{0, 0, 0};  // compute
-    uint32_t indirect_use = kNoId;  // compute: the use that holds `groups` as three words at its start
-    // raster and fullscreen
-    std::vector<AttachmentDecl> colors;  // by location
+    std::vector<NamedValue> custom_params;    // for C++ passes: parameters by name
+    std::array<uint32_t, 3> groups{0, 0, 0};  // for compute passes
+    uint32_t indirect_use = kNoId;  // for compute passes: the use whose first three words are `groups`
+    // for raster and fullscreen passes
+    std::vector<AttachmentDecl> colors;  // sorted by location
     std::optional<AttachmentDecl> depth;
     Extent3D render_extent;
     RasterState state;
-    std::vector<std::string> draw_lists;  // import names
-    uint32_t draw_commands_use = kNoId;   // raster: the use that holds a draw command for each draw
-    uint32_t vertices = 0;   // raster, in place of lists: so many, which the shader places by their index
-    uint32_t instances = 0;  // … each so many times
+    std::vector<std::string> draw_lists;  // names of imports
+    uint32_t draw_commands_use = kNoId;   // for raster passes: the use with a draw command for each draw
+    uint32_t vertices = 0;   // for raster passes without draw lists: number of vertices, which the shader
+                             // computes from their index
+    uint32_t instances = 0;  // number of instances of these vertices
     std::string view = "camera";
-    std::array<float, 4> clear{0, 0, 0, 0};  // `clear` passes
-    double flops = 0;                        // declared cost
-    // One of a repeat that is spread over frames (`perFrame`): frame f runs turn f mod turns, frame 0 runs all.
-    // What it writes is kept, so that the other frames find it. 0 turns: it runs in every frame.
+    std::array<float, 4> clear{0, 0, 0, 0};  // for clear passes
+    double flops = 0;                        // declared arithmetic cost
+    // One pass of a repeat with `perFrame`: frame f runs turn f mod turns, frame 0 runs all turns. Its
+    // results are kept for the frames in between. 0 turns: it runs in every frame.
     uint32_t turn = 0;
     uint32_t turns = 0;
-    uint32_t order_key = 0;                  // program order of graphs made in memory; names break ties
+    uint32_t order_key = 0;  // program order of graphs made in memory; ties are ordered by
+                             // name
     SourceLoc loc;
 };
 
-// Whether the pass does anything in a frame, counted from the first one of its plan. Its barriers always hold.
+// True if the pass runs in a frame; frames are counted from the start of the plan. Its barriers are recorded
+// in every frame.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
 
 struct ResolvedGraph {
@@ -341,8 +345,8 @@ struct ResolvedGraph {
     std::vector<PassDecl> passes;         // sorted by name
     std::vector<EdgeDecl> edges;          // sorted by (to, from, kind, resource)
     ResourceId output = kNoId;            // the import of kind "output"
-    std::vector<GraphParam> params;       // of the graph
-    uint32_t frames = 1;                  // how many a run renders unless it is told; not hashed
+    std::vector<GraphParam> params;       // parameters of the graph
+    uint32_t frames = 1;                  // default number of frames of a run; not hashed
     SourceMap sources;                    // for messages; not hashed
 };
 

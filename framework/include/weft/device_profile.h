@@ -1,6 +1,6 @@
-// Purpose: what the compiler may know about a device, as data: queues, limits, formats, memory. Profiles are
-// JSON files in framework/profiles/, or made from the present device (`weft doctor --json`). Units: bytes,
-// pixels.
+// Purpose: the properties of a device that the compiler uses, as data: queues, limits, formats, memory.
+// Profiles are JSON files in framework/profiles/, or made from the current device (`weft doctor --json`).
+// Units: bytes, pixels.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ inline constexpr FormatFeatureMask kBlitDst = 1u << 9;
 }  // namespace format_feature
 
 struct QueueFamilyProfile {
-    QueueKind kind = QueueKind::graphics;  // the most capable thing it can do
+    QueueKind kind = QueueKind::graphics;  // its most capable kind
     uint32_t count = 1;
 };
 
@@ -40,7 +40,7 @@ struct MemoryHeapProfile {
     bool operator==(const MemoryHeapProfile&) const = default;
 };
 
-// What a type of memory may hold. Some devices keep buffers, colour and depth apart.
+// Kinds of content that a memory type may hold. Some devices separate buffers, colour and depth.
 using MemoryContentMask = uint8_t;
 namespace memory_content {
 inline constexpr MemoryContentMask kBuffers = 1;
@@ -53,20 +53,20 @@ struct MemoryTypeProfile {
     uint32_t heap = 0;  // index into DeviceProfile::memory_heaps
     bool device_local = true;
     bool host_visible = false;
-    bool lazily_allocated = false;  // on a tiler: attachments that never leave the chip cost nothing here
+    bool lazily_allocated = false;  // on a tiler: attachments that stay in on-chip memory use no memory here
     MemoryContentMask holds = memory_content::kAll;
     bool operator==(const MemoryTypeProfile&) const = default;
 };
 
-// Sample counts, each its own bit: 1 | 4 is one sample a pixel or four.
+// Supported sample counts, one bit each: 1 | 4 means one or four samples per pixel.
 using SampleCountMask = uint32_t;
 
-// What shaders may use on some devices only. The names in files are those of SPIR-V's capabilities.
+// Shader capabilities that only some devices have. Files use the names of SPIR-V's capabilities.
 using ShaderCapabilityMask = uint32_t;
 namespace shader_capability {
 inline constexpr ShaderCapabilityMask kImageGatherExtended = 1u << 0;
 inline constexpr ShaderCapabilityMask kImageCubeArray = 1u << 1;
-// Subgroup operations of compute stages, beyond the basic ones that each device has.
+// Subgroup operations of compute stages, in addition to the basic ones that every device has.
 inline constexpr ShaderCapabilityMask kSubgroupVote = 1u << 2;
 inline constexpr ShaderCapabilityMask kSubgroupArithmetic = 1u << 3;
 inline constexpr ShaderCapabilityMask kSubgroupBallot = 1u << 4;
@@ -84,11 +84,11 @@ struct DeviceProfile {
     uint32_t max_image_layers = 2048;
     uint32_t max_push_constants_bytes = 128;
     uint32_t max_color_attachments = 8;
-    SampleCountMask color_samples = 1 | 4;  // of images that passes draw into and sample, by their numbers
+    SampleCountMask color_samples = 1 | 4;  // sample counts of images that passes draw to and sample
     SampleCountMask integer_samples = 1;
     SampleCountMask depth_samples = 1 | 4;
     uint32_t max_workgroup_invocations = 1024;
-    uint32_t max_shared_bytes = 32768;  // `shared` variables of a compute stage
+    uint32_t max_shared_bytes = 32768;  // limit on `shared` variables of a compute stage
     uint32_t max_sampled_images_per_stage = 128;
     uint32_t max_storage_images_per_stage = 128;
     uint64_t max_uniform_buffer_bytes = 65536;
@@ -96,19 +96,19 @@ struct DeviceProfile {
     uint64_t buffer_image_granularity_bytes = 64;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
-    // Optional state of a pass: "fill" other than "fill", "depthClamp", "clamp" of "depthBias".
+    // Optional pipeline state: "fill" other than "fill", "depthClamp", "clamp" of "depthBias".
     bool non_solid_fill = false;
     bool depth_clamp = false;
     bool depth_bias_clamp = false;
     ShaderCapabilityMask shader_capabilities = 0;
-    // Memory: nothing is known of it where the lists are empty. A resource's bit of MemoryNeed::type_bits is
-    // its index into memory_types.
+    // Memory heaps and types; empty lists mean unknown. The bit of a type in MemoryNeed::type_bits is its
+    // index in memory_types.
     std::vector<MemoryHeapProfile> memory_heaps;
-    std::vector<MemoryTypeProfile> memory_types;  // 32 at most
+    std::vector<MemoryTypeProfile> memory_types;  // at most 32
     uint64_t image_alignment_bytes = 64;          // powers of two
     uint64_t buffer_alignment_bytes = 64;
     uint64_t image_row_alignment_bytes = 1;  // each row of texels is padded to a multiple of this
-    uint64_t image_extra_bytes = 0;          // what an image takes besides its texels
+    uint64_t image_extra_bytes = 0;          // extra bytes of an image besides its texels
 
     [[nodiscard]] FormatFeatureMask features(Format format) const;
     [[nodiscard]] SampleCountMask samples(Format format) const;

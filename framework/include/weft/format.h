@@ -1,4 +1,4 @@
-// Purpose: image formats by the names that graphs use, and what each is made of. Vulkan-free.
+// Purpose: image formats with the names used in graphs, and their properties. Independent of Vulkan.
 #pragma once
 
 #include <cstdint>
@@ -57,7 +57,7 @@ enum class NumericClass : uint8_t { float_like, sint, uint, depth };
 
 struct FormatInfo {
     Format format = Format::undefined;
-    std::string_view name;  // as graphs spell it
+    std::string_view name;  // the name used in graphs
     uint8_t bytes_per_texel = 0;
     uint8_t components = 0;
     NumericClass numeric = NumericClass::float_like;

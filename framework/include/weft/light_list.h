@@ -1,6 +1,7 @@
-// Purpose: the lights of a frame as the program hands them to the `light_upload` pass: HostInputs "lights".
-// Shape: any number; what the graph's buffer cannot hold is left out, brightest kept by the program's own
-// order. Units: see shaders/include/shared/light.glsl, whose struct Light this list is made of.
+// Purpose: the lights of a frame, which the program passes to the `light_upload` pass as HostInputs "lights".
+// Shape: any number; lights beyond the capacity of the graph's buffer are dropped, so the program should put
+// the brightest first. Units: see shaders/include/shared/light.glsl, which defines the struct Light of this
+// list.
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
-// Purpose: how much of anything a file may ask for. This is the one table: whoever reads files takes a part
-// of it as an argument, and `--limits FILE` changes it by name. Input beyond a limit is refused before the
-// work or the memory is spent. Units: in the names; counts have none. Errors: X560 a limit that does not
-// exist, is no whole number, or lies outside 1 … `most`.
+// Purpose: limits on the contents of files. All limits are in this table: code that reads files gets a part
+// of it as an argument, and `--limits FILE` changes limits by name. Input over a limit is refused before work
+// or memory is spent. Units: in the names; counts have none. Errors: X560 a limit that does not exist, is not
+// a whole number, or lies outside 1 … `most`.
 #pragma once
 
 #include <cstdint>
@@ -68,10 +68,11 @@ struct SceneLimits {
     uint64_t vertices = 4'000'000;
     uint64_t triangles = 8'000'000;
     uint64_t image_side_px = 16'384;
-    uint64_t memory_bytes = 640ull << 20;  // with what a driver takes, the program stays below 1 GiB
+    uint64_t memory_bytes = 640ull << 20;  // together with the memory of a driver, the program stays below 1
+                                           // GiB
 };
 
-// Of the pictures that `weft compare` reads.
+// Limits for the pictures that `weft compare` reads.
 struct PictureLimits {
     uint64_t file_bytes = 512ull << 20;
     uint64_t side_px = 16'384;
@@ -86,18 +87,18 @@ struct Limits {
 };
 
 struct LimitRow {
-    const char* name;    // "graph.passes": what messages, files and docs/SECURITY.md call it
+    const char* name;    // "graph.passes": the name in messages, files and docs/SECURITY.md
     const char* unit;    // "bytes", "px", "ms"; empty for counts
-    const char* guards;  // what it bounds
-    uint64_t most;       // beyond this, recursion or 64-bit sums would no longer be safe
+    const char* guards;  // the things that it limits
+    uint64_t most;       // with a higher value, recursion or 64-bit sums might be unsafe
     uint64_t& (*of)(Limits& limits);
 };
 [[nodiscard]] std::span<const LimitRow> limit_table();
 
-// A JSON object of limits by name: { "graph.passes": 8192 }. What it does not name keeps its default.
+// Reads a JSON object of limits by name: { "graph.passes": 8192 }. Other limits keep their default.
 [[nodiscard]] Result<Limits> read_limits(const std::string& path, const FileReader& reader);
 
-// "raise graph.passes with --limits": the last word of every message about a limit.
+// "raise graph.passes with --limits": the end of every message about a limit.
 [[nodiscard]] std::string raise_limit_text(const std::string& name);
 
 }  // namespace weft

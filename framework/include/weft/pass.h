@@ -1,6 +1,6 @@
-// Purpose: how a pass type is made known to the compiler and the executor. Most passes are only JSON and
-// GLSL; a C++ pass is a struct with static members, turned into a PassType by pass_type<T>(). Passes see no
-// Vulkan type: they write host data through Uploads and record through Recorder.
+// Purpose: declares pass types to the compiler and the executor. Most passes are only JSON and GLSL; a C++
+// pass is a struct with static members, which pass_type<T>() converts to a PassType. Passes use no Vulkan
+// type: they write host data with Uploads and record commands with Recorder.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct Out : PortDecl {
     constexpr Out(std::string_view port, Access a) : PortDecl{port, a, true} {}
 };
 
-// A parameter as JSON, `weft doctor` and the documentation know it.
+// A parameter of a pass type, for JSON, `weft doctor` and the documentation.
 struct ParamDecl {
     std::string_view name;
     double default_value = 0;
@@ -40,8 +40,8 @@ struct ParamDecl {
     std::string_view unit;
 };
 
-// Typed values that the program hands to its passes each frame, by name. Borrowed until the frame is
-// recorded.
+// Typed values that the program gives to its passes each frame, by name. They must stay valid until the frame
+// is recorded.
 class HostInputs {
  public:
     template <class T>
@@ -63,17 +63,16 @@ class HostInputs {
     std::map<std::string, Entry, std::less<>> values_;
 };
 
-// This frame's upload memory. Bytes put under a port's name are what Recorder::copy_upload writes to that
-// port.
+// This frame's upload memory. Recorder::copy_upload copies the bytes stored for a port to that port.
 class Uploads {
  public:
     virtual ~Uploads() = default;
-    // At most `capacity(port)` bytes are kept.
+    // Stores at most `capacity(port)` bytes.
     virtual void put(std::string_view port, std::span<const std::byte> bytes) = 0;
     [[nodiscard]] virtual uint64_t capacity(std::string_view port) const = 0;
 };
 
-// What a C++ pass may record. Its ports are bound and in the states it declared.
+// The commands that a C++ pass may record. Its ports are bound and in their declared states.
 class Recorder {
  public:
     virtual ~Recorder() = default;
@@ -84,20 +83,22 @@ class Recorder {
 struct PassContext {
     std::span<const NamedValue> params;
 
-    [[nodiscard]] double param(std::string_view name) const;  // asserts that the pass type declares it
+    [[nodiscard]] double param(std::string_view name) const;  // asserts that the pass type declares this
+                                                              // parameter
 };
 
-// A C++ pass type, erased. Functions are plain pointers: pass types have no state.
+// A C++ pass type as plain function pointers: pass types have no state.
 struct PassType {
     std::string_view name;
     std::vector<PortDecl> ports;
     std::vector<ParamDecl> params;
-    Status (*check)(const PassDecl&, const ResolvedGraph&) = nullptr;  // shapes and formats; pure
+    Status (*check)(const PassDecl&, const ResolvedGraph&) = nullptr;  // checks shapes and formats; a pure
+                                                                       // function
     void (*prepare)(const PassContext&, const HostInputs&, Uploads&) = nullptr;
     void (*record)(const PassContext&, Recorder&) = nullptr;
 };
 
-// T has kType, kPorts (array of PortDecl), kParams (array of ParamDecl), check, prepare and record.
+// T must have kType, kPorts (array of PortDecl), kParams (array of ParamDecl), check, prepare and record.
 template <class T>
 [[nodiscard]] PassType pass_type() {
     return PassType{T::kType,

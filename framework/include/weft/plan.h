@@ -1,5 +1,5 @@
-// Purpose: a compiled frame. Everything an executor does is written here; it decides nothing itself.
-// Units: bytes. Positions count in schedule order. Barriers at position p are recorded before the pass at p.
+// Purpose: a compiled frame. It contains all of an executor's work; the executor makes no decisions. Units:
+// bytes. Positions are indices in schedule order. Barriers at position p are recorded before the pass at p.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,9 @@ namespace weft {
 
 using QueueIndex = uint32_t;
 
-// A queue as plans see it. The executor gives each one of the device's queues of its family; several may
-// share one.
+// A queue of a plan. The executor assigns it a queue of its family on the device; several may share one.
 struct LogicalQueue {
-    QueueKind kind = QueueKind::graphics;  // the most capable thing it can do
+    QueueKind kind = QueueKind::graphics;  // its most capable kind
     uint32_t family = 0;                   // index into DeviceProfile::queue_families
     bool operator==(const LogicalQueue&) const = default;
 };
@@ -23,13 +22,14 @@ struct LogicalQueue {
 enum class CullReason : uint8_t { live, unused_output, upstream_culled };
 
 struct LiveGraph {
-    std::vector<uint8_t> live_passes;     // by PassId
-    std::vector<uint8_t> live_resources;  // by ResourceId
-    std::vector<CullReason> reasons;      // by PassId
-    std::vector<std::string> details;     // by PassId: "nobody reads \"ssao\"", empty when live
+    std::vector<uint8_t> live_passes;     // index: PassId
+    std::vector<uint8_t> live_resources;  // index: ResourceId
+    std::vector<CullReason> reasons;      // index: PassId
+    std::vector<std::string> details;     // index: PassId; such as "nobody reads \"ssao\""; empty for live
+                                          // passes
 };
 
-// One candidate order and what it would have cost.
+// One candidate order with its cost.
 struct ScheduleCandidate {
     std::string name;  // "program", "forward", "backward"
     uint64_t peak_live_bytes = 0;
@@ -39,9 +39,10 @@ struct ScheduleCandidate {
 
 struct Schedule {
     std::vector<PassId> order;       // live passes only
-    std::vector<uint32_t> position;  // by PassId; kNoId when culled
-    std::vector<QueueIndex> queue;   // by position
-    // By position: per queue, 1 + the latest position of that queue known to precede it in this frame.
+    std::vector<uint32_t> position;  // index: PassId; kNoId if culled
+    std::vector<QueueIndex> queue;   // index: position
+    // By position: for each queue, 1 + the latest position of that queue that is known to precede it in this
+    // frame.
     std::vector<std::vector<uint32_t>> clocks;
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;
@@ -54,24 +55,24 @@ struct QueueSpan {
     uint32_t last = 0;
 };
 
-// First and last schedule position that touches a transient. Not live: first > last.
+// First and last schedule position that uses a transient. If not live, first > last.
 struct LifetimeSpan {
     uint32_t first = 1;
     uint32_t last = 0;
-    std::vector<QueueSpan> queues;  // the same for each queue that touches it, in order of first touch
+    std::vector<QueueSpan> queues;  // the same for each queue that uses it, in order of first use
 };
 
 struct Lifetimes {
-    std::vector<LifetimeSpan> spans;  // by ResourceId
+    std::vector<LifetimeSpan> spans;  // index: ResourceId
 };
 
 struct MemoryNeed {
     uint64_t size_bytes = 0;
     uint64_t alignment_bytes = 1;
-    uint32_t type_bits = UINT32_MAX;  // heaps it may live in
+    uint32_t type_bits = UINT32_MAX;  // memory types that it may use
 };
 
-// By ResourceId. Zero size for what needs no placement (imports).
+// Indexed by ResourceId. The size is zero for resources without placement (imports).
 using MemoryNeeds = std::vector<MemoryNeed>;
 
 struct Placement {
@@ -81,7 +82,7 @@ struct Placement {
     uint64_t size_bytes = 0;
 };
 
-// `to` takes over memory that `from` held. With `wrap`, from's owner was in the frame before.
+// `to` takes over memory from `from`. With `wrap`, `from` used it in the previous frame.
 struct HandOver {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
@@ -92,20 +93,20 @@ struct HandOver {
 struct HeapPlan {
     uint64_t size_bytes = 0;
     uint32_t type_bits = UINT32_MAX;
-    bool buffers = false;     // granularity keeps buffers and images apart where it must
-    bool persistent = false;  // for what outlives the frame: nothing shares memory here
+    bool buffers = false;     // separates buffers and images if the device's granularity requires it
+    bool persistent = false;  // for persistent resources, which share no memory
 };
 
 struct MemoryPlan {
     std::vector<HeapPlan> heaps;
     std::vector<Placement>
-        placements;  // transients by (heap, offset, resource); persistent ones too, never shared
+        placements;  // sorted by (heap, offset, resource); persistent resources share no memory
     std::vector<HandOver> hand_overs;  // sorted
-    uint64_t sum_bytes = 0;            // if nothing were shared
+    uint64_t sum_bytes = 0;            // total without sharing
     uint64_t peak_live_bytes = 0;
     uint32_t peak_position = 0;
-    uint64_t heap_bytes = 0;        // of the transients' heaps
-    uint64_t persistent_bytes = 0;  // of the others
+    uint64_t heap_bytes = 0;        // heaps of transients
+    uint64_t persistent_bytes = 0;  // all other heaps
 };
 
 enum class LoadOp : uint8_t { load, clear, dont_care, none };
@@ -125,73 +126,76 @@ enum class BarrierReason : uint8_t {
     hand_over,
     acquire_import,
     release_import,
-    release_queue,  // the first half of a transfer between queue families, after the last use on the old one
-    acquire_queue,  // its second half, before the first use on the new one
+    release_queue,  // the first half of an ownership transfer, after the last use on the old queue family
+    acquire_queue,  // the second half, before the first use on the new queue family
     prologue,
 };
 
-// One dependency. Images: a transition of `range`; buffers: a memory dependency. Stages are those of the
-// queue that records it; accesses on other queues are waited for by semaphores, which make all memory
-// available and visible, and then only the layout or the owner is left to change.
+// One dependency: for images a transition of `range`, for buffers a memory dependency. Stages are those of
+// the recording queue. Accesses on other queues are ordered by semaphores, which also make memory available
+// and visible; then the barrier only changes the layout or owner.
 struct BarrierDecl {
     ResourceId resource = kNoId;
     SubresourceRange range;
-    AccessState src;  // layout undefined: the content is dropped
+    AccessState src;  // layout undefined: the content is discarded
     AccessState dst;
     uint32_t src_family = 0;
     uint32_t dst_family = 0;  // differs from src_family in an ownership transfer
     BarrierReason reason = BarrierReason::raw;
-    PassId from = kNoId;  // the pass waited for, where one single pass explains it
+    PassId from = kNoId;  // the pass waited for, if a single pass is the reason
     PassId to = kNoId;
     bool from_previous_frame = false;
-    std::vector<ResourceId> hand_over_from;  // whose memory is taken over
+    std::vector<ResourceId> hand_over_from;  // resources whose memory is taken over
 };
 
 struct PassStep {
     PassId pass = kNoId;
-    std::vector<BarrierDecl> barriers;       // one vkCmdPipelineBarrier2 before the pass
-    std::vector<BarrierDecl> after;          // one after it: releases, and transitions for several queues
+    std::vector<BarrierDecl> barriers;       // recorded as one vkCmdPipelineBarrier2 before the pass
+    std::vector<BarrierDecl> after;          // recorded as one after it: releases, and transitions for
+                                             // several queues
     std::vector<AttachmentOps> attachments;  // colours by location, then depth
-    // Draws into the rendering scope of the pass before it on its queue, which ends with the last such pass.
-    // The scope loads as its first pass says and stores as its last one does.
+    // Draws into the rendering scope of the previous pass on its queue. The scope ends with the last such
+    // pass. Its load operations are those of its first pass, its store operations those of its last one.
     bool continues_scope = false;
 };
 
-// Run once, on queue 0, before the first frame: all copies of all persistent resources get their first-frame
-// values.
+// Runs once, on queue 0, before the first frame: initialises all copies of all persistent resources.
 struct ProloguePlan {
-    std::vector<BarrierDecl> before;  // out of undefined
-    std::vector<ResourceId> cleared;  // to ResourceDecl::first_frame, whole
-    std::vector<BarrierDecl> after;   // into the state in which the first frame's role expects it
+    std::vector<BarrierDecl> before;  // transitions from undefined
+    std::vector<ResourceId> cleared;  // completely cleared to ResourceDecl::first_frame
+    std::vector<BarrierDecl> after;   // transitions to the states that the first frame expects
 };
 
 struct BarrierPlan {
-    std::vector<PassStep> steps;        // by position
-    std::vector<BarrierDecl> epilogue;  // imports into their exit states, at the end of queue 0's last batch
+    std::vector<PassStep> steps;        // index: position
+    std::vector<BarrierDecl> epilogue;  // transitions of imports to their exit states, at the end of queue
+                                        // 0's last batch
     ProloguePlan prologue;
-    std::vector<uint8_t> concurrent;  // by ResourceId: used by several families without ownership
-    uint32_t emitted = 0;             // of a frame
+    std::vector<uint8_t> concurrent;  // index: ResourceId; shared by several queue families without ownership
+                                      // transfers
+    uint32_t emitted = 0;             // number of barriers in a frame
 };
 
-// `to` must not start before `from` is over, and they are on different queues. With `previous_frame`, `from`
-// is a position of the frame before.
+// `to` must not start before `from` completes, and they are on different queues. With `previous_frame`,
+// `from` is a position of the previous frame.
 struct QueueDependency {
     uint32_t from = 0;
     uint32_t to = 0;
     bool previous_frame = false;
-    ResourceId resource = kNoId;  // why; kNoId for `after`
+    ResourceId resource = kNoId;  // the reason; kNoId for `after`
     bool operator==(const QueueDependency&) const = default;
 };
 
-// Before its first command a batch waits for another to be over, with all memory it wrote.
+// Before its first command, a batch waits until another batch is complete and all its memory writes are
+// visible.
 struct QueueWait {
     uint32_t batch = 0;  // index into SubmissionPlan::batches, on another queue
     bool previous_frame = false;
-    uint32_t dependency = kNoId;  // the dependency that asked for it, in SubmissionPlan::dependencies
+    uint32_t dependency = kNoId;  // index into SubmissionPlan::dependencies of the reason
 };
 
-// Everything between two waits or signals of a queue. When it is over, the timeline semaphore of its queue
-// has the value frame × (batches of that queue) + 1 + (its rank among them), counting frames from 0.
+// All work of a queue between two waits or signals. On completion, the timeline semaphore of its queue gets
+// the value frame × (batches of that queue) + 1 + (index among them); frames count from 0.
 struct Batch {
     QueueIndex queue = 0;
     std::vector<uint32_t> positions;  // in schedule order, all on `queue`
@@ -200,12 +204,12 @@ struct Batch {
 };
 
 struct SubmissionPlan {
-    std::vector<Batch> batches;  // by first position, which is an order they can be submitted in
-    std::vector<QueueDependency> dependencies;  // what the waits are there for
+    std::vector<Batch> batches;                 // sorted by first position, which is a valid submission order
+    std::vector<QueueDependency> dependencies;  // the reasons for the waits
 };
 
-// How every persistent or imported resource is found at the start of a frame, per range. Of persistent ones,
-// which only the frame itself touches, the layout says it all.
+// The state of each range of every persistent or imported resource at the start of a frame. For persistent
+// resources, which only frames access, the layout is sufficient.
 struct BoundaryState {
     ResourceId resource = kNoId;
     SubresourceRange range;
@@ -222,7 +226,7 @@ struct FramePlan {
     BarrierPlan barriers;
     SubmissionPlan submissions;
     std::vector<BoundaryState> boundary;
-    std::string hash;  // 32 hex digits over everything above but provenance
+    std::string hash;  // 32 hexadecimal digits, for all members above except places in files
 };
 
 }  // namespace weft

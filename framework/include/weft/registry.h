@@ -1,4 +1,4 @@
-// Purpose: the C++ pass types that this build contains, by the name that graphs use.
+// Purpose: the C++ pass types in this build, by the names used in graphs.
 #pragma once
 
 #include "weft/pass.h"

@@ -1,5 +1,5 @@
-// Purpose: errors as data. Anything that can be wrong because of what a user wrote comes back as Diagnostics.
-// Units: lines and columns count from 1; a 0 means "unknown". Columns count bytes.
+// Purpose: errors as data. Faults in the user's input are returned as Diagnostics. Units: lines and columns
+// count from 1; 0 means unknown. Columns count bytes.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,16 @@ struct Note {
     std::string message;
 };
 
-// One fault, self-contained: it can be printed after the file it came from is gone.
+// One fault, self-contained: it can be printed after its file has been freed.
 struct Diagnostic {
     Severity severity = Severity::error;
-    std::string code;     // "W103"; docs/diagnostics.md has a page for each
-    std::string message;  // lower case: what was found and what was wanted
+    std::string code;     // such as "W103"; explained in docs/diagnostics.md
+    std::string message;  // starts in lower case: the value found and the value wanted
     std::string file;
     uint32_t line = 0;
     uint32_t column = 0;
-    uint32_t length = 1;      // bytes to underline
-    std::string pointer;      // JSON pointer of the value, when there is one
+    uint32_t length = 1;      // number of bytes to underline
+    std::string pointer;      // JSON pointer of the value, if there is one
     std::string source_line;  // the text of `line`, for the excerpt
     std::vector<std::string> help;
     std::vector<Note> notes;
@@ -43,13 +43,13 @@ using Diagnostics = std::vector<Diagnostic>;
 [[nodiscard]] std::string to_text(const Diagnostic& diagnostic);
 [[nodiscard]] std::string to_text(const Diagnostics& diagnostics);
 
-// Closest names first, at most three, only those near enough to be a slip of the finger.
+// At most three similar names, most similar first; only names that could be meant by a typing mistake.
 [[nodiscard]] std::vector<std::string> did_you_mean(const std::string& name,
                                                     const std::vector<std::string>& known);
-// "did you mean "a" or "b"?", or empty when nothing is near.
+// A text such as `did you mean "a" or "b"?`; empty if no name is similar.
 [[nodiscard]] std::string did_you_mean_text(const std::string& name, const std::vector<std::string>& known);
 
-// A value, or every diagnostic that stood in its way. Warnings travel beside a value through `Diagnostics&`.
+// A value, or the diagnostics that prevented it. Warnings are returned separately through `Diagnostics&`.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -1,6 +1,6 @@
-// Purpose: what a compiled shader needs and gives, as plain data. Made by weft_shader, read by weft_graph
-// (matching ports by name) and weft_vulkan (layouts and pipelines). No Vulkan.
-// Units: offsets and sizes in bytes. Sets: 0 frame and view, 1 the pass's ports, 2 material, 3 draw.
+// Purpose: the inputs and outputs of a compiled shader as plain data. weft_shader makes it; weft_graph reads
+// it to match ports by name, weft_vulkan to make layouts and pipelines. No Vulkan. Units: offsets and sizes
+// in bytes. Sets: 0 frame and view, 1 the pass's ports, 2 material, 3 draw.
 #pragma once
 
 #include <array>
@@ -27,13 +27,13 @@ struct BlockMember {
     uint32_t offset_bytes = 0;
     uint32_t size_bytes = 0;
     ScalarType scalar = ScalarType::f32;
-    uint8_t rows = 1;          // components of a vector, rows of a matrix
+    uint8_t rows = 1;          // components of a vector, or rows of a matrix
     uint8_t columns = 1;       // > 1 for matrices
     uint32_t array_count = 0;  // 0: not an array; runtime arrays have is_runtime_array
     uint32_t array_stride_bytes = 0;
     bool is_runtime_array = false;
-    std::string struct_name;           // non-empty for members of struct type
-    std::vector<BlockMember> members;  // of that struct
+    std::string struct_name;           // set for members of struct type
+    std::vector<BlockMember> members;  // members of that struct
     bool operator==(const BlockMember&) const = default;
 };
 
@@ -41,7 +41,7 @@ enum class BindingKind : uint8_t { sampled_image, storage_image, uniform_buffer,
 enum class ImageDim : uint8_t { d1, d2, d3, cube };
 
 struct ShaderBinding {
-    std::string name;  // instance name; for blocks without one the block's name
+    std::string name;  // instance name; for blocks without one, the block's name
     uint32_t set = 0;
     uint32_t binding = 0;
     BindingKind kind = BindingKind::sampled_image;
@@ -51,14 +51,14 @@ struct ShaderBinding {
     ImageDim dim = ImageDim::d2;
     bool arrayed = false;
     bool multisampled = false;
-    bool shadow = false;  // sampler2DShadow and kin
+    bool shadow = false;  // sampler2DShadow and similar types
     NumericClass numeric = NumericClass::float_like;
-    Format storage_format = Format::undefined;  // the GLSL qualifier; undefined when none is declared
+    Format storage_format = Format::undefined;  // the GLSL format qualifier; undefined if there is none
     // storage images and buffers
     bool reads = true;
     bool writes = false;
     // buffers
-    uint32_t block_bytes = 0;  // without a runtime array's elements
+    uint32_t block_bytes = 0;  // without the elements of a runtime array
     std::vector<BlockMember> members;
     bool operator==(const ShaderBinding&) const = default;
 };
@@ -66,7 +66,7 @@ struct ShaderBinding {
 // The block named `Params`: push constants, or a uniform buffer in set 1.
 struct ParamsBlock {
     bool push_constants = false;
-    uint32_t binding = 0;  // when a uniform buffer
+    uint32_t binding = 0;  // for a uniform buffer
     uint32_t size_bytes = 0;
     ShaderStageMask stages = 0;
     std::vector<BlockMember> members;
@@ -96,12 +96,13 @@ struct ShaderInterface {
     std::vector<StageVariable> vertex_inputs;  // sorted by location
     std::vector<StageVariable> fragment_outputs;
     std::array<uint32_t, 3> local_size{1, 1, 1};
-    bool discards = false;           // a fragment stage that may drop its pixel
+    bool discards = false;           // the fragment stage may discard its pixel
     bool writes_depth = false;       // gl_FragDepth
     bool writes_point_size = false;  // gl_PointSize, in the vertex stage
-    bool states_local_size = true;   // a compute stage that declares its local size, and be it 1
+    bool states_local_size = true;   // a compute stage that declares its local size explicitly
 
-    [[nodiscard]] const ShaderBinding* find(std::string_view name) const;  // set 1 only: the pass's ports
+    [[nodiscard]] const ShaderBinding* find(std::string_view name) const;  // searches set 1 only: the pass's
+                                                                           // ports
 };
 
 struct ShaderModule {
@@ -109,16 +110,16 @@ struct ShaderModule {
     std::vector<uint32_t> spirv;  // entry point "main"; passed spirv-val
 };
 
-// One shader reference of a graph: a compute shader, or the vertex and fragment stages that go together.
+// The program of one shader reference: a compute shader, or a vertex and a fragment stage.
 struct ShaderProgram {
-    std::string reference;  // as the graph names it
+    std::string reference;  // as written in the graph
     std::vector<ShaderModule> modules;
     ShaderInterface interface;
-    uint64_t content_hash = 0;  // of everything that was compiled, includes too
+    uint64_t content_hash = 0;  // hash of all compiled sources, including included files
 };
 
-// By reference. A reference whose compilation failed is present with no modules: it was reported already,
-// so later stages keep quiet about it.
+// Indexed by reference. A program that failed to compile is present without modules: it was already reported,
+// so later stages do not report it again.
 using ShaderCatalog = std::map<std::string, ShaderProgram, std::less<>>;
 
 }  // namespace weft

@@ -1,5 +1,5 @@
-// Purpose: where a thing was written. Every node of a graph file carries a SourceLoc, and the compiler hands
-// it on as provenance; it never enters a plan's hash.
+// Purpose: places in files. Every node of a graph file has a SourceLoc, and the compiler copies it for
+// messages; it is never part of a plan's hash.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@
 
 namespace weft {
 
-// A diagnostic quotes no source line that is longer than this: in a minified file one line can be the whole file.
+// A diagnostic quotes no source line that is longer than this: in a minified file one line can be the whole
+// file.
 inline constexpr size_t kMaxExcerptBytes = 4096;
 
 inline constexpr uint32_t kNoFile = UINT32_MAX;
@@ -28,15 +29,15 @@ struct SourceLoc {
 };
 
 struct SourceFile {
-    std::string path;  // as the user named it
+    std::string path;  // as written by the user
     std::string text;
-    SourceLoc included_at = {};  // of the file's name in the one that includes it; kNoFile: in none
-    // The number of newlines before each 4 KiB block of the text, so that a line is found without reading all
-    // lines before it. Made by SourceMap::add_file(); without it a line is searched from the first byte.
+    SourceLoc included_at = {};  // place of the include that names this file; kNoFile: not included
+    // Number of newlines before each 4 KiB block of the text, so that finding a line need not read the whole
+    // text. Filled by SourceMap::add_file(); if empty, lines are searched from the first byte.
     std::vector<uint32_t> newlines_before = {};
 };
 
-// A value that stands for another: of an including file, or of a tier.
+// A value that replaced another one: from an including file, or from a tier.
 struct Replacement {
     SourceLoc by;
     SourceLoc what;
@@ -44,20 +45,20 @@ struct Replacement {
 
 struct SourceMap {
     std::vector<SourceFile> files;
-    // By file, line and column of `by`.
+    // Key: file, line and column of `by`.
     std::multimap<std::array<uint32_t, 3>, Replacement> replacements;
 
-    // Returns its index.
+    // Returns the file's index.
     uint32_t add_file(std::string path, std::string text, SourceLoc included_at = {});
     void add_replacement(const Replacement& replacement);
-    // A diagnostic with file, line, column and the excerpt filled in from `loc`. Notes say where the file was
-    // included, and what the value there replaced.
+    // A diagnostic with file, line, column and excerpt for `loc`. Its notes tell where the file was included,
+    // and which value was replaced.
     [[nodiscard]] Diagnostic error(SourceLoc loc, std::string code, std::string message) const;
-    // "deferred.json:40:73", or "<memory>" for things made by a program.
+    // "deferred.json:40:73"; "<memory>" for things made by a program.
     [[nodiscard]] std::string describe(SourceLoc loc) const;
 };
 
-// Reads a file, or nullopt when there is none. All graph files come through one of these.
+// Reads a file; nullopt if it does not exist. All graph files are read with one of these.
 using FileReader = std::function<std::optional<std::string>(const std::string& path)>;
 
 }  // namespace weft

@@ -1,7 +1,7 @@
-// Purpose: the one-off plan between two plans, for a resize, a reload or another quality tier: what
-// persistent resources carry over, and what starts afresh. Runs once on queue 0, after the last frame of the
-// old plan and instead of the new one's prologue. Units: ids of the old plan's resources in `from`, of the
-// new plan's everywhere else.
+// Purpose: the transition between two plans, for a resize, a reload or another quality tier: which content of
+// persistent resources is kept, and which is initialised again. It runs once on queue 0, after the last frame
+// of the old plan and instead of the new plan's prologue. Units: `from` has ids of the old plan's resources,
+// all other members of the new plan's.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace weft {
 
-// A role of the old plan, as its next frame would find it, becomes the same role of the new plan's first
-// frame.
+// The content of an old resource, as its next frame would find it, becomes the content of the new resource of
+// the same age.
 struct CarryOver {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
-    // Stretched to a new size, mip by mip (the last old one serves all that are new), with a linear filter,
-    // integers with the nearest; else copied as it is.
+    // true: scaled to a new size mip by mip (if there are more new mips, from the last old one), with a
+    // linear filter, for integers with the nearest texel; false: copied unchanged.
     bool resample = false;
     bool operator==(const CarryOver&) const = default;
 };
 
 struct TransitionPlan {
-    std::vector<BarrierDecl> before_old;  // of the old plan's resources: out of their boundary states
-    std::vector<BarrierDecl> before;      // of the new plan's: out of undefined
+    std::vector<BarrierDecl> before_old;  // for the old plan's resources: from their boundary states
+    std::vector<BarrierDecl> before;      // for the new plan's resources: from undefined
     std::vector<CarryOver> carried;
     std::vector<ResourceId> cleared;  // to their first-frame values
-    std::vector<BarrierDecl> after;   // into the states in which the new plan's first frame expects them
-    // By ResourceId of the new plan, where it leads a ring: whether the frames counted by the old ring count
-    // on.
+    std::vector<BarrierDecl> after;   // to the states that the new plan's first frame expects
+    // For each ResourceId of the new plan that is the first of a ring: whether the old ring's count of
+    // written frames continues.
     std::vector<uint8_t> keeps_validity;
 };
 

@@ -1,6 +1,7 @@
-// Opens a header that C++ and GLSL both compile. In C++ the GLSL type names become glm's; in GLSL nothing happens.
-// Layout rule: every vec3 is followed by a scalar, every struct is a multiple of 16 bytes (unless it says so), so that
-// std140, std430 and C++ agree. No include guard: shared headers include this once each and close with end.glsl.
+// Opens a header that both C++ and GLSL compile. In C++ it maps GLSL type names to glm's; in GLSL it does
+// nothing. Layout rule: every vec3 is followed by a scalar, and the size of every struct is a multiple of 16
+// bytes (unless stated otherwise), so that std140, std430 and C++ agree. No include guard: each shared header
+// includes this once and ends with end.glsl.
 #ifdef __cplusplus
 #include <cstdint>
 #include <glm/glm.hpp>

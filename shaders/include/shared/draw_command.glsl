@@ -1,6 +1,6 @@
-// One draw of a list, as indirect draws read it: the list's import "opaqueCommands" holds one for each draw, and
-// a pass that draws by a buffer of its own leaves out those whose instance_count is 0. 20 bytes, as the device
-// wants it: for std430 only.
+// One draw of a list in the form of an indirect draw. The list's import "opaqueCommands" has one for each
+// draw; a pass with its own buffer of commands skips draws by setting instance_count to 0. 20 bytes, as
+// Vulkan requires: for std430 only.
 #ifndef WEFT_SHARED_DRAW_COMMAND
 #define WEFT_SHARED_DRAW_COMMAND
 #include "begin.glsl"

@@ -1,4 +1,4 @@
-// Closes what begin.glsl opened.
+// Ends a header that began with begin.glsl.
 #ifdef __cplusplus
 }  // namespace weft::shared
 #endif

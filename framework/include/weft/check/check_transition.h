@@ -1,6 +1,6 @@
-// Purpose: proves a transition between two plans: every copy of every persistent resource of the new plan
-// gets its content once, from its namesake or as its first-frame value, in the right order and layouts.
-// Errors: C370 content, C371 synchronisation and layouts.
+// Purpose: checks a transition between two plans: every copy of every persistent resource of the new plan
+// gets its content exactly once, from the resource of the same name or as its first-frame value, in the right
+// order and layouts. Errors: C370 content, C371 synchronisation and layouts.
 #pragma once
 
 #include "weft/result.h"

@@ -1,7 +1,7 @@
-// Purpose: a map of errors in a few numbers. Units: the map's. Quantiles are values that occur in the map.
-// Weighted ones count every error by its own size, so a large black area does not hide what is visible: a
-// share q of the whole error comes from errors up to the q-quantile; 0 for a map without errors. Source: the
-// paper that flip.h names, on pooling.
+// Purpose: summarises an error map in a few numbers. Units: those of the map. Quantiles are values that occur
+// in the map. Weighted quantiles weight every error by its own size, so that a large black area does not hide
+// visible errors: errors up to the q-quantile make up a share q of the total error; 0 for a map without
+// errors. Source: the paper cited in flip.h, on pooling.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct ErrorSummary {
     std::array<double, 3> weighted_quartiles{};
 };
 
-// The map is not empty and holds no NaN.
+// The map must not be empty or contain NaN.
 [[nodiscard]] ErrorSummary summarize(const Plane& map);
 
 }  // namespace weft::image

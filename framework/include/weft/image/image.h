@@ -1,7 +1,7 @@
-// Purpose: a picture, and one number for each of its texels, as plain data that metrics take and give.
-// Shapes: width_px × height_px, row 0 on top. Units: `display` is sRGB-encoded, [0, 1] in steps of 1/255;
-// `linear` is scene-linear, in any unit, and may be anything but NaN where it is made into a display value.
-// Source: sRGB: IEC 61966-2-1.
+// Purpose: a picture, and a plane with one number per texel, as plain data for metrics. Shapes: width_px ×
+// height_px, row 0 on top. Units: `display` is sRGB-encoded, [0, 1] in steps of 1/255; `linear` is
+// scene-linear, in any unit; NaN is not allowed when it is converted to a display value. Source: sRGB: IEC
+// 61966-2-1.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct Plane {
 
 [[nodiscard]] bool same_size(const Image& a, const Image& b);
 
-// Linear values are clamped to [0, 1] and encoded, and not rounded; display values stay as they are.
+// Linear values are clamped to [0, 1] and encoded without rounding; display values do not change.
 [[nodiscard]] Image to_display(Image image);
 [[nodiscard]] glm::vec3 display_texel(const Image& image, size_t index);
 

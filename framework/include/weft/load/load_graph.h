@@ -1,5 +1,5 @@
-// Purpose: from a graph file to a resolved graph: read, merge, parse, compile its shaders, resolve.
-// Everything wrong with the file and its shaders is reported in one go.
+// Purpose: loads a graph file: read, merge, parse, compile its shaders, resolve. All faults of the file and
+// its shaders are reported together.
 #pragma once
 
 #include <filesystem>
@@ -19,14 +19,14 @@
 
 namespace weft {
 
-// How many of an image's alternative formats are passed over, by the image's name; see ResolveInput.
+// For each image, the number of its alternative formats that are skipped; see ResolveInput.
 using SkippedFormats = std::map<std::string, size_t>;
 
 struct LoadInput {
     std::string path;
-    FileReader reader;                   // for the graph file
+    FileReader reader;                   // reads the graph file
     std::filesystem::path shader_root;   // the shaders/ folder; its include/ is the include root
-    std::filesystem::path shader_cache;  // empty: none
+    std::filesystem::path shader_cache;  // empty: no cache
     const PassCatalog& passes;
     const ImportCatalog& imports;
     const DeviceProfile& profile;
@@ -35,12 +35,12 @@ struct LoadInput {
     std::vector<std::string> observed;
     std::filesystem::path shader_worker = {};  // find_shader_worker(); empty: glslang runs in this process
     Limits limits = {};
-    std::filesystem::path graph_root = {};  // the graphs/ folder, where included files are looked for as well
-    std::string tier = {};                  // empty: the file as it is
-    std::string debug = {};                 // a view to add, kDebugView, to be observed; empty: none
-    ShaderMemory* memory = nullptr;         // what earlier loads left for this one
-    // What common_formats() found, for loads without observers and parameters. Null: the other tiers are
-    // loaded to see.
+    std::filesystem::path graph_root = {};  // the graphs/ folder, where included files are also searched
+    std::string tier = {};                  // empty: the graph without a tier
+    std::string debug = {};                 // a debug view to add as kDebugView and observe; empty: none
+    ShaderMemory* memory = nullptr;         // data kept from earlier loads
+    // The result of common_formats(), for loads without observers and parameters. Null: the other tiers are
+    // loaded to compute it.
     const SkippedFormats* common_formats = nullptr;
 };
 
@@ -48,27 +48,27 @@ struct LoadedGraph {
     GraphDesc desc;
     ShaderCatalog shaders;
     ResolvedGraph graph;
-    SkippedFormats skipped_formats;  // so that all tiers have the same
+    SkippedFormats skipped_formats;  // makes formats equal in all tiers
 };
 
-// What is written: the graph's file and all that it includes. Its tiers are load_graph()'s choice.
+// Reads the graph's file and all files that it includes. load_graph() applies the tier.
 [[nodiscard]] Result<JsonDoc> read_graph(const LoadInput& input);
 
-// What is wrong with the file and with the tier, view and parameters that are asked for, before any shader is
-// looked at: for those who have slow work to do before they load.
+// Checks the file, and the requested tier, view and parameters, before any shader is compiled. For callers
+// that do slow work before load_graph().
 [[nodiscard]] Status check_request(const LoadInput& input);
 
-// The formats that all tiers of a document share, found once for load_graph() of each. Every tier is loaded;
-// the tier, parameters and observers of `input` mean nothing.
+// The formats common to all tiers of a document, computed once for load_graph() of each tier. Loads every
+// tier; ignores the tier, parameters and observers of `input`.
 [[nodiscard]] SkippedFormats common_formats(const JsonDoc& document, const LoadInput& input);
 
-// Warnings go to `warnings`.
+// Warnings are added to `warnings`.
 [[nodiscard]] Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input,
                                              Diagnostics& warnings);
-// The same from the file.
+// Reads the file and loads the graph.
 [[nodiscard]] Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings);
 
-// The same graph for another output size or other parameters. Shaders stay as they are.
+// Resolves the same graph for another output size or other parameters, without compiling shaders.
 [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
                                                   Diagnostics& warnings);
 

@@ -1,8 +1,8 @@
-// Purpose: keeps a session's picture up to date with its files. A thread waits for the graph, what it
-// includes, its shaders and what those include, prepares what changed, and leaves it for the frame thread,
-// which takes it over between two frames. Whatever is wrong with the files, the last good graph goes on.
-// Units: milliseconds in names. Errors: X580 files can't be watched; warning X581, a
-// folder of theirs can't.
+// Purpose: keeps a session's picture up to date with its files. A thread watches the graph, its included
+// files, its shaders and their included files, prepares changed parts, and stores the result for the frame
+// thread, which takes it between two frames. If the files have faults, the last valid graph keeps running.
+// Units: milliseconds in names. Errors: X580 files cannot be watched; warning X581, one of their folders
+// cannot be watched.
 #pragma once
 
 #include <chrono>
@@ -16,28 +16,29 @@
 
 namespace weft::render {
 
-// What came of a change of files.
+// The result of a change of files.
 struct Reload {
-    Rebuilt rebuilt;       // when there are no errors
-    Diagnostics errors;    // why the graph that ran before goes on
-    Diagnostics warnings;  // of the graph as it is now
-    double ms = 0;         // from the end of the change to the swap
-    double swap_ms = 0;    // of that, on the frame thread
+    Rebuilt rebuilt;       // valid if there are no errors
+    Diagnostics errors;    // the reasons why the previous graph keeps running
+    Diagnostics warnings;  // warnings about the current graph
+    double ms = 0;         // time from the end of the change to the swap
+    double swap_ms = 0;    // the part of this time on the frame thread
 
     [[nodiscard]] bool good() const { return errors.empty(); }
 };
 
 class Reloader {
  public:
-    // `session` outlives it. What changed since the session loaded its files is noticed.
+    // `session` must outlive this. Changes since the session loaded its files are noticed.
     [[nodiscard]] static Result<std::unique_ptr<Reloader>> start(Session& session);
     ~Reloader();
     Reloader(const Reloader&) = delete;
     Reloader& operator=(const Reloader&) = delete;
 
-    // On the frame thread, between two frames: takes over what is ready, if anything is. Never waits.
+    // Call this on the frame thread, between two frames: takes over a prepared change, if there is one. Never
+    // waits.
     [[nodiscard]] std::optional<Reload> update();
-    // Swaps to another graph, tier or other parameters, as if a file had said so.
+    // Swaps to another graph, tier or other parameters, as after a change of a file.
     void select(const Selection& selection);
 
  private:
@@ -54,13 +55,14 @@ class Reloader {
     void run();
     [[nodiscard]] bool wait_for_work();
     [[nodiscard]] Preparation prepare_and_watch(const Selection& selection);
-    // To prepare again, though no file changed.
+    // Requests another preparation although no file changed.
     void ask_again();
 
     Session& session_;
     const std::unique_ptr<FileWatch> watch_;
-    std::set<std::filesystem::path> good_files_;  // of the last load that succeeded; the thread's own
-    std::mutex mutex_;                            // of all below
+    std::set<std::filesystem::path> good_files_;  // files of the last successful load; used only by the
+                                                  // watching thread
+    std::mutex mutex_;                            // guards all members below
     Selection selection_;
     bool asked_ = false;
     bool stop_ = false;

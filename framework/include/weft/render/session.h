@@ -1,6 +1,6 @@
-// Purpose: one graph drawing one scene: load, compile, prove, run. What `weft render` and the picture tests
-// are made of, and the shortest way to embed Weft. Units: size in pixels, exposure in EV (hdr is stored ×
-// 2^EV). Threads: all is for the thread that submits, but for prepare().
+// Purpose: renders one scene with one graph: load, compile, check, run. `weft render` and the picture tests
+// use it, and it is the simplest way to embed Weft. Units: size in pixels, exposure in EV (hdr is stored ×
+// 2^EV). Threads: all functions must be called by the thread that submits, except prepare().
 #pragma once
 
 #include <atomic>
@@ -23,44 +23,47 @@ namespace weft::render {
 
 class GpuScene;
 
-// How to make an image for SessionInput::output: RGBA8, of one mip. Points into `device`.
+// Creation info for SessionInput::output: RGBA8, one mip. It points to data of `device`.
 [[nodiscard]] VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size);
 
 struct SessionInput {
     std::string graph_path;
     FileReader reader;
-    std::filesystem::path graph_root;  // the graphs/ folder, where included files are looked for as well
+    std::filesystem::path graph_root;  // the graphs/ folder, where included files are also searched
     std::filesystem::path shader_root;
     std::filesystem::path shader_cache;
     std::filesystem::path shader_worker;  // find_shader_worker(); empty: glslang runs in this process
     Limits limits;
     const PassCatalog* passes = nullptr;
     Extent3D size{1280, 720, 1};
-    std::string tier;  // of the graph; empty: the graph as it is
+    std::string tier;  // tier of the graph; empty: none
     std::map<std::string, double> params;
-    std::vector<std::string> observed;  // references that are read back every frame
-    std::string debug;    // a debug view, or any resource, drawn as "debugView"; observe that to see it
-    uint32_t queues = 1;  // logical queues; the device shall have been made for as many
+    std::vector<std::string> observed;  // references of resources that are read back every frame
+    std::string debug;    // a debug view, or any resource; drawn as "debugView", which must be observed to
+                          // see it
+    uint32_t queues = 1;  // number of logical queues; the device must have been created for as many
     scene::Camera camera;
     float exposure_ev = 0;
-    // An embedder's image, made as output_create_info() says, that frames are drawn into; null: one of the
-    // session's own. When render_frame() returns, commands submitted to the device's first queue find it in
-    // TRANSFER_SRC_OPTIMAL, written, and may copy or blit it; they leave it so. It outlives the session.
+    // An embedder's image, made with output_create_info(), to which frames are drawn; null: the session
+    // creates one. When render_frame() returns, the image is written and in TRANSFER_SRC_OPTIMAL for commands
+    // submitted to the device's first queue. They may copy or blit it and must leave it in that layout. It
+    // must outlive the session.
     VkImage output = VK_NULL_HANDLE;
-    bool check_plan = false;  // prove the plan before it runs; always done in debug builds
-    bool timestamps = false;  // per-pass GPU times; adds execution barriers, so not for validation runs
-    std::string drop_barriers_before;  // test hook: a pass whose barriers are not recorded
+    bool check_plan = false;  // check the plan before it runs; always done in debug builds
+    bool timestamps = false;  // GPU times per pass; adds execution barriers, so do not use it for validation
+                              // runs
+    std::string drop_barriers_before;  // for tests: name of a pass whose barriers are not recorded
 };
 
 class Session {
  public:
-    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…). What it looked at is added
-    // to `files`, also after an error: as Preparation::files.
+    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…). The examined files are added
+    // to `files`, also after an error; see prepare().
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
-    // The same for a scene that is not used any more: its textures are freed one by one as they are copied to
-    // the GPU, which halves what they take at most.
+    // The same for a scene that is no longer needed: its textures are freed one by one as they are copied to
+    // the GPU, which halves their peak memory.
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, scene::Scene&& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
@@ -68,36 +71,36 @@ class Session {
     ~Session();
 
     [[nodiscard]] const Selection& selection() const { return selection_; }
-    // What create() looked at, as Preparation::files.
+    // The files that create() examined.
     [[nodiscard]] const std::set<std::filesystem::path>& first_files() const { return first_files_; }
-    // Reads the selected graph, compiles what changed, proves the plan and makes its objects, while frames go
-    // on: this may be called from any thread, and submits nothing. Errors: as create().
+    // Reads the selected graph, compiles changed parts, checks the plan and creates its objects, while frames
+    // continue. May be called from any thread; submits nothing. Errors: those of create().
     [[nodiscard]] Preparation prepare(const Selection& selection);
-    // From the next frame on. Histories and kept resources live on, as transition() says. False: something
-    // else was swapped in since it was prepared, and nothing happens; prepare it again. After an error of the
-    // checker (C…) everything goes on as it was.
+    // Takes effect with the next frame. Histories and kept resources continue as given by transition().
+    // Returns false, and does nothing, if something else was swapped in after `next` was prepared; prepare it
+    // again. After an error of the checker (C…) the running graph continues.
     [[nodiscard]] Result<bool> swap_in(Prepared next);
-    // Both at once, with the graph as it was last loaded. After an error that names the graph (W…, C…) or
-    // memory everything goes on at the old size. `output` replaces SessionInput::output, whose image frames
-    // in flight may still use. Errors: as create().
+    // Prepares and swaps in the last loaded graph at another size. After an error about the graph (W…, C…) or
+    // memory, the session continues at the old size. `output` replaces SessionInput::output, whose image may
+    // still be used by frames in flight. Errors: those of create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
-    // How many pipelines were made by the thread that called create(), since then.
+    // Number of pipelines created since create() by the thread that called it.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const { return pipelines_made_between_frames_; }
     [[nodiscard]] Status render_frame(double time_s, double delta_time_s);
     [[nodiscard]] Status finish();
-    // Whether the graph writes an output: one that only delivers resources may do without.
+    // True if the graph writes an output; a graph that only delivers resources need not.
     [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
-    // The output image of the last frame; call after finish(). W184: there is none.
+    // The output image of the last frame; call this after finish(). W184: the graph has no output.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
     [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks() { return stage_.executor->take_readbacks(); }
     [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return stage_.executor->take_timings(); }
     [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
-    // How many frames the graph asks for.
+    // The number of frames that the graph requests.
     [[nodiscard]] uint32_t frames() const { return loaded_.graph.frames; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
-    // Of the last frame; none where no pass looks through the sun's eyes.
+    // The cascades of the last frame; empty if no pass draws the sun's view.
     [[nodiscard]] const SunCascades& sun() const { return sun_; }
 
  private:

@@ -1,5 +1,5 @@
-// Purpose: the numbers behind texels that were read back: each as four floats, missing channels 0 and
-// alpha 1. sRGB is decoded, normalised integers become [0, 1] or [-1, 1], plain integers keep their value.
+// Purpose: converts texels that were read back to four floats each: missing channels are 0, missing alpha is
+// 1. sRGB is decoded, normalised integers become [0, 1] or [-1, 1], other integers keep their value.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 
 namespace weft::render {
 
-// `bytes` holds tightly packed texels; what does not fill a whole one is ignored. Depth-stencil gives depth.
+// `bytes` has tightly packed texels; an incomplete last texel is ignored. For depth-stencil formats the
+// result is depth.
 [[nodiscard]] std::vector<glm::vec4> decode_texels(Format format, std::span<const std::byte> bytes);
 
 }  // namespace weft::render

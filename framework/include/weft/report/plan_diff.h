@@ -1,7 +1,7 @@
-// Purpose: what changed between two plans, told by names: passes and resources added, removed and changed,
-// the order, barriers, memory. Two plans with one hash differ in nothing. Units: bytes. Shapes: a thing that
-// is in both plans has the facts that only the first (`gone`) and only the second (`come`) states about it.
-// Where in memory a resource lies is no fact of it: that shifts with everything else.
+// Purpose: the differences between two plans by name: passes and resources added, removed and changed, the
+// order, barriers, memory. Plans with equal hashes have no differences. Units: bytes. Shapes: an item in both
+// plans lists the facts that only the first plan (`gone`) or only the second plan (`come`) has. The offset of
+// a resource in memory is not compared, because it changes whenever anything else does.
 #pragma once
 
 #include <cstdint>
@@ -29,21 +29,22 @@ struct PassMove {
 };
 
 struct CountChange {
-    std::string name;  // "barriers", "heap_bytes", …
+    std::string name;  // such as "barriers", "heap_bytes"
     uint64_t from = 0, to = 0;
 };
 
 struct PlanDiff {
-    bool same = false;  // one hash
+    bool same = false;  // the hashes are equal
     std::vector<CountChange> counts;
-    NamesDiff passes;  // live or culled is one of their facts, barriers before them are others
+    NamesDiff passes;  // includes whether a pass is live and its barriers
     NamesDiff resources;
-    std::vector<PassMove> moved;  // the fewest that explain the new order of what runs in both
+    std::vector<PassMove> moved;  // the smallest set of moves that explains the new order of the common
+                                  // passes
 };
 
 [[nodiscard]] PlanDiff diff_plans(const FramePlan& from, const FramePlan& to);
 
-// "+2 barriers, -14.0 MiB heap", then what is behind it. One line where nothing changed.
+// "+2 barriers, -14.0 MiB heap", followed by details. One line if nothing changed.
 [[nodiscard]] std::string plan_diff_to_text(const PlanDiff& diff);
 // {same counts{name: {from to}} passes{added removed changed[{name gone come}]} resources{…} moved[{name from
 // to}]}

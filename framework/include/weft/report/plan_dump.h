@@ -1,9 +1,9 @@
-// Purpose: plans as people and programs read them. Deterministic: the same plan gives the same bytes.
-// Shapes: text lists what runs in order, on which queue, with every wait and barrier and its reason, then
-// memory (sum, peak and who is alive there, heaps, gap) and what was culled; JSON holds every field of the
+// Purpose: prints plans for people and programs. Deterministic: the same plan gives the same bytes. Shapes:
+// text lists the passes in execution order with their queue, and every wait and barrier with its reason, then
+// memory (sum, peak and the resources alive there, heaps, gap) and culled passes; JSON has every field of the
 // plan (ids are indices into graph.passes and graph.resources, null means none); DOT draws passes and
-// resources with what was culled in grey; HTML is one page that needs nothing else: the graph, every queue's
-// timeline, lifetimes, memory, what was culled, and every explanation of `weft explain` where it belongs.
+// resources, with culled ones in grey; HTML is a self-contained page with the graph, every queue's timeline,
+// lifetimes, memory, culled passes, and all explanations of `weft explain`.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@
 
 namespace weft {
 
-// With a profile, memory says of which type it is.
+// With a profile, memory is listed with its type.
 [[nodiscard]] std::string plan_to_text(const FramePlan& plan, const DeviceProfile* profile = nullptr);
 [[nodiscard]] std::string plan_to_json(const FramePlan& plan);
 [[nodiscard]] std::string plan_to_dot(const FramePlan& plan);
 
-// What a page says about a plan that the plan doesn't know. Empty: not mentioned.
+// Information for the page that is not part of the plan. Empty members are omitted.
 struct PlanPageInfo {
     std::string file;
     std::string tier;

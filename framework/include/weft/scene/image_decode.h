@@ -1,6 +1,6 @@
-// Purpose: PNG and JPEG to 8-bit RGBA. The header tells the size before a pixel is decoded, and the decoder
-// allocates no more than that size justifies: data beyond the last row is never inflated. Source: libpng and
-// libjpeg-turbo decode. Errors: `error` says what was found; the image is empty then.
+// Purpose: decodes PNG and JPEG to 8-bit RGBA. The size is read from the header before a pixel is decoded,
+// and the decoder allocates no more memory than this size needs: data after the last row is never inflated.
+// Source: libpng and libjpeg-turbo. Errors: `error` has the reason, and the image is empty.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@ namespace weft::scene {
 struct ImageSize {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
-    // The memory that the decoder allocates in addition to the result, which has four bytes a pixel.
+    // Memory that the decoder allocates in addition to the result, which has four bytes per pixel.
     uint64_t decoder_bytes = 0;
 
     [[nodiscard]] uint64_t texels() const { return uint64_t{width_px} * height_px; }
 };
 
-// nullopt when it is neither PNG nor JPEG, or the header is cut short or invalid.
+// nullopt if the data is neither PNG nor JPEG, or if its header is incomplete or invalid.
 [[nodiscard]] std::optional<ImageSize> read_image_size(std::span<const uint8_t> encoded);
 
 struct DecodedImage {

@@ -1,10 +1,9 @@
-// Purpose: a glTF 2.0 file as a Scene. The file is treated as hostile: nothing outside its folder is opened,
-// no count in it is believed before it was compared with the bytes that are there, and every total has a
-// limit. Units: as in scene.h; glTF's own (metres, radians, candela, lux) are the same. emissiveFactor times
-// emissiveStrength is read as cd/m².
-// Errors: S101…S149, each with the file and a JSON pointer; X571 where memory ran out. Warnings: S150…S199,
-// for what was left out or mended. Source: "glTF 2.0 Specification", Khronos Group, 2021, and the KHR
-// extension texts it links to.
+// Purpose: loads a glTF 2.0 file as a Scene. The file is untrusted: no file outside its folder is opened,
+// every count is compared with the available bytes before it is used, and every total has a limit. Units: as
+// in scene.h; glTF's own (metres, radians, candela, lux) are the same. emissiveFactor times emissiveStrength
+// is interpreted as cd/m². Errors: S101…S149, each with the file and a JSON pointer; X571 if memory is
+// exhausted. Warnings: S150…S199, for parts that were ignored or corrected. Source: "glTF 2.0 Specification",
+// Khronos Group, 2021, and the KHR extensions that it links to.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +18,7 @@ namespace weft::scene {
 
 using weft::SceneLimits;
 
-// `file_or_folder`: a .gltf, a .glb, or a folder that holds exactly one of them.
+// `file_or_folder`: a .gltf, a .glb, or a folder that contains exactly one of them.
 [[nodiscard]] Result<Scene> load_gltf(const std::filesystem::path& file_or_folder, Diagnostics& warnings,
                                       const SceneLimits& limits = {}, const LoadOptions& options = {});
 

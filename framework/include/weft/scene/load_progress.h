@@ -1,4 +1,4 @@
-// Purpose: how far loading a scene is, for whoever wants to show it.
+// Purpose: the progress of loading a scene, for display.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ struct LoadProgress {
 };
 
 struct LoadOptions {
-    uint32_t threads = 0;  // that decode images and make mips; 0: as many as the machine has
-    // Called after every step, from any of the threads but never by two at once. May be empty.
+    uint32_t threads = 0;  // number of threads that decode images and make mips; 0: one per processor
+    // Called after every step, from any of the threads, but never by two at once. May be empty.
     std::function<void(const LoadProgress&)> progress;
 };
 
-// Counts the steps of one stage, from any thread.
+// Counts the steps of one stage; may be called from any thread.
 class StageProgress {
  public:
     StageProgress(const LoadOptions& options, const char* what, uint64_t total)

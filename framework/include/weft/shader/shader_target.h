@@ -1,5 +1,5 @@
-// Purpose: what the SPIR-V gate knows of the device that a shader is for. By default it offers everything
-// that depends on a device, so that shaders can be looked at where no device is known.
+// Purpose: the device properties that the SPIR-V gate uses. By default all optional properties are supported,
+// so that shaders can be compiled without a device.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Purpose: the Vulkan features that Weft builds on, as one table: required ones, without which a device is
-// refused, and optional ones, enabled where present and asked for by name before use. An embedder makes its
-// device with what enable_features() switches on, and hands both to Device::adopt().
+// Purpose: the Vulkan features that Weft uses, in one table: required features, without which a device is
+// rejected, and optional ones, which are enabled if supported and checked by name before use. An embedder
+// creates its device with the features set by enable_features(), and passes both to Device::adopt().
 #pragma once
 
 #include <string>
@@ -10,19 +10,20 @@
 
 namespace weft::vk {
 
-// What may be missing. A graph that needs one of these gets an error naming it.
+// Features that may be missing. A graph that needs one of them gets an error naming it.
 struct OptionalFeatures {
     bool fill_mode_non_solid = false;
     bool depth_clamp = false;
     bool depth_bias_clamp = false;
     bool cube_arrays = false;
-    bool image_gather_extended = false;  // textureGather with several offsets, or with one that varies
+    bool image_gather_extended = false;  // textureGather with several offsets, or with a variable one
     bool storage_read_without_format = false;
     bool draw_indirect_first_instance = false;
-    bool uniform_array_indexing = false;  // llvmpipe can't do without: see opaque_uniforms.h
+    bool uniform_array_indexing = false;  // required on llvmpipe: see opaque_uniforms.h
 };
 
-// The structs of Vulkan 1.0 to 1.3, linked to each other. Not copyable: the links are addresses.
+// The feature structs of Vulkan 1.0 to 1.3, linked to each other. Not copyable, because the links are
+// addresses.
 class FeatureChain {
  public:
     FeatureChain();
@@ -50,12 +51,12 @@ class FeatureChain {
     VkPhysicalDeviceVulkan13Features v13_{};
 };
 
-// Switches on in `chain` all that Weft needs, and of what it can use all that `supported` has. Other features
-// keep what they have, so an embedder can add its own.
+// Enables in `chain` all features that Weft requires, and the optional ones that `supported` has. Other
+// features do not change, so an embedder can add its own.
 void enable_features(const FeatureChain& supported, FeatureChain& chain);
-// The parts of enable_features(): what each device must have.
+// A part of enable_features(): the features that every device must have.
 void required_features(FeatureChain& chain);
-// Switches on in `chain` every optional feature that `supported` has, and says which.
+// Enables in `chain` every optional feature that `supported` has, and returns them.
 OptionalFeatures enable_optional_features(const FeatureChain& supported, FeatureChain& chain);
 // Names of required features that `supported` lacks: "dynamicRendering".
 [[nodiscard]] std::vector<std::string> missing_features(const FeatureChain& supported);

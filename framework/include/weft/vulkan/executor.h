@@ -1,6 +1,6 @@
-// Purpose: replays a FramePlan. It makes the transient heap, views, pipelines and descriptor sets that the
-// plan names, then records and submits exactly the plan's steps; it decides nothing. Frames in flight:
-// kFramesInFlight; all share one transient heap, serialised by the plan's wrap-around hand-overs.
+// Purpose: replays a FramePlan. It creates the transient heap, views, pipelines and descriptor sets of the
+// plan, then records and submits exactly the plan's steps; it makes no decisions. Frames in flight:
+// kFramesInFlight; all share one transient heap, ordered by the plan's barriers between consecutive frames.
 #pragma once
 
 #include <map>
@@ -23,10 +23,10 @@ namespace weft::vk {
 
 inline constexpr uint32_t kFramesInFlight = 2;
 
-// What alias() needs to know about memory, from the device itself. Creates nothing that outlives the call.
+// The memory requirements for alias(), queried from the device. Creates only temporary objects.
 [[nodiscard]] MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph);
 
-// The program's objects behind a graph's imports.
+// The program's objects for a graph's imports.
 struct ImportBindings {
     std::map<std::string, VkBuffer, std::less<>> buffers;
     std::map<std::string, const Image*, std::less<>> images;
@@ -50,11 +50,10 @@ struct FrameTiming {
     std::vector<PassTiming> passes;
     double record_ms = 0;
     double submit_ms = 0;
-    double wait_ms = 0;  // for the frame slot's fence
+    double wait_ms = 0;  // time spent waiting for the frame slot's fence
 };
 
-// What a readback pass delivered: tightly packed texels of one mip and layer after another, or a buffer's
-// bytes.
+// The result of a readback pass: tightly packed texels, one mip and layer after another, or a buffer's bytes.
 struct ReadbackData {
     std::string pass;
     uint64_t frame_index = 0;
@@ -63,9 +62,10 @@ struct ReadbackData {
     std::vector<std::byte> bytes;
 };
 
-// Test hooks. A dropped barrier must show up in validation and in the checker.
+// For tests. A removed barrier must be detected by validation and by the checker.
 struct ExecutorHooks {
-    uint32_t drop_barriers_of_position = kNoId;  // the barriers before the pass at this schedule position
+    uint32_t drop_barriers_of_position = kNoId;  // schedule position of a pass whose barriers are not
+                                                 // recorded
 };
 
 struct ExecutorInput {
@@ -74,59 +74,61 @@ struct ExecutorInput {
     const PassCatalog* passes = nullptr;
     const ImportCatalog* imports = nullptr;
     ImportBindings bindings;
-    const DrawSource* draws = nullptr;   // may be null when no pass is a raster pass
-    PipelineStore* pipelines = nullptr;  // outlives the executor; null: one of its own
+    const DrawSource* draws = nullptr;   // may be null if there is no raster pass
+    PipelineStore* pipelines = nullptr;  // must outlive the executor; null: the executor creates one
     ExecutorHooks hooks;
-    bool timestamps = true;  // off: nothing but the plan is recorded, and all times are negative
+    bool timestamps = true;  // false: only the plan is recorded, and all times are negative
 };
 
 class Executor;
 
-// An executor that another one carries on from: after a resize, a reload or a swap.
+// The executor to replace, after a resize, a reload or a swap.
 struct Predecessor {
-    std::vector<Image> images;           // imports that nobody uses but its frames in flight
-    TransitionPlan transition;           // from its plan to the new one's
-    std::unique_ptr<Executor> executor;  // between frames; last: destroyed first
+    std::vector<Image> images;           // imports that only its frames in flight still use
+    TransitionPlan transition;           // from its plan to the new one
+    std::unique_ptr<Executor> executor;  // must have no frame begun; last member: destroyed first
 };
 
-// Values and pipelines in place of those of a running plan.
+// New values and pipelines for a running plan.
 class Amendment {
  public:
     virtual ~Amendment() = default;
     [[nodiscard]] virtual PipelineCounts pipelines() const = 0;
 };
 
-// create() and make_amendment() may run on any thread, while another one draws with another executor: they
-// submit nothing. All the rest is for the thread that submits.
+// create() and make_amendment() may run on any thread while another thread renders with another executor,
+// because they submit nothing. All other functions must be called by the submitting thread.
 class Executor {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Executor>> create(Device& device, ExecutorInput input);
     virtual ~Executor() = default;
 
-    // For an executor whose plan has the structure_hash() of `input.plan`, and whose shaders have the same
-    // bindings and Params. Only plan, shaders, imports, draws and pipelines of the input count.
+    // Requires that the plan has the structure_hash() of `input.plan`, and that the shaders have the same
+    // bindings and Params. Uses only plan, shaders, imports, draws and pipelines of the input.
     [[nodiscard]] static Result<std::unique_ptr<Amendment>> make_amendment(Device& device,
                                                                            ExecutorInput input);
-    // From the next frame on; between frames. What frames in flight use lives until they are over.
+    // Takes effect with the next frame; call it between frames. Replaced objects live until frames in flight
+    // have finished.
     virtual void amend(std::unique_ptr<Amendment> amendment) = 0;
 
-    // Instead of the plan's prologue, before the first frame: contents move over in that frame, and the
-    // predecessor, with its timings and readbacks handed on, lives until it is over. Nobody waits for it
-    // where both plans have one queue. Errors: as begin_frame(); then nothing runs any more.
+    // Replaces the plan's prologue; call it before the first frame. That frame transfers the contents. The
+    // predecessor lives until the frame has finished; its timings and readbacks are passed on. If both plans
+    // have one queue, the host does not wait. Errors: those of begin_frame(); no further frame runs after an
+    // error.
     [[nodiscard]] virtual Status take_over(Predecessor predecessor) = 0;
 
-    // Waits until the next frame slot is free and returns it, so that the program may fill its per-slot data.
+    // Waits until the next frame slot is free and returns it, so that the program can fill its per-slot data.
     // Errors: V407 time-out, V408 device lost; both name the passes in flight.
     [[nodiscard]] virtual Result<uint32_t> begin_frame() = 0;
-    // Records and submits one frame into the slot of begin_frame().
+    // Records and submits one frame in the slot of begin_frame().
     [[nodiscard]] virtual Status run(const FrameInput& frame) = 0;
-    // Waits for all frames in flight (fences, not the device), delivering their timings and readbacks.
+    // Waits for all frames in flight (their fences, not the whole device), and collects their timings and
+    // readbacks.
     [[nodiscard]] virtual Status finish() = 0;
-    // Of completed frames, oldest first; each is returned once. Of timings the newest 32 are kept.
+    // Timings of completed frames, oldest first; each is returned once. At most the newest 32 are kept.
     [[nodiscard]] virtual std::vector<FrameTiming> take_timings() = 0;
     [[nodiscard]] virtual std::vector<ReadbackData> take_readbacks() = 0;
-    // Copies an imported image (in its exit state, which must be transfer_src) to the host. Call after
-    // finish().
+    // Copies an imported image to the host; its exit state must be transfer_src. Call this after finish().
     [[nodiscard]] virtual Result<ReadbackData> read_image(const Image& image) = 0;
     [[nodiscard]] virtual const FramePlan& plan() const = 0;
     [[nodiscard]] virtual PipelineCounts pipelines() const = 0;

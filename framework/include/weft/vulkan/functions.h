@@ -1,7 +1,7 @@
-// Purpose: Vulkan's entry points as plain tables, one per instance and one per device. Nothing links to
-// libvulkan's symbols, defines any of their names or is called through a global, so two devices, a fault
-// injector, or a program that links to libvulkan itself, live side by side.
-// Errors: no loader library is an empty optional; an entry point that is not there is null.
+// Purpose: Vulkan's functions as plain tables, one per instance and one per device. Weft does not link to
+// libvulkan's symbols, defines none of their names, and has no global table. So two devices, a fault
+// injector, and a program that links to libvulkan can coexist. Errors: without a loader library the optional
+// is empty; missing functions are null.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -13,7 +13,7 @@ namespace weft::vk {
 
 inline constexpr const char* kLoaderLibrary = "libvulkan.so.1";
 
-// What can be called before there is an instance.
+// Functions that need no instance.
 struct LoaderFunctions {
     PFN_vkGetInstanceProcAddr vkGetInstanceProcAddr = nullptr;
     PFN_vkCreateInstance vkCreateInstance = nullptr;
@@ -42,91 +42,90 @@ struct InstanceFunctions {
     PFN_vkCmdEndDebugUtilsLabelEXT vkCmdEndDebugUtilsLabelEXT = nullptr;
 };
 
-// Whatever Weft calls of a device.
-// clang-format off
-#define WEFT_DEVICE_FUNCTIONS(X) \
-    X(vkAllocateCommandBuffers)              \
-    X(vkAllocateDescriptorSets)              \
-    X(vkAllocateMemory)                      \
-    X(vkBeginCommandBuffer)                  \
-    X(vkBindBufferMemory)                    \
-    X(vkBindImageMemory)                     \
-    X(vkCmdBeginRendering)                   \
-    X(vkCmdBindDescriptorSets)               \
-    X(vkCmdBindIndexBuffer)                  \
-    X(vkCmdBindPipeline)                     \
-    X(vkCmdBindVertexBuffers)                \
-    X(vkCmdBlitImage)                        \
-    X(vkCmdClearColorImage)                  \
-    X(vkCmdClearDepthStencilImage)           \
-    X(vkCmdCopyBuffer)                       \
-    X(vkCmdCopyBufferToImage)                \
-    X(vkCmdCopyImage)                        \
-    X(vkCmdCopyImageToBuffer)                \
-    X(vkCmdDispatch)                         \
-    X(vkCmdDispatchIndirect)                 \
-    X(vkCmdDraw)                             \
-    X(vkCmdDrawIndexed)                      \
-    X(vkCmdDrawIndexedIndirect)              \
-    X(vkCmdEndRendering)                     \
-    X(vkCmdFillBuffer)                       \
-    X(vkCmdPipelineBarrier2)                 \
-    X(vkCmdPushConstants)                    \
-    X(vkCmdSetCullMode)                      \
-    X(vkCmdSetFrontFace)                     \
-    X(vkCmdSetScissor)                       \
-    X(vkCmdSetViewport)                      \
-    X(vkCmdWriteTimestamp2)                  \
-    X(vkCreateBuffer)                        \
-    X(vkCreateCommandPool)                   \
-    X(vkCreateComputePipelines)              \
-    X(vkCreateDescriptorPool)                \
-    X(vkCreateDescriptorSetLayout)           \
-    X(vkCreateFence)                         \
-    X(vkCreateGraphicsPipelines)             \
-    X(vkCreateImage)                         \
-    X(vkCreateImageView)                     \
-    X(vkCreatePipelineCache)                 \
-    X(vkCreatePipelineLayout)                \
-    X(vkCreateQueryPool)                     \
-    X(vkCreateSampler)                       \
-    X(vkCreateSemaphore)                     \
-    X(vkCreateShaderModule)                  \
-    X(vkDestroyBuffer)                       \
-    X(vkDestroyCommandPool)                  \
-    X(vkDestroyDescriptorPool)               \
-    X(vkDestroyDescriptorSetLayout)          \
-    X(vkDestroyDevice)                       \
-    X(vkDestroyFence)                        \
-    X(vkDestroyImage)                        \
-    X(vkDestroyImageView)                    \
-    X(vkDestroyPipeline)                     \
-    X(vkDestroyPipelineCache)                \
-    X(vkDestroyPipelineLayout)               \
-    X(vkDestroyQueryPool)                    \
-    X(vkDestroySampler)                      \
-    X(vkDestroySemaphore)                    \
-    X(vkDestroyShaderModule)                 \
-    X(vkDeviceWaitIdle)                      \
-    X(vkEndCommandBuffer)                    \
-    X(vkFreeMemory)                          \
-    X(vkGetBufferMemoryRequirements)         \
-    X(vkGetDeviceBufferMemoryRequirements)   \
-    X(vkGetDeviceImageMemoryRequirements)    \
-    X(vkGetDeviceQueue)                      \
-    X(vkGetFenceStatus)                      \
-    X(vkGetImageMemoryRequirements)          \
-    X(vkGetQueryPoolResults)                 \
-    X(vkGetSemaphoreCounterValue)            \
-    X(vkMapMemory)                           \
-    X(vkQueueSubmit)                         \
-    X(vkQueueSubmit2)                        \
-    X(vkQueueWaitIdle)                       \
-    X(vkResetCommandPool)                    \
-    X(vkResetFences)                         \
-    X(vkResetQueryPool)                      \
-    X(vkUpdateDescriptorSets)                \
-    X(vkWaitForFences)                       \
+// All device functions that Weft calls. clang-format off
+#define WEFT_DEVICE_FUNCTIONS(X)           \
+    X(vkAllocateCommandBuffers)            \
+    X(vkAllocateDescriptorSets)            \
+    X(vkAllocateMemory)                    \
+    X(vkBeginCommandBuffer)                \
+    X(vkBindBufferMemory)                  \
+    X(vkBindImageMemory)                   \
+    X(vkCmdBeginRendering)                 \
+    X(vkCmdBindDescriptorSets)             \
+    X(vkCmdBindIndexBuffer)                \
+    X(vkCmdBindPipeline)                   \
+    X(vkCmdBindVertexBuffers)              \
+    X(vkCmdBlitImage)                      \
+    X(vkCmdClearColorImage)                \
+    X(vkCmdClearDepthStencilImage)         \
+    X(vkCmdCopyBuffer)                     \
+    X(vkCmdCopyBufferToImage)              \
+    X(vkCmdCopyImage)                      \
+    X(vkCmdCopyImageToBuffer)              \
+    X(vkCmdDispatch)                       \
+    X(vkCmdDispatchIndirect)               \
+    X(vkCmdDraw)                           \
+    X(vkCmdDrawIndexed)                    \
+    X(vkCmdDrawIndexedIndirect)            \
+    X(vkCmdEndRendering)                   \
+    X(vkCmdFillBuffer)                     \
+    X(vkCmdPipelineBarrier2)               \
+    X(vkCmdPushConstants)                  \
+    X(vkCmdSetCullMode)                    \
+    X(vkCmdSetFrontFace)                   \
+    X(vkCmdSetScissor)                     \
+    X(vkCmdSetViewport)                    \
+    X(vkCmdWriteTimestamp2)                \
+    X(vkCreateBuffer)                      \
+    X(vkCreateCommandPool)                 \
+    X(vkCreateComputePipelines)            \
+    X(vkCreateDescriptorPool)              \
+    X(vkCreateDescriptorSetLayout)         \
+    X(vkCreateFence)                       \
+    X(vkCreateGraphicsPipelines)           \
+    X(vkCreateImage)                       \
+    X(vkCreateImageView)                   \
+    X(vkCreatePipelineCache)               \
+    X(vkCreatePipelineLayout)              \
+    X(vkCreateQueryPool)                   \
+    X(vkCreateSampler)                     \
+    X(vkCreateSemaphore)                   \
+    X(vkCreateShaderModule)                \
+    X(vkDestroyBuffer)                     \
+    X(vkDestroyCommandPool)                \
+    X(vkDestroyDescriptorPool)             \
+    X(vkDestroyDescriptorSetLayout)        \
+    X(vkDestroyDevice)                     \
+    X(vkDestroyFence)                      \
+    X(vkDestroyImage)                      \
+    X(vkDestroyImageView)                  \
+    X(vkDestroyPipeline)                   \
+    X(vkDestroyPipelineCache)              \
+    X(vkDestroyPipelineLayout)             \
+    X(vkDestroyQueryPool)                  \
+    X(vkDestroySampler)                    \
+    X(vkDestroySemaphore)                  \
+    X(vkDestroyShaderModule)               \
+    X(vkDeviceWaitIdle)                    \
+    X(vkEndCommandBuffer)                  \
+    X(vkFreeMemory)                        \
+    X(vkGetBufferMemoryRequirements)       \
+    X(vkGetDeviceBufferMemoryRequirements) \
+    X(vkGetDeviceImageMemoryRequirements)  \
+    X(vkGetDeviceQueue)                    \
+    X(vkGetFenceStatus)                    \
+    X(vkGetImageMemoryRequirements)        \
+    X(vkGetQueryPoolResults)               \
+    X(vkGetSemaphoreCounterValue)          \
+    X(vkMapMemory)                         \
+    X(vkQueueSubmit)                       \
+    X(vkQueueSubmit2)                      \
+    X(vkQueueWaitIdle)                     \
+    X(vkResetCommandPool)                  \
+    X(vkResetFences)                       \
+    X(vkResetQueryPool)                    \
+    X(vkUpdateDescriptorSets)              \
+    X(vkWaitForFences)                     \
     X(vkWaitSemaphores)
 // clang-format on
 
@@ -136,7 +135,7 @@ struct DeviceFunctions {
 #undef WEFT_MEMBER
 };
 
-// The library stays loaded until the process ends: drivers do not like to be unloaded.
+// The library stays loaded until the process ends, because unloading can crash drivers.
 [[nodiscard]] std::optional<LoaderFunctions> load_loader(const char* library = kLoaderLibrary);
 [[nodiscard]] InstanceFunctions load_instance_functions(const LoaderFunctions& loader, VkInstance instance);
 [[nodiscard]] DeviceFunctions load_device_functions(const InstanceFunctions& functions, VkDevice device);

@@ -1,5 +1,5 @@
-// Purpose: one Vulkan object, owned. Move-only; destroyed through the device's own table, with the device
-// alive.
+// Purpose: owns one Vulkan object. Move-only; destroyed with the device's function table while the device
+// exists.
 #pragma once
 
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace weft::vk {
 
-// `Destroy` is the member of the device's table that takes (device, object, allocator).
+// `Destroy` is the member of the device's table with the arguments (device, object, allocator).
 template <class T, auto Destroy>
 class Handle {
  public:

@@ -1,7 +1,7 @@
-// Purpose: buffers and images with memory of their own, for what lives outside a plan's transient heap: scene
-// assets, the output, staging. Move-only; destroyed with their device still alive and no work pending on
-// them. Units: bytes. Errors: V407 time-out, V408 device lost, V410 out of memory, V420 sizes do not match,
-// V421 the device has no such image.
+// Purpose: buffers and images with their own memory, for data outside a plan's transient heap: scene assets,
+// the output, staging. Move-only; they must be destroyed while their device exists and no work on them is
+// pending. Units: bytes. Errors: V407 time-out, V408 device lost, V410 out of memory, V420 sizes do not
+// match, V421 the device does not support the image.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,15 @@
 
 namespace weft::vk {
 
-// All families that the device has queues of may use it.
+// Shared by all families in which the device has queues.
 class Buffer {
  public:
-    enum class Memory : uint8_t { device, upload, readback };  // the last two are mapped and coherent
+    enum class Memory : uint8_t {
+        device,
+        upload,
+        readback
+    };  // upload and readback memory is mapped and
+        // coherent
 
     [[nodiscard]] static Result<Buffer> create(Device& device, uint64_t size_bytes, VkBufferUsageFlags usage,
                                                Memory memory, const std::string& name);
@@ -38,15 +43,15 @@ class Buffer {
     std::byte* mapped_ = nullptr;
 };
 
-// All families that the device has queues of may use it; an import that is not declared concurrent stays
-// with one.
+// Shared by all families in which the device has queues; an import that is not declared concurrent belongs to
+// one family.
 class Image {
  public:
-    // Format, extent, mips, layers, samples and usage are those of `decl`. The view covers all of it; it
-    // is null where no usage can have one (only copied).
+    // Format, extent, mips, layers, samples and usage are those of `decl`. The view covers the whole image;
+    // it is null if no usage allows a view (only copied).
     [[nodiscard]] static Result<Image> create(Device& device, const ResourceDecl& decl);
-    // An embedder's image, made as image_create_info(decl) says; it shall outlive this, which owns the view
-    // only.
+    // An embedder's image, created with image_create_info(decl). It must outlive this object, which owns only
+    // the view.
     [[nodiscard]] static Result<Image> adopt(Device& device, VkImage image, const ResourceDecl& decl);
     Image() = default;
     ~Image();
@@ -65,19 +70,20 @@ class Image {
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
     ResourceDecl decl_;
-    bool adopted_ = false;  // image_ is an embedder's, and memory_ null
+    bool adopted_ = false;  // true: image_ belongs to an embedder, and memory_ is null
 };
 
-// Copies before the first frame: waits for its own fence (Device::timeout_ns), so staging is gone when it
-// returns. Both need transfer_dst among the target's usages; all that is submitted later to the same queue
-// sees the copy. After a time-out the objects in use are left alone, for the device may still read them.
+// Copies data before the first frame. Waits for its own fence (Device::timeout_ns), so the staging memory is
+// freed on return. Both require transfer_dst in the target's usage. The copy is visible to all later
+// submissions to the same queue. After a time-out, objects in use are not destroyed, because the device may
+// still read them.
 [[nodiscard]] Status upload_buffer(Device& device, const Buffer& target, std::span<const std::byte> bytes);
 // `levels`: the mips from 0 on, each with all its layers, tightly packed. Every mip of the image ends in
 // shader_read_only (depth: depth_read_only).
 [[nodiscard]] Status upload_image(Device& device, const Image& target,
                                   std::span<const std::span<const std::byte>> levels);
 
-// Whose queues may use a resource in turn: one family's, or with CONCURRENT those of all of the device's.
+// The queue families that may use a resource: one, or with CONCURRENT all families of the device.
 struct Sharing {
     VkSharingMode mode = VK_SHARING_MODE_EXCLUSIVE;
     uint32_t count = 0;
@@ -92,7 +98,7 @@ void share(CreateInfo& info, const Sharing& sharing) {
     info.pQueueFamilyIndices = sharing.families;
 }
 
-// Creation info shared by Image and the transient heap, whose images share memory.
+// Creation info used by Image and by the transient heap, whose images share memory.
 [[nodiscard]] VkImageCreateInfo image_create_info(const ResourceDecl& decl);
 [[nodiscard]] VkBufferCreateInfo buffer_create_info(const ResourceDecl& decl);
 

@@ -1,5 +1,5 @@
-// Purpose: collects what the validation layers say. The messenger is created explicitly: one that is only
-// chained to instance creation sees nothing afterwards, and "0 messages" would prove nothing.
+// Purpose: collects messages of the validation layers. The messenger must be created explicitly: one that is
+// only chained to instance creation receives no later messages, and "0 messages" would prove nothing.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ enum class MessageSeverity : uint8_t { info, warning, error };
 struct Message {
     MessageSeverity severity = MessageSeverity::error;
     std::string id;    // "SYNC-HAZARD-WRITE_AFTER_WRITE", "VUID-…"
-    std::string pass;  // the pass being recorded or submitted, or the label the message names
+    std::string pass;  // the pass being recorded or submitted, or the label in the message
     std::string text;
 };
 
@@ -24,8 +24,8 @@ struct Message {
 class MessageCollector {
  public:
     void add(Message message);
-    // The pass that messages on the calling thread are blamed on from now on; empty for none. One thread may
-    // draw frames while another makes pipelines.
+    // Sets the pass for later messages on the calling thread; empty for none. Per thread, because one thread
+    // may render frames while another creates pipelines.
     void set_current_pass(std::string pass);
     [[nodiscard]] std::string current_pass() const;
     [[nodiscard]] std::vector<Message> messages() const;  // warnings and errors

@@ -1,6 +1,6 @@
-// Purpose: the escape hatch. An embedder that draws beside Weft reaches the Vulkan objects here, and only
-// here; what it does with them it must leave as it found them: layouts, pending accesses, ownership. To bring
-// objects the other way: Device::adopt() and enable_features().
+// Purpose: access to the native Vulkan objects, for embedders that also draw themselves; nothing else exposes
+// them. Embedders must restore layouts, pending accesses and ownership. For the other direction, see
+// Device::adopt() and enable_features().
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct NativeDevice {
     Queue queue;
 };
 
-// What an embedder needs to sample, copy or present an image that a graph exports.
+// Data that an embedder needs to sample, copy or present an image exported by a graph.
 struct NativeImage {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;  // null for an image that is only copied
@@ -30,7 +30,7 @@ struct NativeImage {
 [[nodiscard]] NativeDevice native(const Device& device);
 [[nodiscard]] NativeImage native(const Image& image);
 
-// A handle as Device::name() wants it.
+// A handle in the form that Device::name() expects.
 template <class Handle>
 [[nodiscard]] uint64_t object_id(Handle handle) {
     static_assert(std::is_pointer_v<Handle> && sizeof(Handle) == sizeof(uint64_t));

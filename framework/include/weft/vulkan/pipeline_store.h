@@ -1,6 +1,6 @@
-// Purpose: pipelines by what they are made of (graph/pipeline_hash.h). Plans that follow each other, and
-// passes of one plan, hold leases on the same pipeline; it goes with the last lease. Plans that share a store
-// share a draw source too. Every function may be called from any thread.
+// Purpose: stores pipelines by a hash of their inputs (graph/plan/pipeline_hash.h). Consecutive plans, and
+// passes of one plan, hold leases on the same pipeline; the last lease destroys it. Plans that share a store
+// must share a draw source too. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace weft::vk {
 
-// How many pipelines a plan draws and computes with, and how many of them were made for it.
+// The number of pipelines that a plan uses, and how many of them were created for it.
 struct PipelineCounts {
     uint32_t all = 0;
     uint32_t made = 0;
@@ -23,7 +23,7 @@ struct PipelineCounts {
 
 class PipelineStore;
 
-// Move-only. The store outlives it.
+// Move-only. The store must outlive it.
 class PipelineLease {
  public:
     PipelineLease() = default;
@@ -54,7 +54,7 @@ class PipelineStore {
     PipelineStore& operator=(const PipelineStore&) = delete;
 
     using Make = std::function<Result<PipelineHandle>()>;
-    // Calls `make` where nobody holds such a pipeline; `made` counts that.
+    // Calls `make` if the store has no such pipeline, and adds 1 to `made`.
     [[nodiscard]] Result<PipelineLease> get(const std::string& hash, const Make& make, uint32_t& made);
 
  private:
