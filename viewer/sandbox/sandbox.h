@@ -21,8 +21,8 @@ struct SandboxNeeds {
     bool device = false;                // true if the command uses Vulkan
 };
 
-// Starts the child. In the child it returns nullopt, and the outputs have new names: each lies in a folder of
-// its own, so that the child cannot reach other files beside it. The parent waits, moves the written files to
+// Starts the child. In the child it returns nullopt, and the outputs have new names: each is in a separate
+// folder, so that the child cannot reach other files beside it. The parent waits, moves the written files to
 // their destinations, and returns the exit code. Call this while there is only one thread.
 [[nodiscard]] std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs);
 

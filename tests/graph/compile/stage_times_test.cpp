@@ -1,4 +1,4 @@
-// compile() says how long each stage took, where the caller asks for it.
+// compile() returns the time of each stage if the caller requests it.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// Heaps and offsets, and which resource takes over whose bytes.
+// Heaps, offsets, and which resource takes over memory from which.
 #include "graph/memory/alias.h"
 
 #include <gtest/gtest.h>
@@ -126,7 +126,7 @@ TEST(Alias, WhatNoPassUsesOrNeedsNoMemoryHasNoPlace) {
 }
 
 TEST(AliasTransitions, FollowTheBytes) {
-    // 0, then 1 side by side with 2, then 3 over both, in a heap of 100 bytes.
+    // In a heap of 100 bytes: first 0, then 1, both beside 2; then 3 in the memory of both.
     const std::vector<Placement> placements{{0, 0, 0, 60}, {1, 0, 0, 50}, {2, 0, 50, 50}, {3, 0, 0, 100}};
     const std::vector<HandOver> wanted{{3, 0, true}, {0, 1, false}, {0, 2, false},
                                        {3, 2, true}, {1, 3, false}, {2, 3, false}};

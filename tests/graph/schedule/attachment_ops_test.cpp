@@ -9,7 +9,7 @@
 namespace weft::test {
 namespace {
 
-// "clear/store load/none": the attachments of the pass at a position.
+// A text such as "clear/store load/none" with the operations of the attachments of the pass at a position.
 std::string ops_at(const AttachmentTable& table, uint32_t position) {
     std::string text;
     for (const AttachmentOps& ops : table[position])
@@ -17,7 +17,7 @@ std::string ops_at(const AttachmentTable& table, uint32_t position) {
     return text;
 }
 
-// first → second, which draws over it → look, which samples it.
+// first → second, which draws on the result of first → look, which samples it.
 struct Layers {
     GraphBuilder builder;
     ResourceId target = builder.image("target");
@@ -43,7 +43,8 @@ TEST(AttachmentOps, AFirstWriteClearsAndALaterOneLoads) {
 TEST(AttachmentOps, AWriteOfEveryTexelNeedsNoClear) {
     ResolvedGraph graph = Layers().builder.build();
     graph.passes[pass_of(graph, "first")].colors.front().covers = true;
-    graph.passes[pass_of(graph, "second")].colors.front().covers = true;  // it reads: it must load
+    graph.passes[pass_of(graph, "second")].colors.front().covers = true;  // it reads the previous content, so
+                                                                          // it must load
     const AttachmentTable table =
         attachment_ops(graph, all_live(graph), in_order(graph, {"first", "second", "look"}));
     EXPECT_EQ(ops_at(table, 0), "dont_care/store");

@@ -8,7 +8,8 @@
 namespace weft::test {
 namespace {
 
-// "0..3 q0:0..3": first and last position, then the same for each queue; "-" for none.
+// A text such as "0..3 q0:0..3": first and last position, then the same for each queue; "-" if there are
+// none.
 std::string span_text(const LifetimeSpan& span) {
     if (span.first > span.last) return span.queues.empty() ? "-" : "- with queues";
     const auto range = [](uint32_t first, uint32_t last) {
@@ -20,7 +21,7 @@ std::string span_text(const LifetimeSpan& span) {
     return text;
 }
 
-// make writes x; middle reads it and writes y; idle touches neither; end reads both.
+// make writes x; middle reads x and writes y; idle uses neither; end reads both.
 ResolvedGraph frame() {
     GraphBuilder b;
     const ResourceId x = b.buffer("x"), y = b.buffer("y"), z = b.buffer("z");

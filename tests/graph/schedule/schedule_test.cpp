@@ -84,7 +84,7 @@ TEST(Schedule, EveryCandidateRespectsEveryEdge) {
         const ResolvedGraph graph = random_graph(seed);
         LiveGraph live = all_live(graph);
         for (PassId pass = 0; pass < graph.passes.size(); ++pass)
-            live.live_passes[pass] = (pass + seed) % 4 != 0;  // any passes may be culled
+            live.live_passes[pass] = (pass + seed) % 4 != 0;  // any pass may be culled
         const ScheduleProblem problem = schedule_problem(graph, live, content_needs(graph));
         for (const auto& order :
              {program_order(problem), forward_greedy_order(problem), backward_greedy_order(problem)}) {

@@ -23,7 +23,8 @@ TEST(AddClocks, AQueueKnowsItsOwnPastAndNoOther) {
 }
 
 TEST(AddClocks, ADependencyHandsOnAllThatItsSourceKnows) {
-    // 1 waits for 0, and 2 waits for 1: so 2 knows position 1 of queue 1, and 3 knows position 0 of queue 0.
+    // 1 waits for 0, and 2 waits for 1: so 2 comes after position 1 of queue 1, and 3 after position 0 of
+    // queue 0.
     const Schedule order = add_clocks(alternating(), {{0, 1, false, kNoId}, {1, 2, false, kNoId}});
     EXPECT_EQ(order.clocks, (Clocks{{0, 0}, {1, 0}, {1, 2}, {1, 2}}));
     // 3 waits for 2, which comes after 0 on the same queue.

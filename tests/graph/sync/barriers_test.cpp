@@ -1,4 +1,4 @@
-// Where barriers are recorded, and what a resource waits for that takes memory over.
+// The places of barriers, and the waits of a resource that takes over memory.
 #include "graph/sync/barriers.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr AccessState kWrite{stage::kComputeShader, access::kStorageWrite, Layout::general};
 
-// Images a, b and c, each written by the pass of its name with a p in front; b has two mips.
+// Images a, b and c, written by the passes pa, pb and pc; b has two mips.
 ResolvedGraph three_images(std::optional<SubresourceRange> part_of_b = {}) {
     GraphBuilder builder;
     const ResourceId a = builder.image("a"), b = builder.image("b", Format::r32u, 16, 2);
@@ -120,7 +120,8 @@ TEST(Barriers, MemoryOfAnotherQueueIsWaitedForAcrossTheFrameBoundaryOnly) {
     }
 }
 
-// a, then b, then c in the same bytes. If b wrote only a part of itself, c waits for the users of a as well.
+// a, then b, then c in the same bytes. If b writes only a part of its memory, c also waits for the users of
+// a.
 TEST(Barriers, EarlierOwnersCountWhereTheLastOneWroteOnlyAPart) {
     for (const bool part : {false, true}) {
         const ResolvedGraph graph =

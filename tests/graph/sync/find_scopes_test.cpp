@@ -1,4 +1,4 @@
-// Candidates from the declarations, and which of them are left once barriers and batches are known.
+// Candidates found from the declarations, and those that remain after barriers and batches are known.
 #include <gtest/gtest.h>
 
 #include "graph/sync/scopes.h"
@@ -12,7 +12,7 @@ constexpr uint32_t kNone = kNoId;
 const AttachmentOps kLoads{0, LoadOp::load, StoreOp::store};
 const AttachmentOps kClears{0, LoadOp::clear, StoreOp::store};
 
-// first, second and third draw over each other; far does nothing with it.
+// first, second and third draw on the same attachments; far does not use them.
 ResolvedGraph layers() {
     GraphBuilder b;
     const ResourceId target = b.image("target"), words = b.buffer("words");

@@ -17,8 +17,8 @@ Schedule on_queues(std::vector<QueueIndex> queue) {
     return order;
 }
 
-// One line a batch: its queue, its positions, the batches that it waits for ("-1" for one of the frame
-// before), and whether it ends the frame.
+// One line per batch: its queue, its positions, the batches that it waits for ("-1" for one of the previous
+// frame), and whether it ends the frame.
 std::string text_of(const SubmissionPlan& plan) {
     std::string text;
     for (const Batch& batch : plan.batches) {
@@ -58,14 +58,14 @@ TEST(Submissions, AWaitThatAnotherImpliesIsLeftOut) {
 }
 
 TEST(Submissions, AWaitForTheFrameBefore) {
-    // 0 waits for 1 of the frame before.
+    // 0 waits for 1 of the previous frame.
     const SubmissionPlan plan = submissions(on_queues({0, 1}), {{1, 0, true, 7}});
     EXPECT_EQ(text_of(plan), "q0: 0 after 1-1 end\nq1: 1\n");
     EXPECT_EQ(plan.dependencies, (std::vector<QueueDependency>{{1, 0, true, 7}}));
 }
 
 TEST(Submissions, TheEndOfTheFrameWaitsToo) {
-    // Position 2 stands for the end of the frame.
+    // Position 2 means the end of the frame.
     EXPECT_EQ(text_of(submissions(on_queues({0, 1}), {{1, 2, false, 7}})), "q0: 0\nq1: 1\nq0: after 1 end\n");
 }
 

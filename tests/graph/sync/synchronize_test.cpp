@@ -1,4 +1,4 @@
-// Histories, dependencies and scopes that follow from the accesses alone.
+// Histories, dependencies and scopes computed from the accesses alone.
 #include "graph/sync/synchronize.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kNone = kNoId;
 
-// "0 hand_over none:none:undefined > compute_shader:storage_write:general", a line each, by position.
+// Lines such as "0 hand_over none:none:undefined > compute_shader:storage_write:general", sorted by position.
 std::string text_of(const std::vector<PlacedBarrier>& barriers) {
     const auto state = [](const AccessState& s) {
         return stages_text(s.stages) + ":" + access_text(s.access) + ":" + layout_text(s.layout);
@@ -30,7 +30,7 @@ std::vector<BarrierReason> reasons_of(const std::vector<PlacedBarrier>& barriers
     return reasons;
 }
 
-// make writes an image that look samples.
+// make writes an image, and look samples it.
 ResolvedGraph make_and_look() {
     GraphBuilder b;
     const ResourceId image = b.image("image"), words = b.buffer("words");
@@ -110,7 +110,7 @@ TEST(Synchronize, AnImageMovesBetweenFamiliesAndABufferIsConcurrent) {
     EXPECT_EQ(table.concurrent[resource_of(graph, "words")], 1);
 }
 
-// fill writes words; first and second draw over the same target, second reads words where `needs_words`.
+// fill writes words; first and second draw on the same target; second also reads words if `needs_words`.
 ResolvedGraph two_layers(bool needs_words) {
     GraphBuilder b;
     const ResourceId target = b.image("target"), words = b.buffer("words");
