@@ -45,7 +45,7 @@ std::string refusal(const CapabilityRow& row, ShaderStage stage, const ShaderTar
     }
     if (row.capability == SpvCapabilityPhysicalStorageBufferAddresses)
         return "which lets a shader read and write any address";
-    return "which is not supported on any device";
+    return "which Weft enables on no device";
 }
 
 class CapabilityCheck {
@@ -73,8 +73,8 @@ class CapabilityCheck {
     // capability was: a rejected capability already explains it.
     void extension(const std::string& name) {
         if (!faults_.empty() || std::ranges::find(kExtensions, name) != kExtensions.end()) return;
-        fault("the SPIR-V extension " + name + ", which is not supported on any device",
-              words_of_extension(name), kCoreOnly);
+        fault("the SPIR-V extension " + name + ", which Weft enables on no device", words_of_extension(name),
+              kCoreOnly);
     }
 
     void instruction_set(const std::string& name) {
@@ -137,7 +137,7 @@ class FeatureCheck {
         faults_.push_back({"W208", stage_, name,
                            "\"" + name +
                                "\" is shared and has an initial value, which needs the feature "
-                               "shaderZeroInitializeWorkgroupMemory, which is not supported on any device",
+                               "shaderZeroInitializeWorkgroupMemory, which Weft enables on no device",
                            "write the value in main(), then barrier()"});
     }
 
