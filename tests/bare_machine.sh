@@ -142,12 +142,24 @@ check_picture() {
   say "frame.png: ${width}x$height, $(stat -c %s "$picture") bytes, sha256 $(sha256sum "$picture" | cut -c1-16)…"
 }
 
+# Rendering needs no test framework.
+check_no_test_packages() {
+  local package
+  for package in $(awk '/^test_packages=\(/ { inside = 1; next } /^\)/ { inside = 0 } inside' "$source_root/weft" |
+    sed 's/^ *"\([^:]*\):.*/\1/'); do
+    [ "$package" != python3 ] || continue  # a dependency of libraries' development packages
+    ! inside "dpkg-query -W -f='\${db:Status-Status}' $package 2>/dev/null | grep -qx installed" ||
+      fail "./weft render installed $package, which only tests need"
+  done
+}
+
 timed "make the root" make_root
 share_network
 enter_root
 clone_repository
 timed "./weft render" inside "./weft render" || fail "./weft render"
 check_picture
+check_no_test_packages
 timed "./weft render again" inside "./weft render" || fail "the second ./weft render"
 if ((run_tests)); then timed "./weft test" inside "./weft test" || fail "./weft test"; fi
 say "passed on $(nproc) cores"
