@@ -39,12 +39,31 @@ if(WEFT_TESTS)
     <gtest/gtest.h>)
 endif()
 
+# With WEFT_UNITY the sources of a folder are compiled as one, so that what they include is compiled once for all of
+# them: names in unnamed namespaces are unique within a folder. After an edit the whole folder is compiled again, so the
+# preset `debug` compiles sources one by one.
+option(WEFT_UNITY "Compile the sources of a folder as one" OFF)
+function(weft_unity name)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${name} SOURCES)
+  foreach(source ${sources})
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    cmake_path(GET source PARENT_PATH folder)
+    file(RELATIVE_PATH group ${PROJECT_SOURCE_DIR} ${folder})
+    string(MAKE_C_IDENTIFIER "${group}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
 # weft_library(NAME SOURCES...): a static library with the public headers and the shared options.
 function(weft_library name)
   add_library(${name} STATIC ${ARGN})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/framework/include ${PROJECT_SOURCE_DIR}/framework)
   target_link_libraries(${name} PRIVATE weft_options)
   target_precompile_headers(${name} REUSE_FROM weft_precompiled)
+  if(WEFT_UNITY)
+    weft_unity(${name})
+  endif()
 endfunction()
 
 # Seconds after which a test counts as hanging. Much longer than any test takes on a busy machine, so results do not depend on time.

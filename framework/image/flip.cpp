@@ -15,9 +15,9 @@ namespace {
 
 constexpr float kColorExponent = 0.7f;    // q_c in the paper
 constexpr float kFeatureExponent = 0.5f;  // q_f in the paper
-// Differences up to kKnee (p_c) times the largest possible one map to [0, kKneeError (p_t)].
-constexpr float kKnee = 0.4f;
-constexpr float kKneeError = 0.95f;
+// Differences up to kColorKnee (p_c) times the largest possible one map to [0, kErrorAtKnee (p_t)].
+constexpr float kColorKnee = 0.4f;
+constexpr float kErrorAtKnee = 0.95f;
 
 using Planes = std::array<Plane, 3>;
 
@@ -77,9 +77,9 @@ Features features(Plane luminance, const FeatureKernels& kernels) {
 
 float color_error(glm::vec3 a, glm::vec3 b, float largest) {
     const float difference = std::pow(hyab_distance(a, b), kColorExponent);
-    const float knee = kKnee * largest;
-    if (difference < knee) return kKneeError / knee * difference;
-    return kKneeError + (difference - knee) / (largest - knee) * (1 - kKneeError);
+    const float knee = kColorKnee * largest;
+    if (difference < knee) return kErrorAtKnee / knee * difference;
+    return kErrorAtKnee + (difference - knee) / (largest - knee) * (1 - kErrorAtKnee);
 }
 
 struct Kernels {

@@ -11,10 +11,6 @@
 namespace weft {
 namespace {
 
-void append(Diagnostics& to, Diagnostics from) {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
-
 // Semantic faults already have a place in the text. This adds their place in the document as written, and the
 // tier in which they occur.
 void complete(const JsonDoc& document, const LoadInput& input, Diagnostics& faults) {

@@ -22,10 +22,6 @@ std::optional<ProgramKind> program_kind(const PassDesc& pass) {
     return std::nullopt;
 }
 
-void append(Diagnostics& to, Diagnostics from) {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
-
 // A missing shader is a fault of the graph, so the error points to the graph.
 void locate(const GraphDesc& graph, const PassDesc& pass, Diagnostics& faults) {
     for (Diagnostic& fault : faults) {
@@ -52,6 +48,10 @@ ShaderRoots shader_roots(const LoadInput& input) {
 }
 
 }  // namespace
+
+void append(Diagnostics& to, Diagnostics from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
 
 Result<GraphDesc> described(const JsonDoc& document, const LoadInput& input) {
     Result<JsonDoc> merged = merge(document, input.tier);

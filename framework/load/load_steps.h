@@ -9,6 +9,7 @@
 
 namespace weft {
 
+void append(Diagnostics& to, Diagnostics from);
 // The merged and parsed graph of this tier, with the debug view added.
 [[nodiscard]] Result<GraphDesc> described(const JsonDoc& document, const LoadInput& input);
 // All programs that the graph names. A shader that passes of several types name is compiled once per type;

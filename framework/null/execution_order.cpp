@@ -19,9 +19,9 @@ std::vector<uint32_t> demand(size_t count, NullOrder order, uint64_t seed) {
     return nodes;
 }
 
-class Execution {
+class BatchOrder {
  public:
-    explicit Execution(const Timeline& timeline) : timeline_(timeline) {
+    explicit BatchOrder(const Timeline& timeline) : timeline_(timeline) {
         order_.reserve(timeline.nodes.size());
     }
 
@@ -47,9 +47,9 @@ class Execution {
 }  // namespace
 
 std::vector<uint32_t> execution_order(const Timeline& timeline, NullOrder order, uint64_t seed) {
-    Execution execution(timeline);
-    for (const uint32_t node : demand(timeline.nodes.size(), order, seed)) execution.ask_for(node);
-    return execution.take();
+    BatchOrder batches(timeline);
+    for (const uint32_t node : demand(timeline.nodes.size(), order, seed)) batches.ask_for(node);
+    return batches.take();
 }
 
 }  // namespace weft::null

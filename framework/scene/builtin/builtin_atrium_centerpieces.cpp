@@ -2,11 +2,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/builtin/builtin_atrium_parts.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kTableTop = 0.79f;
 
 glm::mat4 at_point(glm::vec3 point) {

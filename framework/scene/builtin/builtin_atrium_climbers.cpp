@@ -5,6 +5,7 @@
 
 #include "scene/builtin/builtin_atrium_leaves.h"
 #include "scene/builtin/builtin_atrium_parts.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 
@@ -28,8 +29,6 @@ Card facing_card(glm::vec3 center, glm::vec3 facing, float roll_rad, float half_
 }
 
 namespace {
-
-constexpr float kPi = 3.14159265f;
 
 // A point and normal on the surface that the plant climbs.
 struct Hold {

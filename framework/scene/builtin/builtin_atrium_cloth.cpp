@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_materials.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kBannerWidth = 1.2f;  // one repeat of the cloth's pattern
 constexpr float kRodRadius = 0.018f;
 

@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_parts.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr uint32_t kSegments = 16;
 constexpr float kShaftLow = 0.34f;  // height above the floor
 constexpr float kShaftHigh = 2.42f;

@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_materials.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
-
-constexpr float kPi = 3.14159265f;
 
 glm::vec3 varied(Random& random, glm::vec3 a, glm::vec3 b) {
     const glm::vec3 hue = mix3(a, b, random.unit());

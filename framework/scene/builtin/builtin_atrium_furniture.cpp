@@ -4,11 +4,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/builtin/builtin_atrium_parts.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kWallX = kCourtHalfX + kWalkDepth;
 
 void add_benches(Parts& parts) {

@@ -3,11 +3,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/builtin/builtin_atrium_parts.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kLanternY = 3.05f;  // height of the middle of the glass
 constexpr float kLanternAcross =
     2.35f;  // behind the arcade's centre line, near enough to the wall to light it

@@ -4,11 +4,10 @@
 
 #include "scene/builtin/builtin_atrium_leaves.h"
 #include "scene/builtin/builtin_atrium_parts.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
-
-constexpr float kPi = 3.14159265f;
 
 struct PotMeshes {
     uint32_t pot;

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_parts.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kRimWidth = 0.36f;
 constexpr float kWaterLevel = 0.3f;
 constexpr float kPoolFloor = 0.04f;

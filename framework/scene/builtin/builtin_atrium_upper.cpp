@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_parts.h"
+#include "scene/model/angles.h"
 
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kParapetTop = 5.98f;
 constexpr float kLintelLow = 7.32f;
 constexpr float kLintelHigh = 7.56f;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "scene/model/angles.h"
 #include "scene/procedural/procedural_mesh.h"
 #include "scene/procedural/procedural_noise.h"
 #include "scene/procedural/procedural_texture.h"
@@ -14,7 +15,6 @@
 namespace weft::scene {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr uint32_t kPictureSize_px = 256;
 
 uint32_t add_material(Scene& scene, const char* name, glm::vec3 color, float roughness, float metallic = 0) {

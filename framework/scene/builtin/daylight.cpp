@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "scene/model/angles.h"
+
 namespace weft::scene {
 namespace {
 
-constexpr float kPi = 3.14159265f;
 constexpr float kSunrise = 6, kSunset = 19;
 // The moon is the light source before dawn and after dusk.
 constexpr float kDawn = 6.2f, kDusk = 19.3f;

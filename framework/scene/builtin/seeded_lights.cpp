@@ -15,9 +15,9 @@ constexpr float kOverlap = 24;
 constexpr float kNightGain = 6;
 
 // std::uniform_real_distribution differs between standard libraries; the engine does not.
-class Random {
+class LightRandom {
  public:
-    explicit Random(uint32_t seed) : engine_(seed) {}
+    explicit LightRandom(uint32_t seed) : engine_(seed) {}
     float unit() { return static_cast<float>(engine_() >> 8u) / 16777216.0f; }
     glm::vec3 direction() {
         const float z = 2 * unit() - 1, turn = kTau * unit(), r = std::sqrt(std::max(0.0f, 1 - z * z));
@@ -44,7 +44,7 @@ float range_for(glm::vec3 size, uint32_t count) {
 }  // namespace
 
 std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t seed) {
-    Random random(seed);
+    LightRandom random(seed);
     const glm::vec3 size = scene.bounds_max - scene.bounds_min;
     const float range_m = range_for(size, count);
     // At a quarter of its range, a light shows a surface of 50 % albedo as middle grey (0.18).
@@ -69,7 +69,7 @@ std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t se
 
 std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t seed) {
     std::vector<Light> lights = seeded_lights(scene, count, seed);
-    Random random(seed ^ 0x9e3779b9u);
+    LightRandom random(seed ^ 0x9e3779b9u);
     for (Light& light : lights) {
         const glm::vec3 room = glm::min(light.position - scene.bounds_min, scene.bounds_max - light.position);
         const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();

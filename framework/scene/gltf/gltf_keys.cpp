@@ -29,7 +29,7 @@ bool is_escaped(const Key& key) {
 
 class Scan {
  public:
-    Scan(std::string_view json, Report& report) : json_(json), report_(report) {}
+    Scan(std::string_view text, Report& report) : json_(text), report_(report) {}
 
     void run() {
         for (at_ = 0; at_ < json_.size() && named_ < kMostNamed; ++at_) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,9 @@
 #include "scene/gltf/gltf_fields.h"
 
 namespace weft::scene::gltf {
+
+inline constexpr double kUnbounded = 1e18;
+inline constexpr double kHalfPi = std::numbers::pi / 2;
 
 struct AccessorShape {
     uint64_t count = 0;

@@ -9,7 +9,6 @@ namespace {
 constexpr double kMaxLength_m = 1e6;
 constexpr double kMinLength_m = 1e-3;
 constexpr double kMaxFactor = 1e6;
-constexpr double kHalfPi = 1.5707963267948966;
 constexpr double kQuarterPi = kHalfPi / 2;
 
 float number_within(const Fields& fields, const char* key, double fallback, double low, double high) {

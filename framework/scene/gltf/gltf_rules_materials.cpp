@@ -6,8 +6,6 @@
 namespace weft::scene::gltf {
 namespace {
 
-constexpr double kUnbounded = 1e18;
-
 void check_one_of(const Fields& fields, const char* key, std::initializer_list<uint64_t> values) {
     const std::optional<uint64_t> value = fields.integer(key, Need::optional, 0, UINT16_MAX);
     if (!value || std::find(values.begin(), values.end(), *value) != values.end()) return;

@@ -6,7 +6,7 @@
 namespace weft::scene::gltf {
 namespace {
 
-constexpr size_t kMaxNamed = 4;
+constexpr size_t kMaxNamedNodes = 4;
 
 std::vector<std::string> labels_of(const Checker& c, const char* array, const char* kind) {
     std::vector<std::string> labels;
@@ -21,7 +21,7 @@ std::string first_of(const std::set<uint32_t>& nodes, const std::vector<std::str
     std::string text;
     size_t named = 0;
     for (const uint32_t node : nodes) {
-        if (named == kMaxNamed || node >= labels.size()) break;
+        if (named == kMaxNamedNodes || node >= labels.size()) break;
         text += (named++ == 0 ? "" : ", ") + labels[node];
     }
     if (nodes.size() > named) text += " and " + std::to_string(nodes.size() - named) + " more";

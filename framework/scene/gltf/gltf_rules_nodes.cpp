@@ -6,8 +6,6 @@
 namespace weft::scene::gltf {
 namespace {
 
-constexpr double kUnbounded = 1e18;
-constexpr double kHalfPi = 1.5707963267948966;
 constexpr double kMaxFovRad = 3.1;
 
 void warn_of_cones(const Fields& cone, Report& report) {

@@ -16,7 +16,7 @@ constexpr float kMostScale = 65536;   // multiplied with kMostStored: more than 
 
 constexpr uint32_t kBeamColumns = 32;
 
-struct Level {
+struct PictureLevel {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
     std::vector<glm::vec3> texels;
@@ -41,8 +41,8 @@ Cover cover(uint32_t index, uint32_t from, uint32_t to) {
 }
 
 // Rows are weighted by the solid angle that they cover.
-Level half_of(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> texels) {
-    Level half{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};
+PictureLevel half_of(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> texels) {
+    PictureLevel half{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};
     half.texels.resize(size_t{half.width_px} * half.height_px);
     for (uint32_t y = 0; y < half.height_px; ++y) {
         const Cover rows = cover(y, height_px, half.height_px);
@@ -67,8 +67,8 @@ Level half_of(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> 
 
 // Near the poles texels become narrow, which would show as a star in blurred reflections. Each texel becomes
 // the mean of as many texels of its row as cover a square texel at the equator.
-Level evened_towards_poles(const Level& level) {
-    Level even = level;
+PictureLevel evened_towards_poles(const PictureLevel& level) {
+    PictureLevel even = level;
     const int64_t width = level.width_px;
     for (uint32_t y = 0; y < level.height_px; ++y) {
         const double sine = std::sin(kPi * (y + 0.5) / level.height_px);
@@ -163,7 +163,7 @@ struct Beam {
 };
 
 // Converts a level of the mip chain to beams, with just enough texels to show the directions of the light.
-std::vector<Beam> beams_of(const Level& level) {
+std::vector<Beam> beams_of(const PictureLevel& level) {
     std::vector<Beam> beams;
     for (uint32_t y = 0; y < level.height_px; ++y) {
         const double top = kPi * y / level.height_px, bottom = kPi * (y + 1) / level.height_px;
@@ -211,7 +211,8 @@ bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec
 // With three orders, harmonics become negative around a small bright sun; clamped to zero, the side away from
 // the sun would then have only the colour of the sky. The coefficients get a window that reduces the higher
 // orders only as much as needed: P.-P. Sloan, "Deringing Spherical Harmonics", 2017.
-std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients, const Level& level) {
+std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients,
+                                         const PictureLevel& level) {
     constexpr double kMostOfIt = 0.7;
     const glm::dvec3 least = darkest_side(beams_of(level)) * kMostOfIt;
     std::array<glm::vec3, 9> calm = coefficients;
@@ -239,7 +240,7 @@ Environment build_environment(uint32_t width_px, uint32_t height_px, std::span<c
     environment.scale = scale_for(radiance);
     environment.irradiance_over_pi = irradiance_over_pi(width_px, height_px, radiance);
     environment.mips.push_back(packed(radiance, environment.scale));
-    Level level{width_px, height_px, {}};
+    PictureLevel level{width_px, height_px, {}};
     std::span<const glm::vec3> texels = radiance;
     bool calm = false;
     while (level.width_px > 1 || level.height_px > 1) {

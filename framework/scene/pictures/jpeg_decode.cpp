@@ -12,14 +12,14 @@ namespace weft::scene {
 namespace {
 
 // Memory of libjpeg's pools and tables, in addition to rows and coefficients.
-constexpr uint64_t kLibraryBytes = 1 << 20;
+constexpr uint64_t kJpegLibraryBytes = 1 << 20;
 // Each scan of a progressive picture processes the whole picture, so many scans cost much time. Encoders
 // write about ten. Even 64 coefficients of three channels in separate scans, which no encoder writes, would
 // be fewer than 200.
 constexpr int kMostScans = 100;
 
 // libjpeg reports an error with longjmp, so the functions it leaves must not own resources.
-struct Reader {
+struct JpegReader {
     jpeg_decompress_struct info{};
     jpeg_error_mgr errors{};
     jpeg_progress_mgr progress{};
@@ -30,17 +30,17 @@ struct Reader {
     JSAMPLE* cmyk_row = nullptr;
 };
 
-Reader& reader_of(j_common_ptr common) {
-    return *static_cast<Reader*>(common->client_data);
+JpegReader& reader_of(j_common_ptr common) {
+    return *static_cast<JpegReader*>(common->client_data);
 }
 
 [[noreturn]] void fail(j_common_ptr common) {
-    Reader& reader = reader_of(common);
+    JpegReader& reader = reader_of(common);
     common->err->format_message(common, reader.error.data());
     std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg's way
 }
 
-[[noreturn]] void fail_with(Reader& reader, const char* text) {
+[[noreturn]] void fail_with(JpegReader& reader, const char* text) {
     std::snprintf(reader.error.data(), reader.error.size(), "%s", text);
     std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg's way
 }
@@ -53,7 +53,7 @@ void hear(j_common_ptr common, int level) {
 }
 
 void count_scans(j_common_ptr common) {
-    Reader& reader = reader_of(common);
+    JpegReader& reader = reader_of(common);
     if (reader.info.input_scan_number > kMostScans) fail_with(reader, "it has more than 100 scans");
 }
 
@@ -67,17 +67,17 @@ uint64_t decoder_bytes(jpeg_decompress_struct& info) {
     const uint64_t row_bytes = padded(info.image_width) * channels;
     const bool keeps_coefficients = jpeg_has_multiple_scans(&info) != 0;
     const uint64_t texels = keeps_coefficients ? padded(info.image_width) * padded(info.image_height) : 0;
-    return kLibraryBytes + row_bytes * 64 + texels * channels * sizeof(JCOEF);
+    return kJpegLibraryBytes + row_bytes * 64 + texels * channels * sizeof(JCOEF);
 }
 
-void begin(Reader& reader) {
+void begin(JpegReader& reader) {
     jpeg_create_decompress(&reader.info);
     jpeg_mem_src(&reader.info, reader.encoded.data(), static_cast<unsigned long>(reader.encoded.size()));
     jpeg_read_header(&reader.info, TRUE);
 }
 
 // Returns false after a fault, with its text in `error`.
-bool read_header(Reader& reader, ImageSize& size) {
+bool read_header(JpegReader& reader, ImageSize& size) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
     begin(reader);
     size = {reader.info.image_width, reader.info.image_height, decoder_bytes(reader.info)};
@@ -93,7 +93,7 @@ void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
 }
 
 // The header must have been read. Returns false after a fault, with its text in `error`.
-bool decode_rows(Reader& reader, uint64_t most_bytes) {
+bool decode_rows(JpegReader& reader, uint64_t most_bytes) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
     jpeg_decompress_struct& info = reader.info;
     info.mem->max_memory_to_use = static_cast<long>(most_bytes);
@@ -113,7 +113,7 @@ bool decode_rows(Reader& reader, uint64_t most_bytes) {
     return true;
 }
 
-void prepare(Reader& reader, std::span<const uint8_t> encoded) {
+void prepare(JpegReader& reader, std::span<const uint8_t> encoded) {
     reader.encoded = encoded;
     reader.info.err = jpeg_std_error(&reader.errors);
     reader.info.client_data = &reader;
@@ -121,17 +121,17 @@ void prepare(Reader& reader, std::span<const uint8_t> encoded) {
     reader.errors.emit_message = hear;
 }
 
-class OpenReader {
+class OpenJpegReader {
  public:
-    explicit OpenReader(std::span<const uint8_t> encoded) { prepare(reader_, encoded); }
-    ~OpenReader() { jpeg_destroy_decompress(&reader_.info); }
-    OpenReader(const OpenReader&) = delete;
-    OpenReader& operator=(const OpenReader&) = delete;
+    explicit OpenJpegReader(std::span<const uint8_t> encoded) { prepare(reader_, encoded); }
+    ~OpenJpegReader() { jpeg_destroy_decompress(&reader_.info); }
+    OpenJpegReader(const OpenJpegReader&) = delete;
+    OpenJpegReader& operator=(const OpenJpegReader&) = delete;
 
-    Reader& get() { return reader_; }
+    JpegReader& get() { return reader_; }
 
  private:
-    Reader reader_;
+    JpegReader reader_;
 };
 
 bool begins_as_jpeg(std::span<const uint8_t> encoded) {
@@ -142,7 +142,7 @@ bool begins_as_jpeg(std::span<const uint8_t> encoded) {
 
 std::optional<ImageSize> read_jpeg_size(std::span<const uint8_t> encoded) {
     if (!begins_as_jpeg(encoded)) return std::nullopt;
-    OpenReader reader(encoded);
+    OpenJpegReader reader(encoded);
     ImageSize size;
     if (!read_header(reader.get(), size)) return std::nullopt;
     return size;
@@ -154,7 +154,7 @@ DecodedImage decode_jpeg(std::span<const uint8_t> encoded) {
         result.error = "it is neither PNG nor JPEG";
         return result;
     }
-    OpenReader reader(encoded);
+    OpenJpegReader reader(encoded);
     ImageSize size;
     if (read_header(reader.get(), size)) {
         std::vector<uint8_t> rgba(size.texels() * 4);

@@ -10,7 +10,7 @@ namespace weft::scene {
 namespace {
 
 // A mip level in the space in which it is filtered: linear light for colours, [-1, 1] for normals.
-struct Level {
+struct MipLevel {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
     std::vector<glm::vec4> texels;
@@ -78,8 +78,8 @@ void encode(const glm::vec4& value, TexelMeaning meaning, float alpha_scale, uin
 
 // `fetch(x, y)` gives a source texel in filtering space.
 template <class Fetch>
-Level halve(uint32_t width_px, uint32_t height_px, const Fetch& fetch) {
-    Level out{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};
+MipLevel halve(uint32_t width_px, uint32_t height_px, const Fetch& fetch) {
+    MipLevel out{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};
     out.texels.resize(size_t{out.width_px} * out.height_px);
     std::vector<Taps> columns(out.width_px);
     for (uint32_t x = 0; x < out.width_px; ++x) columns[x] = taps_for(x, width_px, out.width_px);
@@ -99,7 +99,7 @@ Level halve(uint32_t width_px, uint32_t height_px, const Fetch& fetch) {
     return out;
 }
 
-double coverage(const Level& level, float cutoff, float alpha_scale) {
+double coverage(const MipLevel& level, float cutoff, float alpha_scale) {
     size_t passing = 0;
     for (const glm::vec4& texel : level.texels) passing += texel.a * alpha_scale >= cutoff;
     return static_cast<double>(passing) / static_cast<double>(level.texels.size());
@@ -112,7 +112,7 @@ double coverage(const std::vector<uint8_t>& rgba, float cutoff) {
 }
 
 // The factor for alpha with which as many texels pass the cutoff as in mip 0.
-float alpha_scale_for(const Level& level, float cutoff, double wanted) {
+float alpha_scale_for(const MipLevel& level, float cutoff, double wanted) {
     float low = 0;
     float high = 8;
     for (int i = 0; i < 12; ++i) {
@@ -140,7 +140,7 @@ std::vector<std::vector<uint8_t>> build_mip_chain(uint32_t width_px, uint32_t he
     const bool keep_coverage = options.alpha_cutoff > 0;
     const double wanted = keep_coverage ? coverage(mips[0], options.alpha_cutoff) : 0;
     const Decoder decoder(options.meaning);
-    Level level{width_px, height_px, {}};
+    MipLevel level{width_px, height_px, {}};
     while (level.width_px > 1 || level.height_px > 1) {
         if (mips.size() == 1) {
             // Mip 0 stays in bytes: as floats it would need four times the memory of the largest image.

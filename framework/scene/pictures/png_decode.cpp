@@ -18,7 +18,7 @@ constexpr size_t kWidthAt = 16, kHeightAt = 20, kDepthAt = 24, kColorTypeAt = 25
 constexpr size_t kAroundChunkBytes = 12;  // length, name and checksum of a chunk
 constexpr uint32_t kMaxSide_px = 0x7FFFFFFF;
 // Memory of libpng's structures and of zlib's window and tables.
-constexpr uint64_t kLibraryBytes = 256 << 10;
+constexpr uint64_t kPngLibraryBytes = 256 << 10;
 // The most memory that libpng may allocate for one chunk. The chunks that are read (PLTE, tRNS) have at most
 // 768 bytes.
 constexpr png_alloc_size_t kChunkBytes = 64 << 10;
@@ -59,7 +59,7 @@ bool holds_more_than_its_size_needs(std::span<const uint8_t> encoded, const Imag
 }
 
 // libpng reports an error with longjmp to decode_rows(), so the functions it leaves must not own resources.
-struct Reader {
+struct PngReader {
     std::span<const uint8_t> encoded;
     size_t at = 0;
     std::array<char, 128> error{};
@@ -67,14 +67,14 @@ struct Reader {
     png_infop info = nullptr;
     uint8_t* rgba = nullptr;
 
-    Reader() = default;
-    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
-    Reader(const Reader&) = delete;
-    Reader& operator=(const Reader&) = delete;
+    PngReader() = default;
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
 };
 
 void fail(png_structp png, png_const_charp text) {
-    auto* reader = static_cast<Reader*>(png_get_error_ptr(png));
+    auto* reader = static_cast<PngReader*>(png_get_error_ptr(png));
     std::snprintf(reader->error.data(), reader->error.size(), "%s", text);
     png_longjmp(png, 1);
 }
@@ -82,7 +82,7 @@ void fail(png_structp png, png_const_charp text) {
 void pass_over_warning(png_structp, png_const_charp) {}
 
 void read_bytes(png_structp png, png_bytep out, size_t bytes) {
-    auto* reader = static_cast<Reader*>(png_get_io_ptr(png));
+    auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
     if (bytes > reader->encoded.size() - reader->at) png_error(png, "the file ends before the picture does");
     std::memcpy(out, reader->encoded.data() + reader->at, bytes);
     reader->at += bytes;
@@ -104,7 +104,7 @@ void ask_for_rgba8(png_structp png) {
 
 // Returns false after a fault, with its text in `error`. `width` is the header's, for which the result was
 // allocated.
-bool decode_rows(Reader& reader, uint32_t width, uint32_t height) {
+bool decode_rows(PngReader& reader, uint32_t width, uint32_t height) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng's way
     limit(reader.png);
     png_set_read_fn(reader.png, &reader, read_bytes);
@@ -139,7 +139,7 @@ std::optional<ImageSize> read_png_size(std::span<const uint8_t> encoded) {
         size.height_px > kMaxSide_px)
         return std::nullopt;
     // Two rows of four channels with two bytes each: the current and the previous row.
-    size.decoder_bytes = kLibraryBytes + uint64_t{size.width_px} * 16;
+    size.decoder_bytes = kPngLibraryBytes + uint64_t{size.width_px} * 16;
     return size;
 }
 
@@ -155,7 +155,7 @@ DecodedImage decode_png(std::span<const uint8_t> encoded) {
         return result;
     }
     std::vector<uint8_t> rgba(size->texels() * 4);
-    Reader reader;
+    PngReader reader;
     reader.encoded = encoded;
     reader.rgba = rgba.data();
     reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, fail, pass_over_warning);

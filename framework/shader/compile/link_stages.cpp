@@ -5,13 +5,12 @@
 #include <set>
 #include <string>
 
+#include "shader/reflect/port_set.h"
 #include "shader/reflect/reflect_stage.h"
 
 namespace weft::shader {
 
 namespace {
-
-constexpr uint32_t kPortSet = 1;
 
 std::string key_of(const ReflectedBinding& reflected) {
     return reflected.is_params ? "Params" : reflected.binding.name;

@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "shader/reflect/port_set.h"
 #include "shader/reflect/reflector.h"
 
 namespace weft::shader {
@@ -9,7 +10,6 @@ namespace weft::shader {
 namespace {
 
 constexpr const char* kParamsBlock = "Params";
-constexpr uint32_t kPortSet = 1;
 constexpr uint32_t kMaxSet = 3;
 
 }  // namespace

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <string_view>
 
-namespace weft {
+#include "shader/reflect/port_set.h"
 
-namespace {
-constexpr uint32_t kPortSet = 1;
-}
+namespace weft {
 
 const ShaderBinding* ShaderInterface::find(std::string_view name) const {
     const auto found = std::ranges::find_if(bindings, [&](const ShaderBinding& binding) {
-        return binding.set == kPortSet && binding.name == name;
+        return binding.set == shader::kPortSet && binding.name == name;
     });
     return found == bindings.end() ? nullptr : &*found;
 }

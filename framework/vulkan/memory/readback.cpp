@@ -5,11 +5,10 @@
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/immediate_submit.h"
 #include "vulkan/device/to_vk.h"
+#include "vulkan/memory/places.h"
 
 namespace weft::vk {
 namespace {
-
-constexpr uint64_t kPlaceAlignmentBytes = 16;
 
 void host_visibility_barrier(const Device& device, VkCommandBuffer commands, VkBuffer buffer) {
     VkBufferMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
@@ -38,7 +37,7 @@ Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& p
             return pass_error(plan, pass, "V417", "a readback reads exactly one resource");
         const UseDecl& use = pass.uses[0];
         const ResourceDecl& decl = plan.graph.resources[use.resource];
-        size_bytes = (size_bytes + kPlaceAlignmentBytes - 1) / kPlaceAlignmentBytes * kPlaceAlignmentBytes;
+        size_bytes = aligned_place(size_bytes);
         Place place{position, size_bytes, 0, {}};
         if (decl.kind == ResourceKind::buffer)
             place.buffer_bytes = decl.size_bytes;

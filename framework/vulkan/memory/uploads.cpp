@@ -4,11 +4,10 @@
 #include <cstring>
 
 #include "vulkan/device/to_vk.h"
+#include "vulkan/memory/places.h"
 
 namespace weft::vk {
 namespace {
-
-constexpr uint64_t kPlaceAlignmentBytes = 16;
 
 const UploadPlace* find_place(const std::vector<UploadPlace>& places, std::string_view port) {
     for (const UploadPlace& place : places)
@@ -105,8 +104,7 @@ Result<UploadMemory> UploadMemory::create(Device& device, const FramePlan& plan)
         if (pass.kind != PassKind::custom) continue;
         for (uint32_t use = 0; use < pass.uses.size(); ++use) {
             if (pass.uses[use].access != Access::copy_write) continue;
-            size_bytes =
-                (size_bytes + kPlaceAlignmentBytes - 1) / kPlaceAlignmentBytes * kPlaceAlignmentBytes;
+            size_bytes = aligned_place(size_bytes);
             memory.places_[position].push_back(make_place(plan, pass, use, size_bytes));
             size_bytes += memory.places_[position].back().capacity_bytes;
         }

@@ -9,10 +9,6 @@
 namespace weft::vk {
 namespace {
 
-bool params_in_buffer(const ShaderInterface& interface) {
-    return interface.has_params && !interface.params.push_constants;
-}
-
 // The writes of one set and the infos that they point to; deques keep the addresses of elements valid.
 struct SetWrites {
     std::vector<VkWriteDescriptorSet> writes;

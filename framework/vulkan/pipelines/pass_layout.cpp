@@ -8,10 +8,6 @@
 namespace weft::vk {
 namespace {
 
-bool params_in_buffer(const ShaderInterface& interface) {
-    return interface.has_params && !interface.params.push_constants;
-}
-
 std::vector<VkDescriptorSetLayoutBinding> port_bindings(const ShaderInterface& interface) {
     std::vector<VkDescriptorSetLayoutBinding> out;
     for (const ShaderBinding& binding : interface.bindings)

@@ -18,6 +18,11 @@ inline constexpr uint32_t kMaterialSet = 2;
 inline constexpr uint32_t kInstanceSet = 3;
 inline constexpr uint32_t kSetCount = 4;
 
+// The Params block is a uniform buffer of the port set, not push constants.
+[[nodiscard]] inline bool params_in_buffer(const ShaderInterface& interface) {
+    return interface.has_params && !interface.params.push_constants;
+}
+
 struct PassLayout {
     SetLayoutHandle ports;
     SetLayoutHandle empty;  // used for unused sets below the highest one in use

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int32_t kStrip_px = 44;  // how much is alive
 constexpr int32_t kHeapGap_px = 34;
-constexpr int32_t kLabel_px = 14;
 constexpr size_t kHues = 8;
 
 class MemoryDrawing {

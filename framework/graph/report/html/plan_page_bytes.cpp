@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graph/diagnostics/quantity_text.h"
+#include "graph/report/html/plan_page_sizes.h"
 
 namespace weft {
 namespace {
@@ -12,7 +13,6 @@ constexpr int32_t kHeight_px = 320, kMostHeight_px = 640;
 constexpr int32_t kLeastHeight_px = 96;
 constexpr int32_t kLeastBlock_px = 6;
 constexpr int32_t kLeastTick_px = 24;  // between two
-constexpr int32_t kLabel_px = 14;
 
 // As high as its smallest block needs, where that is not too much.
 int32_t scale_height_px(const MemoryPlan& memory, uint32_t heap) {

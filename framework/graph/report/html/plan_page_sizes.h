@@ -12,6 +12,7 @@ inline constexpr size_t kMarkRows = 4;
 inline constexpr int32_t kMarkStepX_px = 13;
 inline constexpr int32_t kMarkStepY_px = 13;
 inline constexpr int32_t kMark_px = 10;
+inline constexpr int32_t kLabel_px = 14;  // height of a label of bytes
 
 inline constexpr int32_t kEndColumn_px = 56;
 inline constexpr int32_t kRoomyBox_px = 150;    // of a pass, while there are few
