@@ -17,7 +17,7 @@ constexpr std::array kFilters{Choice<SamplerFilter>{"nearest", SamplerFilter::ne
 constexpr std::array kWraps{
     Choice<SamplerWrap>{"clamp", SamplerWrap::clamp}, Choice<SamplerWrap>{"repeat", SamplerWrap::repeat},
     Choice<SamplerWrap>{"mirror", SamplerWrap::mirror}, Choice<SamplerWrap>{"border", SamplerWrap::border}};
-constexpr std::array kCompares{Choice<bool>{"none", false}, Choice<bool>{"greater_equal", true}};
+constexpr std::array kSamplerCompares{Choice<bool>{"none", false}, Choice<bool>{"greater_equal", true}};
 
 constexpr std::array kSamplerKeys{
     KeyRule<SamplerDecl>{"filter", [](ParseContext& c, const JsonNode& n,
@@ -28,7 +28,7 @@ constexpr std::array kSamplerKeys{
                                     SamplerDecl& s) { read_choice(c, n, kWraps, s.wrap); }},
     KeyRule<SamplerDecl>{"compare",
                          [](ParseContext& c, const JsonNode& n, SamplerDecl& s) {
-                             read_choice(c, n, kCompares, s.compare_greater_equal);
+                             read_choice(c, n, kSamplerCompares, s.compare_greater_equal);
                          }},
 };
 
@@ -143,7 +143,7 @@ void list_port_words(std::vector<FormatWords>& lists) {
     list_keys(lists, "sampler", kSamplerKeys);
     list_choices(lists, "filter", kFilters);
     list_choices(lists, "wrap", kWraps);
-    list_choices(lists, "samplerCompare", kCompares);
+    list_choices(lists, "samplerCompare", kSamplerCompares);
     list_keys(lists, "indirectGroups", kGroupsKeys);
     list_keys(lists, "indirectDraws", kDrawsKeys);
     list_keys(lists, "proceduralDraws", kVerticesKeys);

@@ -17,7 +17,7 @@ constexpr std::array kTopologies{
     Choice<Topology>{"triangles", Topology::triangles},
     Choice<Topology>{"triangle_strip", Topology::triangle_strip}, Choice<Topology>{"lines", Topology::lines},
     Choice<Topology>{"line_strip", Topology::line_strip}, Choice<Topology>{"points", Topology::points}};
-constexpr std::array kCompares{
+constexpr std::array kDepthCompares{
     Choice<CompareOp>{"never", CompareOp::never},
     Choice<CompareOp>{"less", CompareOp::less},
     Choice<CompareOp>{"equal", CompareOp::equal},
@@ -42,7 +42,7 @@ constexpr std::string_view kWrite = "_write";
 
 std::vector<std::string> depth_choices() {
     std::vector<std::string> choices{"none"};
-    for (const Choice<CompareOp>& compare : kCompares) {
+    for (const Choice<CompareOp>& compare : kDepthCompares) {
         choices.emplace_back(compare.name);
         choices.push_back(std::string(compare.name) + std::string(kWrite));
     }
@@ -57,7 +57,7 @@ void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (name == "none") return;
     const bool write = name.ends_with(kWrite);
     if (write) name.remove_suffix(kWrite.size());
-    if (find_choice(std::span<const Choice<CompareOp>>(kCompares), name, state.depth_compare)) {
+    if (find_choice(std::span<const Choice<CompareOp>>(kDepthCompares), name, state.depth_compare)) {
         state.depth_test = true;
         state.depth_write = write;
         return;
@@ -131,7 +131,7 @@ void read_face_byte(ParseContext& context, const JsonNode& node, FaceDraft& draf
 
 using Face = StencilFaceState;
 constexpr std::array kFaceKeys{
-    KeyRule<FaceDraft>{"compare", read_face_choice<&Face::compare, kCompares>},
+    KeyRule<FaceDraft>{"compare", read_face_choice<&Face::compare, kDepthCompares>},
     KeyRule<FaceDraft>{"fail", read_face_choice<&Face::fail, kStencilOps>},
     KeyRule<FaceDraft>{"depthFail", read_face_choice<&Face::depth_fail, kStencilOps>},
     KeyRule<FaceDraft>{"pass", read_face_choice<&Face::pass, kStencilOps>},
@@ -234,7 +234,7 @@ void list_state_words(std::vector<FormatWords>& lists) {
     list_keys(lists, "depthBias", kBiasKeys);
     list_keys(lists, "stencilFace", kFaceKeys);
     list_keys(lists, "stencilFaces", kFacesKeys);
-    list_choices(lists, "compare", kCompares);
+    list_choices(lists, "compare", kDepthCompares);
     list_choices(lists, "stencilOperation", kStencilOps);
 }
 

@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string dot_string(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') out += '\\';
@@ -31,7 +31,7 @@ std::string use_edge(const FramePlan& plan, PassId pass, const UseDecl& use) {
     const bool whole = use.range == plan.graph.resources[use.resource].whole();
     const std::string label = use.port + (whole ? "" : range_text(use.range));
     const std::string style =
-        " [label=" + quoted(label) + grey_unless(plan.live.live_passes[pass] != 0) + "];\n";
+        " [label=" + dot_string(label) + grey_unless(plan.live.live_passes[pass] != 0) + "];\n";
     std::string text;
     if (reads(use.access)) text += "  " + resource_node(use.resource) + " -> " + pass_node(pass) + style;
     if (writes(use.access)) text += "  " + pass_node(pass) + " -> " + resource_node(use.resource) + style;
@@ -41,18 +41,19 @@ std::string use_edge(const FramePlan& plan, PassId pass, const UseDecl& use) {
 }  // namespace
 
 std::string plan_to_dot(const FramePlan& plan) {
-    std::string text =
-        "digraph " + quoted(printable(plan.graph.name)) + " {\n  rankdir=LR;\n  node [fontname=\"sans\"];\n";
+    std::string text = "digraph " + dot_string(printable(plan.graph.name)) +
+                       " {\n  rankdir=LR;\n  node [fontname=\"sans\"];\n";
     for (PassId id = 0; id < plan.graph.passes.size(); ++id) {
         const uint32_t position = plan.schedule.position[id];
         const std::string prefix = position == kNoId ? "" : std::to_string(position) + " ";
-        text += "  " + pass_node(id) + " [shape=box, label=" + quoted(prefix + plan.graph.passes[id].name) +
+        text += "  " + pass_node(id) +
+                " [shape=box, label=" + dot_string(prefix + plan.graph.passes[id].name) +
                 grey_unless(plan.live.live_passes[id] != 0) + "];\n";
     }
     for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
         const ResourceDecl& resource = plan.graph.resources[id];
         const char* shape = resource.lifetime == ResourceLifetime::imported ? "doubleoctagon" : "ellipse";
-        text += "  " + resource_node(id) + " [shape=" + shape + ", label=" + quoted(resource.name) +
+        text += "  " + resource_node(id) + " [shape=" + shape + ", label=" + dot_string(resource.name) +
                 grey_unless(plan.live.live_resources[id] != 0) + "];\n";
     }
     for (PassId id = 0; id < plan.graph.passes.size(); ++id)
@@ -60,7 +61,7 @@ std::string plan_to_dot(const FramePlan& plan) {
     for (uint32_t p = 0; p < plan.barriers.steps.size(); ++p)
         if (const PassId first = continued_pass(plan, p); first != kNoId)
             text += "  " + pass_node(first) + " -> " + pass_node(plan.schedule.order[p]) +
-                    " [style=bold, dir=none, label=" + quoted("one scope") + "];\n";
+                    " [style=bold, dir=none, label=" + dot_string("one scope") + "];\n";
     return text + "}\n";
 }
 

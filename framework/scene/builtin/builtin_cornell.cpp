@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
+#include "scene/builtin/scene_parts.h"
 #include "scene/procedural/procedural_mesh.h"
 
 namespace weft::scene {
@@ -12,22 +13,6 @@ namespace {
 
 // The published corners are in units of 1 cm.
 constexpr float kUnit_m = 0.01f;
-
-uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughness = 1) {
-    Material material;
-    material.name = name;
-    material.base_color = glm::vec4(color, 1);
-    material.metallic = 0;
-    material.roughness = roughness;
-    scene.materials.push_back(std::move(material));
-    return static_cast<uint32_t>(scene.materials.size() - 1);
-}
-
-void add_mesh(Scene& scene, Mesh mesh, uint32_t material) {
-    const std::string name = mesh.name;
-    scene.meshes.push_back(std::move(mesh));
-    scene.instances.push_back({name, static_cast<uint32_t>(scene.meshes.size() - 1), material, glm::mat4(1)});
-}
 
 Mesh wall(const char* name, glm::vec3 origin, glm::vec3 right, glm::vec3 up) {
     MeshBuilder builder;
@@ -53,19 +38,19 @@ void add_box_walls(Scene& scene) {
     const uint32_t red = add_matt(scene, "red", {0.63f, 0.065f, 0.05f});
     const uint32_t green = add_matt(scene, "green", {0.14f, 0.45f, 0.091f});
     constexpr float kWidth = 552.8f, kHeight = 548.8f, kDepth = 559.2f;
-    add_mesh(scene, wall("floor", {kWidth, 0, 0}, {-kWidth, 0, 0}, {0, 0, kDepth}), white);
-    add_mesh(scene, wall("ceiling", {0, kHeight, 0}, {kWidth, 0, 0}, {0, 0, kDepth}), white);
-    add_mesh(scene, wall("back", {kWidth, 0, kDepth}, {-kWidth, 0, 0}, {0, kHeight, 0}), white);
-    add_mesh(scene, wall("right", {0, 0, kDepth}, {0, 0, -kDepth}, {0, kHeight, 0}), green);
-    add_mesh(scene, wall("left", {kWidth, 0, 0}, {0, 0, kDepth}, {0, kHeight, 0}), red);
-    add_mesh(scene, block("short block", {{{130, 65}, {82, 225}, {240, 272}, {290, 114}}}, 165), white);
-    add_mesh(scene, block("tall block", {{{423, 247}, {265, 296}, {314, 456}, {472, 406}}}, 330), white);
+    place(scene, wall("floor", {kWidth, 0, 0}, {-kWidth, 0, 0}, {0, 0, kDepth}), white);
+    place(scene, wall("ceiling", {0, kHeight, 0}, {kWidth, 0, 0}, {0, 0, kDepth}), white);
+    place(scene, wall("back", {kWidth, 0, kDepth}, {-kWidth, 0, 0}, {0, kHeight, 0}), white);
+    place(scene, wall("right", {0, 0, kDepth}, {0, 0, -kDepth}, {0, kHeight, 0}), green);
+    place(scene, wall("left", {kWidth, 0, 0}, {0, 0, kDepth}, {0, kHeight, 0}), red);
+    place(scene, block("short block", {{{130, 65}, {82, 225}, {240, 272}, {290, 114}}}, 165), white);
+    place(scene, block("tall block", {{{423, 247}, {265, 296}, {314, 456}, {472, 406}}}, 330), white);
 }
 
 void add_ceiling_lamp(Scene& scene) {
     const uint32_t lamp = add_matt(scene, "lamp", glm::vec3(0.78f));
     scene.materials[lamp].emissive = glm::vec3(900, 680, 420);
-    add_mesh(scene, wall("lamp", {213, 548.3f, 227}, {130, 0, 0}, {0, 0, 105}), lamp);
+    place(scene, wall("lamp", {213, 548.3f, 227}, {130, 0, 0}, {0, 0, 105}), lamp);
     Light light;
     light.name = "lamp";
     light.type = LightType::spot;
@@ -115,13 +100,13 @@ void add_mirror_things(Scene& scene) {
         else
             builder.add_bevelled_box(at - glm::vec3(0.42f, 0, 0.42f), at + glm::vec3(0.42f, 1.2f, 0.42f),
                                      0.04f);
-        add_mesh(scene, builder.finish(things[i].name), material);
+        place(scene, builder.finish(things[i].name), material);
     }
     const uint32_t chrome = add_matt(scene, "chrome", glm::vec3(0.75f, 0.755f, 0.75f), 0.05f);
     scene.materials[chrome].metallic = 1;
     MeshBuilder builder;
     builder.add_sphere({0, 0.9f, 0}, 0.9f, 48, 24);
-    add_mesh(scene, builder.finish("chrome"), chrome);
+    place(scene, builder.finish("chrome"), chrome);
 }
 
 }  // namespace
@@ -147,7 +132,7 @@ Scene make_mirror() {
     const uint32_t floor = add_matt(scene, "polished floor", glm::vec3(0.03f), 0.04f);
     MeshBuilder builder;
     builder.add_rectangle({-6, 0, 6}, {12, 0, 0}, {0, 0, -12});
-    add_mesh(scene, builder.finish("floor"), floor);
+    place(scene, builder.finish("floor"), floor);
     add_mirror_things(scene);
     Light sun;
     sun.name = "sun";

@@ -10,8 +10,8 @@ namespace weft {
 namespace {
 
 constexpr int32_t kLaneTop_px = 22;  // the name of a batch
-constexpr int32_t kBoxHeight_px = static_cast<int32_t>(kMarkRows) * kMarkStepY_px;
-constexpr int32_t kLaneHeight_px = kLaneTop_px + kBoxHeight_px + 10;
+constexpr int32_t kRowHeight_px = static_cast<int32_t>(kMarkRows) * kMarkStepY_px;
+constexpr int32_t kLaneHeight_px = kLaneTop_px + kRowHeight_px + 10;
 constexpr int32_t kLaneGap_px = 26;  // waits bend in it
 constexpr int32_t kStub_px = 26;
 
@@ -93,7 +93,7 @@ class TimelineDrawing {
         return top_px_ + lane_top_px(static_cast<size_t>(row));
     }
     int32_t middle_px(const Batch& batch) const {
-        return lane_px(batch.queue) + kLaneTop_px + kBoxHeight_px / 2;
+        return lane_px(batch.queue) + kLaneTop_px + kRowHeight_px / 2;
     }
 
     void draw_batch(size_t index) {
@@ -128,13 +128,13 @@ class TimelineDrawing {
                             {"x", column.box_left_px},
                             {"y", y_px},
                             {"width", column.box_width_px},
-                            {"height", kBoxHeight_px},
+                            {"height", kRowHeight_px},
                             {"rx", 4}});
         const int32_t middle_px = column.box_left_px + column.box_width_px / 2;
         if (!page_.columns.slanted)
-            out_.leaf("text", {{"class", "name mid"}, {"x", middle_px}, {"y", y_px + kBoxHeight_px / 2 - 2}},
+            out_.leaf("text", {{"class", "name mid"}, {"x", middle_px}, {"y", y_px + kRowHeight_px / 2 - 2}},
                       short_name(plan_.graph.passes[pass].name));
-        const int32_t kind_y_px = y_px + kBoxHeight_px / 2 + (page_.columns.slanted ? 4 : 15);
+        const int32_t kind_y_px = y_px + kRowHeight_px / 2 + (page_.columns.slanted ? 4 : 15);
         out_.leaf("text", {{"class", "kind mid"}, {"x", middle_px}, {"y", kind_y_px}},
                   small_text_in(below_name(position), column.box_width_px - 4));
         out_.close();
@@ -157,7 +157,7 @@ class TimelineDrawing {
         const int32_t left_px = from.box_left_px + from.box_width_px;
         out_.empty("rect", {{"class", "scope q" + std::to_string(queue)},
                             {"x", left_px},
-                            {"y", lane_px(queue) + kLaneTop_px + kBoxHeight_px / 2 - 4},
+                            {"y", lane_px(queue) + kLaneTop_px + kRowHeight_px / 2 - 4},
                             {"width", page_.columns.passes[position].box_left_px - left_px},
                             {"height", 8}});
     }

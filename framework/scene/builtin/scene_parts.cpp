@@ -1,0 +1,24 @@
+#include "scene/builtin/scene_parts.h"
+
+#include <string>
+#include <utility>
+
+namespace weft::scene {
+
+uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughness) {
+    Material material;
+    material.name = name;
+    material.base_color = glm::vec4(color, 1);
+    material.metallic = 0;
+    material.roughness = roughness;
+    scene.materials.push_back(std::move(material));
+    return static_cast<uint32_t>(scene.materials.size() - 1);
+}
+
+void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transform) {
+    const std::string name = mesh.name;
+    scene.meshes.push_back(std::move(mesh));
+    scene.instances.push_back({name, static_cast<uint32_t>(scene.meshes.size() - 1), material, transform});
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,15 @@
+// Purpose: adds plain meshes and materials to scenes that are made in code.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "weft/scene/scene.h"
+
+namespace weft::scene {
+
+// A material of one colour that is no metal. Returns its index.
+uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughness = 1);
+// Adds the mesh and one instance of it, which has the mesh's name.
+void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transform = glm::mat4(1));
+
+}  // namespace weft::scene
