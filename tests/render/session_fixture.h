@@ -1,4 +1,4 @@
-// One scene through graphs/deferred.json on a validated device, with the resources a test asks for read back.
+// One scene rendered with graphs/deferred.json on a validated device; reads back the resources that a test needs.
 #pragma once
 
 #include <gtest/gtest.h>
