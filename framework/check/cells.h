@@ -48,11 +48,6 @@ class Cells {
  public:
     explicit Cells(const ResourceDecl& resource);
 
-    // The resource that has taken over all of this one's memory since its last use and has waited for that
-    // use. A third resource that takes over the memory waits for that resource, and so also for this one.
-    // Does not apply to the cells of `superseded_by` itself: each of them takes over its memory separately.
-    ResourceId superseded_by = kNoId;
-
     [[nodiscard]] auto begin() { return cells_.begin(); }
     [[nodiscard]] auto end() { return cells_.end(); }
     // Calls `visit` for each cell of the range; parts outside the resource are ignored.

@@ -1,11 +1,14 @@
 #include "check/check_structure.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "check/check_scopes.h"
 #include "check/check_turns.h"
+#include "check/overlaps.h"
 
 namespace weft::check {
 namespace {
@@ -100,14 +103,28 @@ bool outlives_the_frame(const FramePlan& plan, ResourceId resource) {
     return plan.graph.resources[resource].lifetime == ResourceLifetime::persistent;
 }
 
-bool share_memory(const Placement& a, const Placement& b) {
-    return a.heap == b.heap && a.offset_bytes < b.offset_bytes + b.size_bytes &&
-           b.offset_bytes < a.offset_bytes + a.size_bytes;
+bool live_together(const FramePlan& plan, ResourceId a, ResourceId b) {
+    const LifetimeSpan &s = plan.lifetimes.spans[a], &t = plan.lifetimes.spans[b];
+    return outlives_the_frame(plan, a) || outlives_the_frame(plan, b) ||
+           (s.first <= t.last && t.first <= s.last);
+}
+
+// Pairs of placements that share bytes while both resources live, in the order of their indices.
+std::vector<std::pair<uint32_t, uint32_t>> collisions(const FramePlan& plan) {
+    const std::vector<Placement>& all = plan.memory.placements;
+    std::vector<std::pair<uint32_t, uint32_t>> pairs;
+    for_each_overlap(all, [&](uint32_t i, uint32_t j) {
+        if (live_together(plan, all[i].resource, all[j].resource)) pairs.emplace_back(i, j);
+    });
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
 }
 
 void check_placements(const FramePlan& plan, FaultList& faults) {
     std::vector<uint8_t> placed(plan.graph.resources.size(), 0);
     const std::vector<Placement>& all = plan.memory.placements;
+    const std::vector<std::pair<uint32_t, uint32_t>> pairs = collisions(plan);
+    size_t next = 0;
     for (size_t i = 0; i < all.size(); ++i) {
         const Placement& a = all[i];
         placed[a.resource] = 1;
@@ -115,13 +132,8 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
             a.offset_bytes + a.size_bytes > plan.memory.heaps[a.heap].size_bytes)
             faults.add("C343", plan.graph.resources[a.resource].loc,
                        faults.resource_name(a.resource) + " lies outside its heap", kCompilerFault);
-        for (size_t j = i + 1; j < all.size(); ++j) {
-            const Placement& b = all[j];
-            const LifetimeSpan &s = plan.lifetimes.spans[a.resource], &t = plan.lifetimes.spans[b.resource];
-            const bool together = outlives_the_frame(plan, a.resource) ||
-                                  outlives_the_frame(plan, b.resource) ||
-                                  (s.first <= t.last && t.first <= s.last);
-            if (!together || !share_memory(a, b)) continue;
+        for (; next < pairs.size() && pairs[next].first == i; ++next) {
+            const Placement& b = all[pairs[next].second];
             faults.add("C340", plan.graph.resources[a.resource].loc,
                        faults.resource_name(a.resource) + " (" + users(plan, faults, a.resource) + ") and " +
                            faults.resource_name(b.resource) + " (" + users(plan, faults, b.resource) +
@@ -143,17 +155,15 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
 
 void check_hand_overs(const FramePlan& plan, FaultList& faults) {
     const std::vector<HandOver>& listed = plan.memory.hand_overs;
-    const auto known = [&](ResourceId from, ResourceId to) {
-        return std::any_of(listed.begin(), listed.end(),
-                           [&](const HandOver& h) { return h.from == from && h.to == to; });
-    };
+    std::multimap<std::pair<ResourceId, ResourceId>, size_t> known;  // index into `listed` by from and to
+    for (size_t i = 0; i < listed.size(); ++i) known.emplace(std::pair(listed[i].from, listed[i].to), i);
     std::vector<uint8_t> used(listed.size(), 0);
     for (const PassStep& step : plan.barriers.steps) {
         for (const BarrierDecl& barrier : step.barriers) {
             for (const ResourceId from : barrier.hand_over_from) {
-                for (size_t i = 0; i < listed.size(); ++i)
-                    if (listed[i].from == from && listed[i].to == barrier.resource) used[i] = 1;
-                if (known(from, barrier.resource)) continue;
+                const auto [begin, end] = known.equal_range({from, barrier.resource});
+                for (auto it = begin; it != end; ++it) used[it->second] = 1;
+                if (begin != end) continue;
                 faults.add("C341", plan.graph.resources[barrier.resource].loc,
                            "the barrier before pass " + faults.pass_name(step.pass) + " hands memory of " +
                                faults.resource_name(from) + " (" + users(plan, faults, from) + ") over to " +

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "check/check_scopes.h"
+#include "check/overlaps.h"
 
 namespace weft::check {
 namespace {
@@ -13,17 +14,17 @@ bool lies_in(const Placement& inner, const Placement& outer) {
 }
 
 std::vector<std::vector<Neighbour>> memory_neighbours(const FramePlan& plan) {
-    std::vector<std::vector<Neighbour>> neighbours(plan.graph.resources.size());
     const std::vector<Placement>& all = plan.memory.placements;
+    std::vector<std::vector<uint32_t>> overlaps(all.size());
+    for_each_overlap(all, [&](uint32_t i, uint32_t j) {
+        overlaps[i].push_back(j);
+        overlaps[j].push_back(i);
+    });
+    std::vector<std::vector<Neighbour>> neighbours(plan.graph.resources.size());
     for (size_t i = 0; i < all.size(); ++i) {
-        for (size_t j = i + 1; j < all.size(); ++j) {
-            const Placement &a = all[i], &b = all[j];
-            if (a.heap != b.heap || a.offset_bytes >= b.offset_bytes + b.size_bytes ||
-                b.offset_bytes >= a.offset_bytes + a.size_bytes)
-                continue;
-            neighbours[a.resource].push_back({b.resource, lies_in(b, a)});
-            neighbours[b.resource].push_back({a.resource, lies_in(a, b)});
-        }
+        std::sort(overlaps[i].begin(), overlaps[i].end());
+        for (const uint32_t j : overlaps[i])
+            neighbours[all[i].resource].push_back({all[j].resource, lies_in(all[j], all[i])});
     }
     return neighbours;
 }
@@ -68,6 +69,7 @@ Replay::Replay(const FramePlan& plan, FaultList& faults)
       faults_(faults),
       clock_(plan),
       logs_(plan.schedule.queues.size()),
+      superseded_by_(plan.graph.resources.size(), kNoId),
       neighbours_(memory_neighbours(plan)),
       rings_(rings_of(plan.graph)) {
     cells_.reserve(plan.graph.resources.size());
@@ -211,7 +213,7 @@ void Replay::uses(const PassStep& step, bool goes_on) {
 
 void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state) {
     size_t source = 0;
-    cells_[use.resource].superseded_by = kNoId;
+    superseded_by_[use.resource] = kNoId;
     cells_[use.resource].each(use.range, [&](Cell& cell) {
         expect_owner(by, use, cell);
         expect_order(by, use, cell, state, false);
@@ -242,7 +244,7 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.lifetime == ResourceLifetime::transient)
         expect_free_memory(by, use.resource, use.loc, state.stages, nullptr);
-    cells_[use.resource].superseded_by = kNoId;
+    superseded_by_[use.resource] = kNoId;
     cells_[use.resource].each(use.range, [&](Cell& cell) {
         // A pass that discards a buffer's content needs no ownership transfer; for an image, the transition
         // from `undefined` does this.

@@ -82,7 +82,7 @@ class Replay {
     void overwrite_neighbours(PassId by, ResourceId resource);
     // True if `taker`, which takes over memory of `resource`, need not wait for it.
     [[nodiscard]] bool is_superseded(ResourceId resource, ResourceId taker) const {
-        const ResourceId by = cells_[resource].superseded_by;
+        const ResourceId by = superseded_by_[resource];
         return by != kNoId && by != taker;
     }
 
@@ -92,9 +92,14 @@ class Replay {
     std::vector<BarrierLog> logs_;  // index: queue
     uint64_t barrier_batches_ = 0;  // counted over all queues
     uint32_t frame_ = 0;
-    uint32_t scope_ = 0;                              // number of the current rendering scope, counted over
-                                                      // all frames
-    std::vector<Cells> cells_;                        // index: resource
+    uint32_t scope_ = 0;        // number of the current rendering scope, counted over
+                                // all frames
+    std::vector<Cells> cells_;  // index: resource
+    // Index: resource. The resource that has taken over all of this one's memory since its last use and has
+    // waited for that use. A third resource that takes over the memory waits for that resource, and so also
+    // for this one. Does not apply to the resource named here: it takes over each part of the memory
+    // separately. Apart from cells_, because each use reads it for all neighbours.
+    std::vector<ResourceId> superseded_by_;
     std::vector<std::vector<Neighbour>> neighbours_;  // index: resource
     std::vector<std::vector<ResourceId>> rings_;      // index: first resource of a ring; the resources of the
                                                       // ring, ordered by age

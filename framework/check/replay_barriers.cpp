@@ -41,7 +41,7 @@ void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
 }
 
 void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before) {
-    cells_[barrier.resource].superseded_by = kNoId;
+    superseded_by_[barrier.resource] = kNoId;
     cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         cell.layout = barrier.dst.layout;
         if (drops_content(barrier)) {
@@ -67,7 +67,7 @@ void Replay::transfer(const BarrierDecl& barrier, PassId before) {
                     "pass " + faults_.pass_name(before) + " hands " + what +
                         " over between two queue families, but runs on a third",
                     "a transfer is recorded on the queues of its two families");
-    cells_[barrier.resource].superseded_by = kNoId;
+    superseded_by_[barrier.resource] = kNoId;
     cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         if (releases) {
             cell.released_to = barrier.dst_family;

@@ -195,7 +195,7 @@ void Replay::overwrite_neighbours(PassId by, ResourceId resource) {
                 cell.content = {Content::Kind::overwritten, by, frame_, resource};
             cell.layout = Layout::undefined;
         }
-        if (covered) cells_[other].superseded_by = resource;
+        if (covered) superseded_by_[other] = resource;
     }
 }
 

@@ -30,12 +30,17 @@ double seconds(const timeval& time) {
     const bool ready = dup2(nothing, 0) >= 0 && dup2(out_file, 1) >= 0 && dup2(err_file, 2) >= 0;
     for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
     if (!ready || (!folder.empty() && chdir(folder.c_str()) != 0)) _exit(126);
+    reset_signals();
     limit_time();
     execvp(arguments.front(), arguments.data());
     _exit(127);
 }
 
 }  // namespace
+
+void reset_signals() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) std::signal(signal, SIG_DFL);
+}
 
 void limit_time(unsigned most_cpu_s) {
     rlimit limit{};

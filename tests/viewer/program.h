@@ -25,6 +25,9 @@ struct RunResult {
 inline constexpr unsigned kMostCpu_s = 1200;
 inline constexpr unsigned kMostWall_s = 1500;
 
+// For a child: signals end it, also where the tests run in the background, in which a shell ignores some of
+// them.
+void reset_signals();
 // Sets the limits above; call it in a child before exec, which keeps them.
 void limit_time(unsigned most_cpu_s = kMostCpu_s);
 

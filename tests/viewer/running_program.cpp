@@ -31,6 +31,7 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const 
         setenv("XDG_CACHE_HOME", WEFT_TEST_CACHE, 1);
         setenv("MESA_SHADER_CACHE_DIR", WEFT_TEST_CACHE "/mesa", 1);
         for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+        reset_signals();
         limit_time(most_cpu_s);
         execv(pointers.front(), pointers.data());
         _exit(127);
