@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "graph/schedule/cull.h"
+#include "graph/resolve/cull.h"
 #include "tests/graph/samples/graph_builder.h"
 
 namespace weft::test {

@@ -2,7 +2,7 @@
 // An `after` edge orders passes that run anyway; it keeps nobody alive.
 #include <algorithm>
 
-#include "graph/schedule/cull.h"
+#include "graph/resolve/cull.h"
 
 namespace weft {
 namespace {
