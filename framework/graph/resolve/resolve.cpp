@@ -1,64 +1,50 @@
-#include "graph/resolve/resolve_context.h"
+#include "graph/resolve/resolve.h"
+
+#include "graph/resolve/assemble.h"
+#include "graph/resolve/checks.h"
 
 namespace weft {
 
 namespace {
 
-void run_steps(ResolveState& state) {
-    resolve_values(state);
-    resolve_resources(state);
-    if (!state.over_limit) declare_passes(state);
-    // Of a graph that is too large, nothing more is worth saying.
-    if (state.over_limit) return;
-    bind_ports(state);
-    choose_formats(state);
-    check_interfaces(state);
-    check_turns(state);
-    resolve_versions(state);
-    resolve_attachments(state);
-    check_clear_values(state);
-    check_output(state);
-    resolve_dispatches(state);
-    resolve_blocks(state);
-    check_custom_passes(state);
-    if (state.errors.empty()) weigh_plan(state);
-    warn_unused(state);
-    weigh_params(state);
-    warn_useless(state);
-}
-
-void report_steps(ResolveState& state, SourceLoc loc) {
-    const size_t tiers = state.input.graph.tiers.size();
-    Diagnostic d = state.input.graph.sources.error(
-        loc, "W125",
-        "the graph takes more than " + std::to_string(state.most_steps()) +
-            " steps to resolve, counted up to here" +
-            (tiers > 0 ? ": a part of " + std::to_string(state.input.limits.steps) + " for each tier" : ""));
-    d.help.push_back("use fewer passes and ports, wider ranges of mips and layers, or shorter expressions, " +
-                     raise_limit_text("graph.steps"));
-    state.errors.push_back(std::move(d));
+ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
+    const Values values = evaluate(input, reporter);
+    const Shapes shapes = shape_resources(input, values, reporter);
+    const Expansion expansion = expand(input, values, shapes, reporter);
+    if (expansion.too_large) return {};
+    const Declared declared{input, values, shapes, expansion};
+    FormattedGraph formatted = choose_formats(declared, bind(declared, reporter), reporter);
+    Suspects suspects = check_interfaces(declared, formatted, reporter);
+    suspects = check_turns(declared, formatted, std::move(suspects), reporter);
+    const VersionedGraph graph = version(declared, std::move(formatted), std::move(suspects), reporter);
+    const Attachments attachments = attach(declared, graph, reporter);
+    check_clear_values(declared, graph, attachments.suspects, reporter);
+    check_output(declared, graph, attachments.suspects, reporter);
+    const Dispatches dispatches = size_dispatches(declared, graph, attachments.suspects, reporter);
+    const Blocks blocks = fill_blocks(declared, graph, dispatches.suspects, reporter);
+    ResolvedGraph resolved = assemble(declared, graph, attachments, dispatches, blocks);
+    resolved = check_custom_passes(declared, std::move(resolved), blocks.suspects, reporter);
+    weigh_plan(resolved, reporter);
+    warn_unused(declared, reporter);
+    resolved.params = weigh_params(input, std::move(resolved.params), reporter);
+    warn_useless(declared, graph, resolved, blocks.suspects, reporter);
+    return resolved;
 }
 
 }  // namespace
 
 Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) {
-    ResolveState state{.input = input, .warnings = warnings};
-    state.graph.name = input.graph.name;
-    state.graph.output_extent = input.output_extent;
+    Reporter reporter(input.graph, input.limits.steps, warnings);
+    ResolvedGraph graph;
     try {
-        run_steps(state);
-    } catch (const TooManyErrors&) {
-        state.errors.back().help.push_back("only the first " + std::to_string(state.errors.size()) +
-                                           " errors are shown");
-    } catch (const StepsUsedUp& end) {
-        report_steps(state, end.loc);
+        graph = run_stages(input, reporter);
+    } catch (const ResolveStopped&) {
+        // The reporter holds the reason.
     }
-    if (state.hidden_warnings > 0)
-        warnings.back().help.push_back("and " + std::to_string(state.hidden_warnings) +
-                                       " more warnings like these");
-    if (!state.errors.empty()) return std::move(state.errors);
-    state.graph.sources = input.graph.sources;
-    return std::move(state.graph);
+    Diagnostics errors = reporter.finish();
+    if (!errors.empty()) return errors;
+    graph.sources = input.graph.sources;
+    return graph;
 }
 
 }  // namespace weft

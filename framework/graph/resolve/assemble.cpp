@@ -1,0 +1,56 @@
+#include "graph/resolve/assemble.h"
+
+namespace weft {
+namespace {
+
+void add_bound(const BoundPass& bound, PassDecl& pass) {
+    pass.uses = bound.uses;
+    pass.spec_values = bound.spec_values;
+    pass.draw_lists = bound.draw_lists;
+    pass.vertices = bound.vertices;
+    pass.instances = bound.instances;
+    pass.view = bound.view;
+    pass.clear = bound.clear;
+}
+
+void add_attachments(const PassAttachments& attachments, PassDecl& pass) {
+    pass.colors = attachments.colors;
+    pass.depth = attachments.depth;
+    pass.render_extent = attachments.render_extent;
+}
+
+void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
+    pass.groups = dispatch.groups;
+    pass.indirect_use = dispatch.indirect_use;
+    pass.draw_commands_use = dispatch.draw_commands_use;
+}
+
+void add_block(const PassBlock& block, PassDecl& pass) {
+    pass.params = block.params;
+    pass.params_bytes = block.bytes;
+    pass.params_push = block.push_constants;
+}
+
+}  // namespace
+
+ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, const Attachments& attachments,
+                       const Dispatches& dispatches, const Blocks& blocks) {
+    ResolvedGraph resolved;
+    resolved.name = declared.input.graph.name;
+    resolved.output_extent = declared.input.output_extent;
+    resolved.resources = graph.resources;
+    resolved.edges = graph.edges;
+    resolved.output = declared.shapes.output;
+    resolved.params = declared.values.params;
+    resolved.frames = declared.values.frames;
+    for (PassId id = 0; id < graph.passes.size(); ++id) {
+        PassDecl& pass = resolved.passes.emplace_back(declared.expansion.passes[id].decl);
+        add_bound(graph.passes[id], pass);
+        add_attachments(attachments.passes[id], pass);
+        add_dispatch(dispatches.passes[id], pass);
+        add_block(blocks.passes[id], pass);
+    }
+    return resolved;
+}
+
+}  // namespace weft

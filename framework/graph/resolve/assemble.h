@@ -1,0 +1,15 @@
+// Purpose: the last stage of resolve() puts the results of the others together.
+#pragma once
+
+#include "graph/resolve/attach.h"
+#include "graph/resolve/fill_blocks.h"
+#include "graph/resolve/size_dispatches.h"
+
+namespace weft {
+
+// Without the parameters of C++ passes and the costs of the graph's, which need the whole graph.
+[[nodiscard]] ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph,
+                                     const Attachments& attachments, const Dispatches& dispatches,
+                                     const Blocks& blocks);
+
+}  // namespace weft

@@ -1,0 +1,79 @@
+#include "graph/resolve/bind.h"
+
+#include <algorithm>
+
+#include "graph/resolve/bind/bind_pass.h"
+#include "graph/resolve/bind/bind_references.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+// Leaving a binding empty takes a shader that knows what to do without it.
+void check_optional_ports(PassBinding& pass) {
+    const PassDraft& draft = pass.draft;
+    for (const PortDesc& port : draft.desc->in) {
+        if (!port.optional) continue;
+        const std::string constant = "HAS_" + port.port;
+        const bool known =
+            draft.shader && std::ranges::any_of(draft.shader->spec_constants, [&](const auto& c) {
+                return c.type == ScalarType::boolean && c.name == constant;
+            });
+        if (known || (has_shader(draft.decl.kind) && !draft.shader)) continue;
+        const std::string who = draft.shader
+                                    ? "shader " + quote(draft.desc->shader) + " does not know " + constant
+                                    : draft.decl.type + " passes have no shader to ask";
+        Diagnostic& d = pass.error(
+            port.loc, "W168",
+            "port " + quote(port.port) + " of pass " + quote(draft.decl.name) + " can't be optional: " + who);
+        add_help(d, draft.shader ? "declare it: layout(constant_id = 0) const bool " + constant + " = false;"
+                                 : "give it an \"else\"");
+    }
+}
+
+void bind_pass(PassBinding& pass) {
+    const PassKind kind = pass.draft.decl.kind;
+    if (kind == PassKind::raster) bind_draws(pass);
+    if (has_shader(kind)) bind_view(pass);
+    check_optional_ports(pass);
+    if (has_shader(kind)) {
+        if (!pass.draft.shader) return;
+        bind_shader_ports(pass);
+        check_shader_fit(pass);
+        bind_constants(pass);
+    } else if (kind == PassKind::custom) {
+        if (pass.draft.custom) bind_custom_ports(pass);
+    } else {
+        bind_fixed_ports(pass);
+    }
+}
+
+void suspect_outputs(PassId id, const BoundPass& pass, Suspects& suspects) {
+    if (!suspects.passes[id]) return;
+    for (const UseDecl& use : pass.uses) {
+        if (use.is_output) suspects.writers[use.resource] = 1;
+    }
+}
+
+}  // namespace
+
+BoundPasses bind(const Declared& declared, Reporter& reporter) {
+    BoundPasses bound = bind_references(declared, reporter);
+    PassReporter report(declared.shapes, declared.expansion, bound.suspects, reporter);
+    for (PassId id = 0; id < bound.passes.size(); ++id) {
+        PassBinding pass{.declared = declared,
+                         .id = id,
+                         .draft = declared.expansion.passes[id],
+                         .evaluator = declared.evaluator(id, bound.suspects, reporter),
+                         .bound = bound.passes[id],
+                         .suspects = bound.suspects,
+                         .report = report,
+                         .reporter = reporter};
+        bind_pass(pass);
+    }
+    for (PassId id = 0; id < bound.passes.size(); ++id) suspect_outputs(id, bound.passes[id], bound.suspects);
+    return bound;
+}
+
+}  // namespace weft

@@ -1,0 +1,209 @@
+#include "graph/resolve/bind/bind_references.h"
+
+#include <algorithm>
+
+#include "graph/resolve/bind/find_range.h"
+#include "graph/resolve/bind/find_role.h"
+#include "graph/resolve/bind/presence.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+class ReferenceBinder {
+ public:
+    ReferenceBinder(const Declared& declared, Reporter& reporter)
+        : declared_(declared),
+          reporter_(reporter),
+          report_(declared.shapes, declared.expansion, result_.suspects, reporter),
+          roles_(declared, report_, reporter) {
+        result_.passes.resize(declared.expansion.passes.size());
+        result_.suspects = declared.expansion.suspects;
+    }
+
+    BoundPasses run() {
+        const auto count = static_cast<PassId>(result_.passes.size());
+        BoundPorts outputs;
+        for (PassId id = 0; id < count; ++id) outputs.push_back(bind_outputs(id));
+        const Presence presence(declared_, outputs, result_.suspects, report_, reporter_);
+        for (PassId id = 0; id < count; ++id) {
+            for (BoundPort& output : outputs[id]) {
+                const RefDesc& ref = output.draft.desc->ref;
+                if (!ref.pass.empty()) presence.find_pins(id, ref, output);
+            }
+        }
+        for (PassId id = 0; id < count; ++id) {
+            std::vector<BoundPort> ports = bind_inputs(id, presence);
+            ports.insert(ports.end(), outputs[id].begin(), outputs[id].end());
+            store_ports(id, std::move(ports));
+        }
+        return std::move(result_);
+    }
+
+ private:
+    // A misspelt output may be the writer that another pass waits for: that pass has no fault of its own.
+    void suspect_near_names(const std::string& name) {
+        for (const std::string& near : did_you_mean(name, resource_names(declared_.shapes.resources))) {
+            result_.suspects.writers[resource_id(declared_.shapes.resources, near)] = 1;
+        }
+    }
+
+    // The import itself was reported: ports that spell its name right have no fault of their own.
+    bool means_faulty_import(PassId pass, const std::string& name) {
+        for (const std::string& near : did_you_mean(name, resource_names(declared_.shapes.resources))) {
+            const ResourceId id = resource_id(declared_.shapes.resources, near);
+            const bool is_import = !declared_.shapes.origins[id].desc;
+            if (!is_import || !result_.suspects.shapes[id] || !declared_.input.imports.imports.contains(name))
+                continue;
+            result_.suspects.passes[pass] = 1;
+            return true;
+        }
+        return false;
+    }
+
+    ResourceId find_port_resource(PassId pass, const RefDesc& ref, bool is_output) {
+        const ResourceId id = resource_id(declared_.shapes.resources, ref.name);
+        if (id != kNoId) return id;
+        if (means_faulty_import(pass, ref.name)) return kNoId;
+        const std::string verb = is_output ? " writes " : " reads ";
+        const std::string who = name_reader(declared_.expansion.passes[pass]) + verb;
+        if (declared_.input.graph.imports.contains(ref.name)) {
+            Diagnostic& d =
+                report_.error(pass, ref.loc, "W103", who + quote(ref.name) + ", which is a draw list");
+            add_help(d, "draw lists go to \"draws\" of a raster pass");
+            return kNoId;
+        }
+        Diagnostic& d = report_.error(pass, ref.loc, "W103", who + "unknown resource " + quote(ref.name));
+        const std::string near = did_you_mean_text(ref.name, resource_names(declared_.shapes.resources));
+        add_help(d, near.empty() ? "declare it in \"resources\", or import it" : near);
+        if (is_output) suspect_near_names(ref.name);
+        return kNoId;
+    }
+
+    // False: reported.
+    bool check_pin(PassId pass, const RefDesc& ref) {
+        if (ref.pass == declared_.author_name(pass) &&
+            declared_.expansion.passes[pass].desc->repeat.empty()) {
+            Diagnostic& d =
+                report_.error(pass, ref.loc, "W104",
+                              "pass " + quote(ref.pass) + " can't pin its own version of " + quote(ref.name));
+            add_help(d, "name the pass whose version it should see");
+            return false;
+        }
+        if (declared_.expansion.faulty.contains(ref.pass)) {
+            result_.suspects.passes[pass] = 1;
+            return false;
+        }
+        if (ref.pass.empty() || declared_.expansion.instances.contains(ref.pass)) return true;
+        Diagnostic& d =
+            report_.error(pass, ref.loc, "W104", quote(ref.text) + " names unknown pass " + quote(ref.pass));
+        const std::string near = did_you_mean_text(ref.pass, described_pass_names(declared_.input.graph));
+        add_help(
+            d, near.empty() ? "passes are " + quote_all(described_pass_names(declared_.input.graph)) : near);
+        return false;
+    }
+
+    // Nothing: reported. `ref` is the port's own or its "else".
+    std::optional<BoundPort> bind_reference(PassId pass, const PortDesc& port, const RefDesc& ref,
+                                            bool is_output) {
+        const ResourceId named = find_port_resource(pass, ref, is_output);
+        if (named == kNoId) return std::nullopt;
+        const ResourceId resource = roles_.find(pass, ref, named, is_output);
+        if (resource == kNoId) {
+            if (is_output) result_.suspects.writers[named] = 1;
+            return std::nullopt;
+        }
+        if (!check_pin(pass, ref) || result_.suspects.shapes[resource]) {
+            // An output is still known to write this resource, though not where.
+            result_.suspects.passes[pass] = 1;
+            if (is_output) result_.suspects.writers[resource] = 1;
+            return std::nullopt;
+        }
+        const std::optional<SubresourceRange> range =
+            find_range(pass, ref, declared_.shapes.resources[resource],
+                       declared_.evaluator(pass, result_.suspects, reporter_), result_.suspects, report_);
+        if (!range) {
+            if (is_output) result_.suspects.writers[resource] = 1;
+            return std::nullopt;
+        }
+        BoundPort bound;
+        bound.draft.desc = &port;
+        bound.use.port = port.port;
+        bound.use.resource = resource;
+        bound.use.range = *range;
+        bound.use.history = ref.history;
+        bound.use.is_output = is_output;
+        bound.use.loc = ref.loc;
+        if (port.sampler) bound.use.sampler = *port.sampler;
+        return bound;
+    }
+
+    std::vector<BoundPort> bind_outputs(PassId id) {
+        const PassDesc& desc = *declared_.expansion.passes[id].desc;
+        std::vector<BoundPort> ports;
+        for (const PortDesc* port : written_ports(desc)) {
+            std::optional<BoundPort> bound = bind_reference(id, *port, port->ref, true);
+            if (!bound) continue;
+            bound->draft.is_depth_port = desc.depth && port == &*desc.depth;
+            bound->draft.is_resolve = std::ranges::any_of(
+                desc.resolves, [&](const ResolveDesc& resolve) { return port == &resolve.target; });
+            ports.push_back(std::move(*bound));
+        }
+        return ports;
+    }
+
+    // What the port names, or what it takes instead, or nothing.
+    void add_input(PassId pass, const PortDesc& port, const Presence& presence,
+                   std::vector<BoundPort>& ports) {
+        for (const RefDesc* ref : {&port.ref, port.otherwise ? &*port.otherwise : nullptr}) {
+            if (!ref) break;
+            std::optional<BoundPort> bound = bind_reference(pass, port, *ref, false);
+            if (!bound) return;
+            if (!ref->pass.empty()) presence.find_pins(pass, *ref, *bound);
+            if (!presence.is_present(pass, *bound)) continue;
+            ports.push_back(std::move(*bound));
+            return;
+        }
+        if (port.optional) {
+            result_.passes[pass].absent.push_back(port.port);
+        } else {
+            presence.report_absent(pass, port);
+        }
+    }
+
+    // Inputs first, then outputs, each in the order of their names.
+    void store_ports(PassId id, std::vector<BoundPort> ports) {
+        std::ranges::stable_sort(ports, {},
+                                 [](const BoundPort& p) { return std::pair(p.use.is_output, p.use.port); });
+        for (BoundPort& port : ports) {
+            result_.passes[id].uses.push_back(std::move(port.use));
+            result_.passes[id].ports.push_back(std::move(port.draft));
+        }
+    }
+
+    std::vector<BoundPort> bind_inputs(PassId id, const Presence& presence) {
+        std::vector<BoundPort> ports;
+        const PassDesc& desc = *declared_.expansion.passes[id].desc;
+        for (const PortDesc& port : desc.in) add_input(id, port, presence, ports);
+        if (!desc.indirect) return ports;
+        const size_t before = ports.size();
+        add_input(id, *desc.indirect, presence, ports);
+        if (ports.size() > before) ports.back().draft.is_indirect = true;
+        return ports;
+    }
+
+    const Declared& declared_;
+    Reporter& reporter_;
+    BoundPasses result_;
+    PassReporter report_;
+    RoleFinder roles_;
+};
+
+}  // namespace
+
+BoundPasses bind_references(const Declared& declared, Reporter& reporter) {
+    return ReferenceBinder(declared, reporter).run();
+}
+
+}  // namespace weft

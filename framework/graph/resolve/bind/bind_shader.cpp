@@ -1,0 +1,279 @@
+// Formats are unknown here; check_interfaces() judges them later.
+#include <algorithm>
+
+#include "graph/resolve/bind/bind_pass.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+constexpr uint32_t kPortSet = 1;
+constexpr std::string_view kParamsBlock = "Params";
+
+bool is_port(const ShaderBinding& binding) {
+    return binding.set == kPortSet && binding.name != kParamsBlock;
+}
+
+bool is_buffer(BindingKind kind) {
+    return kind == BindingKind::uniform_buffer || kind == BindingKind::storage_buffer;
+}
+
+bool is_storage(BindingKind kind) {
+    return kind == BindingKind::storage_image || kind == BindingKind::storage_buffer;
+}
+
+class ShaderBinder {
+ public:
+    explicit ShaderBinder(PassBinding& pass) : at_(pass) {}
+
+    void run() {
+        merge_ports_named_twice();
+        for (size_t i = 0; i < at_.bound.uses.size(); ++i) bind(at_.bound.uses[i], at_.bound.ports[i]);
+        report_bindings_without_port();
+    }
+
+ private:
+    const PassDesc& desc() const { return *at_.draft.desc; }
+
+    static bool is_bound(const PortDraft& port) {
+        return !port.is_depth_port && !port.is_resolve && !port.is_indirect;
+    }
+
+    // The depth attachment and its like are no bindings, so an input may share their names.
+    size_t output_of_same_name(size_t in) const {
+        size_t out = 0;
+        for (; out < at_.bound.uses.size(); ++out) {
+            const bool binding = at_.bound.uses[out].is_output && is_bound(at_.bound.ports[out]);
+            if (!at_.bound.uses[in].is_output && is_bound(at_.bound.ports[in]) && binding &&
+                at_.bound.uses[out].port == at_.bound.uses[in].port)
+                break;
+        }
+        return out;
+    }
+
+    // "in" and "out" under one name are one binding that is read and written in place.
+    void merge_ports_named_twice() {
+        for (size_t in = 0; in < at_.bound.uses.size();) {
+            const size_t out_index = output_of_same_name(in);
+            if (out_index == at_.bound.uses.size()) {
+                ++in;
+                continue;
+            }
+            const auto out = at_.bound.uses.begin() + static_cast<std::ptrdiff_t>(out_index);
+            if (out->resource != at_.bound.uses[in].resource || out->range != at_.bound.uses[in].range) {
+                Diagnostic& d =
+                    at_.error(out->loc, "W165",
+                              "port " + quote(out->port) + " of pass " + quote(at_.draft.decl.name) +
+                                  " is bound to two different things");
+                add_help(
+                    d,
+                    "one name is one binding of the shader: give input and output the same reference, or "
+                    "different names");
+            }
+            PortDraft& port = at_.bound.ports[out_index];
+            if (!port.pinned()) port.pins = at_.bound.ports[in].pins;
+            port.reads_own_port = true;
+            at_.bound.uses.erase(at_.bound.uses.begin() + static_cast<std::ptrdiff_t>(in));
+            at_.bound.ports.erase(at_.bound.ports.begin() + static_cast<std::ptrdiff_t>(in));
+        }
+    }
+
+    void bind(UseDecl& use, PortDraft& port) {
+        if (port.is_depth_port) return bind_depth(use, port);
+        if (port.is_resolve || port.is_indirect) {
+            use.access = port.is_resolve ? Access::color_write : Access::indirect_read;
+            return;
+        }
+        if (use.is_output && at_.draft.decl.kind != PassKind::compute && bind_color(use, port)) return;
+        const auto& bindings = at_.draft.shader->bindings;
+        const auto found = std::ranges::find_if(
+            bindings, [&](const ShaderBinding& b) { return is_port(b) && b.name == use.port; });
+        if (found == bindings.end()) return report_no_binding(use, port);
+        port.binding = &*found;
+        use.binding = found->binding;
+        if (!check_direction(use, *found)) return;
+        use.access = access_of(use, port, *found);
+    }
+
+    bool bind_color(UseDecl& use, PortDraft& port) {
+        const auto& outputs = at_.draft.shader->fragment_outputs;
+        const auto found = std::ranges::find(outputs, use.port, &StageVariable::name);
+        if (found == outputs.end()) return false;
+        port.color_output = &*found;
+        const BlendState blend = blend_of(desc(), use.port);
+        const bool cleared = clears(use.port);
+        const bool keeps_part = blend.enabled || blend.write_mask != 0xF || desc().partial || port.pinned();
+        // A fullscreen triangle writes every texel unless a fragment may be dropped.
+        const bool covered = desc().covers || fullscreen_covers();
+        use.access = Access::color_write;
+        if (cleared) {
+            port.rank = WriteRank::fresh;
+        } else if (keeps_part) {
+            port.rank = WriteRank::in_place;
+        } else {
+            port.rank = covered ? WriteRank::fresh : WriteRank::resumes;
+        }
+        return true;
+    }
+
+    bool fullscreen_covers() const {
+        const RasterState& s = desc().state;
+        const bool whole_triangle =
+            s.cull == CullMode::none && s.fill == FillMode::fill &&
+            (s.topology == Topology::triangles || s.topology == Topology::triangle_strip);
+        return at_.draft.decl.kind == PassKind::fullscreen && whole_triangle && !at_.draft.shader->discards &&
+               !s.depth_test && !s.stencil_test && !s.scissor && !s.viewport && !s.alpha_to_coverage;
+    }
+
+    bool clears(const std::string& port) const { return desc().clear || desc().clear_ports.contains(port); }
+
+    void bind_depth(UseDecl& use, PortDraft& port) {
+        const RasterState& s = desc().state;
+        const auto changes = [](const StencilFaceState& f) {
+            return f.write_mask != 0 && (f.fail != StencilOp::keep || f.depth_fail != StencilOp::keep ||
+                                         f.pass != StencilOp::keep);
+        };
+        const bool writes_stencil = s.stencil_test && (changes(s.stencil_front) || changes(s.stencil_back));
+        if (!s.depth_test && !s.depth_write && !s.stencil_test) {
+            Diagnostic& d = at_.error(use.loc, "W182",
+                                      "pass " + quote(at_.draft.decl.name) + " has the depth attachment " +
+                                          quote(at_.declared.resource_name(use.resource)) +
+                                          " but neither tests nor writes it");
+            add_help(d, "say how: \"state\": { \"depth\": \"greater_write\" }");
+            return;
+        }
+        if (!s.depth_write && !writes_stencil) {
+            use.access = Access::depth_read;
+            return;
+        }
+        use.access = Access::depth_write;
+        port.rank = WriteRank::resumes;
+        if (desc().partial || port.pinned()) port.rank = WriteRank::in_place;
+        if (desc().clear_ports.contains(use.port)) port.rank = WriteRank::fresh;
+    }
+
+    bool check_direction(const UseDecl& use, const ShaderBinding& binding) {
+        const std::string what = "port " + quote(use.port) + " of pass " + quote(at_.draft.decl.name);
+        if (use.is_output && !binding.writes) {
+            Diagnostic& d = error(
+                use, "W112", what + " is an output, but shader " + quote(desc().shader) + " only reads it");
+            add_help(d, is_storage(binding.kind)
+                            ? "remove `readonly` from it, or move the port to \"in\""
+                            : "declare it as a storage image or buffer, or move the port to \"in\"");
+            return false;
+        }
+        if (!use.is_output && binding.writes) {
+            Diagnostic& d = error(
+                use, "W112", what + " is an input, but shader " + quote(desc().shader) + " may write it");
+            add_help(d, "declare it `readonly` in the shader, or move the port to \"out\"");
+            return false;
+        }
+        const bool buffer = at_.declared.shapes.resources[use.resource].kind == ResourceKind::buffer;
+        if (buffer != is_buffer(binding.kind)) {
+            Diagnostic& d =
+                error(use, "W173",
+                      what + " is " + (buffer ? "a buffer" : "an image") + ", but shader " +
+                          quote(desc().shader) + " declares " + (buffer ? "an image" : "a buffer"));
+            add_help(d, "bind " + std::string(buffer ? "an image" : "a buffer") +
+                            " to it, or change the declaration");
+            return false;
+        }
+        if (binding.count != 1) {
+            Diagnostic& d =
+                error(use, "W173", what + " is an array of descriptors in shader " + quote(desc().shader));
+            add_help(d, "a port is one image or buffer: use a layered image, or one port for each");
+            return false;
+        }
+        return true;
+    }
+
+    Access access_of(const UseDecl& use, PortDraft& port, const ShaderBinding& binding) const {
+        if (binding.kind == BindingKind::sampled_image) return Access::sampled_read;
+        if (binding.kind == BindingKind::uniform_buffer) return Access::uniform_read;
+        if (!use.is_output) return Access::storage_read;
+        const bool in_place = port.reads_own_port || desc().partial || port.pinned();
+        port.rank = in_place ? WriteRank::in_place : binding.reads ? WriteRank::resumes : WriteRank::fresh;
+        return Access::storage_write;
+    }
+
+    Diagnostic& error(const UseDecl& use, const char* code, std::string message) {
+        return at_.error(use.loc, code, std::move(message));
+    }
+
+    std::vector<std::string> list_bindings(bool outputs) const {
+        std::vector<std::string> names;
+        if (outputs && at_.draft.decl.kind != PassKind::compute) {
+            for (const StageVariable& output : at_.draft.shader->fragment_outputs)
+                names.push_back(output.name);
+        }
+        for (const ShaderBinding& binding : at_.draft.shader->bindings) {
+            if (is_port(binding)) names.push_back(binding.name);
+        }
+        std::ranges::sort(names);
+        return names;
+    }
+
+    void report_no_binding(const UseDecl& use, const PortDraft& port) {
+        const std::vector<std::string> names = list_bindings(use.is_output);
+        Diagnostic& d =
+            at_.error(port.desc->loc.line != 0 ? port.desc->loc : use.loc, "W170",
+                      "shader " + quote(desc().shader) + " has nothing called " + quote(use.port) +
+                          " for that port of pass " + quote(at_.draft.decl.name));
+        add_help(d, did_you_mean_text(use.port, names));
+        add_help(d, names.empty() ? "it has no bindings at all" : "it has " + quote_all(names));
+    }
+
+    bool has_optional_switch(const std::string& binding) const {
+        return std::ranges::any_of(at_.draft.shader->spec_constants, [&](const SpecConstant& c) {
+            return c.type == ScalarType::boolean && c.name == "HAS_" + binding;
+        });
+    }
+
+    // Asks the description: a port that is faulty for another reason is not also missing.
+    bool names_port(const std::string& name) const {
+        const auto named = [&](const PortDesc& p) { return p.port == name; };
+        return std::ranges::any_of(desc().in, named) || std::ranges::any_of(desc().out, named);
+    }
+
+    void report_bindings_without_port() {
+        for (const ShaderBinding& binding : at_.draft.shader->bindings) {
+            if (!is_port(binding) || names_port(binding.name) || has_optional_switch(binding.name)) continue;
+            report_no_port(binding.name, "binds", binding.writes ? "out" : "in");
+        }
+        if (at_.draft.decl.kind == PassKind::compute) return;
+        for (const StageVariable& output : at_.draft.shader->fragment_outputs) {
+            if (!names_port(output.name)) report_no_port(output.name, "writes", "out");
+        }
+    }
+
+    // A port of the pass has a similar name, and the shader has no port of that name. That is reported as a
+    // misspelt port, or as an unknown resource.
+    bool is_misspelt(const std::string& name) const {
+        std::vector<std::string> unmatched;
+        const std::vector<std::string> known = list_bindings(true);
+        for (const auto* ports : {&desc().in, &desc().out})
+            for (const PortDesc& port : *ports)
+                if (std::ranges::find(known, port.port) == known.end()) unmatched.push_back(port.port);
+        return !did_you_mean(name, unmatched).empty();
+    }
+
+    void report_no_port(const std::string& name, const std::string& verb, const std::string& direction) {
+        if (is_misspelt(name)) return;
+        const SourceLoc loc = desc().shader_loc.line != 0 ? desc().shader_loc : desc().loc;
+        Diagnostic& d = at_.error(loc, "W171",
+                                  "shader " + quote(desc().shader) + " " + verb + " " + quote(name) +
+                                      ", but pass " + quote(at_.draft.decl.name) + " has no such port");
+        add_help(d, "add it to " + quote(direction) + ": { " + quote(name) + ": \"resource\" }");
+    }
+
+    PassBinding& at_;
+};
+
+}  // namespace
+
+void bind_shader_ports(PassBinding& pass) {
+    ShaderBinder(pass).run();
+}
+
+}  // namespace weft

@@ -1,0 +1,109 @@
+#include <algorithm>
+
+#include "graph/resolve/bind/bind_pass.h"
+#include "graph/resolve/fault_text.h"
+
+namespace weft {
+namespace {
+
+constexpr uint32_t kFrameSet = 0;
+constexpr uint32_t kPortSet = 1;
+
+class ShaderFit {
+ public:
+    explicit ShaderFit(PassBinding& pass) : at_(pass) {}
+
+    void run() {
+        for (const ShaderBinding& binding : at_.draft.shader->bindings)
+            if (binding.set != kPortSet) check_binding(binding);
+        check_points();
+        check_local_size();
+    }
+
+ private:
+    SourceLoc loc() const {
+        return at_.draft.desc->shader_loc.line != 0 ? at_.draft.desc->shader_loc : at_.draft.decl.loc;
+    }
+    std::string shader() const { return "shader " + quote(at_.draft.desc->shader); }
+
+    void error(const char* code, const std::string& message, const std::string& help) {
+        add_help(at_.error(loc(), code, message), help);
+    }
+
+    bool draws_lists() const {
+        return at_.draft.decl.kind == PassKind::raster && at_.draft.desc->vertices.empty();
+    }
+
+    void check_binding(const ShaderBinding& binding) {
+        const std::string what = shader() + " reads " + quote(binding.name) + " at set " +
+                                 std::to_string(binding.set) + ", binding " + std::to_string(binding.binding);
+        if (binding.set != kFrameSet && !draws_lists()) {
+            // W167 says so of draws without a list.
+            if (at_.draft.decl.kind != PassKind::raster)
+                error("W185", what + ", which only raster passes that draw lists have",
+                      "leave set and binding out: then it is a port of the pass");
+            return;
+        }
+        const std::vector<OfferedBinding>& offered = at_.declared.input.imports.bindings;
+        if (offered.empty()) return;
+        const auto found = std::ranges::find_if(offered, [&](const OfferedBinding& o) {
+            return o.set == binding.set && o.binding == binding.binding;
+        });
+        if (found == offered.end())
+            return error("W185", what + ", where the program binds nothing",
+                         "leave set and binding out: then it is a port of the pass");
+        const std::string fault = mismatch(binding, *found);
+        if (!fault.empty())
+            error("W185", what + ", " + fault,
+                  "include frame_set.glsl or material_set.glsl, which declare what is there");
+    }
+
+    // Empty: it fits.
+    static std::string mismatch(const ShaderBinding& binding, const OfferedBinding& offered) {
+        if (binding.kind != offered.kind || binding.count != 1)
+            return "where the program binds something else";
+        if ((binding.stages & ~offered.stages) != 0) return "which this stage can't see";
+        const bool image = binding.kind == BindingKind::sampled_image;
+        if (image && (binding.dim != ImageDim::d2 || binding.arrayed != offered.arrayed ||
+                      binding.multisampled || binding.shadow || binding.numeric != NumericClass::float_like))
+            return "where the program binds another kind of image";
+        if (binding.kind == BindingKind::uniform_buffer && binding.block_bytes > offered.bytes)
+            return "whose block has " + std::to_string(offered.bytes) + " bytes, not " +
+                   std::to_string(binding.block_bytes);
+        if (binding.kind == BindingKind::storage_buffer && binding.writes)
+            return "and may write it: declare it `readonly`";
+        return "";
+    }
+
+    void check_points() {
+        if (at_.draft.decl.kind == PassKind::compute || at_.draft.shader->writes_point_size) return;
+        const RasterState& state = at_.draft.desc->state;
+        const bool points = state.topology == Topology::points;
+        if (!points && state.fill != FillMode::point) return;
+        error("W186",
+              "pass " + quote(at_.draft.decl.name) + " draws points, but the vertex stage of " + shader() +
+                  " does not say how large they are",
+              at_.draft.decl.kind == PassKind::fullscreen
+                  ? "leave \"topology\" and \"fill\" out: a fullscreen pass draws one triangle"
+                  : "write gl_PointSize = 1.0; in the vertex stage");
+    }
+
+    void check_local_size() {
+        if (at_.draft.decl.kind != PassKind::compute || at_.draft.shader->states_local_size ||
+            at_.draft.instance > 0)
+            return;
+        at_.reporter.warn(loc(), "W137",
+                          shader() + " states no local size, so each workgroup is one invocation",
+                          "declare it: layout(local_size_x = 8, local_size_y = 8) in;");
+    }
+
+    PassBinding& at_;
+};
+
+}  // namespace
+
+void check_shader_fit(PassBinding& pass) {
+    ShaderFit(pass).run();
+}
+
+}  // namespace weft

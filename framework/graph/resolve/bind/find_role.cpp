@@ -1,0 +1,76 @@
+#include "graph/resolve/bind/find_role.h"
+
+#include <algorithm>
+
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+#include "graph/resolve/rings.h"
+
+namespace weft {
+
+// Whether an output of any pass names it, or has a misspelt name that may mean it.
+bool RoleFinder::written_by_any_pass(const std::string& name) {
+    if (const auto known = is_written_.find(name); known != is_written_.end()) return known->second;
+    const auto names = [&](const PortDesc* port) {
+        reporter_.spend(1, port->loc);
+        if (port->ref.name == name) return true;
+        return resource_id(declared_.shapes.resources, port->ref.name) == kNoId &&
+               !did_you_mean(port->ref.name, {name}).empty();
+    };
+    return is_written_[name] = std::ranges::any_of(declared_.input.graph.passes, [&](const auto& entry) {
+               return std::ranges::any_of(written_ports(entry.second), names);
+           });
+}
+
+void RoleFinder::report_no_history(PassId pass, const RefDesc& ref, const ResourceDecl& resource) {
+    const std::string wanted = std::to_string(ref.history);
+    const bool kept = resource.lifetime == ResourceLifetime::persistent;
+    Diagnostic& d = report_.error(
+        pass, ref.loc, "W121",
+        quote(ref.text) + " asks for an earlier frame, but " + quote(ref.name) +
+            (resource.history > 0 ? " keeps only " + std::to_string(resource.history) : " keeps no history"));
+    if (resource.lifetime == ResourceLifetime::imported) {
+        add_help(d, "leave out [-" + wanted + "]: imports have no history. Copy it into a resource with " +
+                        "\"history\": " + wanted);
+    } else if (kept && resource.history == 0) {
+        add_help(d,
+                 "a resource with \"keep\" is one copy: read " + quote(ref.name) + " before it is written");
+    } else {
+        add_help(d, "add \"history\": " + wanted + " to resource " + quote(ref.name));
+    }
+}
+
+ResourceId RoleFinder::find(PassId pass, const RefDesc& ref, ResourceId resource, bool is_output) {
+    if (ref.history == 0) return resource;
+    const ResourceDecl& decl = declared_.shapes.resources[resource];
+    const std::string who = "pass " + quote(declared_.pass_name(pass));
+    if (ref.history > decl.history && declared_.shapes.suspect_histories.contains(ref.name)) return kNoId;
+    if (ref.history > decl.history) {
+        report_no_history(pass, ref, decl);
+        return kNoId;
+    }
+    if (is_output) {
+        Diagnostic& d = report_.error(pass, ref.loc, "W122",
+                                      who + " writes " + quote(ref.text) + ", which is of an earlier frame");
+        add_help(
+            d, "write " + quote(ref.name) + ": the next frame finds it as " + quote(role_name(ref.name, 1)));
+        return kNoId;
+    }
+    if (!ref.pass.empty()) {
+        Diagnostic& d = report_.error(
+            pass, ref.loc, "W122", quote(ref.text) + " pins a version, but only a frame's last one is kept");
+        add_help(d, "write " + quote(role_name(ref.name, ref.history)) +
+                        ", or copy that version into a resource with a history of its own");
+        return kNoId;
+    }
+    if (!written_by_any_pass(ref.name)) {
+        Diagnostic& d =
+            report_.error(pass, ref.loc, "W110",
+                          who + " reads " + quote(ref.text) + ", but no pass writes " + quote(ref.name));
+        add_help(d, "write " + quote(ref.name) + " in the \"out\" of a pass");
+        return kNoId;
+    }
+    return resource_id(declared_.shapes.resources, role_name(ref.name, ref.history));
+}
+
+}  // namespace weft

@@ -1,0 +1,117 @@
+#include "graph/resolve/bind/presence.h"
+
+#include <algorithm>
+
+#include "graph/resolve/dropped_writer.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+// Whether a pass leaves the version before it visible, as far as its description tells.
+bool passes_on(const PassDesc& desc, const std::string& name) {
+    const PortDesc* out = output_of(desc, name);
+    if (!out || desc.partial || !out->ref.pass.empty() || desc.type == "raster") return true;
+    const bool reads_it =
+        std::ranges::any_of(desc.in, [&](const PortDesc& in) { return names_this_frames(in, name); });
+    return reads_it || blend_of(desc, out->port).enabled;
+}
+
+// The pass that a dropped one pins itself.
+const std::string* own_pin(const PassDesc& desc, const std::string& name) {
+    for (const std::vector<PortDesc>* ports : {&desc.in, &desc.out}) {
+        for (const PortDesc& port : *ports) {
+            if (names_this_frames(port, name) && !port.ref.pass.empty()) return &port.ref.pass;
+        }
+    }
+    return nullptr;
+}
+
+bool share_mips_and_layers(const SubresourceRange& a, const SubresourceRange& b) {
+    return a.mip < b.mip + b.mips && b.mip < a.mip + a.mips && a.layer < b.layer + b.layers &&
+           b.layer < a.layer + a.layers;
+}
+
+}  // namespace
+
+std::set<std::string> Presence::writers_of(const std::string& resource, PassId except) const {
+    std::set<std::string> names;
+    for (PassId pass = 0; pass < outputs_.size(); ++pass) {
+        if (declared_.author_name(pass) == declared_.author_name(except)) continue;
+        for (const BoundPort& port : outputs_[pass]) {
+            if (declared_.resource_name(port.use.resource) == resource)
+                names.insert(declared_.author_name(pass));
+        }
+    }
+    return names;
+}
+
+void Presence::find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const {
+    const Expansion& expansion = declared_.expansion;
+    const std::string* name = &ref.pass;
+    // Dropped passes may pin each other in a circle.
+    for (size_t steps = 0; steps <= expansion.dropped.size(); ++steps) {
+        const std::vector<PassId>& pins = expansion.instances.at(*name);
+        reporter_.spend(1 + pins.size(), ref.loc);
+        port.draft.pins = pins;
+        if (port.draft.pinned()) return;
+        const PassDesc& dropped = *expansion.dropped.at(*name);
+        if (!passes_on(dropped, ref.name)) break;
+        if (const std::string* next = own_pin(dropped, ref.name)) {
+            if (!expansion.instances.contains(*next)) break;
+            name = next;
+            continue;
+        }
+        reporter_.spend(outputs_.size() + expansion.tried_ports, ref.loc);
+        const std::set<std::string> writers = writers_of(ref.name, pass);
+        if (writers.size() == 1) port.draft.pins = expansion.instances.at(*writers.begin());
+        const bool before = writers.empty() && declared_.shapes.origins[port.use.resource].has_content;
+        port.pin_is_gone = writers.size() != 1 && !before;
+        return;
+    }
+    port.pin_is_gone = true;
+}
+
+bool Presence::is_present(PassId pass, const BoundPort& input) const {
+    if (input.pin_is_gone) return false;
+    const ResourceId resource = input.use.resource;
+    if (declared_.shapes.origins[resource].has_content || suspects_.writers[resource]) return true;
+    if (!dropped_writer(declared_.expansion, declared_.resource_name(resource), reporter_)) return true;
+    for (PassId writer = 0; writer < outputs_.size(); ++writer) {
+        reporter_.spend(1 + outputs_[writer].size(), input.use.loc);
+        if (writer == pass) continue;
+        for (const BoundPort& output : outputs_[writer]) {
+            if (output.use.resource == resource && share_mips_and_layers(output.use.range, input.use.range))
+                return true;
+        }
+    }
+    return false;
+}
+
+void Presence::report_absent(PassId pass, const PortDesc& port) const {
+    const Expansion& expansion = declared_.expansion;
+    const bool pinned = expansion.dropped.contains(port.ref.pass);
+    const PassDesc* writer =
+        pinned ? expansion.dropped.at(port.ref.pass) : dropped_writer(expansion, port.ref.name, reporter_);
+    const PassDraft& draft = expansion.passes[pass];
+    std::string why = pinned ? ", and that pass is left out" : ", but nobody who is left writes it";
+    if (writer) {
+        why = (pinned ? ", but " : ", which only ") + quote(writer->name) +
+              (pinned ? " is left out" : " writes, and that pass is left out");
+        why += writer->condition.empty() ? ": its repeat is empty" : ": its \"if\" is false";
+    }
+    Diagnostic& d = report_.error(pass, port.ref.loc, "W123",
+                                  name_reader(draft) + " reads " + quote(port.ref.text) + why);
+    if (writer) {
+        const SourceLoc loc = writer->condition.empty() ? writer->loc : writer->condition.loc;
+        add_note(d, reporter_.sources(), loc, "left out here");
+    }
+    if (draft.is_observer) return add_help(d, "it is unavailable as the parameters stand");
+    add_help(d, "say what to read instead: { \"ref\": " + quote(port.ref.text) + ", \"else\": \"name\" }");
+    add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
+    if (writer && !writer->condition.empty() && writer->repeat.empty())
+        add_help(d, "or leave this pass out too: \"if\": " + quote(writer->condition.text));
+}
+
+}  // namespace weft

@@ -1,0 +1,81 @@
+#include "graph/resolve/check/check_copy.h"
+
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+std::string shape_text(const std::vector<ResourceDecl>& resources, const UseDecl& use) {
+    const ResourceDecl& resource = resources[use.resource];
+    if (resource.kind == ResourceKind::buffer) return std::to_string(resource.size_bytes) + " bytes";
+    return extent_text(use_extent(resources, use)) + ", " + std::to_string(use.range.mips) + " mips, " +
+           std::to_string(use.range.layers) + " layers, " + std::string(format_info(resource.format).name);
+}
+
+bool same_shape(const std::vector<ResourceDecl>& resources, const UseDecl& a, const UseDecl& b) {
+    const ResourceDecl& from = resources[a.resource];
+    const ResourceDecl& to = resources[b.resource];
+    if (from.kind != to.kind) return false;
+    if (from.kind == ResourceKind::buffer) return from.size_bytes == to.size_bytes;
+    const FormatInfo& f = format_info(from.format);
+    const FormatInfo& t = format_info(to.format);
+    const bool formats =
+        from.format == to.format || (f.bytes_per_texel == t.bytes_per_texel && !f.depth && !t.depth);
+    return formats && use_extent(resources, a) == use_extent(resources, b) && a.range.mips == b.range.mips &&
+           a.range.layers == b.range.layers && a.range.aspects == b.range.aspects &&
+           from.samples == to.samples;
+}
+
+// The reason why an image cannot be stretched over another; empty: it can.
+std::string blit_fault(const std::vector<ResourceDecl>& resources, const UseDecl& from, const UseDecl& to) {
+    const ResourceDecl& source = resources[from.resource];
+    const ResourceDecl& target = resources[to.resource];
+    if (source.kind == ResourceKind::buffer || target.kind == ResourceKind::buffer)
+        return "buffers have no texels";
+    if (source.samples > 1 || target.samples > 1) return "multisampled images are resolved, not blitted";
+    const NumericClass numeric = format_info(source.format).numeric;
+    if (numeric != format_info(target.format).numeric) return "their numbers are of different kinds";
+    if (numeric == NumericClass::depth && source.format != target.format) return "depth needs equal formats";
+    const bool linear = from.sampler.filter == SamplerFilter::linear;
+    if (linear && numeric != NumericClass::float_like) return "only floats can be filtered linearly";
+    if (from.range.mips != 1 || to.range.mips != 1) return "a blit is of one mip to one mip";
+    if (from.range.layers != to.range.layers) return "they have different numbers of layers";
+    return "";
+}
+
+void check_blit(const VersionedGraph& graph, const PassDecl& decl, PassId pass, const Suspects& suspects,
+                PassReporter& report) {
+    const UseDecl& from = graph.passes[pass].uses[0];
+    const UseDecl& to = graph.passes[pass].uses[1];
+    if (suspects.shapes[from.resource] || suspects.shapes[to.resource]) return;
+    const std::string fault = blit_fault(graph.resources, from, to);
+    if (fault.empty()) return;
+    Diagnostic& d = report.error(pass, to.loc, "W183",
+                                 "blit pass " + quote(decl.name) + " can't go from " +
+                                     quote(range_of(graph.resources[from.resource], from.range)) + " to " +
+                                     quote(range_of(graph.resources[to.resource], to.range)) + ": " + fault);
+    add_help(d,
+             "pick mips and layers, set \"sampler\": { \"filter\": \"nearest\" }, or use a fullscreen pass");
+}
+
+}  // namespace
+
+void check_copy(const Declared& declared, const VersionedGraph& graph, PassId pass, const Suspects& suspects,
+                PassReporter& report) {
+    const PassDecl& decl = declared.expansion.passes[pass].decl;
+    const std::vector<UseDecl>& uses = graph.passes[pass].uses;
+    if (uses.size() != 2) return;
+    if (decl.type == "blit") return check_blit(graph, decl, pass, suspects, report);
+    const UseDecl& from = uses[0];
+    const UseDecl& to = uses[1];
+    if (suspects.shapes[from.resource] || suspects.shapes[to.resource]) return;
+    if (same_shape(graph.resources, from, to)) return;
+    Diagnostic& d = report.error(pass, to.loc, "W183",
+                                 "copy pass " + quote(decl.name) +
+                                     " has ends of different shape: " + shape_text(graph.resources, from) +
+                                     " and " + shape_text(graph.resources, to));
+    add_help(d, "give both the same size, mips, layers and bytes per texel, or use a fullscreen pass");
+}
+
+}  // namespace weft

@@ -1,0 +1,315 @@
+#include <algorithm>
+
+#include "graph/resolve/checks.h"
+#include "graph/resolve/fault_text.h"
+
+namespace weft {
+namespace {
+
+const char* numeric_name(NumericClass numeric) {
+    switch (numeric) {
+        case NumericClass::float_like:
+            return "float";
+        case NumericClass::sint:
+            return "int";
+        case NumericClass::uint:
+            return "uint";
+        case NumericClass::depth:
+            return "depth";
+    }
+    return "";
+}
+
+const char* dim_name(ImageDim dim) {
+    switch (dim) {
+        case ImageDim::d1:
+            return "1D";
+        case ImageDim::d2:
+            return "2D";
+        case ImageDim::d3:
+            return "3D";
+        case ImageDim::cube:
+            return "Cube";
+    }
+    return "";
+}
+
+class InterfaceCheck {
+ public:
+    InterfaceCheck(const Declared& declared, const FormattedGraph& graph, PassId pass, Suspects& suspects,
+                   PassReporter& report)
+        : declared_(declared),
+          graph_(graph),
+          pass_(pass),
+          desc_(*declared.expansion.passes[pass].desc),
+          suspects_(suspects),
+          report_(report) {}
+
+    void run() {
+        const BoundPass& pass = graph_.passes[pass_];
+        for (size_t i = 0; i < pass.uses.size(); ++i) {
+            const UseDecl& use = pass.uses[i];
+            const ResourceDecl& resource = graph_.resources[use.resource];
+            if (suspects_.shapes[use.resource]) continue;
+            if (resource.kind == ResourceKind::image && !check_aspects(use, resource))
+                suspects_.uses[pass_][i] = 1;
+            else
+                check_use(use, resource, pass.ports[i]);
+        }
+    }
+
+ private:
+    void check_use(const UseDecl& use, const ResourceDecl& resource, const PortDraft& port) {
+        if (port.color_output) return check_color(use, resource, *port.color_output);
+        if (port.is_depth_port) return check_depth(use, resource);
+        if (!port.binding || use.access == Access::none) return;
+        if (resource.kind == ResourceKind::buffer) return check_buffer(use, resource, *port.binding);
+        if (!check_numbers(use, resource, *port.binding)) return;
+        if (port.binding->kind == BindingKind::storage_image && resource.samples > 1) {
+            error(use, "W173",
+                  port_text(use) + " is a storage image, but " + quote(resource.name) + " is multisampled",
+                  "resolve it first, or sample it");
+            return;
+        }
+        if (port.binding->kind == BindingKind::storage_image) check_storage(use, resource, *port.binding);
+        check_dimensions(use, resource, *port.binding);
+        check_filter(use, resource);
+    }
+
+    void error(const UseDecl& use, const char* code, const std::string& message, const std::string& help) {
+        add_help(report_.error(pass_, use.loc, code, message), help);
+    }
+
+    std::string port_text(const UseDecl& use) const {
+        return "port " + quote(use.port) + " of pass " + quote(declared_.pass_name(pass_));
+    }
+
+    bool check_aspects(const UseDecl& use, const ResourceDecl& resource) {
+        if ((use.range.aspects & ~resource.aspects) == 0) return true;
+        Diagnostic& d =
+            report_.error(pass_, use.loc, "W105",
+                          quote(resource.name) + " has format " + quote(format_info(resource.format).name) +
+                              ", which has no such aspect");
+        add_help(d, "leave out .depth or .stencil, or change the format");
+        return false;
+    }
+
+    void check_color(const UseDecl& use, const ResourceDecl& resource, const StageVariable& output) {
+        const FormatInfo& format = format_info(resource.format);
+        if (resource.kind == ResourceKind::buffer || format.numeric == NumericClass::depth) {
+            error(use, "W173",
+                  port_text(use) + " is a colour output, but " + quote(resource.name) + " is " +
+                      (resource.kind == ResourceKind::buffer ? "a buffer" : "a depth image"),
+                  "bind a colour image to it; depth goes to \"depth\"");
+            return;
+        }
+        const NumericClass wanted = output.scalar == ScalarType::i32   ? NumericClass::sint
+                                    : output.scalar == ScalarType::u32 ? NumericClass::uint
+                                                                       : NumericClass::float_like;
+        if (wanted == format.numeric) return;
+        error(use, "W172",
+              port_text(use) + " gives " + numeric_name(wanted) + " values, but " + quote(resource.name) +
+                  " has format " + quote(format.name),
+              "change the output's type in the shader, or the format");
+    }
+
+    void check_depth(const UseDecl& use, const ResourceDecl& resource) {
+        if (resource.kind == ResourceKind::buffer ||
+            !(resource.aspects & (aspect::kDepth | aspect::kStencil))) {
+            error(use, "W182",
+                  "\"depth\" of pass " + quote(declared_.pass_name(pass_)) + " is " + quote(resource.name) +
+                      ", which is no depth image",
+                  "give it a depth format: \"d32f\"");
+            return;
+        }
+        if (!desc_.state.stencil_test || (resource.aspects & aspect::kStencil)) return;
+        error(use, "W182",
+              "pass " + quote(declared_.pass_name(pass_)) + " tests stencil, but " + quote(resource.name) +
+                  " has none",
+              "use the format \"d32f_s8|d24_s8\"");
+    }
+
+    bool check_numbers(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
+        const FormatInfo& format = format_info(resource.format);
+        NumericClass found = format.numeric;
+        if (found == NumericClass::depth) {
+            found = use.range.aspects == aspect::kStencil ? NumericClass::uint : NumericClass::float_like;
+        }
+        const NumericClass wanted =
+            binding.numeric == NumericClass::depth ? NumericClass::float_like : binding.numeric;
+        if (found != wanted) {
+            error(use, "W172",
+                  port_text(use) + ": shader " + quote(desc_.shader) + " expects " + numeric_name(wanted) +
+                      " values, but " + quote(resource.name) + " has format " + quote(format.name),
+                  "change the declaration in the shader, or the format");
+            return false;
+        }
+        if (!binding.shadow || format.depth) return true;
+        error(use, "W172",
+              port_text(use) + " compares depths, but " + quote(resource.name) + " has format " +
+                  quote(format.name),
+              "declare a plain sampler, or bind a depth image");
+        return false;
+    }
+
+    void check_storage(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
+        const std::string name(format_info(resource.format).name);
+        if (binding.storage_format == Format::undefined) {
+            if (!binding.reads || declared_.input.profile.storage_read_without_format) return;
+            error(use, "W172", port_text(use) + " is read without a format, which the device can't do",
+                  "declare layout(" + name + ") in the shader, or declare it `writeonly`");
+            return;
+        }
+        const ResourceDesc* desc = declared_.shapes.origins[use.resource].desc;
+        if (binding.reads && desc && desc->formats.size() > 1) {
+            error(use, "W172",
+                  quote(resource.name) + " has a choice of formats, but " + port_text(use) +
+                      " reads it as a storage image, whose format the shader fixes",
+                  "name one format: " + quote(format_info(binding.storage_format).name));
+            return;
+        }
+        if (binding.storage_format == resource.format) return;
+        error(use, "W172",
+              port_text(use) + ": the shader declares layout(" +
+                  std::string(format_info(binding.storage_format).name) + "), but " + quote(resource.name) +
+                  " has format " + quote(name),
+              "make them the same");
+    }
+
+    void check_dimensions(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
+        if (binding.kind == BindingKind::storage_image && use.range.mips != 1) {
+            error(use, "W173",
+                  port_text(use) + " is a storage image of one mip, but " + quote(resource.name) + " has " +
+                      std::to_string(use.range.mips),
+                  "pick one: " + quote(resource.name + ".mip(0)"));
+            return;
+        }
+        const bool is_cube =
+            resource.image_kind == ImageKind::cube || resource.image_kind == ImageKind::cube_array;
+        const bool is_3d = resource.image_kind == ImageKind::d3;
+        bool fits = false;
+        switch (binding.dim) {
+            case ImageDim::d2:
+                fits = !is_3d && (binding.arrayed || use.range.layers == 1);
+                break;
+            case ImageDim::d3:
+                fits = is_3d;
+                break;
+            case ImageDim::cube:
+                fits = is_cube && (binding.arrayed ? use.range.layers % 6 == 0 : use.range.layers == 6);
+                break;
+            case ImageDim::d1:
+                break;
+        }
+        if (fits && binding.multisampled == (resource.samples > 1)) return;
+        const std::string declared = std::string(dim_name(binding.dim)) + (binding.multisampled ? "MS" : "") +
+                                     (binding.arrayed ? "Array" : "");
+        error(use, "W173",
+              port_text(use) + " is declared as " + declared + " in shader " + quote(desc_.shader) +
+                  ", but " + quote(range_of(resource, use.range)) + " has " +
+                  std::to_string(use.range.layers) + " layers and " + std::to_string(resource.samples) +
+                  " samples" +
+                  (is_3d     ? " and is 3D"
+                   : is_cube ? " and is a cube"
+                             : ""),
+              "change the declaration, or pick a layer: " + quote(resource.name + ".layer(0)"));
+    }
+
+    void check_filter(const UseDecl& use, const ResourceDecl& resource) {
+        if (use.access != Access::sampled_read) return;
+        const NumericClass numeric = format_info(resource.format).numeric;
+        const bool integers = numeric == NumericClass::uint || numeric == NumericClass::sint;
+        const bool linear =
+            use.sampler.filter == SamplerFilter::linear || use.sampler.mip_filter == SamplerFilter::linear;
+        if (!integers || !linear) return;
+        error(use, "W172",
+              port_text(use) + " filters " + quote(resource.name) + " linearly, but its numbers are integers",
+              "use \"sampler\": { \"filter\": \"nearest\", \"mipFilter\": \"nearest\" }");
+    }
+
+    void check_buffer(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
+        if (binding.block_bytes > resource.size_bytes) {
+            error(use, "W166",
+                  port_text(use) + " needs " + std::to_string(binding.block_bytes) + " bytes, but " +
+                      quote(resource.name) + " has " + std::to_string(resource.size_bytes),
+                  "raise its count, or check the block's declaration");
+            return;
+        }
+        const bool uniform = binding.kind == BindingKind::uniform_buffer;
+        if (uniform && resource.size_bytes > declared_.input.profile.max_uniform_buffer_bytes) {
+            error(use, "W166",
+                  port_text(use) + " is a uniform buffer of " + std::to_string(resource.size_bytes) +
+                      " bytes; the device offers " +
+                      std::to_string(declared_.input.profile.max_uniform_buffer_bytes),
+                  "declare it as a storage buffer: `readonly buffer`");
+            return;
+        }
+        if (binding.members.empty() || !binding.members.back().is_runtime_array || resource.stride_bytes == 0)
+            return;
+        // Reading vec4s as floats is fine; elements that straddle the shader's are not.
+        const uint32_t step = binding.members.back().array_stride_bytes;
+        if (step == 0 || step % resource.stride_bytes == 0 || resource.stride_bytes % step == 0) return;
+        error(use, "W166",
+              port_text(use) + ": the shader's elements are " + std::to_string(step) +
+                  " bytes apart, those of " + quote(resource.name) + " " +
+                  std::to_string(resource.stride_bytes),
+              "both sides should name the same struct");
+    }
+
+    const Declared& declared_;
+    const FormattedGraph& graph_;
+    PassId pass_;
+    const PassDesc& desc_;
+    Suspects& suspects_;
+    PassReporter& report_;
+};
+
+bool both_writes_or_other_layout(const std::vector<ResourceDecl>& resources, const UseDecl& a,
+                                 const UseDecl& b) {
+    if (a.resource != b.resource || !overlaps(a.range, b.range)) return false;
+    if (writes(a.access) && writes(b.access)) return true;
+    const ResourceDecl& resource = resources[a.resource];
+    if (resource.kind == ResourceKind::buffer) return false;
+    return access_state(a.access, 0, resource.aspects).layout !=
+           access_state(b.access, 0, resource.aspects).layout;
+}
+
+// A subresource has one layout while a pass runs, and one port writes it.
+void check_layouts(const Declared& declared, const FormattedGraph& graph, PassId pass, PassReporter& report) {
+    const std::vector<UseDecl>& uses = graph.passes[pass].uses;
+    for (size_t i = 0; i < uses.size(); ++i) {
+        for (size_t j = i + 1; j < uses.size(); ++j) {
+            if (uses[i].access == Access::none || uses[j].access == Access::none) continue;
+            if (!both_writes_or_other_layout(graph.resources, uses[i], uses[j])) continue;
+            const bool both_write = writes(uses[i].access) && writes(uses[j].access);
+            Diagnostic& d =
+                report.error(pass, uses[j].loc, both_write ? "W164" : "W163",
+                             "ports " + quote(uses[i].port) + " and " + quote(uses[j].port) + " of pass " +
+                                 quote(declared.pass_name(pass)) +
+                                 (both_write ? " both write " : " need different layouts of ") +
+                                 quote(range_of(graph.resources[uses[j].resource], uses[j].range)));
+            if (both_write) {
+                add_help(d, "give each its own mips, layers or resource");
+            } else {
+                add_help(
+                    d, "use storage images for both, read another version's copy, or other mips and layers");
+            }
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+Suspects check_interfaces(const Declared& declared, const FormattedGraph& graph, Reporter& reporter) {
+    Suspects suspects = graph.suspects;
+    for (const BoundPass& pass : graph.passes) suspects.uses.emplace_back(pass.uses.size());
+    PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
+    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+        InterfaceCheck(declared, graph, pass, suspects, report).run();
+        if (!suspects.passes[pass]) check_layouts(declared, graph, pass, report);
+    }
+    return suspects;
+}
+
+}  // namespace weft

@@ -1,0 +1,46 @@
+// Passes that take turns, some in each frame: what they write must still be there in the frames between.
+#include "graph/resolve/checks.h"
+#include "graph/resolve/fault_text.h"
+
+namespace weft {
+namespace {
+
+bool stays(const ResourceDecl& resource) {
+    return resource.lifetime == ResourceLifetime::persistent && resource.history == 0;
+}
+
+void check_repeat(const PassDesc& desc, Reporter& reporter) {
+    const bool none = desc.per_frame.empty() || desc.per_frame.text == "false";
+    if (none || !desc.repeat.empty()) return;
+    Diagnostic& d = reporter.error(desc.per_frame_loc, "W124",
+                                   "pass " + quote(desc.name) + " says \"perFrame\" but repeats nothing");
+    add_help(d, "say what takes turns: \"repeat\": { \"i\": \"0..5\" }");
+}
+
+void check_outputs(const Declared& declared, const FormattedGraph& graph, PassId pass, PassReporter& report) {
+    for (const UseDecl& use : graph.passes[pass].uses) {
+        const ResourceDecl& resource = graph.resources[use.resource];
+        if (!writes(use.access) || stays(resource)) continue;
+        Diagnostic& d = report.error(pass, use.loc, "W124",
+                                     "pass " + quote(declared.author_name(pass)) + " writes a part of " +
+                                         quote(resource.name) + " each frame, but its content does not stay");
+        if (resource.lifetime == ResourceLifetime::imported)
+            add_help(d, "write a resource with \"keep\": true, and copy that");
+        else
+            add_help(d, "add \"keep\": true to resource " + quote(resource.name) +
+                            (resource.history > 0 ? " instead of its history" : ""));
+    }
+}
+
+}  // namespace
+
+Suspects check_turns(const Declared& declared, const FormattedGraph& graph, Suspects suspects,
+                     Reporter& reporter) {
+    PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
+    for (const auto& [name, desc] : declared.input.graph.passes) check_repeat(desc, reporter);
+    for (PassId id = 0; id < graph.passes.size(); ++id)
+        if (declared.expansion.passes[id].decl.turns > 0) check_outputs(declared, graph, id, report);
+    return suspects;
+}
+
+}  // namespace weft

@@ -1,0 +1,176 @@
+// The cost of changing a parameter follows from the places that use it, through constants and sizes too.
+#include <algorithm>
+
+#include "graph/resolve/checks.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+class ParamCosts {
+ public:
+    explicit ParamCosts(const ResolveInput& input) : input_(input), graph_(input.graph) {}
+
+    void gather() {
+        for (const auto& [name, resource] : graph_.resources) add_resource(resource);
+        for (const auto& [name, pass] : graph_.passes) add_pass(pass);
+        for (const auto& [name, view] : graph_.debug) add_view(view);
+        add(graph_.frames, ParamCost::live);
+    }
+
+    ParamCost cost_of(const std::string& name) const {
+        const auto found = costs_.find(name);
+        return found != costs_.end() ? found->second : ParamCost::nothing;
+    }
+
+    // Not where faults may hide a use, nor for names that an included file offers.
+    void warn(Reporter& reporter) const {
+        if (is_unknown_ || reporter.has_errors()) return;
+        for (const auto& [name, param] : graph_.params)
+            if (!costs_.contains(name) && !is_included(graph_.sources, param.loc))
+                reporter.warn(param.loc, "W132", "nothing uses parameter " + quote(name),
+                              "remove it, or name it in a shader's Params or in an expression");
+        for (const auto* named : {&graph_.consts, &graph_.sizes})
+            for (const auto& [name, expression] : *named)
+                if (!costs_.contains(name) && !is_included(graph_.sources, expression.loc))
+                    reporter.warn(expression.loc, "W133",
+                                  "nothing uses " +
+                                      std::string(named == &graph_.consts ? "constant " : "size ") +
+                                      quote(name),
+                                  "remove it, or use it");
+        const std::set<std::string, std::less<>> named = named_resources();
+        const char* output = import_kind_name(ImportKind::output);  // W184 says so
+        for (const auto& [name, import] : graph_.imports)
+            if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
+                !is_included(graph_.sources, import.loc))
+                reporter.warn(import.loc, "W134", "nothing uses the import " + quote(name),
+                              "remove it, or name it in a port or in \"draws\"");
+    }
+
+ private:
+    // A use of that cost uses the names in its definition as well.
+    void add_name(const std::string& name, ParamCost cost) {
+        const auto [known, is_new] = costs_.try_emplace(name, cost);
+        if (!is_new && known->second >= cost) return;
+        known->second = cost;
+        const auto constant = graph_.consts.find(name);
+        if (constant != graph_.consts.end()) add(constant->second, cost);
+        const auto size = graph_.sizes.find(name);
+        if (size != graph_.sizes.end()) add(size->second, cost);
+    }
+
+    void add(const Expr& expression, ParamCost cost) {
+        for (const ExprNode& node : expression.postfix)
+            if (node.op == ExprOp::name) add_name(node.name, cost);
+    }
+
+    void add(const std::optional<ColorDesc>& color) {
+        if (!color) return;
+        for (const Expr& channel : color->channels) add(channel, ParamCost::graph);
+    }
+
+    void add(const RefDesc& ref) {
+        for (const std::optional<Expr>* bound :
+             {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last})
+            if (*bound) add(**bound, ParamCost::graph);
+    }
+
+    void add_resource(const ResourceDesc& resource) {
+        for (const Expr* expression : {&resource.size, &resource.mips, &resource.layers, &resource.samples,
+                                       &resource.count, &resource.history})
+            add(*expression, ParamCost::graph);
+        if (resource.size.empty() && !resource.is_buffer) add_name("render", ParamCost::graph);
+        add(resource.clear);
+        add(resource.first_frame);
+    }
+
+    void add_pass(const PassDesc& pass) {
+        for (const PortDesc& port : pass.in) add_port(port);
+        for (const PortDesc* port : written_ports(pass)) add_port(*port);
+        if (pass.indirect) add_port(*pass.indirect);
+        for (const Expr* expression : {&pass.condition, &pass.per_frame, &pass.vertices, &pass.instances})
+            add(*expression, ParamCost::graph);
+        add(pass.view_number, ParamCost::graph);
+        add(pass.flops, ParamCost::live);
+        for (const RepeatDesc& repeat : pass.repeat)
+            for (const Expr* expression : {&repeat.first, &repeat.last, &repeat.step})
+                add(*expression, ParamCost::graph);
+        for (const std::vector<Expr>* counts : {&pass.groups, &pass.threads})
+            for (const Expr& count : *counts) add(count, ParamCost::graph);
+        for (const StateNumberDesc& number : pass.state_numbers) add(number.value, ParamCost::graph);
+        add(pass.clear);
+        for (const auto& [port, color] : pass.clear_ports) add(color);
+        add_values(pass.params, ParamCost::live);
+        add_values(pass.constants, ParamCost::pipeline);
+        add_shader(pass);
+    }
+
+    void add_port(const PortDesc& port) {
+        add(port.ref);
+        if (port.otherwise) add(*port.otherwise);
+    }
+
+    void add_values(const std::vector<ParamValueDesc>& values, ParamCost cost) {
+        for (const ParamValueDesc& value : values)
+            for (const Expr& component : value.components) add(component, cost);
+    }
+
+    // Names that the shader or the C++ pass takes, unless the pass gives them other values.
+    void add_shader(const PassDesc& pass) {
+        const auto custom = input_.passes.find(pass.type);
+        if (custom != input_.passes.end())
+            for (const ParamDecl& param : custom->second.params)
+                add_name(std::string(param.name), ParamCost::live);
+        const auto shader = input_.shaders.find(pass.shader);
+        if (shader == input_.shaders.end()) return;
+        if (shader->second.modules.empty()) is_unknown_ = true;
+        const auto given = [](const std::vector<ParamValueDesc>& values, const std::string& name) {
+            return std::ranges::find(values, name, &ParamValueDesc::name) != values.end();
+        };
+        for (const BlockMember& member : shader->second.interface.params.members)
+            if (!given(pass.params, member.name)) add_name(member.name, ParamCost::live);
+        for (const SpecConstant& constant : shader->second.interface.spec_constants)
+            if (!given(pass.constants, constant.name)) add_name(constant.name, ParamCost::pipeline);
+    }
+
+    void add_view(const DebugViewDesc& view) {
+        add(view.show);
+        if (!view.range) return;
+        for (const Expr& bound : *view.range) add(bound, ParamCost::live);
+    }
+
+    // By passes, whether they run or not, by views and by tests.
+    std::set<std::string, std::less<>> named_resources() const {
+        std::set<std::string, std::less<>> named = watched_resources(graph_);
+        const auto add_named = [&](const PortDesc& port) {
+            named.insert(port.ref.name);
+            if (port.otherwise) named.insert(port.otherwise->name);
+        };
+        for (const auto& [name, pass] : graph_.passes) {
+            for (const PortDesc& port : pass.in) add_named(port);
+            for (const PortDesc* port : written_ports(pass)) add_named(*port);
+            if (pass.indirect) add_named(*pass.indirect);
+            named.insert(pass.draws.begin(), pass.draws.end());
+        }
+        return named;
+    }
+
+    const ResolveInput& input_;
+    const GraphDesc& graph_;
+    std::map<std::string, ParamCost> costs_;  // of every name that is used
+    bool is_unknown_ = false;                 // a shader failed to compile: its parameters are unknown
+};
+
+}  // namespace
+
+std::vector<GraphParam> weigh_params(const ResolveInput& input, std::vector<GraphParam> params,
+                                     Reporter& reporter) {
+    ParamCosts costs(input);
+    costs.gather();
+    for (GraphParam& param : params) param.cost = costs.cost_of(param.name);
+    costs.warn(reporter);
+    return params;
+}
+
+}  // namespace weft

@@ -1,0 +1,33 @@
+// Estimates the cost of compiling and checking a resolved graph. The compiler and the checker follow each
+// subresource through all accesses to it; the checker does so for several frames.
+#include <algorithm>
+
+#include "graph/resolve/checks.h"
+
+namespace weft {
+namespace {
+
+constexpr uint64_t kStepsPerSubresource = 16;  // it has a state in each of several tables
+constexpr uint64_t kCheckedFrames = 3;         // and one more for each frame of a history
+
+uint64_t count_subresources(const SubresourceRange& range) {
+    return uint64_t{range.mips} * range.layers *
+           (range.aspects == (aspect::kDepth | aspect::kStencil) ? 2 : 1);
+}
+
+}  // namespace
+
+void weigh_plan(const ResolvedGraph& graph, Reporter& reporter) {
+    if (reporter.has_errors()) return;
+    uint64_t frames = kCheckedFrames;
+    for (const ResourceDecl& resource : graph.resources) {
+        reporter.spend(kStepsPerSubresource * count_subresources(resource.whole()), resource.loc);
+        frames = std::max(frames, kCheckedFrames + resource.history);
+    }
+    for (const PassDecl& pass : graph.passes) {
+        reporter.spend(1, pass.loc);
+        for (const UseDecl& use : pass.uses) reporter.spend(frames * count_subresources(use.range), use.loc);
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,222 @@
+#include "graph/resolve/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/resolve/evaluator.h"
+#include "graph/resolve/fault_text.h"
+
+namespace weft {
+namespace {
+
+std::string allowed_text(const ParamDesc& param) {
+    if (param.is_bool) return "it is true or false (1 or 0)";
+    if (!param.allowed.empty()) {
+        std::string text;
+        for (const double value : param.allowed) text += (text.empty() ? "" : ", ") + number_text(value);
+        return "allowed are " + text;
+    }
+    return "its range is " + number_text((*param.range)[0]) + " to " + number_text((*param.range)[1]);
+}
+
+bool allows(const ParamDesc& param, double value) {
+    if (!std::isfinite(value)) return false;
+    if (param.is_bool) return value == 0.0 || value == 1.0;
+    if (!param.allowed.empty()) return std::ranges::find(param.allowed, value) != param.allowed.end();
+    return !param.range || (value >= (*param.range)[0] && value <= (*param.range)[1]);
+}
+
+void add_unknown_params(const GraphDesc& graph, const std::map<std::string, double>& params,
+                        Diagnostics& faults) {
+    std::vector<std::string> known;
+    for (const auto& [name, unused] : graph.params) known.push_back(name);
+    for (const auto& [name, unused] : params) {
+        if (graph.params.contains(name)) continue;
+        Diagnostic& d =
+            faults.emplace_back(graph.sources.error({}, "W120", "the graph has no parameter " + quote(name)));
+        const std::string near = did_you_mean_text(name, known);
+        if (!near.empty()) {
+            add_help(d, near);
+        } else {
+            add_help(
+                d, known.empty() ? "this graph has no parameters" : "its parameters are " + quote_all(known));
+        }
+    }
+}
+
+double value_of(const std::string& name, const ParamDesc& param,
+                const std::map<std::string, double>& params) {
+    const auto given = params.find(name);
+    return given != params.end() ? given->second : param.default_value;
+}
+
+void add_params(const ResolveInput& input, Values& values, Reporter& reporter) {
+    for (Diagnostic& fault : param_faults(input.graph, input.params)) reporter.add(std::move(fault));
+    for (const auto& [name, param] : input.graph.params) {
+        const double value = value_of(name, param, input.params);
+        values.by_name[name] = number_value(value);
+        if (!allows(param, value)) values.faulty.insert(name);
+        values.params.push_back({name, value, ParamCost::nothing});
+    }
+}
+
+// Constants and sizes may refer to each other in any order, so each is evaluated when another first needs it.
+// A chain of them may be as long as the file, so it is followed without recursion.
+class NamedEvaluator {
+ public:
+    NamedEvaluator(const GraphDesc& graph, Values& values, Reporter& reporter)
+        : graph_(graph), values_(values), evaluator_(values, reporter), reporter_(reporter) {}
+
+    void evaluate_all() {
+        for (const auto& [name, unused] : graph_.consts) evaluate_name(name);
+        for (const auto& [name, unused] : graph_.sizes) evaluate_name(name);
+    }
+
+ private:
+    // A constant or size that waits for the names in its expression.
+    struct Waiting {
+        const std::string* name;
+        const Expr* expression;
+        size_t next = 0;  // the part of the expression to look at
+    };
+
+    // Null: it is neither a constant nor a size.
+    const Expr* find(const std::string& name) const {
+        const auto constant = graph_.consts.find(name);
+        if (constant != graph_.consts.end()) return &constant->second;
+        const auto size = graph_.sizes.find(name);
+        return size != graph_.sizes.end() ? &size->second : nullptr;
+    }
+
+    void evaluate_name(const std::string& name) {
+        begin(name);
+        while (!path_.empty()) {
+            if (begin_next()) continue;
+            const Waiting ready = path_.back();
+            path_.pop_back();
+            on_path_.erase(*ready.name);
+            finish(*ready.name, *ready.expression);
+        }
+    }
+
+    // False: its value is known or never will be.
+    bool begin(const std::string& name) {
+        const Expr* expression = find(name);
+        if (!expression || values_.by_name.contains(name) || is_faulty(name)) return false;
+        if (!on_path_.insert(name).second) {
+            report_cycle(name, expression->loc);
+            return false;
+        }
+        path_.push_back({&name, expression});
+        return true;
+    }
+
+    // Begins with the next name that the last one of the path waits for; false: there is none.
+    bool begin_next() {
+        const std::vector<ExprNode>& parts = path_.back().expression->postfix;
+        while (path_.back().next < parts.size()) {
+            const ExprNode& part = parts[path_.back().next++];
+            if (part.op == ExprOp::name && begin(part.name)) return true;
+        }
+        return false;
+    }
+
+    void finish(const std::string& name, const Expr& expression) {
+        if (is_faulty(name)) return;
+        if (const auto value = evaluate_number_or_size(name, expression)) {
+            values_.by_name[name] = *value;
+        } else {
+            values_.faulty.insert(name);
+        }
+    }
+
+    std::optional<ExprValue> evaluate_number_or_size(const std::string& name, const Expr& expression) {
+        const std::optional<ExprValue> value = evaluator_.value(expression);
+        if (!value || !value->is_size || !graph_.consts.contains(name)) return value;
+        Diagnostic& d =
+            reporter_.error(expression.loc, "W106", "constant " + quote(name) + " is a size, not a number");
+        add_help(d, "use .x or .y of it, or declare it in \"sizes\"");
+        return std::nullopt;
+    }
+
+    bool is_faulty(const std::string& name) const { return values_.faulty.contains(name); }
+
+    void report_cycle(const std::string& name, SourceLoc loc) {
+        constexpr std::ptrdiff_t kMostNamed = 16;
+        const auto first = std::ranges::find_if(path_, [&](const Waiting& w) { return *w.name == name; });
+        std::string text;
+        for (auto it = first; it != path_.end(); ++it) {
+            if (it - first < kMostNamed) text += *it->name + " -> ";
+            values_.faulty.insert(*it->name);
+        }
+        if (path_.end() - first > kMostNamed)
+            text += "… " + std::to_string(path_.end() - first - kMostNamed) + " more … -> ";
+        Diagnostic& d = reporter_.error(loc, "W106", "sizes depend on each other: " + text + name);
+        add_help(d, "write one of them in terms of \"output\" or of numbers");
+    }
+
+    const GraphDesc& graph_;
+    Values& values_;
+    Evaluator evaluator_;
+    Reporter& reporter_;
+    std::vector<Waiting> path_;
+    std::set<std::string_view> on_path_;
+};
+
+// How long the imported draw lists are: "opaqueDraws". A name that the author declares comes first.
+void count_draws(const ResolveInput& input, Values& values) {
+    for (const auto& [list, import] : input.graph.imports) {
+        if (import.kind != import_kind_name(ImportKind::draw_list)) continue;
+        const std::string name = list + "Draws";
+        const bool taken = input.graph.sizes.contains(name) || input.graph.consts.contains(name);
+        if (taken || values.by_name.contains(name)) continue;
+        const auto offered = input.imports.imports.find(list);
+        if (offered == input.imports.imports.end())
+            values.faulty.insert(name);  // the import is reported
+        else
+            values.by_name[name] = number_value(offered->second.draws);
+    }
+}
+
+// The catalogue's numbers for expressions. A name that the author declares comes first.
+void add_offered_numbers(const ResolveInput& input, Values& values) {
+    for (const auto& [name, number] : input.imports.numbers) {
+        const bool taken = input.graph.sizes.contains(name) || input.graph.consts.contains(name);
+        if (!taken) values.by_name.try_emplace(name, number_value(number));
+    }
+}
+
+}  // namespace
+
+Diagnostics param_faults(const GraphDesc& graph, const std::map<std::string, double>& params) {
+    Diagnostics faults;
+    add_unknown_params(graph, params, faults);
+    for (const auto& [name, param] : graph.params) {
+        const double value = value_of(name, param, params);
+        if (allows(param, value)) continue;
+        const std::string what = params.contains(name) ? "parameter " : "the default of parameter ";
+        const std::string finite = std::isfinite(value) ? "" : "not a finite number: ";
+        Diagnostic& d = faults.emplace_back(graph.sources.error(
+            param.loc, "W120", what + quote(name) + " can't be " + finite + number_text(value)));
+        const bool limited = param.is_bool || !param.allowed.empty() || param.range;
+        add_help(d, limited ? allowed_text(param) : "any finite number will do");
+    }
+    return faults;
+}
+
+Values evaluate(const ResolveInput& input, Reporter& reporter) {
+    Values values;
+    const Extent3D output = input.output_extent;
+    values.by_name["output"] = size_value(output.width, output.height);
+    add_params(input, values, reporter);
+    count_draws(input, values);
+    add_offered_numbers(input, values);
+    NamedEvaluator(input.graph, values, reporter).evaluate_all();
+    if (const Expr& frames = input.graph.frames; !frames.empty())
+        values.frames = static_cast<uint32_t>(
+            Evaluator(values, reporter).number(frames, "\"frames\"", 1, kMaxFrames).value_or(1));
+    return values;
+}
+
+}  // namespace weft

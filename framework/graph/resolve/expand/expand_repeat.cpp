@@ -1,0 +1,166 @@
+#include "graph/resolve/expand/expand_repeat.h"
+
+#include <cmath>
+#include <utility>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/diagnostics/whole_number.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+// Nested repeats take some steps for each pass; empty inner ones take steps for none.
+constexpr uint64_t kMostStepsPerPass = 16;
+
+class PassRepeater {
+ public:
+    PassRepeater(const ResolveInput& input, const Evaluator& evaluator, const Shapes& shapes,
+                 const PassDesc& desc, RepeatCounts& counts, Expansion& expansion, Reporter& reporter)
+        : input_(input),
+          evaluator_(evaluator),
+          shapes_(shapes),
+          desc_(desc),
+          counts_(counts),
+          expansion_(expansion),
+          reporter_(reporter) {}
+
+    std::vector<PassInstance> run() {
+        if (descend(0)) return std::move(found_);
+        suspect();
+        return {};
+    }
+
+ private:
+    Evaluator evaluator() const { return evaluator_.in_repeat(indices_, is_later_); }
+
+    // False: reported.
+    bool descend(size_t level) {
+        if (level == desc_.repeat.size()) return add();
+        const RepeatDesc& repeat = desc_.repeat[level];
+        const std::optional<double> first = whole(repeat.first);
+        const std::optional<double> last = whole(repeat.last);
+        const std::optional<double> step = repeat.step.empty() ? 1.0 : whole(repeat.step);
+        if (!first || !last || !step) return false;
+        if (*step == 0) {
+            Diagnostic& d = reporter_.error(repeat.step.loc, "W109",
+                                            "the repeat of pass " + quote(desc_.name) + " stands still");
+            add_help(d, "count up without \"by\", or down \"by -1\"");
+            return false;
+        }
+        bool any = false;
+        for (double i = *first; *step > 0 ? i <= *last : i >= *last; i += *step) {
+            any = true;
+            if (++counts_.steps > kMostStepsPerPass * input_.limits.passes)
+                return over("passes", "passes", input_.limits.passes);
+            indices_[repeat.index] = i;
+            if (!descend(level + 1)) return false;
+        }
+        indices_.erase(repeat.index);
+        if (!any) expansion_.dropped[desc_.name] = &desc_;
+        return true;
+    }
+
+    bool add() {
+        const GraphLimits& limits = input_.limits;
+        if (++counts_.passes > limits.passes) return over("passes", "passes", limits.passes);
+        expansion_.tried_ports += desc_.in.size() + written_ports(desc_).size();
+        if (expansion_.tried_ports > limits.ports) return over("ports", "ports", limits.ports);
+        const std::optional<bool> runs = condition();
+        if (!runs) return false;
+        is_later_ = true;
+        if (!*runs) {
+            expansion_.dropped[desc_.name] = &desc_;
+            return true;
+        }
+        found_.push_back({name(), indices_});
+        return true;
+    }
+
+    // Reports the first pass too many, and only that.
+    bool over(const char* what, const std::string& limit, uint64_t most) {
+        if (std::exchange(expansion_.too_large, true)) return false;
+        const SourceLoc loc = desc_.repeat.empty() ? desc_.loc : desc_.repeat.front().range_loc;
+        Diagnostic& d =
+            reporter_.error(loc, "W125",
+                            "with pass " + quote(desc_.name) + " the graph has more than " +
+                                std::to_string(most) + " " + what + ", those counted that \"if\" leaves out");
+        add_help(d, "let one dispatch do the work of many: use layers, or the third side of \"groups\"; " +
+                        raise_limit_text("graph." + limit));
+        return false;
+    }
+
+    std::optional<bool> condition() {
+        if (desc_.condition.empty()) return true;
+        const std::optional<ExprValue> value = evaluator().value(desc_.condition);
+        if (!value) return std::nullopt;
+        if (!value->is_size) return value->x != 0;
+        report_size(desc_.condition);
+        return std::nullopt;
+    }
+
+    std::optional<double> whole(const Expr& expression) {
+        const std::optional<ExprValue> value = evaluator().value(expression);
+        if (!value) return std::nullopt;
+        if (value->is_size) {
+            report_size(expression);
+            return std::nullopt;
+        }
+        if (whole_number<int32_t>(value->x)) return value->x;
+        const bool fraction = value->x != std::floor(value->x);
+        Diagnostic& d = reporter_.error(expression.loc, "W109",
+                                        quote(expression.text) + " is " + number_text(value->x) +
+                                            ", and a repeat counts in whole numbers" +
+                                            (fraction ? "" : " from -2147483648 to 2147483647"));
+        add_help(d, fraction ? "round it: floor(…) or ceil(…)"
+                             : "count from 0, and compute what you need from the index");
+        return std::nullopt;
+    }
+
+    void report_size(const Expr& expression) {
+        Diagnostic& d = reporter_.error(expression.loc, "W106",
+                                        quote(expression.text) + " is a size where a number is wanted");
+        add_help(d, "use .x or .y of it");
+    }
+
+    // "blur#2", of nested repeats "blur#2.0": the indices that the author wrote.
+    std::string name() const {
+        std::string text = desc_.name;
+        for (const RepeatDesc& repeat : desc_.repeat) {
+            text += text.size() == desc_.name.size() ? "#" : ".";
+            text += std::to_string(saturated<int64_t>(indices_.at(repeat.index)));
+        }
+        return text;
+    }
+
+    // It is unknown whether and where it writes.
+    void suspect() {
+        expansion_.faulty.insert(desc_.name);
+        for (const PortDesc* port : written_ports(desc_)) {
+            const ResourceId id = resource_id(shapes_.resources, port->ref.name);
+            if (id != kNoId) expansion_.suspects.writers[id] = 1;
+        }
+    }
+
+    const ResolveInput& input_;
+    const Evaluator& evaluator_;
+    const Shapes& shapes_;
+    const PassDesc& desc_;
+    RepeatCounts& counts_;
+    Expansion& expansion_;
+    Reporter& reporter_;
+    std::map<std::string, double> indices_;
+    bool is_later_ = false;  // the first pass found its faults
+    std::vector<PassInstance> found_;
+};
+
+}  // namespace
+
+std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Evaluator& evaluator,
+                                      const Shapes& shapes, const PassDesc& desc, RepeatCounts& counts,
+                                      Expansion& expansion, Reporter& reporter) {
+    return PassRepeater(input, evaluator, shapes, desc, counts, expansion, reporter).run();
+}
+
+}  // namespace weft

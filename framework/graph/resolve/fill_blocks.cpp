@@ -1,0 +1,263 @@
+#include "graph/resolve/fill_blocks.h"
+
+#include <algorithm>
+#include <array>
+
+#include "graph/diagnostics/whole_number.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+struct BuiltinName {
+    std::string_view name;
+    Builtin builtin;
+};
+constexpr std::array kBuiltins{
+    BuiltinName{"deltaTime", Builtin::delta_time_s},
+    BuiltinName{"frameIndex", Builtin::frame_index},
+    BuiltinName{"preExposure", Builtin::pre_exposure},
+    BuiltinName{"prevPreExposure", Builtin::prev_pre_exposure},
+    BuiltinName{"time", Builtin::time_s},
+};
+constexpr std::string_view kSizeSuffix = "Size";
+constexpr std::string_view kValidSuffix = "Valid";
+constexpr std::string_view kDrawsSuffix = "Draws";
+
+class BlockFiller {
+ public:
+    BlockFiller(const Declared& declared, const VersionedGraph& graph, PassId pass, Blocks& blocks,
+                Reporter& reporter)
+        : declared_(declared),
+          graph_(graph),
+          pass_(pass),
+          draft_(declared.expansion.passes[pass]),
+          bound_(graph.passes[pass]),
+          result_(blocks.passes[pass]),
+          suspects_(blocks.suspects),
+          evaluator_(declared.evaluator(pass, blocks.suspects, reporter)),
+          report_(declared.shapes, declared.expansion, blocks.suspects, reporter) {}
+
+    void run() {
+        report_params_without_member();
+        if (!draft_.shader->has_params) return;
+        const ParamsBlock& block = draft_.shader->params;
+        result_.bytes = block.size_bytes;
+        result_.push_constants = block.push_constants;
+        const uint32_t limit = declared_.input.profile.max_push_constants_bytes;
+        if (block.push_constants && block.size_bytes > limit) {
+            Diagnostic& d = report_.error(pass_, shader_loc(), "W178",
+                                          "Params of shader " + quote(draft_.desc->shader) + " has " +
+                                              std::to_string(block.size_bytes) +
+                                              " bytes; push constants hold " + std::to_string(limit));
+            add_help(d, "declare it as a uniform block: `uniform Params { … };`");
+        }
+        for (const BlockMember& member : block.members) write_member(member);
+    }
+
+ private:
+    SourceLoc shader_loc() const {
+        return draft_.desc->shader_loc.line != 0 ? draft_.desc->shader_loc : draft_.desc->loc;
+    }
+
+    void error(SourceLoc loc, const std::string& message, const std::vector<std::string>& help) {
+        Diagnostic& d = report_.error(pass_, loc, "W113", message);
+        for (const std::string& line : help) add_help(d, line);
+    }
+
+    void report_params_without_member() {
+        std::vector<std::string> members;
+        for (const BlockMember& member : draft_.shader->params.members) members.push_back(member.name);
+        for (const ParamValueDesc& param : draft_.desc->params) {
+            if (std::ranges::find(members, param.name) != members.end()) continue;
+            const std::string known =
+                members.empty() ? "it has no block named Params" : "it has " + quote_all(members);
+            error(param.loc,
+                  "Params of shader " + quote(draft_.desc->shader) + " has no member " + quote(param.name),
+                  {did_you_mean_text(param.name, members), known});
+        }
+    }
+
+    void write_member(const BlockMember& member) {
+        if (member.columns != 1 || member.array_count != 0 || member.is_runtime_array ||
+            !member.struct_name.empty()) {
+            error(shader_loc(),
+                  "Params." + member.name + " of shader " + quote(draft_.desc->shader) +
+                      " is no number or vector",
+                  {"arrays, matrices and structs go into a buffer"});
+            return;
+        }
+        ParamWrite write;
+        write.member = member.name;
+        write.offset_bytes = member.offset_bytes;
+        write.scalar = member.scalar;
+        write.components = member.rows;
+        if (from_pass(member, write) || from_graph(member, write) || from_builtin(member, write)) return;
+        report_unknown(member);
+    }
+
+    // "opaqueDraws"
+    bool counts_draws(std::string_view name) const {
+        if (!name.ends_with(kDrawsSuffix) || declared_.input.graph.sizes.contains(std::string(name)))
+            return false;
+        name.remove_suffix(kDrawsSuffix.size());
+        const auto import = declared_.input.graph.imports.find(std::string(name));
+        return import != declared_.input.graph.imports.end() &&
+               import->second.kind == import_kind_name(ImportKind::draw_list);
+    }
+
+    // Each from_… is true when it knows the name, even if the value is wrong: that is reported.
+    bool from_pass(const BlockMember& member, ParamWrite& write) {
+        const auto param = std::ranges::find(draft_.desc->params, member.name, &ParamValueDesc::name);
+        if (param == draft_.desc->params.end()) return false;
+        std::vector<double> values;
+        for (const Expr& component : param->components) {
+            const std::optional<ExprValue> value = evaluator_.value(component);
+            if (!value) return true;
+            values.push_back(value->x);
+            if (value->is_size) values.push_back(value->y);
+        }
+        store(member, write, values, param->loc);
+        return true;
+    }
+
+    bool from_graph(const BlockMember& member, ParamWrite& write) {
+        const bool named = draft_.indices.contains(member.name) ||
+                           declared_.input.graph.params.contains(member.name) ||
+                           declared_.input.graph.consts.contains(member.name) || counts_draws(member.name);
+        const std::optional<ExprValue> value = evaluator_.find(member.name);
+        if (!named || !value) return false;
+        store(member, write, {value->x}, shader_loc());
+        return true;
+    }
+
+    bool from_builtin(const BlockMember& member, ParamWrite& write) {
+        const auto* builtin = std::ranges::find(kBuiltins, std::string_view(member.name), &BuiltinName::name);
+        if (builtin != kBuiltins.end()) {
+            write.builtin = builtin->builtin;
+            store(member, write, {0}, shader_loc());
+            return true;
+        }
+        return from_port_size(member, write) || from_port_valid(member, write);
+    }
+
+    // The port that "<port><suffix>" names; null: none.
+    const UseDecl* port_before(std::string_view name, std::string_view suffix) const {
+        if (!name.ends_with(suffix)) return nullptr;
+        name.remove_suffix(suffix.size());
+        const auto use = std::ranges::find(bound_.uses, name, &UseDecl::port);
+        return use == bound_.uses.end() ? nullptr : &*use;
+    }
+
+    // An optional port that is bound to nothing: its shader does not read the member, but the block has it.
+    bool stands_for_absent(std::string_view name, std::string_view suffix) const {
+        if (!name.ends_with(suffix)) return false;
+        name.remove_suffix(suffix.size());
+        return std::ranges::find(bound_.absent, name) != bound_.absent.end();
+    }
+
+    // Whether the content of a port was ever written: always, unless it is of an earlier frame.
+    bool from_port_valid(const BlockMember& member, ParamWrite& write) {
+        if (stands_for_absent(member.name, kValidSuffix)) {
+            store(member, write, {0}, shader_loc());
+            return true;
+        }
+        const UseDecl* use = port_before(member.name, kValidSuffix);
+        if (!use) return suspects_.passes[pass_] && member.name.ends_with(kValidSuffix);
+        if (use->history > 0) {
+            write.builtin = Builtin::valid;
+            write.resource = use->resource;
+        }
+        store(member, write, {use->history > 0 ? 0.0 : 1.0}, shader_loc());
+        return true;
+    }
+
+    bool from_port_size(const BlockMember& member, ParamWrite& write) {
+        if (!member.name.ends_with(kSizeSuffix)) return false;
+        if (stands_for_absent(member.name, kSizeSuffix)) {
+            store(member, write, {0, 0}, shader_loc());
+            return true;
+        }
+        const UseDecl* use = port_before(member.name, kSizeSuffix);
+        if (!use || graph_.resources[use->resource].kind == ResourceKind::buffer) {
+            // A port of a faulty pass may be missing for a reason that was reported.
+            return suspects_.passes[pass_];
+        }
+        const Extent3D extent = use_extent(graph_.resources, *use);
+        store(member, write, {double(extent.width), double(extent.height)}, shader_loc());
+        return true;
+    }
+
+    void store(const BlockMember& member, ParamWrite& write, const std::vector<double>& values,
+               SourceLoc loc) {
+        if (values.size() != member.rows) {
+            error(loc,
+                  "Params." + member.name + " of shader " + quote(draft_.desc->shader) + " has " +
+                      std::to_string(member.rows) + " components, but its value has " +
+                      std::to_string(values.size()),
+                  {"give it as many components: [x, y, …] in \"params\""});
+            return;
+        }
+        const bool fits =
+            std::ranges::all_of(values, [&](double v) { return fits_member(member.scalar, v); });
+        if (!fits) {
+            error(loc,
+                  "Params." + member.name + " of shader " + quote(draft_.desc->shader) +
+                      " can't hold that value",
+                  {member.scalar == ScalarType::f32 ? "single precision ends at 3.4e38"
+                                                    : "words hold -2147483648 to 4294967295"});
+            return;
+        }
+        std::ranges::copy(values, write.value.begin());
+        result_.params.push_back(write);
+    }
+
+    // The bits of a word may mean either kind of integer: -1 is all bits.
+    static bool fits_member(ScalarType scalar, double value) {
+        if (scalar == ScalarType::f32) return fits_into_float(value);
+        return scalar == ScalarType::boolean || fits_into<int32_t>(value) || fits_into<uint32_t>(value);
+    }
+
+    void report_unknown(const BlockMember& member) {
+        std::vector<std::string> known;
+        for (const auto& [name, unused] : declared_.input.graph.params) known.push_back(name);
+        for (const auto& [name, unused] : declared_.input.graph.consts) known.push_back(name);
+        for (const auto& [name, unused] : draft_.indices) known.push_back(name);
+        for (const BuiltinName& builtin : kBuiltins) known.emplace_back(builtin.name);
+        for (const UseDecl& use : bound_.uses) {
+            if (graph_.resources[use.resource].kind == ResourceKind::image)
+                known.push_back(use.port + "Size");
+            known.push_back(use.port + "Valid");
+        }
+        error(shader_loc(),
+              "nothing gives Params." + member.name + " of shader " + quote(draft_.desc->shader) +
+                  " a value in pass " + quote(draft_.decl.name),
+              {did_you_mean_text(member.name, known),
+               "give it in the pass: \"params\": { " + quote(member.name) + ": 0 }"});
+    }
+
+    const Declared& declared_;
+    const VersionedGraph& graph_;
+    PassId pass_;
+    const PassDraft& draft_;
+    const BoundPass& bound_;
+    PassBlock& result_;
+    const Suspects& suspects_;
+    Evaluator evaluator_;
+    PassReporter report_;
+};
+
+}  // namespace
+
+Blocks fill_blocks(const Declared& declared, const VersionedGraph& graph, Suspects suspects,
+                   Reporter& reporter) {
+    Blocks blocks{.passes = std::vector<PassBlock>(graph.passes.size()), .suspects = std::move(suspects)};
+    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+        if (declared.expansion.passes[pass].shader)
+            BlockFiller(declared, graph, pass, blocks, reporter).run();
+    }
+    return blocks;
+}
+
+}  // namespace weft

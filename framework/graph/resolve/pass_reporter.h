@@ -1,0 +1,25 @@
+// Purpose: reports faults of passes and marks those passes as suspect.
+#pragma once
+
+#include <string>
+
+#include "graph/resolve/expand.h"
+
+namespace weft {
+
+class PassReporter {
+ public:
+    // It borrows all that it is given.
+    PassReporter(const Shapes& shapes, const Expansion& expansion, Suspects& suspects, Reporter& reporter)
+        : shapes_(shapes), expansion_(expansion), suspects_(suspects), reporter_(reporter) {}
+
+    Diagnostic& error(PassId pass, SourceLoc loc, std::string code, std::string message);
+
+ private:
+    const Shapes& shapes_;
+    const Expansion& expansion_;
+    Suspects& suspects_;
+    Reporter& reporter_;
+};
+
+}  // namespace weft

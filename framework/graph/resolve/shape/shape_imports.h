@@ -1,0 +1,15 @@
+// Purpose: what the graph asks of the program around it, checked against what that offers. Private to
+// shape_resources().
+#pragma once
+
+#include "graph/resolve/shape_resources.h"
+
+namespace weft {
+
+// Fills in the resource that an import stands for. Errors: W118.
+void shape_import(const ResolveInput& input, const ImportDesc& desc, ResourceId id, Shapes& shapes,
+                  Reporter& reporter);
+void check_draw_list_imports(const ResolveInput& input, Reporter& reporter);
+[[nodiscard]] bool is_draw_list(const ImportDesc& import);
+
+}  // namespace weft

@@ -1,0 +1,255 @@
+#include "graph/resolve/shape/shape_resource.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/diagnostics/whole_number.h"
+#include "graph/parse/format_words.h"
+#include "graph/resolve/evaluator.h"
+#include "graph/resolve/fault_text.h"
+
+namespace weft {
+namespace {
+
+constexpr uint32_t kCubeFaces = 6;
+
+// Rounds down, but a part of 1 is 1: halving ends there. More than any device holds is capped here, and the
+// check of the limits reports it.
+uint32_t at_least_one(double value) {
+    constexpr double kMost = 1u << 30;
+    return saturated<uint32_t>(std::clamp(std::floor(value), 1.0, kMost));
+}
+
+ExprValue default_size(const Values& values) {
+    const auto render = values.by_name.find("render");
+    return render != values.by_name.end() ? render->second : values.by_name.at("output");
+}
+
+bool default_size_is_faulty(const Values& values) {
+    return values.faulty.contains("render");
+}
+
+struct Element {
+    std::string_view name;
+    uint32_t bytes;
+};
+constexpr std::array kElements{Element{"u32", 4},   Element{"i32", 4},    Element{"f32", 4},
+                               Element{"vec2", 8},  Element{"uvec2", 8},  Element{"ivec2", 8},
+                               Element{"vec4", 16}, Element{"uvec4", 16}, Element{"ivec4", 16},
+                               Element{"mat4", 64}};
+
+class ResourceShaper {
+ public:
+    ResourceShaper(const ResolveInput& input, const Values& values, ResourceId id, Shapes& shapes,
+                   Reporter& reporter)
+        : input_(input),
+          values_(values),
+          shapes_(shapes),
+          decl_(shapes.resources[id]),
+          is_suspect_(shapes.suspects.shapes[id]),
+          desc_(*shapes.origins[id].desc),
+          evaluator_(values, shapes, shapes.suspects, reporter),
+          reporter_(reporter) {}
+
+    void run() {
+        decl_.pre_exposed = desc_.pre_exposed;
+        if (desc_.clear) decl_.clear = evaluator_.color(*desc_.clear);
+        if (desc_.is_buffer) {
+            shape_buffer();
+        } else {
+            shape_image();
+        }
+    }
+
+ private:
+    // `fallback` when absent; nullopt: reported.
+    std::optional<ExprValue> value(const Expr& expression, ExprValue fallback) {
+        if (expression.empty()) return fallback;
+        const std::optional<ExprValue> found = evaluator_.value(expression);
+        if (!found) is_suspect_ = 1;
+        return found;
+    }
+
+    std::optional<double> number(const Expr& expression, double fallback, const char* what) {
+        const std::optional<ExprValue> found = value(expression, number_value(fallback));
+        if (!found) return std::nullopt;
+        if (!found->is_size && found->x > 0) return found->x;
+        if (!found->is_size) {
+            report_nothing(expression,
+                           std::string(what) + " of " + quote(desc_.name) + " is " + number_text(found->x));
+            return std::nullopt;
+        }
+        is_suspect_ = 1;
+        Diagnostic& d =
+            reporter_.error(expression.loc, "W106",
+                            std::string(what) + " of " + quote(desc_.name) + " is a size, not a number");
+        add_help(d, "use .x or .y of it, or their product");
+        return std::nullopt;
+    }
+
+    // Halving never gives zero or less, so that is a fault.
+    void report_nothing(const Expr& expression, const std::string& message) {
+        is_suspect_ = 1;
+        add_help(reporter_.error(expression.empty() ? desc_.loc : expression.loc, "W109", message),
+                 "keep it above zero, for example with max(…, 1)");
+    }
+
+    bool check_size(const ExprValue& size) {
+        if (size.x > 0 && size.y > 0) return true;
+        report_nothing(desc_.size, "the size of " + quote(desc_.name) + " is " + number_text(size.x) + " x " +
+                                       number_text(size.y));
+        return false;
+    }
+
+    void shape_image() {
+        decl_.kind = ResourceKind::image;
+        decl_.image_kind = desc_.image_kind;
+        if (!count_samples()) return;
+        if (desc_.size.empty() && default_size_is_faulty(values_)) {
+            is_suspect_ = 1;
+            return;
+        }
+        const std::optional<ExprValue> size = value(desc_.size, default_size(values_));
+        const std::optional<double> layers = number(desc_.layers, 1, "the layer count");
+        if (!size || !layers || !check_size(*size)) return;
+        decl_.extent = {at_least_one(size->x), at_least_one(size->y), 1};
+        set_layers(at_least_one(*layers));
+        check_cube();
+        const uint32_t largest = std::max({decl_.extent.width, decl_.extent.height, decl_.extent.depth});
+        const uint32_t full = static_cast<uint32_t>(std::bit_width(largest));
+        const std::optional<double> mips = number(desc_.mips, 1, "the mip count");
+        if (!mips) return;
+        decl_.mips = desc_.full_mips ? full : std::min(full, at_least_one(*mips));
+        check_image_limits();
+        shapes_.mip_counts[desc_.name] = decl_.mips;
+    }
+
+    bool count_samples() {
+        if (desc_.samples.empty()) return true;
+        const std::optional<double> samples =
+            evaluator_.number(desc_.samples, "the number of samples of " + quote(desc_.name), 1, 8);
+        if (samples) decl_.samples = static_cast<uint32_t>(*samples);
+        if (!samples) is_suspect_ = 1;
+        return samples.has_value();
+    }
+
+    bool is_cube() const {
+        return desc_.image_kind == ImageKind::cube || desc_.image_kind == ImageKind::cube_array;
+    }
+
+    void check_cube() {
+        if (!is_cube() || decl_.extent.width == decl_.extent.height) return;
+        is_suspect_ = 1;
+        Diagnostic& d = reporter_.error(desc_.size.empty() ? desc_.loc : desc_.size.loc, "W109",
+                                        "the faces of cube " + quote(desc_.name) + " are " +
+                                            extent_text(decl_.extent) + ", which is no square");
+        add_help(d, "give the side: \"size\": 128");
+    }
+
+    void set_layers(uint32_t layers) {
+        const bool cube = is_cube();
+        if (desc_.image_kind == ImageKind::d3) {
+            decl_.extent.depth = layers;
+        } else {
+            decl_.layers = cube ? kCubeFaces * layers : layers;
+            if (layers > 1 && desc_.image_kind == ImageKind::d2) decl_.image_kind = ImageKind::d2_array;
+        }
+    }
+
+    void check_image_limits() {
+        const GraphLimits& limits = input_.limits;
+        const DeviceProfile& device = input_.profile;
+        const Extent3D& e = decl_.extent;
+        check_limit("image " + quote(desc_.name) + " is " + extent_text(e) + " px",
+                    std::max({e.width, e.height, e.depth}), device.max_image_2d_px, limits.image_side_px,
+                    "graph.imageSidePx", " px a side");
+        check_limit("image " + quote(desc_.name) + " has " + std::to_string(decl_.layers) + " layers",
+                    decl_.layers, device.max_image_layers, limits.layers, "graph.layers", " layers");
+        check_limit("image " + quote(desc_.name) + " has " + std::to_string(decl_.mips) + " mips", decl_.mips,
+                    UINT32_MAX, limits.mips, "graph.mips", " mips");
+        if (decl_.samples != 1 && (decl_.mips != 1 || !std::has_single_bit(decl_.samples))) {
+            Diagnostic& d =
+                reporter_.error(desc_.loc, "W119",
+                                "image " + quote(desc_.name) + " can't have these samples and mips together");
+            add_help(d, "multisampled images have one mip and 2, 4 or 8 samples");
+        }
+    }
+
+    // The device comes first: no limit can be raised beyond what it offers.
+    void check_limit(const std::string& what, uint32_t value, uint32_t device, uint64_t limit,
+                     const std::string& name, const std::string& unit) {
+        if (value > device) return over_limit(what, std::to_string(device) + unit);
+        if (value <= limit) return;
+        is_suspect_ = 1;
+        Diagnostic& d =
+            reporter_.error(desc_.loc, "W125", what + "; the limit is " + std::to_string(limit) + unit);
+        add_help(d, "make it smaller, " + raise_limit_text(name));
+    }
+
+    void over_limit(const std::string& what, const std::string& limit) {
+        is_suspect_ = 1;
+        Diagnostic& d = reporter_.error(desc_.loc, "W119", what + "; the device offers at most " + limit);
+        add_help(d, "the limit comes from the device profile " + quote(input_.profile.name));
+    }
+
+    std::optional<uint32_t> element_bytes() {
+        const auto plain = std::ranges::find(kElements, desc_.element, &Element::name);
+        if (plain != kElements.end()) return plain->bytes;
+        const auto& strides = input_.imports.strides;
+        const auto known = strides.find(desc_.element);
+        if (known != strides.end()) return known->second;
+        is_suspect_ = 1;
+        std::vector<std::string> names = plain_elements();
+        for (const auto& [name, unused] : strides) names.push_back(name);
+        Diagnostic& d = reporter_.error(
+            desc_.loc, "W116",
+            "buffer " + quote(desc_.name) + " has elements of unknown type " + quote(desc_.element));
+        const std::string near = did_you_mean_text(desc_.element, names);
+        add_help(d, near.empty() ? "known types are " + quote_all(names) : near);
+        return std::nullopt;
+    }
+
+    void shape_buffer() {
+        decl_.kind = ResourceKind::buffer;
+        decl_.aspects = aspect::kColor;
+        const std::optional<uint32_t> stride = element_bytes();
+        const std::optional<double> count = number(desc_.count, 1, "the element count");
+        if (!stride || !count) return;
+        const uint64_t limit = input_.profile.max_storage_buffer_bytes;
+        const double elements = std::max(1.0, std::floor(*count));
+        decl_.stride_bytes = *stride;
+        // Compared as floating point, because the product could pass 2^64.
+        if (elements * *stride > static_cast<double>(limit)) {
+            over_limit("buffer " + quote(desc_.name) + " holds more than " + std::to_string(limit) + " bytes",
+                       std::to_string(limit) + " bytes a buffer");
+            return;
+        }
+        decl_.size_bytes = saturated<uint64_t>(elements) * *stride;
+    }
+
+    const ResolveInput& input_;
+    const Values& values_;
+    Shapes& shapes_;
+    ResourceDecl& decl_;
+    uint8_t& is_suspect_;
+    const ResourceDesc& desc_;
+    Evaluator evaluator_;
+    Reporter& reporter_;
+};
+
+}  // namespace
+
+std::vector<std::string> plain_elements() {
+    std::vector<std::string> names;
+    for (const Element& element : kElements) names.emplace_back(element.name);
+    return names;
+}
+
+void shape_resource(const ResolveInput& input, const Values& values, ResourceId id, Shapes& shapes,
+                    Reporter& reporter) {
+    ResourceShaper(input, values, id, shapes, reporter).run();
+}
+
+}  // namespace weft

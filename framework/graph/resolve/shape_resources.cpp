@@ -1,0 +1,164 @@
+#include "graph/resolve/shape_resources.h"
+
+#include <algorithm>
+
+#include "graph/parse/reference.h"
+#include "graph/resolve/evaluator.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/rings.h"
+#include "graph/resolve/shape/shape_imports.h"
+#include "graph/resolve/shape/shape_resource.h"
+
+namespace weft {
+namespace {
+
+bool uses_mips_of(const ResourceDesc& desc) {
+    const auto asks = [](const Expr& e) {
+        return std::ranges::any_of(e.postfix, [](const ExprNode& n) { return n.op == ExprOp::mips_of; });
+    };
+    return asks(desc.size) || asks(desc.mips) || asks(desc.layers) || asks(desc.count);
+}
+
+// Draw lists are no resources.
+bool becomes_resource(const ImportDesc& import) {
+    return !is_draw_list(import);
+}
+
+// How many earlier frames it keeps.
+uint32_t count_history(const ResourceDesc& desc, const Evaluator& evaluator, Shapes& shapes) {
+    if (desc.history.empty()) return 0;
+    const std::optional<double> frames =
+        evaluator.number(desc.history, "the history of " + quote(desc.name), 0, kMaxHistory);
+    const auto copies = static_cast<uint32_t>(frames.value_or(0));
+    if (copies > 0) shapes.histories.emplace(desc.name, copies);
+    if (!frames) shapes.suspect_histories.insert(desc.name);
+    return copies;
+}
+
+struct Role {
+    const ResourceDesc* desc = nullptr;  // null: an import
+    uint32_t age = 0;
+};
+
+// All resources by name, those of earlier frames too.
+std::map<std::string, Role> find_roles(const ResolveInput& input, const Evaluator& evaluator, Shapes& shapes,
+                                       Reporter& reporter) {
+    std::map<std::string, Role> roles;
+    for (const auto& [name, import] : input.graph.imports) {
+        if (becomes_resource(import)) roles[name] = {};
+    }
+    for (const auto& [name, desc] : input.graph.resources) {
+        if (input.graph.imports.contains(name)) {
+            Diagnostic& d =
+                reporter.error(desc.loc, "W118", quote(name) + " is both an import and a resource");
+            add_help(d, "rename one of them");
+        }
+        roles[name] = {&desc, 0};
+        const uint32_t copies = count_history(desc, evaluator, shapes);
+        for (uint32_t age = 1; age <= copies; ++age) roles[role_name(name, age)] = {&desc, age};
+    }
+    return roles;
+}
+
+void report_too_many(const ResolveInput& input, size_t count, Reporter& reporter) {
+    const std::map<std::string, ResourceDesc>& described = input.graph.resources;
+    Diagnostic& d = reporter.error(described.empty() ? SourceLoc{} : described.begin()->second.loc, "W125",
+                                   "the graph has " + std::to_string(count) +
+                                       " resources, each copy of a history counted; the limit is " +
+                                       std::to_string(input.limits.resources));
+    add_help(d, "use layers or mips of fewer images, " + raise_limit_text("graph.resources"));
+}
+
+void name_resources(const ResolveInput& input, const Evaluator& evaluator, Shapes& shapes,
+                    Reporter& reporter) {
+    const std::map<std::string, Role> roles = find_roles(input, evaluator, shapes, reporter);
+    if (roles.size() > input.limits.resources) {
+        shapes.too_large = true;
+        report_too_many(input, roles.size(), reporter);
+    }
+    for (const auto& [name, role] : roles) {
+        ResourceDecl decl;
+        decl.name = name;
+        decl.age = role.age;
+        decl.loc = role.desc ? role.desc->loc : input.graph.imports.at(name).loc;
+        shapes.resources.push_back(std::move(decl));
+        shapes.origins.push_back({.desc = role.desc});
+    }
+    shapes.suspects.shapes.resize(roles.size());
+    shapes.suspects.writers.resize(roles.size());
+}
+
+// Once all have their ids.
+void tie_rings(const Evaluator& evaluator, Shapes& shapes) {
+    for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
+        const ResourceDesc* desc = shapes.origins[id].desc;
+        if (!desc) continue;
+        const auto history = shapes.histories.find(desc->name);
+        const uint32_t copies = history != shapes.histories.end() ? history->second : 0;
+        if (copies == 0 && desc->keep == KeepMode::none) continue;
+        ResourceDecl& decl = shapes.resources[id];
+        decl.lifetime = ResourceLifetime::persistent;
+        decl.history = copies;
+        decl.ring = resource_id(shapes.resources, desc->name);
+        if (desc->first_frame && decl.age == 0) decl.first_frame = evaluator.color(*desc->first_frame);
+        decl.on_resize = desc->on_resize;
+        shapes.origins[id].has_content = decl.age > 0 || copies == 0;
+    }
+}
+
+void shape_all_imports(const ResolveInput& input, Shapes& shapes, Reporter& reporter) {
+    for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
+        ResourceDecl& decl = shapes.resources[id];
+        if (shapes.origins[id].desc) continue;
+        shape_import(input, input.graph.imports.at(decl.name), id, shapes, reporter);
+        if (decl.lifetime == ResourceLifetime::imported && decl.kind == ResourceKind::image)
+            shapes.mip_counts[decl.name] = decl.mips;
+    }
+}
+
+ResourceId find_output(const ResolveInput& input, const Shapes& shapes) {
+    const auto output = std::ranges::find_if(input.graph.imports, [](const auto& import) {
+        return import.second.kind == import_kind_name(ImportKind::output);
+    });
+    return output == input.graph.imports.end() ? kNoId : resource_id(shapes.resources, output->first);
+}
+
+}  // namespace
+
+Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter& reporter) {
+    Shapes shapes;
+    const Evaluator evaluator(values, shapes, shapes.suspects, reporter);
+    name_resources(input, evaluator, shapes, reporter);
+    tie_rings(evaluator, shapes);
+    check_draw_list_imports(input, reporter);
+    shape_all_imports(input, shapes, reporter);
+    // Those that ask for another's mips come second.
+    for (const bool second : {false, true}) {
+        for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
+            const ResourceDesc* desc = shapes.origins[id].desc;
+            if (!desc || shapes.resources[id].age > 0) continue;
+            if (uses_mips_of(*desc) == second) shape_resource(input, values, id, shapes, reporter);
+        }
+    }
+    spread_over_rings(shapes.resources, shapes.suspects);
+    shapes.output = find_output(input, shapes);
+    return shapes;
+}
+
+ResourceId resource_id(const std::vector<ResourceDecl>& resources, std::string_view name) {
+    const auto it =
+        std::lower_bound(resources.begin(), resources.end(), name,
+                         [](const ResourceDecl& resource, std::string_view n) { return resource.name < n; });
+    if (it == resources.end() || it->name != name) return kNoId;
+    return static_cast<ResourceId>(it - resources.begin());
+}
+
+std::vector<std::string> resource_names(const std::vector<ResourceDecl>& resources) {
+    std::vector<std::string> known;
+    for (const ResourceDecl& resource : resources) {
+        if (resource.age == 0) known.push_back(resource.name);
+    }
+    return known;
+}
+
+}  // namespace weft

@@ -1,0 +1,221 @@
+#include "graph/resolve/size_dispatches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/resolve/check/check_copy.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/pass_ports.h"
+
+namespace weft {
+namespace {
+
+constexpr double kMaxGroups = 65535;  // the least that Vulkan promises
+
+// The bits of a float are no number of anything.
+bool holds_floats(const Shapes& shapes, ResourceId resource) {
+    const ResourceDesc* desc = shapes.origins[resource].desc;
+    if (desc == nullptr || !desc->is_buffer) return false;
+    return desc->element == "f32" || desc->element == "mat4" || desc->element.starts_with("vec");
+}
+
+class DispatchSizer {
+ public:
+    DispatchSizer(const Declared& declared, const VersionedGraph& graph, PassId pass, Dispatches& dispatches,
+                  Reporter& reporter)
+        : declared_(declared),
+          graph_(graph),
+          pass_(pass),
+          draft_(declared.expansion.passes[pass]),
+          bound_(graph.passes[pass]),
+          result_(dispatches.passes[pass]),
+          suspects_(dispatches.suspects),
+          evaluator_(declared.evaluator(pass, dispatches.suspects, reporter)),
+          report_(declared.shapes, declared.expansion, dispatches.suspects, reporter) {}
+
+    void run() {
+        check_local_size();
+        const PassDesc& desc = *draft_.desc;
+        if (desc.indirect) return count_indirectly();
+        std::optional<std::array<double, 3>> groups;
+        if (!desc.groups.empty() && !desc.threads.empty()) {
+            error(desc.groups.front().loc,
+                  "pass " + quote(draft_.decl.name) + " gives both \"groups\" and \"threads\"",
+                  "leave one of them out");
+            return;
+        }
+        if (!desc.groups.empty()) {
+            groups = evaluate_sides(desc.groups);
+        } else if (!desc.threads.empty()) {
+            groups = in_groups(evaluate_sides(desc.threads));
+        } else {
+            groups = in_groups(output_threads());
+        }
+        if (groups) store(*groups);
+    }
+
+ private:
+    void error(SourceLoc loc, const std::string& message, const std::string& help) {
+        add_help(report_.error(pass_, loc, "W114", message), help);
+    }
+
+    void count_indirectly() {
+        constexpr uint64_t kCountsBytes = 12;
+        const auto port = std::ranges::find_if(bound_.ports, &PortDraft::is_indirect);
+        if (port == bound_.ports.end()) return;  // reported
+        result_.indirect_use = static_cast<uint32_t>(port - bound_.ports.begin());
+        const UseDecl& use = bound_.uses[result_.indirect_use];
+        const ResourceDecl& resource = graph_.resources[use.resource];
+        const bool buffer = resource.kind == ResourceKind::buffer;
+        const bool floats = holds_floats(declared_.shapes, use.resource);
+        if (suspects_.shapes[use.resource] || (buffer && !floats && resource.size_bytes >= kCountsBytes))
+            return;
+        error(use.loc,
+              "pass " + quote(draft_.decl.name) + " reads its numbers of workgroups from " +
+                  quote(resource.name) +
+                  (!buffer  ? ", which is an image"
+                   : floats ? ", whose elements are floats"
+                            : ", which is too small"),
+              "it takes a buffer of three words: { \"buffer\": \"u32\", \"count\": 3 }");
+    }
+
+    void check_local_size() {
+        const auto& local = draft_.shader->local_size;
+        const uint64_t invocations = uint64_t{local[0]} * local[1] * local[2];
+        const uint32_t limit = declared_.input.profile.max_workgroup_invocations;
+        if (invocations <= limit) return;
+        error(draft_.desc->shader_loc,
+              "shader " + quote(draft_.desc->shader) + " has workgroups of " + std::to_string(invocations) +
+                  " invocations; the device offers " + std::to_string(limit),
+              "make local_size smaller");
+    }
+
+    // A number is (n, 1, 1), a size (x, y, 1), an array its items.
+    std::optional<std::array<double, 3>> evaluate_sides(const std::vector<Expr>& sides) {
+        std::array<double, 3> result{1, 1, 1};
+        for (size_t i = 0; i < std::min<size_t>(3, sides.size()); ++i) {
+            const std::optional<ExprValue> value = evaluator_.value(sides[i]);
+            if (!value) return std::nullopt;
+            if (value->is_size && sides.size() > 1) {
+                error(sides[i].loc,
+                      "each item of the dispatch size of " + quote(draft_.decl.name) + " must be a number",
+                      "use .x or .y of the size");
+                return std::nullopt;
+            }
+            result[i] = value->x;
+            if (value->is_size) result[1] = value->y;
+        }
+        return result;
+    }
+
+    std::optional<std::array<double, 3>> in_groups(std::optional<std::array<double, 3>> threads) const {
+        if (!threads) return std::nullopt;
+        for (size_t i = 0; i < 3; ++i)
+            (*threads)[i] = std::ceil((*threads)[i] / draft_.shader->local_size[i]);
+        return threads;
+    }
+
+    std::optional<std::array<double, 3>> output_threads() {
+        std::set<std::array<uint32_t, 3>> extents;
+        std::string listed;
+        for (const UseDecl& use : bound_.uses) {
+            if (!use.is_output) continue;
+            if (suspects_.shapes[use.resource]) return std::nullopt;
+            if (graph_.resources[use.resource].kind == ResourceKind::buffer) continue;
+            const Extent3D e = use_extent(graph_.resources, use);
+            if (extents.insert({e.width, e.height, std::max(e.depth, use.range.layers)}).second) {
+                listed += (listed.empty() ? "" : ", ") + quote(use.port) + " is " + extent_text(e);
+            }
+        }
+        if (extents.size() == 1) {
+            const auto& e = *extents.begin();
+            return std::array<double, 3>{double(e[0]), double(e[1]), double(e[2])};
+        }
+        // A faulty pass may lack the very output that would tell.
+        if (suspects_.passes[pass_]) return std::nullopt;
+        const std::string why = extents.empty() ? "it writes no image" : "its outputs differ: " + listed;
+        error(draft_.decl.loc, "the dispatch size of pass " + quote(draft_.decl.name) + " is unknown: " + why,
+              "say it: \"threads\": \"output\" (invocations) or \"groups\": [x, y, z] (workgroups)");
+        return std::nullopt;
+    }
+
+    void store(const std::array<double, 3>& groups) {
+        for (size_t i = 0; i < 3; ++i) {
+            const double count = std::ceil(groups[i]);
+            if (count < 1 || count > kMaxGroups) {
+                const PassDesc& desc = *draft_.desc;
+                const SourceLoc loc = !desc.groups.empty()    ? desc.groups.front().loc
+                                      : !desc.threads.empty() ? desc.threads.front().loc
+                                                              : desc.loc;
+                error(loc,
+                      "pass " + quote(draft_.decl.name) + " would run " + number_text(count) +
+                          " workgroups along one side",
+                      "1 to 65535 are possible");
+                return;
+            }
+            result_.groups[i] = static_cast<uint32_t>(count);
+        }
+    }
+
+    const Declared& declared_;
+    const VersionedGraph& graph_;
+    PassId pass_;
+    const PassDraft& draft_;
+    const BoundPass& bound_;
+    PassDispatch& result_;
+    const Suspects& suspects_;
+    Evaluator evaluator_;
+    PassReporter report_;
+};
+
+// The buffer of a raster pass's draw commands: as many as its list has draws.
+void find_draw_commands(const Declared& declared, const VersionedGraph& graph, PassId pass,
+                        Dispatches& dispatches, PassReporter& report) {
+    constexpr uint64_t kCommandBytes = 20;
+    const BoundPass& bound = graph.passes[pass];
+    PassDispatch& dispatch = dispatches.passes[pass];
+    const auto port = std::ranges::find_if(bound.ports, &PortDraft::is_indirect);
+    if (port == bound.ports.end()) return;
+    dispatch.draw_commands_use = static_cast<uint32_t>(port - bound.ports.begin());
+    const UseDecl& use = bound.uses[dispatch.draw_commands_use];
+    const ResourceDecl& resource = graph.resources[use.resource];
+    if (dispatches.suspects.shapes[use.resource] || bound.draw_lists.empty()) return;
+    const std::string& list = bound.draw_lists.front();
+    const uint64_t draws = declared.input.imports.imports.at(list).draws;
+    const bool buffer = resource.kind == ResourceKind::buffer;
+    const bool floats = holds_floats(declared.shapes, use.resource);
+    if (buffer && !floats && resource.size_bytes >= draws * kCommandBytes) return;
+    Diagnostic& d = report.error(
+        pass, use.loc, "W114",
+        "pass " + quote(declared.pass_name(pass)) + " reads its draw commands from " + quote(resource.name) +
+            (floats   ? std::string(", whose elements are floats")
+             : buffer ? ", which has " + std::to_string(resource.size_bytes) + " bytes; the " +
+                            std::to_string(draws) + " draws of " + quote(list) + " take " +
+                            std::to_string(draws * kCommandBytes)
+                      : ", which is an image"));
+    add_help(
+        d, "it takes a buffer of as many: { \"buffer\": \"DrawCommand\", \"count\": \"" + list + "Draws\" }");
+}
+
+}  // namespace
+
+Dispatches size_dispatches(const Declared& declared, const VersionedGraph& graph, Suspects suspects,
+                           Reporter& reporter) {
+    Dispatches dispatches{.passes = std::vector<PassDispatch>(graph.passes.size()),
+                          .suspects = std::move(suspects)};
+    PassReporter report(declared.shapes, declared.expansion, dispatches.suspects, reporter);
+    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+        const PassDraft& draft = declared.expansion.passes[pass];
+        if (draft.decl.kind == PassKind::compute && draft.shader)
+            DispatchSizer(declared, graph, pass, dispatches, reporter).run();
+        if (draft.decl.kind == PassKind::raster)
+            find_draw_commands(declared, graph, pass, dispatches, report);
+        if (draft.decl.kind == PassKind::copy && !dispatches.suspects.passes[pass])
+            check_copy(declared, graph, pass, dispatches.suspects, report);
+    }
+    return dispatches;
+}
+
+}  // namespace weft

@@ -1,0 +1,22 @@
+// Purpose: the stage of resolve() that finds out which version of its resource each use sees, and what that
+// makes of its access: who reads what from whom. The edges of the graph follow from it.
+// Errors: W104, W110, W111, W124, W150.
+#pragma once
+
+#include <vector>
+
+#include "graph/resolve/choose_formats.h"
+
+namespace weft {
+
+struct VersionedGraph {
+    std::vector<ResourceDecl> resources;
+    std::vector<BoundPass> passes;  // uses have their final access, state and sources
+    std::vector<EdgeDecl> edges;    // sorted by (to, from, kind, resource)
+    Suspects suspects;
+};
+// Extends the graph. `suspects` are those of the checks behind choose_formats().
+[[nodiscard]] VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects suspects,
+                                     Reporter& reporter);
+
+}  // namespace weft

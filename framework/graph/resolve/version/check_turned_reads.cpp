@@ -1,0 +1,115 @@
+// Where passes take turns, every read must see the version that it names in each frame, whichever passes run
+// in it.
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/version/connect_versions.h"
+
+namespace weft {
+namespace {
+
+// Passes of one turn run in the same frames. A pass without turns, or with a single one, runs in all of them.
+struct Turn {
+    uint32_t count = 1;
+    uint32_t index = 0;
+    bool operator==(const Turn&) const = default;
+};
+
+Turn turn_of(const Declared& declared, PassId pass) {
+    const PassDecl& decl = declared.expansion.passes[pass].decl;
+    return decl.turns > 1 ? Turn{decl.turns, decl.turn} : Turn{};
+}
+
+// Judges the reads of one cell. Any set of turns may run in a frame, so the rule does not depend on when a
+// turn comes. A read is right in every frame if
+// - the pass whose version it names runs in each frame in which the reader runs, or
+// - that version is the last one of the cell, and all of the cell's writers run in the same frames, or
+// - every writer changes the content that is there: then each read names the current content, and sees it.
+class TurnedCell {
+ public:
+    using Reported = std::set<std::tuple<const PassDesc*, const PassDesc*, ResourceId>>;
+
+    TurnedCell(const Declared& declared, const VersionedGraph& graph, const Cell& cell, Reported& reported,
+               PassReporter& report, Reporter& reporter)
+        : declared_(declared),
+          graph_(graph),
+          cell_(cell),
+          reported_(reported),
+          report_(report),
+          reporter_(reporter) {}
+
+    void check() {
+        const auto takes_turns = [&](const CellUse& w) { return turn_of(declared_, w.pass) != Turn{}; };
+        if (!cell_.ordered || std::ranges::none_of(cell_.writers, takes_turns)) return;
+        const auto changes = [&](const CellUse& w) { return source_of(w) != nullptr; };
+        if (std::ranges::all_of(cell_.writers, changes)) return;
+        for (const CellUse& reader : cell_.readers) check_read(reader);
+        for (const CellUse& writer : cell_.writers) check_read(writer);
+    }
+
+ private:
+    const UseDecl& use(const CellUse& u) const { return graph_.passes[u.pass].uses[u.use]; }
+
+    // Null: it does not see what was there.
+    const VersionSource* source_of(const CellUse& u) const {
+        const std::vector<VersionSource>& sources = use(u).sources;
+        const auto found = std::ranges::find_if(
+            sources, [&](const VersionSource& s) { return overlaps(s.range, cell_.range); });
+        return found == sources.end() ? nullptr : &*found;
+    }
+
+    void check_read(const CellUse& reader) {
+        const VersionSource* source = source_of(reader);
+        if (source == nullptr) return;
+        const bool before = source->producer == kNoId;  // what the last writer left in the frame before
+        const size_t version =
+            before ? cell_.writers.size() - 1 : static_cast<size_t>(cell_.writer_index(source->producer));
+        const CellUse& wanted = cell_.writers[version];
+        const Turn turn = turn_of(declared_, wanted.pass);
+        if (turn == Turn{} || (!before && turn == turn_of(declared_, reader.pass))) return;
+        const auto other = std::ranges::find_if(
+            cell_.writers, [&](const CellUse& w) { return turn_of(declared_, w.pass) != turn; });
+        if (other != cell_.writers.end()) return report(reader, wanted, *other);
+        if (version + 1 < cell_.writers.size()) report(reader, wanted, cell_.writers[version + 1]);
+    }
+
+    void report(const CellUse& reader, const CellUse& wanted, const CellUse& other) {
+        const auto desc = [&](const CellUse& u) { return declared_.expansion.passes[u.pass].desc; };
+        if (!reported_.insert({desc(reader), desc(wanted), cell_.resource}).second) return;
+        const ResourceDecl& resource = graph_.resources[cell_.resource];
+        const std::string what = quote(range_of(resource, cell_.range));
+        const std::string who = name_reader(declared_.expansion.passes[reader.pass]);
+        Diagnostic& d = report_.error(reader.pass, use(reader).loc, "W124",
+                                      who + " reads what pass " + quote(declared_.pass_name(wanted.pass)) +
+                                          " wrote into " + what +
+                                          ", but in frames in which that pass does not run, pass " +
+                                          quote(declared_.pass_name(other.pass)) + " has overwritten it");
+        add_note(d, reporter_.sources(), use(other).loc, "the other write");
+        if (resource.kind == ResourceKind::image)
+            add_help(d, "let each round write a layer or mip of its own, and read that: " +
+                            quote(resource.name + ".layer(i)"));
+        add_help(d, "or, where each round changes only its own part of what is there, say \"partial\": true");
+        add_help(d, "or run all rounds in every frame: remove \"perFrame\" from " +
+                        quote(declared_.author_name(wanted.pass)));
+    }
+
+    const Declared& declared_;
+    const VersionedGraph& graph_;
+    const Cell& cell_;
+    Reported& reported_;
+    PassReporter& report_;
+    Reporter& reporter_;
+};
+
+}  // namespace
+
+void check_turned_reads(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
+                        Reporter& reporter) {
+    PassReporter report(declared.shapes, declared.expansion, graph.suspects, reporter);
+    TurnedCell::Reported reported;
+    for (const Cell& cell : cells) TurnedCell(declared, graph, cell, reported, report, reporter).check();
+}
+
+}  // namespace weft

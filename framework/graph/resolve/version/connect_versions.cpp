@@ -1,0 +1,249 @@
+#include "graph/resolve/version/connect_versions.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "graph/resolve/dropped_writer.h"
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/rings.h"
+
+namespace weft {
+namespace {
+
+// The content that one use sees, gathered over its cells.
+struct Seen {
+    std::vector<VersionSource> sources;  // by cell
+    std::vector<VersionSource> nothing;  // cells without any content; the producer has no meaning
+    bool this_frame = false;             // some content is of this frame
+    bool unknown = false;                // some cell's writers have no order: reported
+};
+
+class VersionConnector {
+ public:
+    VersionConnector(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
+                     Reporter& reporter)
+        : declared_(declared),
+          cells_(cells),
+          graph_(graph),
+          report_(declared.shapes, declared.expansion, graph.suspects, reporter),
+          reporter_(reporter) {}
+
+    void run() {
+        seen_.resize(graph_.passes.size());
+        for (PassId pass = 0; pass < seen_.size(); ++pass)
+            seen_[pass].resize(graph_.passes[pass].uses.size());
+        for (const Cell& cell : cells_) gather(cell);
+        const size_t known = reporter_.error_count();
+        for (PassId pass = 0; pass < seen_.size(); ++pass) finish_pass(pass);
+        reporter_.sort_errors(known);  // passes come by name
+        sort_edges();
+    }
+
+ private:
+    UseDecl& use(const CellUse& u) { return graph_.passes[u.pass].uses[u.use]; }
+    PortDraft& port(const CellUse& u) { return graph_.passes[u.pass].ports[u.use]; }
+
+    void gather(const Cell& cell) {
+        for (const CellUse& reader : cell.readers) gather(cell, reader);
+        for (const CellUse& writer : cell.writers) gather(cell, writer);
+        if (!cell.ordered) return;
+        for (size_t i = 1; i < cell.writers.size(); ++i) {
+            add_edge(cell.writers[i - 1].pass, cell.writers[i], EdgeKind::waw);
+        }
+    }
+
+    void gather(const Cell& cell, const CellUse& u) {
+        Seen& seen = seen_[u.pass][u.use];
+        if (!cell.ordered) {
+            seen.unknown = true;
+            return;
+        }
+        const int version = version_seen(graph_, cell, u);
+        if (version >= 0) {
+            const PassId producer = cell.writers[static_cast<size_t>(version)].pass;
+            seen.sources.push_back({cell.range, producer});
+            seen.this_frame = true;
+        } else if (declared_.shapes.origins[cell.resource].has_content) {
+            seen.sources.push_back({cell.range, kNoId});
+        } else {
+            seen.nothing.push_back({cell.range, kNoId});
+        }
+        const auto next = static_cast<size_t>(version + 1);
+        const bool only_writes = writes(use(u).access) && port(u).rank == WriteRank::fresh;
+        if (!only_writes && next < cell.writers.size()) add_edge(u.pass, cell.writers[next], EdgeKind::war);
+    }
+
+    void add_edge(PassId from, const CellUse& to, EdgeKind kind) {
+        if (from != to.pass) graph_.edges.push_back({from, to.pass, kind, use(to).resource, use(to).loc});
+    }
+
+    void finish_pass(PassId pass) {
+        BoundPass& bound = graph_.passes[pass];
+        for (uint32_t i = 0; i < bound.uses.size(); ++i) {
+            const CellUse u{pass, i};
+            if (bound.uses[i].access == Access::none) continue;
+            settle_access(u);
+            settle_state(u);
+            if (sees_content(u)) {
+                bound.uses[i].sources = merge_sources(seen_[pass][i].sources);
+                for (const VersionSource& source : bound.uses[i].sources) {
+                    if (source.producer != kNoId) add_edge(source.producer, u, EdgeKind::raw);
+                }
+            }
+            if (must_find_content(u)) check_content(u);
+        }
+    }
+
+    // An attachment or storage write that continues older content reads it.
+    void settle_access(const CellUse& u) {
+        const Seen& seen = seen_[u.pass][u.use];
+        const WriteRank rank = port(u).rank;
+        if (rank == WriteRank::fresh) return;
+        const bool any = !seen.sources.empty();
+        const bool in_place = rank == WriteRank::in_place;
+        const bool loads = seen.this_frame || (in_place && any);
+        Access& a = use(u).access;
+        if (a == Access::storage_write && (any || in_place)) a = Access::storage_read_write;
+        // The first raster write clears the content that an import had before the frame, as any other.
+        if (a == Access::color_write && loads) a = Access::color_read_write;
+        if (a == Access::depth_write && loads) a = Access::depth_read_write;
+    }
+
+    void settle_state(const CellUse& u) {
+        UseDecl& decl = use(u);
+        const ResourceDecl& resource = graph_.resources[decl.resource];
+        const bool buffer = resource.kind == ResourceKind::buffer;
+        const ShaderStageMask stages =
+            port(u).binding ? port(u).binding->stages : stage_bit(ShaderStage::compute);
+        decl.state = access_state(decl.access, stages, buffer ? aspect::kNone : resource.aspects);
+    }
+
+    // A partial copy or clear keeps the rest of the old content, though its access reads nothing.
+    bool sees_content(const CellUse& u) {
+        return reads(use(u).access) || port(u).rank == WriteRank::in_place;
+    }
+
+    // Without earlier content attachments are cleared and buffers left as they are; a port that reads needs
+    // content.
+    bool must_find_content(const CellUse& u) {
+        const Access a = use(u).access;
+        if (!writes(a)) return true;
+        return port(u).reads_own_port || keeps_the_rest(u) ||
+               (declared_.expansion.passes[u.pass].custom && reads(a)) || wants_last_frame(u);
+    }
+
+    // Its author says that the preceding version stays where this pass does not write. An attachment without
+    // a preceding version is cleared.
+    bool keeps_the_rest(const CellUse& u) {
+        const PortDraft& draft = port(u);
+        const bool attachment = draft.color_output != nullptr || draft.is_depth_port;
+        return !attachment && draft.rank == WriteRank::in_place &&
+               (declared_.expansion.passes[u.pass].desc->partial || draft.pinned());
+    }
+
+    // It continues a version, and this frame's copy of a history has none: its author means the last frame.
+    bool wants_last_frame(const CellUse& u) {
+        if (graph_.resources[use(u).resource].history == 0) return false;
+        const WriteRank rank = port(u).rank;
+        return rank == WriteRank::in_place || (rank == WriteRank::resumes && use(u).binding != kNoId);
+    }
+
+    void check_content(const CellUse& u) {
+        const Seen& seen = seen_[u.pass][u.use];
+        const ResourceDecl& resource = graph_.resources[use(u).resource];
+        const Suspects& suspects = graph_.suspects;
+        if (seen.nothing.empty() || seen.unknown || suspects.uses[u.pass][u.use]) return;
+        if (suspects.writers[use(u).resource] || suspects.shapes[use(u).resource]) return;
+        const std::vector<VersionSource> missing = merge_sources(seen.nothing);
+        const std::string who = name_reader(declared_.expansion.passes[u.pass]);
+        const bool writes_it_too = written_by(u);
+        const std::string what = quote(range_of(resource, missing.front().range));
+        const bool partial = writes(use(u).access) && declared_.expansion.passes[u.pass].desc->partial;
+        Diagnostic& d = report_.error(u.pass, use(u).loc, "W110",
+                                      partial ? who + " writes only a part of " + what +
+                                                    " (\"partial\"), and no pass writes the rest before it"
+                                              : who + " reads " + what +
+                                                    (writes_it_too ? " before any other pass writes it"
+                                                                   : ", which no pass writes before it"));
+        if (partial && resource.history == 0)
+            add_help(
+                d,
+                "fill it first, for example with a pass of type \"clear\"; or, if this pass writes all of "
+                "it, remove \"partial\"");
+        if (resource.history > 0) {
+            const std::string last = role_name(resource.name, 1);
+            add_help(d, "every frame begins with an empty copy; what the last one left is " + quote(last) +
+                            ": read that, and write " + quote(resource.name));
+        }
+        if (const PassDesc* dropped = dropped_writer(declared_.expansion, resource.name, reporter_)) {
+            add_help(d, "pass " + quote(dropped->name) + ", which would write it, is left out");
+        } else if (written_at_all(use(u).resource, u.pass)) {
+            add_help(
+                d, "other parts or later versions of it are written: check the mips and layers, and the pin");
+        } else if (resource.lifetime == ResourceLifetime::imported) {
+            add_help(d, "the import has no content when the frame begins: write it first");
+        } else if (resource.history == 0 && !partial) {
+            add_help(d, "write it in the \"out\" of a pass, or import it");
+        }
+    }
+
+    bool written_by(const CellUse& u) {
+        return std::ranges::any_of(graph_.passes[u.pass].uses, [&](const UseDecl& other) {
+            return writes(other.access) && other.resource == use(u).resource &&
+                   overlaps(other.range, use(u).range);
+        });
+    }
+
+    bool written_at_all(ResourceId resource, PassId except) const {
+        for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
+            if (pass == except) continue;
+            for (const UseDecl& other : graph_.passes[pass].uses) {
+                if (other.resource == resource && writes(other.access)) return true;
+            }
+        }
+        return false;
+    }
+
+    void sort_edges() {
+        const auto key = [](const EdgeDecl& e) { return std::tuple(e.to, e.from, e.kind, e.resource); };
+        std::vector<EdgeDecl>& edges = graph_.edges;
+        std::ranges::stable_sort(edges, {}, key);
+        // Not std::ranges::unique: clang 14 can't compile what it returns with libstdc++ 12.
+        const auto equal = [&](const EdgeDecl& a, const EdgeDecl& b) { return key(a) == key(b); };
+        edges.erase(std::unique(edges.begin(), edges.end(), equal), edges.end());
+    }
+
+    const Declared& declared_;
+    const std::vector<Cell>& cells_;
+    VersionedGraph& graph_;
+    PassReporter report_;
+    Reporter& reporter_;
+    std::vector<std::vector<Seen>> seen_;  // by pass, by use
+};
+
+}  // namespace
+
+std::span<const PassId> visible_pins(const PortDraft& port, PassId pass) {
+    const auto own = std::ranges::find(port.pins, pass);
+    return {port.pins.begin(), own};
+}
+
+int version_seen(const VersionedGraph& graph, const Cell& cell, const CellUse& reader) {
+    const PortDraft& port = graph.passes[reader.pass].ports[reader.use];
+    const int own = cell.writer_index(reader.pass);
+    if (!port.pinned()) return own >= 0 ? own - 1 : static_cast<int>(cell.writers.size()) - 1;
+    int last = -1;
+    for (const PassId pin : visible_pins(port, reader.pass)) last = std::max(last, cell.writer_index(pin));
+    if (last >= 0) return last;
+    const auto before = cell.foreign_pins.find(reader);
+    if (before == cell.foreign_pins.end()) return last;
+    for (const PassId writer : before->second) last = std::max(last, cell.writer_index(writer));
+    return last;
+}
+
+void connect_versions(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
+                      Reporter& reporter) {
+    VersionConnector(declared, cells, graph, reporter).run();
+}
+
+}  // namespace weft

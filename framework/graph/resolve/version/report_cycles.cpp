@@ -1,0 +1,215 @@
+// A message about a dependency cycle names which pass waits for which, the reasons, and where to cut it.
+#include <algorithm>
+#include <deque>
+#include <tuple>
+
+#include "graph/resolve/fault_text.h"
+#include "graph/resolve/version/pass_order.h"
+
+namespace weft {
+namespace {
+
+class CycleReport {
+ public:
+    CycleReport(const Declared& declared, const VersionedGraph& graph, const PassOrder& order,
+                Reporter& reporter)
+        : declared_(declared),
+          graph_(graph),
+          order_(order),
+          reporter_(reporter),
+          done_(graph.passes.size(), 0) {}
+
+    void run() {
+        peel();
+        for (PassId pass = 0; pass < done_.size(); ++pass) {
+            if (done_[pass]) continue;
+            reporter_.spend(order_.arcs().size() + done_.size(), declared_.expansion.passes[pass].desc->loc);
+            const std::vector<PassId> knot = knot_of(pass);
+            if (knot.size() > 1) report(knot);
+            done_[pass] = 1;
+            for (const PassId member : knot) done_[member] = 1;
+        }
+    }
+
+ private:
+    // Passes that nothing undone leads to are on no cycle.
+    void peel() {
+        std::vector<uint32_t> waits_for(done_.size(), 0);
+        for (const OrderArc& arc : order_.arcs()) ++waits_for[arc.to];
+        std::vector<PassId> ready;
+        for (PassId pass = 0; pass < done_.size(); ++pass) {
+            if (waits_for[pass] == 0) ready.push_back(pass);
+        }
+        while (!ready.empty()) {
+            const PassId pass = ready.back();
+            ready.pop_back();
+            done_[pass] = 1;
+            for (const uint32_t index : order_.arcs_out()[pass]) {
+                const PassId next = order_.arcs()[index].to;
+                if (--waits_for[next] == 0) ready.push_back(next);
+            }
+        }
+    }
+
+    // Arc indices of a shortest way from `from` to `to` through undone passes; empty: none.
+    std::vector<uint32_t> way(PassId from, PassId to) const {
+        std::vector<uint32_t> by(done_.size(), kNoId);
+        std::deque<PassId> open{from};
+        while (!open.empty() && by[to] == kNoId) {
+            const PassId pass = open.front();
+            open.pop_front();
+            for (const uint32_t index : order_.arcs_out()[pass]) {
+                const PassId next = order_.arcs()[index].to;
+                if (done_[next] || by[next] != kNoId) continue;
+                by[next] = index;
+                open.push_back(next);
+            }
+        }
+        std::vector<uint32_t> arcs;
+        if (by[to] == kNoId) return arcs;
+        PassId at = to;
+        do {
+            arcs.push_back(by[at]);
+            at = order_.arcs()[by[at]].from;
+        } while (at != from);
+        return arcs;
+    }
+
+    // All undone passes that wait for `pass` and that it waits for.
+    std::vector<PassId> knot_of(PassId pass) const {
+        const std::vector<uint8_t> after = order_.reached_from(pass);
+        std::vector<std::vector<PassId>> before(done_.size());
+        for (const OrderArc& arc : order_.arcs()) {
+            if (!done_[arc.from] && !done_[arc.to]) before[arc.to].push_back(arc.from);
+        }
+        std::vector<uint8_t> leads(done_.size(), 0);
+        std::vector<PassId> open{pass};
+        while (!open.empty()) {
+            const PassId at = open.back();
+            open.pop_back();
+            for (const PassId from : before[at]) {
+                if (leads[from]) continue;
+                leads[from] = 1;
+                open.push_back(from);
+            }
+        }
+        std::vector<PassId> knot;
+        for (PassId p = 0; p < done_.size(); ++p) {
+            if (!done_[p] && after[p] && leads[p]) knot.push_back(p);
+        }
+        return knot;
+    }
+
+    // The arc that the message begins with: best one that a pin would cut, then one of `after`.
+    const OrderArc* best_cut(const std::vector<PassId>& knot) const {
+        const OrderArc* best = nullptr;
+        const auto rank = [](const OrderArc& arc) {
+            return arc.pinnable ? 0 : arc.kind == EdgeKind::after ? 1 : 2;
+        };
+        for (const OrderArc& arc : order_.arcs()) {
+            if (!std::ranges::binary_search(knot, arc.from) || !std::ranges::binary_search(knot, arc.to))
+                continue;
+            const auto key = [&](const OrderArc& a) {
+                return std::tuple(rank(a), a.to, a.from, a.kind, a.resource);
+            };
+            if (!best || key(arc) < key(*best)) best = &arc;
+        }
+        return best;
+    }
+
+    std::string reason(const OrderArc& arc) const {
+        switch (arc.kind) {
+            case EdgeKind::raw:
+                return "reads " + declared_.resource_name(arc.resource);
+            case EdgeKind::war:
+                return "overwrites " + declared_.resource_name(arc.resource) + " that it reads";
+            case EdgeKind::waw:
+                return "writes " + declared_.resource_name(arc.resource) + " after it";
+            case EdgeKind::after:
+                return "after";
+        }
+        return "";
+    }
+
+    // A writer outside the knot whose version could be pinned instead.
+    std::string writer_outside(const std::vector<PassId>& knot, ResourceId resource) const {
+        for (const WriteRank rank : {WriteRank::fresh, WriteRank::resumes, WriteRank::in_place}) {
+            for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
+                if (std::ranges::binary_search(knot, pass)) continue;
+                const std::vector<UseDecl>& uses = graph_.passes[pass].uses;
+                for (size_t i = 0; i < uses.size(); ++i) {
+                    if (uses[i].resource == resource && writes(uses[i].access) &&
+                        graph_.passes[pass].ports[i].rank == rank) {
+                        return declared_.author_name(pass);
+                    }
+                }
+            }
+        }
+        return "";
+    }
+
+    bool writes_resource(PassId pass, ResourceId resource) const {
+        return std::ranges::any_of(graph_.passes[pass].uses, [&](const UseDecl& use) {
+            return use.resource == resource && writes(use.access);
+        });
+    }
+
+    // A repeat whose passes read what its own earlier passes wrote.
+    bool reads_own_repeat(PassId pass, ResourceId resource) const {
+        const auto& instances = declared_.expansion.instances;
+        const auto own = instances.find(declared_.author_name(pass));
+        return own != instances.end() && own->second.size() > 1 && writes_resource(pass, resource);
+    }
+
+    std::string remedy(const OrderArc& cut, const std::vector<PassId>& knot) const {
+        const std::string to = quote(declared_.author_name(cut.to));
+        if (cut.kind == EdgeKind::after) return "remove the \"after\" of " + to + ", or one of the reads";
+        const std::string& resource = declared_.resource_name(cut.resource);
+        const std::string writer = !cut.pinnable ? ""
+                                   : reads_own_repeat(cut.to, cut.resource)
+                                       ? declared_.author_name(cut.to)
+                                       : writer_outside(knot, cut.resource);
+        if (writer.empty()) {
+            return "one of these passes must read another resource, or another version: name@pass";
+        }
+        return quote(resource) + " has several writers; pin the version you want in " + to + ": " +
+               quote(resource + "@" + writer);
+    }
+
+    void report(const std::vector<PassId>& knot) {
+        const OrderArc* cut = best_cut(knot);
+        if (!cut) return;
+        std::string text = declared_.pass_name(cut->to) + " (" + reason(*cut) + ")";
+        std::vector<Note> notes;
+        constexpr size_t kMostTold = 16;
+        size_t told = 0;
+        // way() lists the arcs backwards, which is the direction in which passes wait.
+        for (const uint32_t index : way(cut->to, cut->from)) {
+            const OrderArc& arc = order_.arcs()[index];
+            if (++told > kMostTold) continue;
+            text += " -> " + declared_.pass_name(arc.to) + " (" + reason(arc) + ")";
+            const Diagnostic place = reporter_.sources().error(arc.loc, "", "");
+            if (place.line != 0) notes.push_back({place.file, place.line, place.column, reason(arc)});
+        }
+        if (told > kMostTold) text += " -> … " + std::to_string(told - kMostTold) + " more …";
+        text += " -> " + declared_.pass_name(cut->to);
+        Diagnostic& d = reporter_.error(cut->loc, "W150", "dependency cycle: " + text);
+        d.notes = std::move(notes);
+        add_help(d, remedy(*cut, knot));
+    }
+
+    const Declared& declared_;
+    const VersionedGraph& graph_;
+    const PassOrder& order_;
+    Reporter& reporter_;
+    std::vector<uint8_t> done_;
+};
+
+}  // namespace
+
+void report_cycles(const Declared& declared, const VersionedGraph& graph, const PassOrder& order,
+                   Reporter& reporter) {
+    CycleReport(declared, graph, order, reporter).run();
+}
+
+}  // namespace weft
