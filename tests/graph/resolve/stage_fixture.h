@@ -1,0 +1,135 @@
+// The results of the stages of resolve(), made by hand, so that a test calls one stage alone.
+// Add resources and passes in the order of their names: ids are indices.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <list>
+
+#include "graph/parse/expression.h"
+#include "graph/parse/reference.h"
+#include "graph/resolve/version.h"
+#include "tests/graph/resolve/resolve_fixture.h"
+
+namespace weft::test {
+
+class StageTest : public ::testing::Test {
+ protected:
+    static Expr expression(const std::string& text) {
+        return *parse_expression({.text = text, .literal = {}}, {});
+    }
+    static RefDesc reference(const std::string& text) {
+        return *parse_reference({.text = text, .literal = {}}, {});
+    }
+    static PortDesc port(const std::string& name, const std::string& ref) {
+        return {.port = name, .ref = reference(ref), .otherwise = {}, .sampler = {}, .loc = {}};
+    }
+
+    // A description, for evaluate(), shape_resources() and expand().
+    ResourceDesc& describe_image(const std::string& name, const std::string& format = "rgba16f") {
+        ResourceDesc& desc = graph.resources[name];
+        desc.name = name;
+        desc.formats = {format};
+        return desc;
+    }
+    PassDesc& describe_pass(const std::string& name, const std::string& type = "compute") {
+        PassDesc& desc = graph.passes[name];
+        desc.name = name;
+        desc.type = type;
+        return desc;
+    }
+
+    // The result of shape_resources() for a described image of 16x16 px.
+    ResourceId add_image(const std::string& name, const std::string& format = "rgba16f") {
+        ResourceDecl decl;
+        decl.name = name;
+        decl.format = format_from_name(format).value_or(Format::undefined);
+        decl.extent = {16, 16, 1};
+        shapes.resources.push_back(decl);
+        shapes.origins.push_back({.desc = &describe_image(name, format)});
+        shapes.suspects.shapes.push_back(0);
+        shapes.suspects.writers.push_back(0);
+        return static_cast<ResourceId>(shapes.resources.size() - 1);
+    }
+
+    // The result of expand() for a described pass. Its shader is the one of its name.
+    PassId add_pass(const std::string& name, PassKind kind = PassKind::compute) {
+        const auto id = static_cast<PassId>(expansion.passes.size());
+        PassDraft draft;
+        draft.decl.name = name;
+        draft.decl.kind = kind;
+        draft.desc = graph.passes.contains(name) ? &graph.passes[name] : &describe_pass(name);
+        const auto shader = shaders.find(name);
+        if (shader != shaders.end()) draft.shader = &shader->second.interface;
+        expansion.passes.push_back(std::move(draft));
+        expansion.instances[name] = {id};
+        return id;
+    }
+
+    // The result of bind() for one port of the newest passes.
+    UseDecl& add_use(PassId pass, const std::string& port, ResourceId resource, Access access) {
+        bound.resize(expansion.passes.size());
+        UseDecl use;
+        use.port = port;
+        use.resource = resource;
+        use.access = access;
+        use.is_output = writes(access);
+        bound[pass].uses.push_back(std::move(use));
+        bound[pass].ports.emplace_back().desc = &described_ports.emplace_back(PortDesc{.port = port});
+        return bound[pass].uses.back();
+    }
+
+    // All that is suspect so far, in the shape that the stages expect.
+    Suspects suspects() {
+        Suspects all = shapes.suspects;
+        bound.resize(expansion.passes.size());
+        all.passes.resize(expansion.passes.size());
+        for (const BoundPass& pass : bound) all.uses.emplace_back(pass.uses.size());
+        return all;
+    }
+    VersionedGraph versioned() {
+        Suspects all = suspects();
+        return {shapes.resources, bound, {}, std::move(all)};
+    }
+
+    // What the stage reported: "W104 W110".
+    std::string codes() {
+        errors = reporter.finish();
+        std::string text;
+        for (const Diagnostic& d : errors) text += (text.empty() ? "" : " ") + d.code;
+        return text;
+    }
+
+    GraphDesc graph;
+    PassCatalog passes;
+    ShaderCatalog shaders;
+    ImportCatalog imports = fake_imports();
+    DeviceProfile profile = fake_profile();
+    GraphLimits limits;
+    std::map<std::string, double> params;
+    std::vector<std::string> observed;
+    Diagnostics warnings;
+    Diagnostics errors;
+
+    Values values = {.by_name = {{"output", size_value(64, 32)}}, .faulty = {}, .params = {}};
+    Shapes shapes;
+    Expansion expansion;
+    std::vector<BoundPass> bound;
+    std::list<PortDesc> described_ports;
+
+    // Made by each test's call, so that it sees the fixture's fields as they are then.
+    ResolveInput input() {
+        return {.graph = graph,
+                .passes = passes,
+                .shaders = shaders,
+                .imports = imports,
+                .profile = profile,
+                .params = params,
+                .output_extent = {64, 32, 1},
+                .observed = observed,
+                .limits = limits};
+    }
+    Reporter reporter{graph, limits.steps, warnings};
+};
+
+}  // namespace weft::test
