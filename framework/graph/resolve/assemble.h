@@ -1,4 +1,4 @@
-// Purpose: the last stage of resolve() puts the results of the others together.
+// Purpose: the stage of resolve() that puts the results of the others together.
 #pragma once
 
 #include "graph/resolve/attach.h"

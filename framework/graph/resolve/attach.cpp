@@ -52,7 +52,7 @@ class PassAttacher {
         const auto own = desc().clear_ports.find(use.port);
         if (own != desc().clear_ports.end()) return evaluator_.color(own->second);
         const ResourceDecl& resource = graph_.resources[use.resource];
-        // The pass's own value is a colour.
+        // The pass's own value is a colour, so it does not clear depth.
         if (desc().clear && !(resource.aspects & aspect::kDepth)) return evaluator_.color(*desc().clear);
         // Depth is reversed: 0 is infinitely far.
         return resource.clear.value_or(std::array<float, 4>{0, 0, 0, 0});

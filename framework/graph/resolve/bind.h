@@ -20,7 +20,7 @@ enum class WriteRank : uint8_t {
     in_place,  // changes the preceding version
 };
 
-// What is known of a use beyond its UseDecl.
+// Facts about a use beyond its UseDecl.
 struct PortDraft {
     const PortDesc* desc = nullptr;
     const ShaderBinding* binding = nullptr;       // in set 1

@@ -1,5 +1,4 @@
-// Purpose: the checks and warnings of resolve(). They find faults, and add nothing to the graph but what
-// faults make suspect.
+// Purpose: the checks and warnings of resolve().
 #pragma once
 
 #include <set>
@@ -10,38 +9,38 @@
 
 namespace weft {
 
-// Shaders' declarations against formats, dimensions and sizes of what is bound; one layout for each
-// subresource in one pass. Errors: W105, W163, W164, W166, W172, W173, W182.
+// The declarations of shaders fit the formats, dimensions and sizes of the resources bound to them, and a
+// subresource has one layout in a pass. Errors: W105, W163, W164, W166, W172, W173, W182.
 [[nodiscard]] Suspects check_interfaces(const Declared& declared, const FormattedGraph& graph,
                                         Reporter& reporter);
-// Passes that take turns (`perFrame`) repeat something, and write what stays. Errors: W124.
+// Passes that take turns (`perFrame`) are a repeat, and write resources whose content stays. Errors: W124.
 [[nodiscard]] Suspects check_turns(const Declared& declared, const FormattedGraph& graph, Suspects suspects,
                                    Reporter& reporter);
-// Clear values against the formats of what they clear. Errors: W109.
+// The formats of resources can hold their clear values. Errors: W109.
 void check_clear_values(const Declared& declared, const VersionedGraph& graph, const Suspects& suspects,
                         Reporter& reporter);
 // Some pass writes the output. Errors: W184.
 void check_output(const Declared& declared, const VersionedGraph& graph, const Suspects& suspects,
                   Reporter& reporter);
-// Parameters of C++ passes, which the result has, and what their types say of them. Errors: W113, and the
-// types' own.
+// Adds the parameters of C++ passes to the graph, and runs the checks of their types. Errors: W113, and those
+// of the types.
 [[nodiscard]] ResolvedGraph check_custom_passes(const Declared& declared, ResolvedGraph graph,
                                                 Suspects suspects, Reporter& reporter);
-// What compiling and proving the graph will cost is within graph.steps. Errors: W125.
+// Compiling and checking the graph stays within graph.steps. Errors: W125.
 void weigh_plan(const ResolvedGraph& graph, Reporter& reporter);
 
 // Resources that no pass names. Warnings: W130.
 void warn_unused(const Declared& declared, Reporter& reporter);
-// What is done for nothing. Warnings: W135, W136.
+// Resources that no pass reads, and passes that lead to nothing. Warnings: W135, W136.
 void warn_useless(const Declared& declared, const VersionedGraph& versioned, const ResolvedGraph& graph,
                   const Suspects& suspects, Reporter& reporter);
-// What it costs to change each parameter. Warnings, for names that nothing uses: W132 to W134.
+// Fills in the cost of changing each parameter. Warnings, for names that nothing uses: W132 to W134.
 [[nodiscard]] std::vector<GraphParam> weigh_params(const ResolveInput& input, std::vector<GraphParam> params,
                                                    Reporter& reporter);
 
 // The resources that debug views show and tests look at, by name.
 [[nodiscard]] std::set<std::string, std::less<>> watched_resources(const GraphDesc& graph);
-// In a file that another one includes: it may offer what this graph has no use for.
+// Whether the place lies in a file that another one includes. It may offer more than this graph uses.
 [[nodiscard]] bool is_included(const SourceMap& sources, SourceLoc loc);
 
 }  // namespace weft

@@ -11,7 +11,7 @@
 namespace weft {
 namespace {
 
-// What one resource must support beyond its usages.
+// The needs of one resource beyond its usages.
 struct Needs {
     bool blend = false;
     bool blit_from = false, blit_to = false;
@@ -88,7 +88,7 @@ void need_transfers(std::vector<ResourceDecl>& resources) {
     }
 }
 
-// A content that follows its resource's size is blitted there.
+// Content that is kept when its resource changes size is blitted.
 void need_resampling(const std::vector<ResourceDecl>& resources, std::vector<Needs>& needs) {
     for (ResourceId id = 0; id < resources.size(); ++id) {
         const ResourceDecl& decl = resources[id];

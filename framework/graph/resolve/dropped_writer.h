@@ -1,4 +1,5 @@
-// Purpose: which pass that `if` leaves out would write a resource. Messages of several stages name it.
+// Purpose: finds the pass that would write a resource if `if` did not leave it out. Messages of several
+// stages name that pass.
 #pragma once
 
 #include <string>

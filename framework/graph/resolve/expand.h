@@ -1,4 +1,4 @@
-// Purpose: the stage of resolve() that finds out which passes there are. A description stands for one pass,
+// Purpose: the stage of resolve() that finds the passes of the graph. A description stands for one pass,
 // for several (`repeat`), or for none (`if`); an observed reference becomes a pass of its own. Each gets its
 // kind, its shader and its fixed-function state.
 // Errors: W106, W107, W109, W115, W125, W177, W187, and those of references.

@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-// More names than this help nobody.
+// A longer list does not help.
 constexpr size_t kMostListed = 64;
 
 }  // namespace

@@ -97,7 +97,7 @@ class BlockFiller {
         report_unknown(member);
     }
 
-    // "opaqueDraws"
+    // Whether the name is the draw count of an imported list: "opaqueDraws".
     bool counts_draws(std::string_view name) const {
         if (!name.ends_with(kDrawsSuffix) || declared_.input.graph.sizes.contains(std::string(name)))
             return false;

@@ -71,7 +71,7 @@ bool Reporter::is_known(const Diagnostic& fault) const {
     });
 }
 
-// This error comes on top of the most.
+// This error may be one more than kMostErrors.
 void Reporter::stop_for_steps(SourceLoc loc) {
     Diagnostic& d = errors_.emplace_back(sources().error(
         loc, "W125",

@@ -1,5 +1,5 @@
 // Purpose: collects the errors and warnings of resolving one graph, and counts its steps. It is the only
-// object that the stages change; all else they return.
+// object that the stages change; they return everything else.
 // Every stage reports each fault that it meets and continues. A fault makes some facts unknown; those are
 // marked in Suspects, and later stages report nothing about them: one cause, one message.
 #pragma once
@@ -11,9 +11,9 @@
 
 namespace weft {
 
-// Thrown by Reporter when nothing more is worth saying: there are too many errors, or the steps are used up.
-// The reporter holds the message for it by then. resolve() catches it, and nothing else does: a stage may be
-// deep in its loops, and must stop at once, so that no graph, however large or faulty, keeps it busy.
+// Reporter throws it when there are too many errors or the steps are used up, after it has added the message
+// for that; only resolve() catches it. An exception stops a stage at once, wherever it is in its loops, so
+// that no graph, however large or faulty, keeps it busy for long.
 struct ResolveStopped {};
 
 class Reporter {
@@ -29,9 +29,9 @@ class Reporter {
     Diagnostic& add(Diagnostic fault);
     // Unless the same code was reported at the same place.
     void add_once(Diagnostic fault);
-    // For the passes of a repeat behind its first: a fault that is known already is not reported again, and
-    // the result is a diagnostic that nobody sees. Its caller still searches for a similar name to suggest;
-    // `search_steps` pay for that.
+    // For the later passes of a repeat: a fault that is known is not reported again, and the result is a
+    // diagnostic that is dropped. The caller still searches for a similar name to suggest in it;
+    // `search_steps` are spent for that.
     Diagnostic& add_once(Diagnostic fault, SourceLoc loc, uint64_t search_steps);
 
     void warn(SourceLoc loc, std::string code, std::string message, std::string help);

@@ -1,4 +1,4 @@
-// Purpose: what the author asked for, with every name, size, format and version resolved.
+// Purpose: makes a ResolvedGraph of a GraphDesc: every name, size, format and version is resolved.
 #pragma once
 
 #include <map>
@@ -26,8 +26,8 @@ struct ResolveInput {
     Extent3D output_extent{1280, 720, 1};
     std::vector<std::string> observed;  // references ("name@pass.mip(e)") that must be produced as well
     GraphLimits limits = {};
-    // For images with alternatives, by name: so many of the first alternatives are not to be used, though the
-    // device supports them.
+    // For images with alternatives, by name: how many of the first alternatives to skip, though the device
+    // supports them.
     std::map<std::string, size_t> skipped_formats = {};
 };
 // W120: values that parameters may not have, defaults among them, and names that the graph does not declare.

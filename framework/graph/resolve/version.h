@@ -1,6 +1,5 @@
-// Purpose: the stage of resolve() that finds out which version of its resource each use sees, and what that
-// makes of its access: who reads what from whom. The edges of the graph follow from it.
-// Errors: W104, W110, W111, W124, W150.
+// Purpose: the stage of resolve() that finds the version of its resource that each use sees. The final access
+// of each use and the edges of the graph follow from it. Errors: W104, W110, W111, W124, W150.
 #pragma once
 
 #include <vector>

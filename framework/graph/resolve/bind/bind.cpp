@@ -10,7 +10,7 @@
 namespace weft {
 namespace {
 
-// Leaving a binding empty takes a shader that knows what to do without it.
+// A port may be optional only where the shader has a switch for its absence.
 void check_optional_ports(PassBinding& pass) {
     const PassDraft& draft = pass.draft;
     for (const PortDesc& port : draft.desc->in) {

@@ -153,7 +153,7 @@ class ReferenceBinder {
         return ports;
     }
 
-    // What the port names, or what it takes instead, or nothing.
+    // Binds the port to the resource that it names, to its "else", or to nothing.
     void add_input(PassId pass, const PortDesc& port, const Presence& presence,
                    std::vector<BoundPort>& ports) {
         for (const RefDesc* ref : {&port.ref, port.otherwise ? &*port.otherwise : nullptr}) {

@@ -18,7 +18,7 @@ bool passes_on(const PassDesc& desc, const std::string& name) {
     return reads_it || blend_of(desc, out->port).enabled;
 }
 
-// The pass that a dropped one pins itself.
+// The pass that a dropped pass pins itself.
 const std::string* own_pin(const PassDesc& desc, const std::string& name) {
     for (const std::vector<PortDesc>* ports : {&desc.in, &desc.out}) {
         for (const PortDesc& port : *ports) {

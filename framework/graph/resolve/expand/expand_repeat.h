@@ -10,7 +10,7 @@ struct PassInstance {
     std::map<std::string, double> indices;
 };
 
-// What the limits of a whole graph have counted so far.
+// Counts of the whole graph so far, which limits bound.
 struct RepeatCounts {
     uint64_t steps = 0;
     uint64_t passes = 0;  // those that `if` leaves out are counted too

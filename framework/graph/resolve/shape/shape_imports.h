@@ -1,4 +1,4 @@
-// Purpose: what the graph asks of the program around it, checked against what that offers. Private to
+// Purpose: checks the imports of a graph against the offers of the program around it. Private to
 // shape_resources().
 #pragma once
 

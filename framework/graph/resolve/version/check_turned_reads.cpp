@@ -52,7 +52,7 @@ class TurnedCell {
  private:
     const UseDecl& use(const CellUse& u) const { return graph_.passes[u.pass].uses[u.use]; }
 
-    // Null: it does not see what was there.
+    // Null: it sees no earlier content.
     const VersionSource* source_of(const CellUse& u) const {
         const std::vector<VersionSource>& sources = use(u).sources;
         const auto found = std::ranges::find_if(
@@ -63,7 +63,8 @@ class TurnedCell {
     void check_read(const CellUse& reader) {
         const VersionSource* source = source_of(reader);
         if (source == nullptr) return;
-        const bool before = source->producer == kNoId;  // what the last writer left in the frame before
+        const bool before =
+            source->producer == kNoId;  // the content that the last writer left in the frame before
         const size_t version =
             before ? cell_.writers.size() - 1 : static_cast<size_t>(cell_.writer_index(source->producer));
         const CellUse& wanted = cell_.writers[version];

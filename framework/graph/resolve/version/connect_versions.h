@@ -14,7 +14,7 @@ namespace weft {
 // The index of the writer whose version `reader` sees in an ordered cell; -1: the content from before the
 // frame.
 [[nodiscard]] int version_seen(const VersionedGraph& graph, const Cell& cell, const CellUse& reader);
-// Fills in sources, accesses, states and edges. Errors: W110, for reads of what no pass writes.
+// Fills in sources, accesses, states and edges. Errors: W110, for reads of content that no pass writes.
 void connect_versions(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                       Reporter& reporter);
 // Errors: W124, for reads that, where passes take turns, would not see the version that they name in every

@@ -32,7 +32,7 @@ class CycleReport {
     }
 
  private:
-    // Passes that nothing undone leads to are on no cycle.
+    // Marks passes that no undone pass leads to as done: they are on no cycle.
     void peel() {
         std::vector<uint32_t> waits_for(done_.size(), 0);
         for (const OrderArc& arc : order_.arcs()) ++waits_for[arc.to];
@@ -75,7 +75,7 @@ class CycleReport {
         return arcs;
     }
 
-    // All undone passes that wait for `pass` and that it waits for.
+    // All undone passes that wait for `pass` while it waits for them.
     std::vector<PassId> knot_of(PassId pass) const {
         const std::vector<uint8_t> after = order_.reached_from(pass);
         std::vector<std::vector<PassId>> before(done_.size());
