@@ -12,8 +12,6 @@ namespace weft {
 namespace {
 
 constexpr size_t kShortList = 16;
-// A longer list of names would not help the reader.
-constexpr size_t kMostListed = 64;
 
 }  // namespace
 
@@ -280,17 +278,6 @@ bool read_reference(ParseContext& context, const JsonNode& node, RefDesc& out) {
     }
     out = std::move(*ref);
     return context.count_parts(out);
-}
-
-std::string quoted_list(const std::vector<std::string>& names) {
-    const size_t shown = names.size() > kMostListed ? kMostListed : names.size();
-    std::string text;
-    for (size_t i = 0; i < shown; ++i) {
-        if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-        text += "\"" + names[i] + "\"";
-    }
-    if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
-    return text;
 }
 
 void unknown_key(ParseContext& context, const JsonMember& member, std::string_view what,

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "graph/diagnostics/quoted_list.h"
 #include "graph/parse/format_words.h"
 #include "weft/graph_desc.h"
 #include "weft/result.h"
@@ -117,8 +118,6 @@ void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, st
                  std::string help);
 void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
                 const std::vector<std::string>& allowed);
-// For example `"a", "b" and "c"`; a long list is shortened.
-[[nodiscard]] std::string quoted_list(const std::vector<std::string>& names);
 
 // --- composed values
 // -------------------------------------------------------------------------------------------

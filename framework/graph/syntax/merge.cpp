@@ -4,9 +4,10 @@
 #include <array>
 #include <map>
 
-#include "graph/syntax/reference_name.h"
+#include "graph/diagnostics/quoted_list.h"
 #include "graph/syntax/json_patch.h"
 #include "graph/syntax/merge.h"
+#include "graph/syntax/reference_name.h"
 
 namespace weft {
 namespace {
