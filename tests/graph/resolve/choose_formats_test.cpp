@@ -37,7 +37,7 @@ TEST_F(ChooseFormatsTest, WithoutASupportedFormatTheShapeIsSuspect) {
     const ResourceId x = add_image("x", "d32f");
     add_use(add_pass("write"), "dst", x, Access::storage_write);
     EXPECT_EQ(run().suspects.shapes[x], 1);
-    EXPECT_EQ(codes(), "W117");
+    ASSERT_EQ(codes(), "W117");
     ASSERT_FALSE(errors.front().help.empty());
     EXPECT_EQ(errors.front().help.front(), "\"d32f\" lacks storage images");
 }

@@ -50,7 +50,7 @@ TEST_F(EvaluateTest, SizesThatDependOnEachOtherAreOneFault) {
     graph.sizes["b"] = expression("c");
     graph.sizes["c"] = expression("a");
     const Values found = evaluate(input(), reporter);
-    EXPECT_EQ(codes(), "W106");
+    ASSERT_EQ(codes(), "W106");
     EXPECT_EQ(errors.front().message, "sizes depend on each other: a -> b -> c -> a");
     EXPECT_EQ(found.faulty.size(), 3u);
 }

@@ -57,7 +57,7 @@ TEST_F(VersionTest, WritersWithoutAnOrderAreAFault) {
     add_use(add_pass("a"), "dst", x, Access::storage_write);
     add_use(add_pass("b"), "dst", x, Access::storage_write);
     (void)run();
-    EXPECT_EQ(codes(), "W111");
+    ASSERT_EQ(codes(), "W111");
     EXPECT_EQ(errors.front().message, "passes \"a\" and \"b\" both write \"x\", and nothing orders them");
 }
 
@@ -109,7 +109,7 @@ TEST_F(VersionTest, PassesThatWaitForEachOtherAreACycle) {
     add_use(b, "src", x, Access::sampled_read);
     add_use(b, "dst", y, Access::storage_write);
     (void)run();
-    EXPECT_EQ(codes(), "W150");
+    ASSERT_EQ(codes(), "W150");
     EXPECT_EQ(errors.front().message, "dependency cycle: a (reads y) -> b (reads x) -> a");
 }
 
