@@ -1,8 +1,6 @@
 // Purpose: the checks and warnings of resolve().
 #pragma once
 
-#include <set>
-#include <string>
 #include <vector>
 
 #include "graph/resolve/version.h"
@@ -38,8 +36,6 @@ void warn_useless(const Declared& declared, const VersionedGraph& versioned, con
 [[nodiscard]] std::vector<GraphParam> weigh_params(const ResolveInput& input, std::vector<GraphParam> params,
                                                    Reporter& reporter);
 
-// The resources that debug views show and tests look at, by name.
-[[nodiscard]] std::set<std::string, std::less<>> watched_resources(const GraphDesc& graph);
 // Whether the place lies in a file that another one includes. It may offer more than this graph uses.
 [[nodiscard]] bool is_included(const SourceMap& sources, SourceLoc loc);
 

@@ -7,6 +7,8 @@
 
 namespace weft {
 
+inline constexpr uint32_t kPortSet = 1;  // the descriptor set of a pass's ports
+
 // The arguments of the functions below.
 struct PassBinding {
     const Declared& declared;

@@ -8,7 +8,6 @@
 namespace weft {
 namespace {
 
-constexpr uint32_t kPortSet = 1;
 constexpr std::string_view kParamsBlock = "Params";
 
 bool is_port(const ShaderBinding& binding) {

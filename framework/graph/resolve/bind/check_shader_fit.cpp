@@ -7,7 +7,6 @@ namespace weft {
 namespace {
 
 constexpr uint32_t kFrameSet = 0;
-constexpr uint32_t kPortSet = 1;
 
 class ShaderFit {
  public:

@@ -1,27 +1,9 @@
+#include "graph/resolve/check/resource_names.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
 
 namespace weft {
-namespace {
-
-using Names = std::set<std::string, std::less<>>;
-
-void add_names(const PortDesc& port, Names& names) {
-    names.insert(port.ref.name);
-    if (port.otherwise) names.insert(port.otherwise->name);
-}
-
-}  // namespace
-
-std::set<std::string, std::less<>> watched_resources(const GraphDesc& graph) {
-    Names watched;
-    for (const auto& [name, view] : graph.debug) watched.insert(view.show.name);
-    for (const GraphTestDesc& test : graph.tests)
-        for (const ExpectationDesc& expectation : test.expect)
-            watched.insert(expectation.ref.substr(0, expectation.ref.find_first_of("@[.")));
-    return watched;
-}
 
 bool is_included(const SourceMap& sources, SourceLoc loc) {
     const std::vector<SourceFile>& files = sources.files;
@@ -30,10 +12,9 @@ bool is_included(const SourceMap& sources, SourceLoc loc) {
 
 // A pass that is left out, and a port that took its "else", use their resources with other parameters.
 void warn_unused(const Declared& declared, Reporter& reporter) {
-    Names used;
+    ResourceNames used;
     for (const auto& [name, desc] : declared.input.graph.passes) {
-        for (const PortDesc& port : desc.in) add_names(port, used);
-        if (desc.indirect) add_names(*desc.indirect, used);
+        add_inputs(desc, used);
         for (const PortDesc* port : written_ports(desc)) add_names(*port, used);
     }
     const Shapes& shapes = declared.shapes;

@@ -2,6 +2,7 @@
 // view or a test counts, for at times it has a purpose.
 #include <algorithm>
 
+#include "graph/resolve/check/resource_names.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/cull.h"
 #include "graph/resolve/fault_text.h"
@@ -9,18 +10,6 @@
 
 namespace weft {
 namespace {
-
-using Names = std::set<std::string, std::less<>>;
-
-void add_names(const PortDesc& port, Names& names) {
-    names.insert(port.ref.name);
-    if (port.otherwise) names.insert(port.otherwise->name);
-}
-
-void add_inputs(const PassDesc& desc, Names& names) {
-    for (const PortDesc& port : desc.in) add_names(port, names);
-    if (desc.indirect) add_names(*desc.indirect, names);
-}
 
 class UselessSearch {
  public:
@@ -101,8 +90,8 @@ class UselessSearch {
     const ResolvedGraph& graph_;
     Reporter& reporter_;
     LiveGraph live_;
-    Names read_;                    // by passes, whether they run or not
-    Names at_times_;                // by views, tests, and where the parameters stand otherwise
+    ResourceNames read_;            // by passes, whether they run or not
+    ResourceNames at_times_;        // by views, tests, and where the parameters stand otherwise
     std::vector<uint8_t> seen_;     // by ResourceId: by the passes that there are
     std::vector<uint8_t> written_;  // by ResourceId: by passes that run
 };

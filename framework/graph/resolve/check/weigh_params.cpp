@@ -1,6 +1,7 @@
 // The cost of changing a parameter follows from the places that use it, through constants and sizes too.
 #include <algorithm>
 
+#include "graph/resolve/check/resource_names.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
@@ -39,7 +40,7 @@ class ParamCosts {
                                       std::string(named == &graph_.consts ? "constant " : "size ") +
                                       quote(name),
                                   "remove it, or use it");
-        const std::set<std::string, std::less<>> named = named_resources();
+        const ResourceNames named = named_resources();
         const char* output = import_kind_name(ImportKind::output);  // W184 says so
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
@@ -141,8 +142,8 @@ class ParamCosts {
     }
 
     // By passes, whether they run or not, by views and by tests.
-    std::set<std::string, std::less<>> named_resources() const {
-        std::set<std::string, std::less<>> named = watched_resources(graph_);
+    ResourceNames named_resources() const {
+        ResourceNames named = watched_resources(graph_);
         const auto add_named = [&](const PortDesc& port) {
             named.insert(port.ref.name);
             if (port.otherwise) named.insert(port.otherwise->name);
