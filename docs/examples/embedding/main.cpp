@@ -1,5 +1,5 @@
-// Draws a built-in scene through a shipped graph, on a device that is not Weft's and into an image that is
-// not Weft's.
+// Renders a built-in scene with a shipped graph. The program creates the device and the target image, and
+// Weft uses them.
 //   embedding OUTPUT.ppm [--validate]
 #include <weft/registry.h>
 #include <weft/render/session.h>
@@ -21,7 +21,7 @@ constexpr weft::Extent3D kSize_px{320, 180, 1};
 constexpr int kFrames = 3;
 constexpr double kFrameTime_s = 1.0 / 60.0;
 
-// Weft's errors are values; this program ends at the first.
+// Weft returns errors as values; this program ends at the first error.
 template <class T>
 T take(weft::Result<T> result) {
     if (!result) throw std::runtime_error(weft::to_text(result.errors()));
@@ -67,7 +67,7 @@ std::vector<uint8_t> render(const OwnDevice& own) {
         // Submitted behind the frame to the same queue: the image has been written and may be copied.
         texels = read_image(own, target.image, kSize_px.width, kSize_px.height);
     }
-    session.reset();  // before the image that it draws into
+    session.reset();  // before the image to which it renders
     destroy_image(own, target);
     return texels;
 }

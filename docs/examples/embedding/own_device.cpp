@@ -84,7 +84,7 @@ VkDeviceMemory allocate(const OwnDevice& own, const VkMemoryRequirements& needs,
     return memory;
 }
 
-// The copy, and what makes it visible to the host.
+// The copy, and a barrier that makes it visible to the host.
 void record_copy(VkCommandBuffer commands, VkImage image, VkBuffer buffer, uint32_t width, uint32_t height) {
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     require(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
@@ -146,7 +146,7 @@ OwnDevice::OwnDevice(bool validate) : instance(make_instance(validate)) {
 
 void OwnDevice::destroy() {
     if (instance == VK_NULL_HANDLE) return;
-    vkDestroyDevice(device, nullptr);  // the layer says here what is still alive
+    vkDestroyDevice(device, nullptr);  // the layer reports objects that still exist
     const auto destroy_messenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT"));
     if (messenger != VK_NULL_HANDLE) destroy_messenger(instance, messenger, nullptr);

@@ -1,5 +1,5 @@
-// What an engine has before it meets Weft: its own Vulkan objects. Nothing in here is Weft's, but for the
-// features that the device is made with. Failures throw std::runtime_error.
+// The Vulkan objects that an engine has without Weft. Only the features with which the device is created come
+// from Weft. Failures throw std::runtime_error.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -17,7 +17,7 @@ struct OwnDevice {
     VkDevice device = VK_NULL_HANDLE;
     uint32_t family = 0;
     VkQueue queue = VK_NULL_HANDLE;
-    weft::vk::FeatureChain enabled;  // what `device` was made with
+    weft::vk::FeatureChain enabled;  // the features with which `device` was created
 
     explicit OwnDevice(bool validate);
     ~OwnDevice() { destroy(); }
@@ -32,5 +32,5 @@ struct OwnImage {
 OwnImage make_image(const OwnDevice& own, const VkImageCreateInfo& info);
 void destroy_image(const OwnDevice& own, const OwnImage& image);
 
-// The texels of an RGBA8 image in TRANSFER_SRC_OPTIMAL, by a copy on the device's own queue.
+// Copies an RGBA8 image in TRANSFER_SRC_OPTIMAL on the device's queue and returns its texels.
 std::vector<uint8_t> read_image(const OwnDevice& own, VkImage image, uint32_t width, uint32_t height);
