@@ -29,7 +29,6 @@ install(DIRECTORY framework/profiles/ DESTINATION share/weft/profiles)
 
 # The public headers, unchanged.
 install(DIRECTORY framework/include/weft DESTINATION include FILES_MATCHING PATTERN *.h)
-install(DIRECTORY shaders/include/shared DESTINATION include)
 
 # The archive, and files with which CMake and pkg-config find it and its dependencies.
 add_library(weft_embedded STATIC)

@@ -91,15 +91,15 @@ void CommandLine::finish(const Limits& limits) {
     render_options.limits = compare_options.limits = schema_options.limits = limits;
     bench.frame_options.limits = view_options.render.limits = limits;
     bench.frame_options.size = parse_size(raw.bench_size);
-    render_options.size = view_options.render.size = parse_size(raw.size);
-    render_options.params = view_options.render.params = parse_params(raw.params);
+    render_options.request.size = view_options.render.request.size = parse_size(raw.size);
+    render_options.request.params = view_options.render.request.params = parse_params(raw.params);
     view_options.fixed_dt = view->count("--fixed-dt") > 0;
     if (view->count("--exposure") > 0) view_options.render.exposure_ev = static_cast<float>(raw.exposure);
     if (render->count("--exposure") > 0) render_options.exposure_ev = static_cast<float>(raw.exposure);
     for (OfflineOptions* offline :
          {&check_options.offline, &plan_options.offline, &explain_options.offline, &diff_options.offline}) {
-        offline->size = render_options.size;
-        offline->params = render_options.params;
+        offline->request.size = render_options.request.size;
+        offline->request.params = render_options.request.params;
         offline->limits = limits;
     }
 }
@@ -110,7 +110,7 @@ std::optional<ExitCode> CommandLine::enter_sandbox() {
     if (render->parsed() && render_options.sandbox) {
         RenderOptions& o = render_options;
         const bool is_file = o.env != "sky" && o.env != "none";
-        needs = {{folder_of(o.graph), folder_of_scene(o.scene), is_file ? o.env : ""},
+        needs = {{folder_of(o.request.path), folder_of_scene(o.scene), is_file ? o.env : ""},
                  inputs_of(o),
                  {&o.output, &o.stats},
                  true};

@@ -1,8 +1,9 @@
 #include "weft/load/load_graph.h"
 
-#include <iterator>
+#include <system_error>
 #include <utility>
 
+#include "graph/parse/debug_view.h"
 #include "graph/resolve/resolve.h"
 #include "graph/syntax/read_graph.h"
 #include "load/load_steps.h"
@@ -11,65 +12,100 @@
 namespace weft {
 namespace {
 
-// Semantic faults already have a place in the text. This adds their place in the document as written, and the
-// tier in which they occur.
-void complete(const JsonDoc& document, const LoadInput& input, Diagnostics& faults) {
+// Faults of meaning know their place in the text; this adds the place in the document as it is written, and
+// the tier in which they are faults.
+void complete(const JsonDoc& document, const std::string& tier, Diagnostics& faults) {
     for (Diagnostic& fault : faults) {
-        fault.tier = input.tier;
+        fault.tier = tier;
         if (fault.line == 0) continue;
         std::string pointer = pointer_at(document, fault.file, fault.line, fault.column);
         if (!pointer.empty()) fault.pointer = std::move(pointer);
     }
 }
 
-}  // namespace
-
-Result<JsonDoc> read_graph(const LoadInput& input) {
-    return read_graph(input.path, input.reader, {input.graph_root.string(), input.limits.graph});
+Diagnostics with_places(const JsonDoc& document, const std::string& tier, Diagnostics faults) {
+    complete(document, tier, faults);
+    return faults;
 }
 
-Status check_request(const LoadInput& input) {
-    const Result<JsonDoc> document = read_graph(input);
-    if (!document) return document.errors();
-    Result<GraphDesc> desc = described(*document, input);
-    Diagnostics faults = desc ? param_faults(*desc, input.params) : desc.take_errors();
-    complete(*document, input, faults);
-    if (!faults.empty()) return faults;
-    return Unit{};
+// The name of a file as it is asked for and, if that is a link, the file that it leads to.
+void add_place(const std::string& path, std::set<std::filesystem::path>& files) {
+    files.insert(std::filesystem::absolute(path).lexically_normal());
+    std::error_code error;
+    std::filesystem::path real = std::filesystem::canonical(path, error);
+    if (!error) files.insert(std::move(real));
 }
 
-Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings) {
-    const Result<JsonDoc> document = read_graph(input);
-    return document ? load_graph(*document, input, warnings) : document.errors();
-}
-
-Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input, Diagnostics& warnings) {
-    Result<GraphDesc> desc = described(document, input);
-    if (!desc) {
-        Diagnostics faults = desc.take_errors();
-        complete(document, input, faults);
-        return faults;
+Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const LoadInput& input,
+                              Diagnostics& warnings) {
+    const GraphRequest& request = input.request;
+    if (!request.debug.empty()) {
+        Status added = add_debug_view(desc, input.imports, request.debug);
+        if (!added) return with_places(document, request.tier, added.take_errors());
     }
-
     Diagnostics faults;
-    TierVariant own{std::move(*desc), {}};
+    TierVariant own{std::move(desc), {}};
     own.shaders = compile_shaders(own.desc, input, faults);
     SkippedFormats skipped;
     if (input.common_formats != nullptr)
         skipped = *input.common_formats;
     else if (faults.empty())
         skipped = formats_with_others(document, own, input);
-    Result<ResolvedGraph> graph = resolved(own.desc, own.shaders, input, skipped, warnings);
+    Result<ResolvedGraph> graph = resolve_formats(own.desc, own.shaders, input, skipped, warnings);
     if (!graph) append(faults, graph.take_errors());
-    complete(document, input, faults);
-    complete(document, input, warnings);
+    complete(document, request.tier, faults);
+    complete(document, request.tier, warnings);
     if (!faults.empty()) return faults;
     return LoadedGraph{std::move(own.desc), std::move(own.shaders), std::move(*graph), std::move(skipped)};
 }
 
+}  // namespace
+
+Result<JsonDoc> read_graph(const std::string& path, const LoadSettings& settings) {
+    return read_graph(path, settings.reader, {settings.graph_root.string(), settings.limits.graph});
+}
+
+Result<ParsedGraph> parse_graph(const GraphRequest& request, const LoadSettings& settings,
+                                std::set<std::filesystem::path>* files) {
+    std::set<std::filesystem::path> places;
+    const FileReader reader = [&](const std::string& path) {
+        add_place(path, places);
+        return settings.reader(path);
+    };
+    Result<JsonDoc> document =
+        read_graph(request.path, reader, {settings.graph_root.string(), settings.limits.graph});
+    if (files != nullptr) files->insert(places.begin(), places.end());
+    if (!document) return document.take_errors();
+    Result<GraphDesc> desc = parse_tier(*document, request.tier, settings.limits.graph);
+    if (!desc) return with_places(*document, request.tier, desc.take_errors());
+    return ParsedGraph{std::move(*document), std::move(*desc), std::move(places)};
+}
+
+Status check_request(const ParsedGraph& parsed, const GraphRequest& request, const ImportCatalog& imports) {
+    Diagnostics faults;
+    if (!request.debug.empty()) {
+        GraphDesc desc = parsed.desc;
+        Status added = add_debug_view(desc, imports, request.debug);
+        if (!added) faults = added.take_errors();
+    }
+    if (faults.empty()) faults = param_faults(parsed.desc, request.params);
+    if (!faults.empty()) return with_places(parsed.document, request.tier, std::move(faults));
+    return Unit{};
+}
+
+Result<LoadedGraph> load_graph(const ParsedGraph& parsed, const LoadInput& input, Diagnostics& warnings) {
+    return load_desc(parsed.document, parsed.desc, input, warnings);
+}
+
+Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input, Diagnostics& warnings) {
+    Result<GraphDesc> desc = parse_tier(document, input.request.tier, input.settings.limits.graph);
+    if (!desc) return with_places(document, input.request.tier, desc.take_errors());
+    return load_desc(document, std::move(*desc), input, warnings);
+}
+
 Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
                                     Diagnostics& warnings) {
-    return resolved(loaded.desc, loaded.shaders, input, loaded.skipped_formats, warnings);
+    return resolve_formats(loaded.desc, loaded.shaders, input, loaded.skipped_formats, warnings);
 }
 
 }  // namespace weft

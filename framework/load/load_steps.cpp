@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "graph/parse/debug_view.h"
 #include "graph/parse/parse.h"
 #include "graph/resolve/resolve.h"
 #include "graph/syntax/merge.h"
@@ -37,13 +36,14 @@ bool says_no_compiler(const Diagnostic& fault) {
     return fault.code == "X570";
 }
 
-// Messages name files below the graph's folder in the same way as the graph's own path.
+// Messages name files below the graph's folder with the folder's path as the request has it.
 ShaderRoots shader_roots(const LoadInput& input) {
-    return {{std::filesystem::path(input.path).parent_path(), input.shader_root},
-            input.shader_root / "include",
-            input.shader_cache,
-            input.shader_worker,
-            input.limits.shader,
+    const LoadSettings& settings = input.settings;
+    return {{std::filesystem::path(input.request.path).parent_path(), settings.shader_root},
+            settings.shader_root / "include",
+            settings.shader_cache,
+            settings.shader_worker,
+            settings.limits.shader,
             shader_target(input.profile)};
 }
 
@@ -53,28 +53,26 @@ void append(Diagnostics& to, Diagnostics from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-Result<GraphDesc> described(const JsonDoc& document, const LoadInput& input) {
-    Result<JsonDoc> merged = merge(document, input.tier);
+Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier, const GraphLimits& limits) {
+    Result<JsonDoc> merged = merge(document, tier);
     if (!merged) return merged.take_errors();
-    Result<GraphDesc> desc = parse(*merged, input.limits.graph);
-    if (!desc) return desc;
-    desc->tier = input.tier;
-    if (input.debug.empty()) return desc;
-    Status added = add_debug_view(*desc, input.imports, input.debug);
-    return added ? std::move(desc) : added.take_errors();
+    Result<GraphDesc> desc = parse(*merged, limits);
+    if (desc) desc->tier = tier;
+    return desc;
 }
 
-Result<ResolvedGraph> resolved(const GraphDesc& desc, const ShaderCatalog& shaders, const LoadInput& input,
-                               const SkippedFormats& skipped, Diagnostics& warnings) {
+Result<ResolvedGraph> resolve_formats(const GraphDesc& desc, const ShaderCatalog& shaders,
+                                      const LoadInput& input, const SkippedFormats& skipped,
+                                      Diagnostics& warnings) {
     return resolve({.graph = desc,
                     .passes = input.passes,
                     .shaders = shaders,
                     .imports = input.imports,
                     .profile = input.profile,
-                    .params = input.params,
-                    .output_extent = input.output_extent,
-                    .observed = input.observed,
-                    .limits = input.limits.graph,
+                    .params = input.request.params,
+                    .output_extent = input.request.size,
+                    .observed = input.request.observed,
+                    .limits = input.settings.limits.graph,
                     .skipped_formats = skipped},
                    warnings);
 }

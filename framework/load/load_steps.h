@@ -1,5 +1,5 @@
-// Purpose: the steps that load one tier of a graph. load_graph() uses them, and so does the choice of
-// formats, which loads all tiers.
+// Purpose: the steps of loading one tier of a graph. load_graph() uses them for the tier of a request, and
+// the choice of formats for all tiers.
 #pragma once
 
 #include <map>
@@ -10,14 +10,16 @@
 namespace weft {
 
 void append(Diagnostics& to, Diagnostics from);
-// The merged and parsed graph of this tier, with the debug view added.
-[[nodiscard]] Result<GraphDesc> described(const JsonDoc& document, const LoadInput& input);
-// All programs that the graph names. A shader that passes of several types name is compiled once per type;
-// only one type can be right, so the others get a message.
+// Merges the document for one tier and parses it.
+[[nodiscard]] Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier,
+                                           const GraphLimits& limits);
+// Compiles all programs that the graph names. Passes of different types may name one shader: it is compiled
+// for each type, and all types but one get an error.
 [[nodiscard]] ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input,
                                             Diagnostics& faults);
-[[nodiscard]] Result<ResolvedGraph> resolved(const GraphDesc& desc, const ShaderCatalog& shaders,
-                                             const LoadInput& input, const SkippedFormats& skipped,
-                                             Diagnostics& warnings);
+// Resolves the graph without the formats in `skipped`.
+[[nodiscard]] Result<ResolvedGraph> resolve_formats(const GraphDesc& desc, const ShaderCatalog& shaders,
+                                                    const LoadInput& input, const SkippedFormats& skipped,
+                                                    Diagnostics& warnings);
 
 }  // namespace weft

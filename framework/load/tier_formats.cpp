@@ -14,14 +14,13 @@ bool has_alternatives(const GraphDesc& desc) {
     return std::ranges::any_of(desc.resources, [](const auto& r) { return r.second.formats.size() > 1; });
 }
 
-// Tiers with faults are ignored here: their faults are reported when they are loaded. "": the file without a
-// tier.
+// Tiers with faults are skipped: loading them reports the faults. "" is the file as it is.
 std::vector<TierVariant> load_tiers(const JsonDoc& document, const std::vector<std::string>& tiers,
                                     LoadInput input) {
     std::vector<TierVariant> variants;
     for (const std::string& tier : tiers) {
-        input.tier = tier;
-        Result<GraphDesc> desc = described(document, input);
+        input.request.tier = tier;
+        Result<GraphDesc> desc = parse_tier(document, tier, input.settings.limits.graph);
         if (!desc) continue;
         Diagnostics faults;
         ShaderCatalog shaders = compile_shaders(*desc, input, faults);
@@ -36,7 +35,7 @@ std::vector<std::string> all_tiers(const JsonDoc& document) {
     return tiers;
 }
 
-// Raises `skipped` to the formats that were chosen; returns true if this changed `skipped`.
+// Raises `skipped` to the chosen formats. Returns whether that changed anything.
 bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& skipped) {
     bool changed = false;
     for (const auto& [name, resource] : desc.resources) {
@@ -52,18 +51,18 @@ bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& sk
     return changed;
 }
 
-// Resolves the graph with the current choice of formats; returns true if some image needed a later
-// alternative.
+// Resolves without the formats in `skipped`, and raises that to the chosen formats.
 bool raise_for(const TierVariant& variant, const LoadInput& input, SkippedFormats& skipped) {
-    Diagnostics unheard;
-    const Result<ResolvedGraph> graph = resolved(variant.desc, variant.shaders, input, skipped, unheard);
+    Diagnostics ignored;
+    const Result<ResolvedGraph> graph =
+        resolve_formats(variant.desc, variant.shaders, input, skipped, ignored);
     return graph && raise(variant.desc, *graph, skipped);
 }
 
 LoadInput as_written(LoadInput input) {
-    input.observed.clear();
-    input.params.clear();
-    input.debug.clear();
+    input.request.observed.clear();
+    input.request.params.clear();
+    input.request.debug.clear();
     return input;
 }
 
@@ -86,7 +85,7 @@ SkippedFormats formats_with_others(const JsonDoc& document, const TierVariant& o
     if (tier_names(document).empty() || !has_alternatives(own.desc)) return skipped;
     const LoadInput plain = as_written(input);
     std::vector<std::string> names = all_tiers(document);
-    std::erase(names, input.tier);
+    std::erase(names, input.request.tier);
     const std::vector<TierVariant> others = load_tiers(document, names, plain);
     bool changed = true;
     while (changed) {

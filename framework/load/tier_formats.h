@@ -1,19 +1,19 @@
-// Purpose: chooses the format of images with alternatives: the first one that the device supports for the
-// uses of all tiers together, so that images keep their contents when the tier changes. load_graph.h explains
-// how to compute this once for all tiers.
+// Purpose: chooses among the alternative formats of an image. All tiers share the first format that the
+// device supports for each tier's use of the image, so that images keep their content when the tier changes.
+// common_formats() in load_graph.h finds the formats once for all tiers.
 #pragma once
 
 #include "weft/load/load_graph.h"
 
 namespace weft {
 
-// One tier of a graph; its uses of images affect the choice.
+// One tier of a graph, and how it uses its images.
 struct TierVariant {
     GraphDesc desc;
     ShaderCatalog shaders;
 };
 
-// Includes the tier of `input` with its parameters and observers; the other tiers have none.
+// The formats for the tier of `input`, with its parameters and observers; the other tiers are loaded without.
 [[nodiscard]] SkippedFormats formats_with_others(const JsonDoc& document, const TierVariant& own,
                                                  const LoadInput& input);
 

@@ -1,5 +1,6 @@
 #include "render/descriptor_sets.h"
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/vk_result.h"
 
 namespace weft::render {

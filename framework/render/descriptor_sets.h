@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "vulkan/device/handle.h"
 #include "weft/result.h"
-#include "weft/vulkan/handle.h"
 
 namespace weft::render {
 

@@ -1,4 +1,4 @@
-#include "weft/render/file_watch.h"
+#include "render/file_watch.h"
 
 #include <poll.h>
 #include <sys/eventfd.h>

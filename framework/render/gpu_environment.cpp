@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/vk_result.h"
 
 namespace weft::render {

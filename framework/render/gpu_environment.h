@@ -1,8 +1,8 @@
 // Purpose: what surrounds a scene as a texture with mips; a black texel where there is no environment.
 #pragma once
 
+#include "vulkan/device/handle.h"
 #include "weft/scene/environment.h"
-#include "weft/vulkan/handle.h"
 #include "weft/vulkan/memory.h"
 
 namespace weft::render {

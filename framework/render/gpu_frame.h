@@ -7,7 +7,7 @@
 #include "render/frame_data.h"
 #include "render/gpu_environment.h"
 #include "render/gpu_light_functions.h"
-#include "weft/render/sun_cascades.h"
+#include "render/sun_cascades.h"
 #include "weft/vulkan/executor.h"
 
 namespace weft::render {

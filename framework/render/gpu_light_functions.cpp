@@ -2,6 +2,7 @@
 
 #include "render/frame_data.h"
 #include "scene/pictures/light_pictures.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/vk_result.h"
 
 namespace weft::render {

@@ -2,8 +2,8 @@
 // one of each, unused, where there are none.
 #pragma once
 
+#include "vulkan/device/handle.h"
 #include "weft/scene/scene.h"
-#include "weft/vulkan/handle.h"
 #include "weft/vulkan/memory.h"
 
 namespace weft::render {

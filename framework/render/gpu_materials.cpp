@@ -6,6 +6,7 @@
 
 #include "render/frame_data.h"
 #include "render/scene_bindings.h"
+#include "vulkan/device/functions.h"
 
 namespace weft::render {
 namespace {

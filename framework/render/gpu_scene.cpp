@@ -7,6 +7,7 @@
 
 #include "render/scene_bindings.h"
 #include "shared/draw_command.glsl"
+#include "vulkan/device/functions.h"
 #include "weft/render/import_catalog.h"
 
 namespace weft::render {

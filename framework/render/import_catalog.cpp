@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "render/scene_bindings.h"
+#include "render/sun_cascades.h"
 #include "shared/draw_command.glsl"
 #include "shared/light.glsl"
-#include "weft/render/sun_cascades.h"
 
 namespace weft::render {
 namespace {

@@ -1,5 +1,8 @@
 #include "weft/render/reloader.h"
 
+#include "render/file_watch.h"
+#include "render/swap_parts.h"
+
 namespace weft::render {
 namespace {
 
@@ -17,6 +20,12 @@ Diagnostic unseen_changes(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+Reloader::Reloader(Session& session, std::unique_ptr<FileWatch> watch)
+    : session_(session),
+      watch_(std::move(watch)),
+      good_files_(session.first_files()),
+      selection_(session.selection()) {}
 
 Result<std::unique_ptr<Reloader>> Reloader::start(Session& session) {
     Result<std::unique_ptr<FileWatch>> watch = FileWatch::create();
@@ -37,9 +46,9 @@ Reloader::~Reloader() {
 
 // What is read before its folder is watched may change in between, so then it is read again; what is made
 // already is found again.
-Preparation Reloader::prepare_and_watch(const Selection& selection) {
+PrepareResult Reloader::prepare_and_watch(const Selection& selection) {
     constexpr int kMostRounds = 4;
-    Preparation made = session_.prepare(selection);
+    PrepareResult made = session_.prepare(selection);
     for (int round = 0; round < kMostRounds; ++round) {
         // After an error the load may not have come to all that the good one read.
         std::set<std::filesystem::path> files = made.files;
@@ -48,9 +57,9 @@ Preparation Reloader::prepare_and_watch(const Selection& selection) {
         else
             files.insert(good_files_.begin(), good_files_.end());
         if (!watch_->watch(files)) break;
-        Preparation again = session_.prepare(selection);
+        PrepareResult again = session_.prepare(selection);
         if (made.result && again.result)
-            again.result->rebuilt.made_pipelines += made.result->rebuilt.made_pipelines;
+            again.result->parts().rebuilt.made_pipelines += made.result->rebuilt().made_pipelines;
         made = std::move(again);
     }
     for (const std::filesystem::path& folder : watch_->unwatched())
@@ -69,9 +78,9 @@ void Reloader::run() {
             selection = selection_;
         }
         const Clock::time_point begun = Clock::now();
-        Preparation made = prepare_and_watch(selection);
+        PrepareResult made = prepare_and_watch(selection);
         const bool worth_telling =
-            !first || !made.result || !made.result->rebuilt.nothing() || !watch_->unwatched().empty();
+            !first || !made.result || !made.result->rebuilt().nothing() || !watch_->unwatched().empty();
         first = false;
         std::optional<Ready> stale;  // destroyed behind the lock
         {
@@ -110,7 +119,7 @@ std::optional<Reload> Reloader::update() {
         reload.errors = ready->made.result.take_errors();
     } else {
         const Clock::time_point begin = Clock::now();
-        reload.rebuilt = ready->made.result->rebuilt;
+        reload.rebuilt = ready->made.result->rebuilt();
         Result<bool> swapped = session_.swap_in(std::move(*ready->made.result));
         if (!swapped)
             reload.errors = swapped.take_errors();
@@ -136,8 +145,8 @@ void Reloader::select(const Selection& selection) {
 void Reloader::ask_again() {
     {
         const std::lock_guard lock(mutex_);
-        // Whoever resized meanwhile did so for good.
-        selection_.size = session_.selection().size;
+        // A resize in between keeps its size.
+        selection_.request.size = session_.selection().request.size;
         selection_.output = session_.selection().output;
         asked_ = true;
     }

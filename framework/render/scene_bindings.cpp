@@ -3,9 +3,9 @@
 #include <array>
 
 #include "render/frame_data.h"
+#include "render/sun_cascades.h"
 #include "shared/material.glsl"
 #include "vulkan/device/to_vk.h"
-#include "weft/render/sun_cascades.h"
 
 namespace weft::render {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "vulkan/device/functions.h"
 #include "weft/imports.h"
-#include "weft/vulkan/functions.h"
 
 namespace weft::render {
 

@@ -1,27 +1,30 @@
 #include "weft/render/session.h"
 
-#include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <utility>
 
-#include "shader/shader_memory.h"
-#include "render/frame_data.h"
-#include "render/gpu_scene.h"
-#include "render/jitter.h"
+#include "render/session_parts.h"
 #include "render/unsupported_report.h"
 #include "scene/model/light_check.h"
-#include "weft/light_list.h"
 #include "weft/render/import_catalog.h"
 
 namespace weft::render {
 namespace {
 
-// What the imports' objects will be: of all families where the device has queues of several, else of one.
-void own_imports(const vk::Device& device, ImportCatalog& catalog) {
+// The scene's imports with the owner that their objects will have: all families where the device has queues
+// of several, else one.
+ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene, Extent3D size) {
+    ImportCatalog catalog = scene_imports(size, &scene);
     for (auto& [name, import] : catalog.imports) {
         if (!import.resource.import) continue;
         import.resource.import->concurrent = !device.sharing_families().empty();
         import.resource.import->family = device.queue().family;
     }
+    return catalog;
+}
+
+void append(Diagnostics& to, Diagnostics from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
 }  // namespace
@@ -32,17 +35,7 @@ VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size) {
     return info;
 }
 
-Session::Session(vk::Device& device, const SessionInput& input)
-    : device_(device),
-      input_(input),
-      passes_(*input.passes),
-      memory_(std::make_unique<ShaderMemory>()),
-      selection_{input.graph_path, input.tier, input.params, input.size, input.output},
-      pre_exposure_(std::exp2(input.exposure_ev)) {
-    view_ = view_constants(input.camera, glm::mat4(1), input.size.width, input.size.height);
-    view_.prev_view_projection = view_.steady_view_projection;
-}
-
+Session::Session(std::unique_ptr<SessionParts> parts) : parts_(std::move(parts)) {}
 Session::~Session() = default;
 
 Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene::Scene& scene,
@@ -61,96 +54,98 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
                                                  scene::Scene* owned, const SessionInput& input,
                                                  Diagnostics& warnings,
                                                  std::set<std::filesystem::path>* files) {
-    std::unique_ptr<Session> session(new Session(device, input));
-    session->imports_ = scene_imports(input.size, &scene);
-    own_imports(device, session->imports_);
-    Result<LoadedGraph> loaded = session->load(session->selection_, session->imports_, warnings);
-    if (files != nullptr) files->merge(std::set<std::filesystem::path>(session->memory_->files()));
-    if (!loaded) return loaded.take_errors();
-    Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene, owned);
-    if (!gpu) return gpu.take_errors();
-    session->scene_ = std::move(*gpu);
-    session->scene_lights_ = scene.lights;
-    session->lights_move_ = std::ranges::any_of(
-        scene.lights, [](const scene::Light& light) { return light.path.turns_per_s != 0; });
-    session->lights_ = gpu_lights(scene.lights, 0, scene.light_functions.size());
-    session->light_functions_ = scene.light_functions.size();
-    session->scene_constants_ = scene_constants(scene);
-    session->scene_bounds_ = scene::world_bounds(scene);
-    Result<Prepared> first = session->follow_with(session->selection_, loaded->shaders, loaded->graph);
+    auto graph =
+        std::make_unique<RunningGraph>(device, input, owned_imports(device, scene, input.request.size));
+    const Status loaded = graph->load_first(input.parsed, warnings);
+    if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
+    if (!loaded) return loaded.errors();
+    Result<DrawnScene> drawn = DrawnScene::create(device, scene, owned);
+    if (!drawn) return drawn.take_errors();
+    Result<PendingSwap> first = graph->start(device, drawn->gpu(), StageSettings(input));
     if (!first) return first.take_errors();
-    first->loaded = std::move(*loaded);
-    session->stage_ = std::move(*first->stage);
-    session->adopt(*first);
-    session->first_files_ = session->memory_->files();
-    session->pipelines_made_between_frames_ = 0;
-    for (Diagnostic& warning : scene::light_warnings(scene)) warnings.push_back(std::move(warning));
-    for (Diagnostic& warning : report_unsupported(session->plan(), scene))
-        warnings.push_back(std::move(warning));
+    FrameLoop frames(std::move(*first->parts().stage), input.request.size, graph->loaded().desc.jitter);
+    graph->adopt(first->parts());
+    std::unique_ptr<Session> session(new Session(std::make_unique<SessionParts>(
+        SessionParts{std::move(*drawn), std::move(graph), std::move(frames)})));
+    append(warnings, scene::light_warnings(scene));
+    append(warnings, report_unsupported(session->plan(), scene));
     return session;
 }
 
-shared::FrameConstants Session::frame_constants(double time_s, double delta_time_s) const {
-    shared::FrameConstants frame = scene_constants_;
-    frame.light_count = static_cast<uint32_t>(lights_.size());
-    const auto directional = [](const shared::Light& light) {
-        return light.type == shared::kLightDirectional;
-    };
-    frame.directional_count = static_cast<uint32_t>(std::ranges::count_if(lights_, directional));
-    const auto first_other = std::ranges::find_if_not(lights_, is_plain);
-    frame.plain_count = static_cast<uint32_t>(first_other - lights_.begin());
-    frame.frame_index = static_cast<uint32_t>(frame_index_);
-    frame.time_s = static_cast<float>(time_s);
-    frame.delta_time_s = static_cast<float>(delta_time_s);
-    frame.pre_exposure = pre_exposure_;
-    frame.prev_pre_exposure = pre_exposure_;
-    return frame;
+const Selection& Session::selection() const {
+    return parts_->graph->selection();
 }
 
-// Directional lights come first.
-SunCascades Session::find_sun() const {
-    if (sun_maps_.count == 0 || lights_.empty() || lights_[0].type != shared::kLightDirectional) return {};
-    const float aspect = view_.viewport_px.x / view_.viewport_px.y;
-    return sun_cascades(input_.camera, aspect, {-lights_[0].direction, scene_bounds_}, sun_maps_);
+const std::set<std::filesystem::path>& Session::first_files() const {
+    return parts_->graph->first_files();
 }
 
-Status Session::render_frame(double time_s, double delta_time_s) {
-    Result<uint32_t> slot = stage_.executor->begin_frame();
-    if (!slot) return slot.take_errors();
-    if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s, light_functions_);
-    view_ = view_constants(input_.camera, view_.prev_view_projection, selection_.size.width,
-                           selection_.size.height, jitter_px(frame_index_, loaded_.desc.jitter));
-    sun_ = find_sun();
-    scene_->set_frame(*slot, frame_constants(time_s, delta_time_s), view_, sun_);
-    const LightList lights{lights_};
-    HostInputs host;
-    host.set("lights", lights);
-    vk::FrameInput frame;
-    frame.frame_index = frame_index_++;
-    frame.time_s = time_s;
-    frame.delta_time_s = delta_time_s;
-    frame.pre_exposure = pre_exposure_;
-    frame.prev_pre_exposure = pre_exposure_;
-    frame.host = &host;
-    Status done = stage_.executor->run(frame);
-    view_.prev_view_projection = view_.steady_view_projection;
-    return done;
+PrepareResult Session::prepare(const Selection& selection) {
+    return parts_->graph->prepare(selection);
+}
+
+Result<bool> Session::swap_in(PendingSwap next) {
+    RunningGraph& graph = *parts_->graph;
+    FrameLoop& frames = parts_->frames;
+    SwapParts& swap = next.parts();
+    if (!graph.is_next(swap)) return false;
+    if (swap.amendment) frames.amend(std::move(swap.amendment));
+    if (swap.stage) {
+        Status taken = frames.take_over(std::move(*swap.stage), graph.checks_plans());
+        if (!taken) return taken.take_errors();
+    }
+    graph.adopt(swap);
+    frames.set_graph(graph.selection().request.size, graph.loaded().desc.jitter);
+    return true;
+}
+
+Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
+    if (size == selection().request.size) return Unit{};
+    Result<PendingSwap> next = parts_->graph->prepare_resize(size, output, warnings);
+    if (!next) return next.take_errors();
+    // Only this thread swaps, so the swap still follows the running graph.
+    Result<bool> swapped = swap_in(std::move(*next));
+    return swapped ? Status(Unit{}) : Status(swapped.take_errors());
+}
+
+uint64_t Session::pipelines_made_between_frames() const {
+    return parts_->graph->pipelines_made_between_frames();
+}
+
+Status Session::render_frame(const FrameInput& input) {
+    return parts_->frames.render(input, parts_->scene);
 }
 
 Status Session::finish() {
-    return stage_.executor->finish();
+    return parts_->frames.finish();
+}
+
+bool Session::has_output() const {
+    return parts_->frames.has_output();
 }
 
 Result<vk::ReadbackData> Session::read_output() {
-    if (!has_output()) {
-        Diagnostic d;
-        d.code = "W184";
-        d.message = "the graph has no output";
-        d.help = {"let it import one, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
-                  "or look at one of its resources: --resource NAME"};
-        return d;
-    }
-    return stage_.executor->read_image(stage_.output);
+    return parts_->frames.read_output();
+}
+
+std::vector<vk::ReadbackData> Session::take_readbacks() {
+    return parts_->frames.executor().take_readbacks();
+}
+
+std::vector<vk::FrameTiming> Session::take_timings() {
+    return parts_->frames.executor().take_timings();
+}
+
+const FramePlan& Session::plan() const {
+    return parts_->frames.plan();
+}
+
+uint32_t Session::frames() const {
+    return parts_->graph->loaded().graph.frames;
+}
+
+float Session::pre_exposure() const {
+    return parts_->frames.pre_exposure();
 }
 
 }  // namespace weft::render

@@ -1,4 +1,4 @@
-#include "weft/render/sun_cascades.h"
+#include "render/sun_cascades.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
-// Purpose: keeps data between repeated loads of a graph. It keeps the graph's programs, each with the places
-// examined by its compilation, so that only changed programs are compiled. It also keeps all places examined
-// by the last load, existing or not and successful or not, so that a caller can watch them for changes. Not
-// thread-safe.
+// Purpose: keeps the programs of a graph between its loads, each with the places that its compilation looked
+// at, so that only changed shaders are compiled again. It also lists the places that the last load looked at,
+// found or not, so that a program can wait for them to change. For one thread at a time.
 #pragma once
 
 #include <filesystem>
@@ -17,22 +16,21 @@ namespace weft {
 
 class ShaderMemory {
  public:
-    // Call this before a load.
+    // Call before a load.
     void begin();
-    // Call this after a successful load: discards programs that the load did not use.
+    // Call after a successful load: forgets the programs that it did not use.
     void forget_unused();
 
-    // Null if the program is not stored, or if its sources have changed.
+    // Null if the program is unknown, or if a place has another text now.
     [[nodiscard]] const ShaderProgram* find(const std::string& reference, ProgramKind kind,
                                             const ShaderRoots& roots);
     void remember(const ShaderProgram& program, ProgramKind kind, const ShaderRoots& roots,
                   const shader::SourceReader& reader);
 
-    void add_file(std::filesystem::path file) { files_.insert(std::move(file)); }
     void add_files_of(const shader::SourceReader& reader);
-    // Absolute paths examined since begin().
+    // The places of the load since begin(), absolute.
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
-    // Total number of calls of find(), and number of calls without a result.
+    // How many programs were requested in total, and how many of them find() did not have.
     [[nodiscard]] uint64_t requests() const { return requests_; }
     [[nodiscard]] uint64_t misses() const { return misses_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shared/light.glsl"
 #include "weft/light_list.h"
 
 namespace weft::passes {
@@ -21,9 +22,9 @@ Status LightUpload::check(const PassDecl& pass, const ResolvedGraph& graph) {
 
 void LightUpload::prepare(const PassContext&, const HostInputs& host, Uploads& uploads) {
     const LightList* list = host.get<LightList>("lights");
-    if (!list || list->lights.empty()) return;
+    if (!list || list->bytes.empty()) return;
     const size_t room = uploads.capacity(kLights.name) / sizeof(shared::Light);
-    uploads.put(kLights.name, std::as_bytes(list->lights.first(std::min(room, list->lights.size()))));
+    uploads.put(kLights.name, list->bytes.first(std::min(room * sizeof(shared::Light), list->bytes.size())));
 }
 
 void LightUpload::record(const PassContext&, Recorder& recorder) {

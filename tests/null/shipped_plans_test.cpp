@@ -46,16 +46,17 @@ Result<LoadedGraph> load(const std::string& file) {
     const PassCatalog passes = registered_passes();
     const ImportCatalog imports = render::scene_imports({1280, 720, 1});
     Diagnostics warnings;
-    return load_graph({.path = file,
-                       .reader = read_text,
-                       .shader_root = WEFT_SOURCE_DIR "/shaders",
-                       .shader_cache = {},
-                       .passes = passes,
-                       .imports = imports,
-                       .profile = *profile,
-                       .output_extent = {1280, 720, 1},
-                       .graph_root = WEFT_SOURCE_DIR "/graphs"},
-                      warnings);
+    LoadSettings settings;
+    settings.reader = read_text;
+    settings.graph_root = WEFT_SOURCE_DIR "/graphs";
+    settings.shader_root = WEFT_SOURCE_DIR "/shaders";
+    const GraphRequest request{.path = file};
+    const Result<ParsedGraph> parsed = parse_graph(request, settings);
+    if (!parsed) return parsed.errors();
+    return load_graph(
+        *parsed,
+        {.request = request, .settings = settings, .passes = passes, .imports = imports, .profile = *profile},
+        warnings);
 }
 
 CompileOptions on_queues(uint32_t count) {

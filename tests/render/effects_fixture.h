@@ -50,9 +50,9 @@ class ShippedEffects : public SessionTest {
         const std::unique_ptr<render::Session> session =
             start(*scene, scene->cameras.at(0), path, size, std::move(observed), scene->exposure_ev, reader);
         if (!session) return {};
-        for (uint32_t i = 0; i < count; ++i) EXPECT_TRUE(session->render_frame(0, 0));
+        for (uint32_t i = 0; i < count; ++i) EXPECT_TRUE(draw_frame(*session));
         EXPECT_TRUE(session->finish());
-        view_ = session->view();
+        view_ = session->parts().frames.view();
         std::vector<std::map<std::string, Image>> seen(count);
         for (const vk::ReadbackData& data : session->take_readbacks())
             seen.at(data.frame_index)[data.pass.substr(std::string("observe:").size())] =

@@ -69,20 +69,12 @@ class GraphMutantsTest : public testing::Test {
         if (lavapipe) profile_ = std::move(*lavapipe);
     }
 
-    LoadInput input_of(const std::string& root, FileReader reader, const std::string& tier) {
-        return {.path = GraphMutants::path_of(root),
-                .reader = std::move(reader),
-                .shader_root = GraphMutants::path_of("shaders"),
-                .shader_cache = {},
-                .passes = passes_,
-                .imports = imports_,
-                .profile = profile_,
-                .output_extent = {64, 36, 1},
-                .params = {},
-                .observed = {},
-                .graph_root = GraphMutants::path_of("graphs"),
-                .tier = tier,
-                .memory = &memory_};
+    static LoadSettings settings_of(const FileReader& reader) {
+        LoadSettings settings;
+        settings.reader = reader;
+        settings.graph_root = GraphMutants::path_of("graphs");
+        settings.shader_root = GraphMutants::path_of("shaders");
+        return settings;
     }
 
     // Returns the faults of one tier; if there are none, checks its plan.
@@ -94,7 +86,7 @@ class GraphMutantsTest : public testing::Test {
         options.queues = logical_queues(profile_, queues);
         options.granularity_bytes = profile_.buffer_image_granularity_bytes;
         const FramePlan plan = compile(loaded->graph, profile_needs(loaded->graph, profile_), options);
-        Diagnostics faults = budget_faults(plan, input.limits.graph, input.path);
+        Diagnostics faults = budget_faults(plan, input.settings.limits.graph, input.request.path);
         if (!faults.empty()) return faults;
         EXPECT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
         return {};
@@ -102,13 +94,21 @@ class GraphMutantsTest : public testing::Test {
 
     Diagnostics check(const std::string& root, const FileReader& reader, uint32_t queues,
                       Diagnostics& warnings) {
-        const Result<JsonDoc> document = read_graph(input_of(root, reader, ""));
+        const LoadSettings settings = settings_of(reader);
+        const std::string path = GraphMutants::path_of(root);
+        const Result<JsonDoc> document = read_graph(path, settings);
         if (!document) return document.errors();
         std::vector<std::string> tiers = tier_names(*document);
         tiers.insert(tiers.begin(), "");
         Diagnostics faults;
         for (const std::string& tier : tiers) {
-            Diagnostics of_tier = check_tier(*document, input_of(root, reader, tier), queues, warnings);
+            const LoadInput input{.request = {.path = path, .tier = tier, .size = {64, 36, 1}},
+                                  .settings = settings,
+                                  .passes = passes_,
+                                  .imports = imports_,
+                                  .profile = profile_,
+                                  .memory = &memory_};
+            Diagnostics of_tier = check_tier(*document, input, queues, warnings);
             faults.insert(faults.end(), of_tier.begin(), of_tier.end());
         }
         return faults;

@@ -32,16 +32,15 @@ class GraphMutantsVkTest : public SessionTest {
 
     render::SessionInput input_of(const Mutant& mutant) {
         render::SessionInput input;
-        input.graph_path = GraphMutants::path_of(mutant.root);
-        input.reader = GraphMutants::reader_of(mutant);
-        input.graph_root = GraphMutants::path_of("graphs");
-        input.shader_root = GraphMutants::path_of("shaders");
-        input.shader_cache = WEFT_TEST_CACHE "/mutants";
+        input.request.path = GraphMutants::path_of(mutant.root);
+        input.load.reader = GraphMutants::reader_of(mutant);
+        input.load.graph_root = GraphMutants::path_of("graphs");
+        input.load.shader_root = GraphMutants::path_of("shaders");
+        input.load.shader_cache = WEFT_TEST_CACHE "/mutants";
         input.passes = &passes_;
-        input.size = kSize;
-        input.camera = camera_;
+        input.request.size = kSize;
         input.check_plan = true;
-        input.limits.graph.transient_bytes = kMostMemory_bytes;
+        input.load.limits.graph.transient_bytes = kMostMemory_bytes;
         return input;
     }
 
@@ -61,7 +60,7 @@ class GraphMutantsVkTest : public SessionTest {
         if (is_too_much((*session)->plan())) return Outcome::too_much;
         Status done = Unit{};
         for (uint32_t frame = 0; frame < kFrames && done; ++frame)
-            done = (*session)->render_frame(frame / 60.0, 1 / 60.0);
+            done = (*session)->render_frame({camera_, 0, frame / 60.0, 1 / 60.0});
         if (done) done = (*session)->finish();
         EXPECT_TRUE(done) << to_text(done.errors());
         const std::vector<vk::Message> messages = device_->messages().messages();

@@ -7,10 +7,12 @@
 #include <map>
 #include <sstream>
 
+#include "render/session_parts.h"
 #include "weft/registry.h"
 #include "weft/render/session.h"
 #include "weft/render/texels.h"
 #include "weft/scene/builtin_scenes.h"
+#include "weft/vulkan/device.h"
 
 namespace weft::test {
 
@@ -20,6 +22,19 @@ inline std::optional<std::string> read_text(const std::string& path) {
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
+}
+
+// With the camera and the exposure that SessionTest::start() was given; tests may change them.
+inline render::FrameInput& frame_of(const render::Session& session) {
+    static std::map<const render::Session*, render::FrameInput> frames;
+    return frames[&session];
+}
+
+inline Status draw_frame(render::Session& session, double time_s = 0, double delta_time_s = 0) {
+    render::FrameInput& frame = frame_of(session);
+    frame.time_s = time_s;
+    frame.delta_time_s = delta_time_s;
+    return session.render_frame(frame);
 }
 
 struct Rendered {
@@ -53,21 +68,21 @@ class SessionTest : public ::testing::Test {
                                            const FileReader& reader = read_text) {
         passes_ = registered_passes();
         render::SessionInput input;
-        input.graph_path = graph;
-        input.reader = reader;
-        input.graph_root = WEFT_SOURCE_DIR "/graphs";
-        input.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.request.path = graph;
+        input.request.size = size;
+        input.request.observed = std::move(observed);
+        input.load.reader = reader;
+        input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
+        input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
         input.passes = &passes_;
-        input.size = size;
-        input.observed = std::move(observed);
-        input.camera = camera;
-        input.exposure_ev = exposure_ev;
         input.check_plan = true;
         input.queues = queues_;
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene, input, warnings_);
         EXPECT_TRUE(session) << to_text(session.errors());
-        return session ? std::move(*session) : nullptr;
+        if (!session) return nullptr;
+        frame_of(**session) = {.camera = camera, .exposure_ev = exposure_ev};
+        return std::move(*session);
     }
     // A graph for which the scene doesn't matter.
     std::unique_ptr<render::Session> start(const std::string& graph, Extent3D size,
@@ -84,7 +99,7 @@ class SessionTest : public ::testing::Test {
         const std::unique_ptr<render::Session> session =
             start(scene, camera, graph, size, std::move(observed), exposure_ev);
         if (!session) return {};
-        Status done = session->render_frame(0, 0);
+        Status done = draw_frame(*session);
         if (done) done = session->finish();
         if (!done) {
             ADD_FAILURE() << to_text(done.errors());
@@ -94,8 +109,8 @@ class SessionTest : public ::testing::Test {
         for (const vk::ReadbackData& data : session->take_readbacks())
             result.images[data.pass.substr(std::string("observe:").size())] =
                 render::decode_texels(data.format, data.bytes);
-        result.view = session->view();
-        result.lights = session->lights();
+        result.view = session->parts().frames.view();
+        result.lights = session->parts().scene.lights();
         result.pre_exposure = session->pre_exposure();
         return result;
     }

@@ -43,6 +43,11 @@ class TierFormats : public ShaderFolder {
         output.resource.extent = {64, 64, 1};
         output.resource.import = ImportState{};
         imports_.imports.emplace("backbuffer", output);
+        settings_.reader = [](const std::string& path) {
+            std::ifstream in(path);
+            return std::optional(std::string(std::istreambuf_iterator<char>(in), {}));
+        };
+        settings_.shader_root = base_ / "shaders";
         const FormatFeatureMask drawn = ~format_feature::kStorage;
         profile_.formats = {{Format::b10g11r11f, drawn},
                             {Format::rgba8, drawn},
@@ -50,21 +55,13 @@ class TierFormats : public ShaderFolder {
     }
 
     LoadInput input(const std::string& tier, const SkippedFormats* common = nullptr) {
-        LoadInput made{.path = (base_ / "graph/g.json").string(),
-                       .reader = {},
-                       .shader_root = base_ / "shaders",
-                       .shader_cache = {},
-                       .passes = passes_,
-                       .imports = imports_,
-                       .profile = profile_};
-        made.reader = [](const std::string& path) {
-            std::ifstream in(path);
-            return std::optional(std::string(std::istreambuf_iterator<char>(in), {}));
-        };
-        made.tier = tier;
-        made.memory = &memory_;
-        made.common_formats = common;
-        return made;
+        return {.request = {.path = path_, .tier = tier},
+                .settings = settings_,
+                .passes = passes_,
+                .imports = imports_,
+                .profile = profile_,
+                .memory = &memory_,
+                .common_formats = common};
     }
 
     Format format_of(const JsonDoc& document, const std::string& tier, const SkippedFormats* common) {
@@ -74,6 +71,8 @@ class TierFormats : public ShaderFolder {
         return loaded ? find_resource(loaded->graph, "color")->format : Format::undefined;
     }
 
+    std::string path_ = (base_ / "graph/g.json").string();
+    LoadSettings settings_;
     PassCatalog passes_;
     ImportCatalog imports_;
     DeviceProfile profile_;
@@ -82,7 +81,7 @@ class TierFormats : public ShaderFolder {
 
 // Each load of a tier requests the two programs of its passes.
 TEST_F(TierFormats, FoundOnceTheyLoadEachTierTwiceInsteadOfAllTiersForEach) {
-    const Result<JsonDoc> document = read_graph(input(""));
+    const Result<JsonDoc> document = read_graph(path_, settings_);
     ASSERT_TRUE(document.ok()) << to_text(document.errors());
     const std::vector<std::string> tiers{"", "low", "medium", "high", "paint"};
     for (const std::string& tier : tiers)
@@ -103,7 +102,7 @@ TEST_F(TierFormats, WithoutATierThatNeedsTheOtherTheFirstIsTaken) {
     text.replace(text.find("\"type\": \"compute\", \"shader\": \"paint.comp\""), 41,
                  "\"shader\": \"draw.frag\"");
     write("graph/g.json", text);
-    const Result<JsonDoc> document = read_graph(input(""));
+    const Result<JsonDoc> document = read_graph(path_, settings_);
     ASSERT_TRUE(document.ok()) << to_text(document.errors());
     const SkippedFormats common = common_formats(*document, input(""));
     EXPECT_EQ(format_of(*document, "low", &common), Format::b10g11r11f);

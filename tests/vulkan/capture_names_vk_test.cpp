@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/vulkan/executor_fixture.h"
+#include "vulkan/device/functions.h"
 
 namespace weft::vk {
 namespace {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/vulkan/device_fixture.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/immediate_submit.h"
 #include "weft/vulkan/memory.h"
 #include "weft/vulkan/native.h"

@@ -1,6 +1,7 @@
 // Faults in an executor are returned as a diagnostic that names the pass or import, and leak nothing.
 #include "tests/vulkan/executor_fixture.h"
 #include "tests/vulkan/triangle_source.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/immediate_submit.h"
 
 namespace weft::vk {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/vulkan/executor_fixture.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/immediate_submit.h"
 
 namespace weft::vk {

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "tests/vulkan/device_fixture.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/immediate_submit.h"
 #include "vulkan/device/to_vk.h"
 

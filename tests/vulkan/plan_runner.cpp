@@ -5,6 +5,7 @@
 #include <cstring>
 #include <span>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/immediate_submit.h"
 #include "weft/shader/compile_shader.h"
 

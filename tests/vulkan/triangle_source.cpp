@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {

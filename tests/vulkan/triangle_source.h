@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "vulkan/device/handle.h"
 #include "weft/vulkan/draw_source.h"
-#include "weft/vulkan/handle.h"
 #include "weft/vulkan/memory.h"
 
 namespace weft::vk {

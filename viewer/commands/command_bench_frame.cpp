@@ -27,6 +27,7 @@ constexpr const char* kLightsParam = "maxLights";
 // One of the programs that render in turn.
 struct Contestant {
     std::unique_ptr<render::Session> session;
+    render::FrameInput frame;
     std::vector<PassResult> passes;
 };
 
@@ -58,7 +59,7 @@ class Run {
     explicit Run(const FrameBenchOptions& options)
         : options_(options), progress_("measuring", isatty(STDERR_FILENO) == 1) {
         render_.scene = options.scene;
-        render_.size = options.size;
+        render_.request.size = options.size;
         render_.camera = options.camera;
         render_.seed = options.seed;
         render_.device = options.device;
@@ -101,24 +102,24 @@ class Run {
 
     [[nodiscard]] Result<Contestant> enter(const scene::Scene& scene, const std::string& graph,
                                            uint32_t lights) {
-        render_.graph = graph_path(graph);
+        render_.request.path = graph_path(graph);
         const bool draws_scene = graph != kYardsticks;
-        render_.params = draws_scene ? std::map<std::string, double>{{kLightsParam, lights}}
-                                     : std::map<std::string, double>{};
-        const float aspect = static_cast<float>(render_.size.width) / static_cast<float>(render_.size.height);
+        render_.request.params = draws_scene ? std::map<std::string, double>{{kLightsParam, lights}}
+                                             : std::map<std::string, double>{};
+        const float aspect = aspect_of(render_.request.size);
         Result<scene::Camera> camera = choose_camera(scene, {options_.scene, render_.camera, aspect});
         if (!camera) return camera.take_errors();
-        render::SessionInput input = session_input(render_, scene, *camera, passes_);
+        render::SessionInput input = session_input(render_, passes_);
         input.timestamps = true;
         Diagnostics warnings;
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene, input, warnings);
         if (draws_scene && lights == options_.lights.front()) report(warnings);
         if (!session) return session.take_errors();
-        Contestant contestant{std::move(*session), {}};
+        Contestant contestant{std::move(*session), frame_input(render_, scene, *camera), {}};
         contestant.passes = pass_results(contestant.session->plan());
         for (uint32_t frame = 0; frame < kWarmFrames; ++frame)
-            if (Status s = contestant.session->render_frame(0, 0); !s) return s.take_errors();
+            if (Status s = contestant.session->render_frame(contestant.frame); !s) return s.take_errors();
         if (Status s = contestant.session->finish(); !s) return s.take_errors();
         static_cast<void>(contestant.session->take_timings());
         tell(lights);
@@ -126,7 +127,7 @@ class Run {
     }
 
     [[nodiscard]] Status draw(Contestant& contestant, uint32_t lights) {
-        if (Status s = contestant.session->render_frame(0, 0); !s) return s;
+        if (Status s = contestant.session->render_frame(contestant.frame); !s) return s;
         if (Status s = contestant.session->finish(); !s) return s;
         const std::vector<vk::FrameTiming> timings = contestant.session->take_timings();
         if (timings.empty() || !add_round(timings.back(), contestant.passes)) return no_timestamps();

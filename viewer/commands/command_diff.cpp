@@ -17,7 +17,7 @@ Result<OfflinePlan> compile_side(const std::string& side, OfflineOptions options
     const bool names_tier = colon != std::string::npos && !std::filesystem::exists(side, error) &&
                             std::filesystem::exists(side.substr(0, colon), error);
     if (!names_tier) return compile_offline(side, options, warnings);
-    options.tier = side.substr(colon + 1);
+    options.request.tier = side.substr(colon + 1);
     return compile_offline(side.substr(0, colon), options, warnings);
 }
 

@@ -11,7 +11,7 @@ std::string in_format(const PlanOptions& options, const OfflinePlan& made) {
     if (options.format == "json") return plan_to_json(made.plan);
     if (options.format == "dot") return plan_to_dot(made.plan);
     if (options.format == "html")
-        return plan_to_html(made.plan, {options.file, options.offline.tier, made.profile.name});
+        return plan_to_html(made.plan, {options.file, options.offline.request.tier, made.profile.name});
     return plan_to_text(made.plan, &made.profile);
 }
 

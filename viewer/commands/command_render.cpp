@@ -60,12 +60,15 @@ void collect(render::Session& session, const RenderOptions& options, RunOutcome&
     if (!readbacks.empty()) outcome.last_readback = std::move(readbacks.back());
 }
 
-Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& options, uint32_t frames) {
+Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, uint32_t frames) {
+    render::Session& session = *open.session;
+    render::FrameInput frame = open.frame;
+    frame.delta_time_s = options.fixed_dt_s;
     RenderProgress progress(options, frames);
     RunOutcome outcome;
     for (uint32_t i = 0; i < frames; ++i) {
-        if (Status s = session.render_frame(i * options.fixed_dt_s, options.fixed_dt_s); !s)
-            return s.take_errors();
+        frame.time_s = i * options.fixed_dt_s;
+        if (Status s = session.render_frame(frame); !s) return s.take_errors();
         collect(session, options, outcome);
         // The last frames submitted may still be running.
         progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
@@ -84,7 +87,7 @@ Result<RunOutcome> run_frames(render::Session& session, const RenderOptions& opt
 // Writes the picture for --output: the graph's output, or the resource of --resource.
 Status write_picture(const RenderOptions& options, const render::Session& session,
                      const RunOutcome& outcome) {
-    const bool is_output = options.resource.empty() && options.debug.empty();
+    const bool is_output = options.resource.empty() && options.request.debug.empty();
     if (!is_output && !outcome.last_readback) {
         Diagnostic d;
         d.code = "W103";
@@ -97,7 +100,7 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
         return write_file(options.output,
                           {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
     // Both are already display-encoded.
-    if (is_output || !options.debug.empty()) return write_output_picture(options.output, data);
+    if (is_output || !options.request.debug.empty()) return write_output_picture(options.output, data);
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind) return kind.errors();
     std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
@@ -149,7 +152,7 @@ ExitCode run_render(const RenderOptions& options) {
     Result<OpenSession> open = open_session(options);
     if (!open) return fail_on_device(open.errors());
     render::Session& session = *open->session;
-    if (const bool shows_output = options.resource.empty() && options.debug.empty();
+    if (const bool shows_output = options.resource.empty() && options.request.debug.empty();
         shows_output && !session.has_output())
         return fail_on_device(session.read_output().errors());
     if (!kind && !is_buffer(session.plan(), options.resource)) {
@@ -157,15 +160,16 @@ ExitCode run_render(const RenderOptions& options) {
         return ExitCode::usage;
     }
     const uint32_t frames = options.frames > 0 ? options.frames : session.frames();
-    Result<RunOutcome> outcome = run_frames(session, options, frames);
+    Result<RunOutcome> outcome = run_frames(*open, options, frames);
     if (!outcome) {
         report_messages(open->device->messages().messages());
         return fail_on_device(outcome.errors());
     }
     if (Status s = write_picture(options, session, *outcome); !s) return fail_on_device(s.errors());
     if (!options.stats.empty()) {
-        const std::string json = stats_json({*open->device, session.plan(), outcome->output, outcome->timings,
-                                             frames, options.tier, session.pipelines_made_between_frames()});
+        const std::string json =
+            stats_json({*open->device, session.plan(), outcome->output, outcome->timings, frames,
+                        options.request.tier, session.pipelines_made_between_frames()});
         if (Status s = write_file(options.stats, json); !s) return fail_on_device(s.errors());
     }
     const std::string& name = options.named_output.empty() ? options.output : options.named_output;

@@ -52,11 +52,12 @@ Status write_last_frame(const std::string& path, render::Session& session) {
 
 // The frame loop. A program with a window would display each frame and handle window events; this one only
 // waits for the next frame.
-Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session, render::Reloader& reloader,
-                           EndSignals& end) {
+Result<ViewCounts> draw_frames(const ViewOptions& options, OpenSession& open, render::Reloader& reloader,
+                               EndSignals& end) {
+    render::Session& session = *open.session;
+    render::FrameInput frame = open.frame;
     ViewCounts counts;
     const Clock::time_point begin = Clock::now();
-    double last_s = 0;
     bool is_picture_due = true;
     while (options.render.frames == 0 || counts.frames < options.render.frames) {
         const Clock::time_point due = begin + counts.frames * kFrameTime;
@@ -70,12 +71,12 @@ Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session,
         const double dt_s = options.render.fixed_dt_s;
         const double now_s = options.fixed_dt ? static_cast<double>(counts.frames) * dt_s
                                               : std::chrono::duration<double>(Clock::now() - begin).count();
-        if (Status s = session.render_frame(now_s, options.fixed_dt ? dt_s : now_s - last_s); !s)
-            return s.take_errors();
+        frame.delta_time_s = options.fixed_dt ? dt_s : now_s - frame.time_s;
+        frame.time_s = now_s;
+        if (Status s = session.render_frame(frame); !s) return s.take_errors();
         // Nothing here uses the timings, and they would otherwise pile up.
         static_cast<void>(session.take_timings());
         static_cast<void>(session.take_readbacks());
-        last_s = now_s;
         ++counts.frames;
         // If a picture cannot be written, rendering continues: only the last write determines the exit code.
         if (is_picture_due && !options.render.output.empty()) {
@@ -91,7 +92,7 @@ Result<ViewCounts> draw_on(const ViewOptions& options, render::Session& session,
 
 Status write_stats(const std::string& path, const OpenSession& open, const ViewCounts& counts) {
     const nlohmann::ordered_json json{
-        {"graph", open.session->selection().graph_path},
+        {"graph", open.session->selection().request.path},
         {"frames", counts.frames},
         {"reloads", counts.reloads},
         {"failed_reloads", counts.failed_reloads},
@@ -128,8 +129,8 @@ ExitCode run_view(const ViewOptions& options) {
     Result<std::unique_ptr<render::Reloader>> reloader = render::Reloader::start(*open->session);
     if (!reloader) return fail_on_device(reloader.errors());
     std::fprintf(stderr, "weft: watching %s and what it reads\n",
-                 open->session->selection().graph_path.c_str());
-    const Result<ViewCounts> counts = draw_on(options, *open->session, **reloader, end);
+                 open->session->selection().request.path.c_str());
+    const Result<ViewCounts> counts = draw_frames(options, *open, **reloader, end);
     reloader->reset();
     if (!counts) {
         report_messages(open->device->messages().messages());

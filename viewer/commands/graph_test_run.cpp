@@ -37,12 +37,12 @@ class TestRun {
     TestRun(const std::string& file, const CheckOptions& options, const GraphDesc& graph,
             const GraphTestDesc& test, std::string tier, uint64_t& frames_left)
         : graph_(graph), test_(test), tier_(std::move(tier)), frames_left_(frames_left) {
-        options_.graph = file;
+        options_.request.path = file;
         options_.scene = test.scene.empty() ? "builtin:spheres" : test.scene;
-        options_.tier = tier_;
-        options_.size = test.size;
-        options_.params = options.offline.params;
-        for (const auto& [name, value] : test.params) options_.params[name] = value;
+        options_.request.tier = tier_;
+        options_.request.size = test.size;
+        options_.request.params = options.offline.request.params;
+        for (const auto& [name, value] : test.params) options_.request.params[name] = value;
         options_.limits = options.offline.limits;
         uint64_t& frame_bytes = options_.limits.graph.transient_bytes;
         frame_bytes = std::min(frame_bytes, options_.limits.graph.test_bytes);
@@ -53,12 +53,14 @@ class TestRun {
         std::set<std::string> refs;
         for (const ExpectationDesc& expectation : test.expect)
             if (!expectation.ref.empty() && expectation.what != "kept") refs.insert(expectation.ref);
-        options_.observed.assign(refs.begin(), refs.end());
+        options_.request.observed.assign(refs.begin(), refs.end());
     }
 
     Diagnostics run() {
         Result<OpenSession> open = open_session(options_);
         if (!open) return of_a_test(open.take_errors());
+        input_ = open->frame;
+        input_.delta_time_s = kFrame_s;
         if (!check_readbacks(open->session->plan())) return std::move(failed_);
         const Status drawn = test_.swap.empty() ? draw(*open->session) : draw_swapping(*open->session);
         if (!drawn) return drawn.errors();
@@ -138,15 +140,16 @@ class TestRun {
 
     Status swap_to(render::Session& session, const std::string& tier) {
         render::Selection selection = session.selection();
-        selection.tier = tier;
-        std::future<render::Preparation> made =
+        selection.request.tier = tier;
+        std::future<render::PrepareResult> made =
             std::async(std::launch::async, [&] { return session.prepare(selection); });
         do {
             if (Status s = draw_frame(session); !s) return s;
         } while (made.wait_for(std::chrono::seconds(0)) != std::future_status::ready);
-        render::Preparation preparation = made.get();
+        render::PrepareResult preparation = made.get();
         if (!preparation.result) return preparation.result.take_errors();
-        if (preparation.result->stage) note_lost(session.plan(), preparation.result->stage->executor->plan());
+        if (const FramePlan* plan = preparation.result->new_plan(); plan != nullptr)
+            note_lost(session.plan(), *plan);
         Result<bool> swapped = session.swap_in(std::move(*preparation.result));
         return swapped ? Status(Unit{}) : Status(swapped.take_errors());
     }
@@ -165,8 +168,8 @@ class TestRun {
     }
 
     Status draw_frame(render::Session& session) {
-        if (Status s = session.render_frame(frame_ * kFrame_s, kFrame_s); !s) return s;
-        ++frame_;
+        input_.time_s = frame_++ * kFrame_s;
+        if (Status s = session.render_frame(input_); !s) return s;
         if (Status s = session.finish(); !s) return s;
         for (vk::ReadbackData& data : session.take_readbacks())
             measured_.resources[data.pass.substr(data.pass.find(':') + 1)] = std::move(data);
@@ -290,6 +293,7 @@ class TestRun {
     std::string tier_;
     uint64_t& frames_left_;  // remaining frames of all runs
     uint64_t frame_ = 0;
+    render::FrameInput input_;
     Measured measured_;
     Diagnostics failed_;
 };

@@ -1,7 +1,7 @@
 #include "viewer/commands/offline_graph.h"
 
 #include "graph/parse/debug_view.h"
-#include "graph/syntax/read_graph.h"
+#include "viewer/commands/load_settings.h"
 #include "viewer/files/files.h"
 #include "weft/check/check_plan.h"
 #include "weft/compile.h"
@@ -13,10 +13,6 @@
 namespace weft::viewer {
 namespace {
 
-std::string graph_root() {
-    return (shipped_root() / "graphs").string();
-}
-
 Diagnostics of_tier(Diagnostics faults, const std::string& tier) {
     for (Diagnostic& fault : faults) fault.tier = tier;
     return faults;
@@ -25,23 +21,18 @@ Diagnostics of_tier(Diagnostics faults, const std::string& tier) {
 Result<LoadedGraph> load_offline(const JsonDoc& document, const OfflineOptions& options,
                                  const DeviceProfile& profile, Diagnostics& warnings, SharedByTiers* shared) {
     const PassCatalog passes = registered_passes();
-    const ImportCatalog imports = render::scene_imports(options.size);
-    LoadInput input{.path = document.sources.files.front().path,
-                    .reader = {},
-                    .shader_root = shipped_root() / "shaders",
-                    .shader_cache = shader_cache(),
+    const ImportCatalog imports = render::scene_imports(options.request.size);
+    const LoadSettings settings = load_settings(options.limits);
+    LoadInput input{.request = options.request,
+                    .settings = settings,
                     .passes = passes,
                     .imports = imports,
-                    .profile = profile,
-                    .output_extent = options.size,
-                    .params = options.params,
-                    .shader_worker = find_shader_worker(),
-                    .limits = options.limits,
-                    .graph_root = graph_root(),
-                    .tier = options.tier};
+                    .profile = profile};
+    input.request.path = document.sources.files.front().path;
     if (shared != nullptr) {
         input.memory = &shared->shaders;
-        if (!shared->formats && options.params.empty()) shared->formats = common_formats(document, input);
+        if (!shared->formats && options.request.params.empty())
+            shared->formats = common_formats(document, input);
         if (shared->formats) input.common_formats = &*shared->formats;
     }
     return load_graph(document, input, warnings);
@@ -50,8 +41,7 @@ Result<LoadedGraph> load_offline(const JsonDoc& document, const OfflineOptions& 
 }  // namespace
 
 Result<JsonDoc> read_offline(const std::string& file, const OfflineOptions& options) {
-    return read_graph(file, reader_up_to(options.limits.graph.json_bytes),
-                      {graph_root(), options.limits.graph});
+    return read_graph(file, load_settings(options.limits));
 }
 
 Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOptions& options,
@@ -69,13 +59,13 @@ Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOption
     // A graph without an output is meant to be included by others, which may declare the resources that its
     // views show.
     if (loaded->graph.output != kNoId)
-        made.view_faults = of_tier(debug_view_faults(loaded->desc), options.tier);
+        made.view_faults = of_tier(debug_view_faults(loaded->desc), options.request.tier);
     for (Diagnostic& d : made.view_faults) d.pointer = pointer_at(document, d.file, d.line, d.column);
     const std::string& file = document.sources.files.front().path;
     Diagnostics faults = budget_faults(made.plan, options.limits.graph, file);
     if (faults.empty()) faults = check_plan(made.plan);
-    if (!faults.empty()) return of_tier(std::move(faults), options.tier);
-    const Diagnostics tight = of_tier(memory_faults(made.plan, made.profile, file), options.tier);
+    if (!faults.empty()) return of_tier(std::move(faults), options.request.tier);
+    const Diagnostics tight = of_tier(memory_faults(made.plan, made.profile, file), options.request.tier);
     warnings.insert(warnings.end(), tight.begin(), tight.end());
     return made;
 }

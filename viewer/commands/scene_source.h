@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "weft/declaration.h"
 #include "weft/limits.h"
 #include "weft/result.h"
 #include "weft/scene/scene.h"
@@ -28,6 +29,10 @@ struct SceneChoice {
 
 // X522 if `name` is a graph, given as the scene by mistake.
 [[nodiscard]] Status expect_scene(const std::string& name);
+
+[[nodiscard]] inline float aspect_of(Extent3D size) {
+    return static_cast<float>(size.width) / static_cast<float>(size.height);
+}
 
 struct CameraChoice {
     std::string scene;   // same value as in SceneChoice

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "graph/parse/debug_view.h"
+#include "viewer/commands/load_settings.h"
 #include "viewer/commands/scene_source.h"
 #include "viewer/files/files.h"
 #include "viewer/output/report.h"
@@ -37,32 +38,25 @@ void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
 
 }  // namespace
 
-render::SessionInput session_input(const RenderOptions& options, const scene::Scene& scene,
-                                   const scene::Camera& camera, const PassCatalog& passes) {
-    const std::filesystem::path root = shipped_root();
+render::SessionInput session_input(const RenderOptions& options, const PassCatalog& passes) {
     render::SessionInput input;
-    input.graph_path = options.graph.empty() ? (root / "graphs" / "deferred.json").string() : options.graph;
-    input.reader = reader_up_to(options.limits.graph.json_bytes);
-    input.shader_root = root / "shaders";
-    input.shader_cache = shader_cache();
-    input.shader_worker = find_shader_worker();
-    input.limits = options.limits;
+    input.request = options.request;
+    if (input.request.path.empty())
+        input.request.path = (shipped_root() / "graphs" / "deferred.json").string();
+    if (!options.resource.empty()) input.request.observed.push_back(options.resource);
+    if (!input.request.debug.empty()) input.request.observed.emplace_back(kDebugView);
+    input.load = load_settings(options.limits);
     input.passes = &passes;
-    input.size = options.size;
-    input.graph_root = root / "graphs";
-    input.tier = options.tier;
-    input.params = options.params;
-    input.observed = options.observed;
-    if (!options.resource.empty()) input.observed.push_back(options.resource);
-    input.debug = options.debug;
-    if (!options.debug.empty()) input.observed.emplace_back(kDebugView);
-    input.camera = camera;
-    input.exposure_ev = options.exposure_ev.value_or(scene.exposure_ev);
     input.queues = options.queues;
     input.check_plan = options.validate;
     input.timestamps = !options.stats.empty() && !options.validate;
     input.drop_barriers_before = options.drop_barriers_before;
     return input;
+}
+
+render::FrameInput frame_input(const RenderOptions& options, const scene::Scene& scene,
+                               const scene::Camera& camera) {
+    return {.camera = camera, .exposure_ev = options.exposure_ev.value_or(scene.exposure_ev)};
 }
 
 Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options) {
@@ -75,29 +69,17 @@ Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options) {
 }
 
 SessionOpener::SessionOpener(const RenderOptions& options, Attempts attempts)
-    : options_(options), attempts_(attempts), passes_(registered_passes()) {}
+    : options_(options),
+      attempts_(attempts),
+      passes_(registered_passes()),
+      input_(session_input(options, passes_)) {}
 
-// Before a scene is loaded and a device made: both take their time.
-Status SessionOpener::check_graph() {
-    const render::SessionInput session = session_input(options_, {}, {}, passes_);
-    const ImportCatalog imports = render::scene_imports(options_.size);
-    const DeviceProfile profile;
-    const FileReader reader = [&](const std::string& path) {
-        files_.insert(std::filesystem::absolute(path).lexically_normal());
-        return session.reader(path);
-    };
-    return check_request({.path = session.graph_path,
-                          .reader = reader,
-                          .shader_root = session.shader_root,
-                          .shader_cache = {},
-                          .passes = passes_,
-                          .imports = imports,
-                          .profile = profile,
-                          .params = options_.params,
-                          .limits = options_.limits,
-                          .graph_root = session.graph_root,
-                          .tier = options_.tier,
-                          .debug = options_.debug});
+// Before the slow work of loading a scene and creating a device.
+Result<ParsedGraph> SessionOpener::parse_checked() {
+    Result<ParsedGraph> parsed = parse_graph(input_.request, input_.load, &files_);
+    if (!parsed) return parsed;
+    Status good = check_request(*parsed, input_.request, render::scene_imports(input_.request.size));
+    return good ? std::move(parsed) : good.take_errors();
 }
 
 Status SessionOpener::load_scene() {
@@ -108,15 +90,15 @@ Status SessionOpener::load_scene() {
     if (!options_.quiet) report(warnings);
     if (!scene) return scene.take_errors();
     warn_of_exposure(*scene, options_.exposure_ev.value_or(scene->exposure_ev));
-    const float aspect = static_cast<float>(options_.size.width) / static_cast<float>(options_.size.height);
+    const float aspect = aspect_of(options_.request.size);
     Result<scene::Camera> camera = choose_camera(*scene, {options_.scene, options_.camera, aspect});
     if (!camera) return camera.take_errors();
-    camera_ = *camera;
+    frame_ = frame_input(options_, *scene, *camera);
     scene_ = std::move(*scene);
     return Unit{};
 }
 
-Result<OpenSession> SessionOpener::open_checked() {
+Result<OpenSession> SessionOpener::open_parsed(const ParsedGraph& parsed) {
     if (!scene_)
         if (Status s = load_scene(); !s) return s.take_errors();
     if (!device_) {
@@ -125,13 +107,14 @@ Result<OpenSession> SessionOpener::open_checked() {
         device_ = std::move(*device);
     }
     Diagnostics warnings;
-    const render::SessionInput input = session_input(options_, *scene_, camera_, passes_);
+    render::SessionInput input = input_;
+    input.parsed = &parsed;
     Result<std::unique_ptr<render::Session>> session =
         attempts_ == Attempts::one
             ? render::Session::create(*device_, std::move(*scene_), input, warnings, &files_)
             : render::Session::create(*device_, *scene_, input, warnings, &files_);
     if (!options_.quiet) report(warnings);
-    if (session) return OpenSession{std::move(device_), std::move(*session)};
+    if (session) return OpenSession{std::move(device_), frame_, std::move(*session)};
     is_fixable_ = exit_code_for(session.errors()) == ExitCode::invalid_input;
     return session.take_errors();
 }
@@ -140,10 +123,10 @@ Result<OpenSession> SessionOpener::open() {
     is_fixable_ = false;
     files_.clear();
     if (Status s = expect_scene(options_.scene); !s) return s.take_errors();
-    Status good = check_graph();
-    if (good) return open_checked();
+    Result<ParsedGraph> parsed = parse_checked();
+    if (parsed) return open_parsed(*parsed);
     is_fixable_ = true;
-    return good.take_errors();
+    return parsed.take_errors();
 }
 
 Result<OpenSession> open_session(const RenderOptions& options) {

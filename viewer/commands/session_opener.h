@@ -30,15 +30,16 @@ class SessionOpener {
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
 
  private:
-    [[nodiscard]] Status check_graph();
+    [[nodiscard]] Result<ParsedGraph> parse_checked();
     [[nodiscard]] Status load_scene();
-    [[nodiscard]] Result<OpenSession> open_checked();
+    [[nodiscard]] Result<OpenSession> open_parsed(const ParsedGraph& parsed);
 
     const RenderOptions& options_;
     const Attempts attempts_;
     const PassCatalog passes_;
+    const render::SessionInput input_;
     std::optional<scene::Scene> scene_;
-    scene::Camera camera_;
+    render::FrameInput frame_;
     std::unique_ptr<vk::Device> device_;
     std::set<std::filesystem::path> files_;
     bool is_fixable_ = false;

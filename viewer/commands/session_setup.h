@@ -7,17 +7,21 @@
 
 #include "viewer/commands/commands.h"
 #include "weft/render/session.h"
+#include "weft/vulkan/device.h"
 
 namespace weft::viewer {
 
 struct OpenSession {
     std::unique_ptr<vk::Device> device;
+    render::FrameInput frame;                  // with the camera and the exposure; the caller sets the times
     std::unique_ptr<render::Session> session;  // last: destroyed first
 };
 
 // How the options want the camera's view of the scene drawn.
-[[nodiscard]] render::SessionInput session_input(const RenderOptions& options, const scene::Scene& scene,
-                                                 const scene::Camera& camera, const PassCatalog& passes);
+[[nodiscard]] render::SessionInput session_input(const RenderOptions& options, const PassCatalog& passes);
+// The camera's view of the scene at the exposure of the options, or else the scene's own.
+[[nodiscard]] render::FrameInput frame_input(const RenderOptions& options, const scene::Scene& scene,
+                                             const scene::Camera& camera);
 [[nodiscard]] Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options);
 // Warnings go to stderr.
 [[nodiscard]] Result<OpenSession> open_session(const RenderOptions& options);

@@ -73,8 +73,8 @@ CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options)
         checked.found = document.errors();
         return checked;
     }
-    std::vector<std::string> tiers{options.tier};
-    if (options.tier.empty()) {
+    std::vector<std::string> tiers{options.request.tier};
+    if (options.request.tier.empty()) {
         for (const std::string& name : tier_names(*document)) tiers.push_back(name);
         checked.tiers = tiers.size() - 1;
     }
@@ -82,7 +82,7 @@ CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options)
     SharedByTiers shared;
     for (const std::string& tier : tiers) {
         OfflineOptions of_tier = options;
-        of_tier.tier = tier;
+        of_tier.request.tier = tier;
         Diagnostics found;
         Result<OfflinePlan> made =
             compile_offline(*document, of_tier, found, tiers.size() > 1 ? &shared : nullptr);

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <thread>
 
+#include "render/file_watch.h"
 #include "viewer/commands/session_opener.h"
 #include "viewer/output/report.h"
-#include "weft/render/file_watch.h"
 
 namespace weft::viewer {
 namespace {
@@ -40,7 +40,7 @@ Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, 
     for (;;) {
         Result<OpenSession> open = opener.open();
         if (open) return std::optional(std::move(*open));
-        if (!waits || !opener.is_fixable() || !is_there(options.graph)) return open.take_errors();
+        if (!waits || !opener.is_fixable() || !is_there(options.request.path)) return open.take_errors();
         // Edits before this point were not watched, so try again.
         if ((*watch)->watch(opener.files())) continue;
         report(open.errors());

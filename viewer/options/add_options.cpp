@@ -30,7 +30,8 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
 }
 
 void add_tier(CLI::App& command, OfflineOptions& o, const char* otherwise) {
-    command.add_option("--tier", o.tier, std::string("a quality tier of the graph [") + otherwise + "]");
+    command.add_option("--tier", o.request.tier,
+                       std::string("a quality tier of the graph [") + otherwise + "]");
 }
 
 }  // namespace
@@ -43,8 +44,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("SCENE", o.scene, "a .gltf or .glb file, a folder that contains one, or builtin:NAME")
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "the picture: .png, .exr or .pfm")->capture_default_str();
-    command.add_option("--graph", o.graph, "the pipeline, a JSON file [the shipped graphs/deferred.json]");
-    command.add_option("--tier", o.tier, "a quality tier of the graph [none]");
+    command.add_option("--graph", o.request.path,
+                       "the pipeline, a JSON file [the shipped graphs/deferred.json]");
+    command.add_option("--tier", o.request.tier, "a quality tier of the graph [none]");
     command.add_option("--size", raw.size, "size of the output in pixels")
         ->check(size_validator())
         ->capture_default_str();
@@ -72,7 +74,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->check(param_validator());
     command.add_option("--resource", o.resource,
                        "write this resource (name@pass.mip(e).layer(e)) instead of the output");
-    command.add_option("--debug", o.debug, "write this debug view of the graph, or a view of any resource")
+    command
+        .add_option("--debug", o.request.debug,
+                    "write this debug view of the graph, or a view of any resource")
         ->excludes("--resource");
     command.add_flag("--validate", o.validate,
                      "run under the validation layers; any message gives exit code 5");

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "weft/declaration.h"
+#include "weft/graph_request.h"
 #include "weft/limits.h"
 
 namespace weft::viewer {
@@ -15,10 +15,8 @@ namespace weft::viewer {
 struct RenderOptions {
     std::string scene = "builtin:atrium";
     std::string output = "frame.png";
-    std::string graph;  // empty: the shipped graphs/deferred.json
-    std::string tier;   // empty: the graph without a tier
-    Extent3D size{1280, 720, 1};
-    uint32_t frames = 0;  // 0: the number in the graph
+    GraphRequest request;  // an empty path: the shipped graphs/deferred.json
+    uint32_t frames = 0;   // 0: the number in the graph
     double fixed_dt_s = 1.0 / 60.0;
     std::string camera;
     std::string env = "sky";
@@ -26,11 +24,7 @@ struct RenderOptions {
     std::optional<uint32_t> lights;  // number of seeded lights that replace the scene's lights
     uint32_t seed = 1;
     std::optional<float> exposure_ev;
-    std::map<std::string, double> params;
-    std::string resource;
-    std::string debug;                  // a debug view, or a resource to display as one
-    std::vector<std::string> observed;  // references of resources to read back every frame, besides
-                                        // `resource`
+    std::string resource;  // reference to a resource that is written instead of the output
     bool validate = false;
     bool quiet = false;  // do not repeat warnings that were already printed
     std::string stats;
@@ -45,7 +39,7 @@ struct RenderOptions {
 
 // Files that the command reads. A word such as "sky" is included too, because a file may have that name.
 [[nodiscard]] inline std::vector<std::string> inputs_of(const RenderOptions& options) {
-    return {options.scene, options.graph, options.env};
+    return {options.scene, options.request.path, options.env};
 }
 
 struct ViewOptions {
@@ -57,11 +51,9 @@ struct ViewOptions {
 
 // Options for compilation without a device.
 struct OfflineOptions {
-    std::string tier;     // empty: the graph without a tier
-    std::string profile;  // a file, or the name of a shipped profile; empty: lavapipe
-    Extent3D size{1280, 720, 1};
+    GraphRequest request;  // without a path: each command takes that from its FILE
+    std::string profile;   // a file, or the name of a shipped profile; empty: lavapipe
     uint32_t queues = 1;
-    std::map<std::string, double> params;
     Limits limits;
 };
 

@@ -9,6 +9,7 @@
 
 #include "file/file_target.h"
 #include "file/write_file.h"
+#include "viewer/output/report.h"
 
 namespace weft::viewer {
 namespace {

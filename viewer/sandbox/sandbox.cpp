@@ -17,6 +17,7 @@
 
 #include "file/file_target.h"
 #include "viewer/output/output.h"
+#include "viewer/output/report.h"
 #include "viewer/sandbox/sandbox_needs.h"
 #include "viewer/sandbox/sandbox_parts.h"
 

@@ -28,22 +28,20 @@ T take(weft::Result<T> result) {
     return std::move(*result);
 }
 
-weft::render::SessionInput session_input(const weft::PassCatalog& passes, const weft::scene::Scene& scene) {
+weft::render::SessionInput session_input(const weft::PassCatalog& passes) {
     const std::filesystem::path data = WEFT_DATA_DIR;
     weft::render::SessionInput input;
-    input.graph_path = data / "graphs" / "deferred.json";
-    input.shader_root = data / "shaders";
-    input.shader_worker = weft::find_shader_worker(data.parent_path().parent_path());
-    input.reader = [](const std::string& path) -> std::optional<std::string> {
+    input.request.path = data / "graphs" / "deferred.json";
+    input.request.size = kSize_px;
+    input.load.shader_root = data / "shaders";
+    input.load.shader_worker = weft::find_shader_worker(data.parent_path().parent_path());
+    input.load.reader = [](const std::string& path) -> std::optional<std::string> {
         std::ifstream file(path, std::ios::binary);
         std::ostringstream text;
         text << file.rdbuf();
         return file ? std::optional(text.str()) : std::nullopt;
     };
     input.passes = &passes;
-    input.size = kSize_px;
-    input.camera = scene.cameras.front();
-    input.exposure_ev = scene.exposure_ev;
     return input;
 }
 
@@ -54,7 +52,7 @@ std::vector<uint8_t> render(const OwnDevice& own) {
 
     const weft::scene::Scene scene = take(weft::scene::make_builtin("spheres"));
     const weft::PassCatalog passes = weft::registered_passes();
-    weft::render::SessionInput input = session_input(passes, scene);
+    weft::render::SessionInput input = session_input(passes);
     input.output = target.image;
     weft::Diagnostics warnings;
     std::unique_ptr<weft::render::Session> session =
@@ -62,8 +60,11 @@ std::vector<uint8_t> render(const OwnDevice& own) {
     std::fputs(weft::to_text(warnings).c_str(), stderr);
 
     std::vector<uint8_t> texels;
+    weft::render::FrameInput frame{scene.cameras.front(), scene.exposure_ev};
+    frame.delta_time_s = kFrameTime_s;
     for (int i = 0; i < kFrames; ++i) {
-        take(session->render_frame(i * kFrameTime_s, kFrameTime_s));
+        frame.time_s = i * kFrameTime_s;
+        take(session->render_frame(frame));
         // Submitted behind the frame to the same queue: the image has been written and may be copied.
         texels = read_image(own, target.image, kSize_px.width, kSize_px.height);
     }

@@ -1,17 +1,15 @@
-// Purpose: the lights of a frame, which the program passes to the `light_upload` pass as HostInputs "lights".
-// Shape: any number; lights beyond the capacity of the graph's buffer are dropped, so the program should put
-// the brightest first. Units: see shaders/include/shared/light.glsl, which defines the struct Light of this
-// list.
+// Purpose: the lights of a frame, which the program gives to the `light_upload` pass as HostInputs "lights":
+// any number, in the program's order. Lights for which the graph's buffer has no room are dropped from the
+// end. Layout and units: struct Light of shaders/include/shared/light.glsl.
 #pragma once
 
+#include <cstddef>
 #include <span>
-
-#include "shared/light.glsl"
 
 namespace weft {
 
 struct LightList {
-    std::span<const shared::Light> lights;
+    std::span<const std::byte> bytes;  // of an array of Light
 };
 
 }  // namespace weft

@@ -2,7 +2,13 @@
 
 #include <utility>
 
+#include "vulkan/device/functions.h"
+
 namespace weft::vk {
+
+Device::Device()
+    : instance_functions_(std::make_unique<InstanceFunctions>()),
+      functions_(std::make_unique<DeviceFunctions>()) {}
 
 Device::~Device() {
     tear_down();
@@ -11,13 +17,12 @@ Device::~Device() {
 void Device::tear_down() {
     if (!owned_ || abandoned_) return;
     owned_ = false;
-    // The messenger is destroyed after the device, so that it receives messages about objects that were not
-    // freed.
-    if (device_ != VK_NULL_HANDLE) functions_.vkDestroyDevice(device_, nullptr);
+    // The messenger goes after the device, so that it hears of objects left alive.
+    if (device_ != VK_NULL_HANDLE) functions_->vkDestroyDevice(device_, nullptr);
     if (messenger_ != VK_NULL_HANDLE) {
-        instance_functions_.vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
+        instance_functions_->vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
     }
-    if (instance_ != VK_NULL_HANDLE) instance_functions_.vkDestroyInstance(instance_, nullptr);
+    if (instance_ != VK_NULL_HANDLE) instance_functions_->vkDestroyInstance(instance_, nullptr);
 }
 
 std::vector<Message> destroy_device(std::unique_ptr<Device> device) {
@@ -44,8 +49,8 @@ void Device::name(VkObjectType type, uint64_t handle, const std::string& text) c
     info.objectType = type;
     info.objectHandle = handle;
     info.pObjectName = text.c_str();
-    // A failure only means that messages lack this name.
-    (void)instance_functions_.vkSetDebugUtilsObjectNameEXT(device_, &info);
+    // A failure costs a name in a message and nothing else.
+    (void)instance_functions_->vkSetDebugUtilsObjectNameEXT(device_, &info);
 }
 
 }  // namespace weft::vk

@@ -2,6 +2,7 @@
 #include <cassert>
 #include <utility>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/instance.h"
 #include "vulkan/device/messenger.h"
 #include "vulkan/device/physical_device.h"
@@ -63,7 +64,7 @@ Status DeviceBuilder::make_instance(const LoaderFunctions& loader, const DeviceO
     if (!instance) return instance.take_errors();
     device->owned_ = true;
     device->instance_ = instance->handle;
-    device->instance_functions_ = instance->functions;
+    *device->instance_functions_ = instance->functions;
     device->debug_utils_ = instance->debug_utils;
     device->info_.layers = std::move(instance->layers);
     return options.validate ? make_messenger() : Status(Unit{});
@@ -71,14 +72,14 @@ Status DeviceBuilder::make_instance(const LoaderFunctions& loader, const DeviceO
 
 Status DeviceBuilder::make_messenger() {
     const VkDebugUtilsMessengerCreateInfoEXT info = messenger_create_info(device->messages_);
-    const VkResult result = device->instance_functions_.vkCreateDebugUtilsMessengerEXT(
+    const VkResult result = device->instance_functions_->vkCreateDebugUtilsMessengerEXT(
         device->instance_, &info, nullptr, &device->messenger_);
     if (result != VK_SUCCESS) return vk_error(result, "creating the validation messenger");
     return Unit{};
 }
 
 Status DeviceBuilder::make_device(const Candidate& chosen, uint32_t queues) {
-    const InstanceFunctions& fn = device->instance_functions_;
+    const InstanceFunctions& fn = *device->instance_functions_;
     FeatureChain supported;
     fn.vkGetPhysicalDeviceFeatures2(chosen.handle, &supported.head());
     FeatureChain enabled;
@@ -99,7 +100,7 @@ Status DeviceBuilder::make_device(const Candidate& chosen, uint32_t queues) {
         if (error.code == "V409") error.code = "V406";
         return error;
     }
-    device->functions_ = load_device_functions(fn, device->device_);
+    *device->functions_ = load_device_functions(fn, device->device_);
     device->families_ = describe_families(fn, chosen.handle);
     take_queues(counts);
     device->queue_ = {device->families_[chosen.family].queues.front(), chosen.family};
@@ -111,7 +112,7 @@ void DeviceBuilder::take_queues(const std::vector<uint32_t>& counts) {
         std::vector<VkQueue>& queues = device->families_[family].queues;
         queues.resize(counts[family]);
         for (uint32_t i = 0; i < counts[family]; ++i)
-            device->functions_.vkGetDeviceQueue(device->device_, family, i, &queues[i]);
+            device->functions_->vkGetDeviceQueue(device->device_, family, i, &queues[i]);
     }
     find_sharing_families();
 }
@@ -123,7 +124,7 @@ void DeviceBuilder::find_sharing_families() {
 }
 
 void DeviceBuilder::describe(const Candidate& candidate) {
-    const InstanceFunctions& fn = device->instance_functions_;
+    const InstanceFunctions& fn = *device->instance_functions_;
     device->physical_ = candidate.handle;
     std::vector<LayerInfo> layers = std::move(device->info_.layers);
     device->info_ = candidate.info;
@@ -139,7 +140,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     DeviceBuilder builder;
     builder.device->timeout_ns_ = options.timeout_ns;
     if (Status made = builder.make_instance(*loader, options); !made) return made.take_errors();
-    const auto candidates = list_devices(builder.device->instance_functions_, builder.device->instance_);
+    const auto candidates = list_devices(*builder.device->instance_functions_, builder.device->instance_);
     const Result<Candidate> chosen = choose_device(candidates, options.device);
     if (!chosen) return chosen.errors();
     if (Status made = builder.make_device(*chosen, options.queues); !made) return made.take_errors();
@@ -194,17 +195,17 @@ Result<std::unique_ptr<Device>> Device::adopt(const EmbedderDevice& own) {
     Device& made = *builder.device;
     made.timeout_ns_ = DeviceOptions{}.timeout_ns;
     made.instance_ = own.instance;
-    made.instance_functions_ = load_instance_functions(*loader, own.instance);
-    made.debug_utils_ = made.instance_functions_.vkSetDebugUtilsObjectNameEXT != nullptr;
-    if (made.instance_functions_.vkGetPhysicalDeviceFeatures2 == nullptr) return old_instance_error();
-    const Candidate candidate = describe_device(made.instance_functions_, own.physical);
+    *made.instance_functions_ = load_instance_functions(*loader, own.instance);
+    made.debug_utils_ = made.instance_functions_->vkSetDebugUtilsObjectNameEXT != nullptr;
+    if (made.instance_functions_->vkGetPhysicalDeviceFeatures2 == nullptr) return old_instance_error();
+    const Candidate candidate = describe_device(*made.instance_functions_, own.physical);
     if (!candidate.info.missing.empty()) return unsuitable_error(candidate);
-    made.families_ = describe_families(made.instance_functions_, own.physical);
+    made.families_ = describe_families(*made.instance_functions_, own.physical);
     const std::vector<std::string> missing = missing_in(own, candidate.info, made.families_);
     if (!missing.empty()) return incomplete_error(candidate.info.name, missing);
     made.device_ = own.device;
-    made.functions_ = load_device_functions(made.instance_functions_, own.device);
-    if (made.functions_.vkCmdPipelineBarrier2 == nullptr) return old_instance_error();
+    *made.functions_ = load_device_functions(*made.instance_functions_, own.device);
+    if (made.functions_->vkCmdPipelineBarrier2 == nullptr) return old_instance_error();
     FeatureChain ours;
     made.optional_ = enable_optional_features(*own.enabled, ours);
     made.queue_ = own.queues.front();

@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/physical_device.h"
 #include "vulkan/device/to_vk.h"
 #include "weft/vulkan/device_features.h"

@@ -6,9 +6,9 @@
 
 #include <string>
 
+#include "vulkan/device/functions.h"
 #include "weft/plan.h"
 #include "weft/result.h"
-#include "weft/vulkan/functions.h"
 
 namespace weft::vk {
 

@@ -1,4 +1,4 @@
-#include "weft/vulkan/functions.h"
+#include "vulkan/device/functions.h"
 
 #include <dlfcn.h>
 

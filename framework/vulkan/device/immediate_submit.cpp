@@ -1,7 +1,7 @@
 #include "vulkan/device/immediate_submit.h"
 
 #include "vulkan/device/executor_errors.h"
-#include "weft/vulkan/handle.h"
+#include "vulkan/device/handle.h"
 
 namespace weft::vk {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "vulkan/device/functions.h"
 #include "weft/vulkan/device.h"
 
 namespace weft::vk {

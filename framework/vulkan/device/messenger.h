@@ -2,7 +2,7 @@
 // Performance advice and the loader's notes about missing drivers are not faults of a frame.
 #pragma once
 
-#include "weft/vulkan/functions.h"
+#include "vulkan/device/functions.h"
 #include "weft/vulkan/messages.h"
 
 namespace weft::vk {

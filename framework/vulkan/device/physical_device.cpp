@@ -5,6 +5,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "vulkan/device/functions.h"
 #include "weft/vulkan/device_features.h"
 
 namespace weft::vk {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "vulkan/device/functions.h"
 #include "weft/vulkan/device.h"
 
 namespace weft::vk {

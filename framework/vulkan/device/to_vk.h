@@ -2,12 +2,12 @@
 // has an entry. Masks are translated bit by bit.
 #pragma once
 
+#include "vulkan/device/functions.h"
 #include "weft/access.h"
 #include "weft/declaration.h"
 #include "weft/format.h"
 #include "weft/plan.h"
 #include "weft/shader_interface.h"
-#include "weft/vulkan/functions.h"
 
 namespace weft::vk {
 

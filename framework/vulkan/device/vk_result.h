@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "vulkan/device/functions.h"
 #include "weft/result.h"
-#include "weft/vulkan/functions.h"
 
 namespace weft::vk {
 

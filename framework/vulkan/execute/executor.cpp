@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/record/barriers_vk.h"
 #include "vulkan/record/record.h"
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 
 namespace weft::vk {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <array>
 
+#include "vulkan/device/handle.h"
 #include "vulkan/device/plan_queues.h"
 #include "vulkan/execute/queue_timelines.h"
 #include "weft/vulkan/executor.h"
-#include "weft/vulkan/handle.h"
 
 namespace weft::vk {
 

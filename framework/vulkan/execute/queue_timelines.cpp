@@ -1,6 +1,7 @@
 #include "vulkan/execute/queue_timelines.h"
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 
 namespace weft::vk {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "vulkan/device/handle.h"
 #include "weft/plan.h"
 #include "weft/result.h"
-#include "weft/vulkan/handle.h"
 
 namespace weft::vk {
 

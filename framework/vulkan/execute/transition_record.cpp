@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 #include "vulkan/record/barriers_vk.h"
 #include "vulkan/record/clears.h"

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "vulkan/device/functions.h"
 #include "weft/declaration.h"
-#include "weft/vulkan/functions.h"
 
 namespace weft::vk {
 

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <utility>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 #include "vulkan/device/vk_result.h"
 #include "weft/vulkan/native.h"

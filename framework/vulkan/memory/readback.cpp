@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/immediate_submit.h"
 #include "vulkan/device/to_vk.h"
 #include "vulkan/memory/places.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/memory/rings.h"
 #include "weft/vulkan/executor.h"
 

@@ -6,9 +6,9 @@
 
 #include <vector>
 
+#include "vulkan/device/handle.h"
 #include "weft/plan.h"
 #include "weft/result.h"
-#include "weft/vulkan/handle.h"
 #include "weft/vulkan/memory.h"
 
 namespace weft::vk {

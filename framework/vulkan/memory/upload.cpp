@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/immediate_submit.h"
 #include "vulkan/device/to_vk.h"
 #include "weft/vulkan/memory.h"

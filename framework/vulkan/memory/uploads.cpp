@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 #include "vulkan/memory/places.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {

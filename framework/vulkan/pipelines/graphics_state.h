@@ -4,11 +4,11 @@
 
 #include <vector>
 
+#include "vulkan/device/functions.h"
 #include "weft/declaration.h"
 #include "weft/imports.h"
 #include "weft/result.h"
 #include "weft/shader_interface.h"
-#include "weft/vulkan/functions.h"
 
 namespace weft::vk {
 

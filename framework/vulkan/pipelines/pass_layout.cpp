@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {

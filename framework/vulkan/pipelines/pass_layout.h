@@ -4,11 +4,11 @@
 
 #include <array>
 
+#include "vulkan/device/handle.h"
 #include "weft/plan.h"
 #include "weft/result.h"
 #include "weft/shader_interface.h"
 #include "weft/vulkan/draw_source.h"
-#include "weft/vulkan/handle.h"
 
 namespace weft::vk {
 

@@ -1,4 +1,4 @@
-#include "weft/vulkan/pipeline_store.h"
+#include "vulkan/pipelines/pipeline_store.h"
 
 #include <cassert>
 

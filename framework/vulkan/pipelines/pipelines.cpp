@@ -2,6 +2,7 @@
 
 #include "graph/plan/pipeline_hash.h"
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 #include "vulkan/pipelines/graphics_state.h"
 #include "vulkan/pipelines/shader_stages.h"

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "vulkan/device/handle.h"
 #include "vulkan/pipelines/pass_layout.h"
+#include "vulkan/pipelines/pipeline_store.h"
 #include "weft/imports.h"
-#include "weft/vulkan/handle.h"
-#include "weft/vulkan/pipeline_store.h"
+#include "weft/vulkan/executor.h"
 
 namespace weft::vk {
 

@@ -1,6 +1,7 @@
 #include "vulkan/pipelines/samplers.h"
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {

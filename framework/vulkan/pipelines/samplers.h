@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
+#include "vulkan/device/handle.h"
 #include "weft/declaration.h"
 #include "weft/result.h"
-#include "weft/vulkan/handle.h"
 
 namespace weft::vk {
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {

@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "vulkan/device/handle.h"
 #include "weft/imports.h"
 #include "weft/plan.h"
 #include "weft/shader_interface.h"
-#include "weft/vulkan/handle.h"
 
 namespace weft::vk {
 

@@ -1,5 +1,6 @@
 #include "vulkan/record/barriers_vk.h"
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/plan_queues.h"
 #include "vulkan/device/to_vk.h"
 

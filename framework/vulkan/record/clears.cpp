@@ -1,6 +1,7 @@
 #include "vulkan/record/clears.h"
 
 #include "graph/diagnostics/whole_number.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 #include "vulkan/record/barriers_vk.h"
 #include "vulkan/record/rendering_scope.h"

@@ -1,5 +1,6 @@
 #include "vulkan/record/record.h"
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {

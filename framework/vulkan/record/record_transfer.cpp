@@ -1,6 +1,7 @@
 // Clear, copy and blit passes.
 #include <algorithm>
 
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 #include "vulkan/record/clears.h"
 #include "vulkan/record/record.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graph/diagnostics/whole_number.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {

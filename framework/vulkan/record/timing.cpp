@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
 #include "vulkan/device/plan_queues.h"
 #include "vulkan/record/merged_scopes.h"
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "vulkan/device/handle.h"
 #include "weft/vulkan/executor.h"
-#include "weft/vulkan/handle.h"
 
 namespace weft::vk {
 

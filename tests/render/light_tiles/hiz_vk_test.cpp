@@ -56,7 +56,7 @@ class HiZ : public SessionTest {
         ASSERT_TRUE(session);
         for (const Extent3D& size : sizes) {
             ASSERT_TRUE(session->resize(size, warnings_));
-            for (int frame = 0; frame < 2; ++frame) ASSERT_TRUE(session->render_frame(0, 0));
+            for (int frame = 0; frame < 2; ++frame) ASSERT_TRUE(draw_frame(*session));
             ASSERT_TRUE(session->finish());
             std::map<uint64_t, Images> frames;
             for (const vk::ReadbackData& data : session->take_readbacks())

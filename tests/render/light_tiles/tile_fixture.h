@@ -38,19 +38,18 @@ class TileTest : public SessionTest {
                     Extent3D size, const Params& params, std::vector<std::string> observed) {
         passes_ = registered_passes();
         render::SessionInput input;
-        input.graph_path = WEFT_SOURCE_DIR "/tests/render/light_tiles/" + graph;
-        input.reader = read_text;
-        input.graph_root = WEFT_SOURCE_DIR "/graphs";
-        input.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.request.path = WEFT_SOURCE_DIR "/tests/render/light_tiles/" + graph;
+        input.load.reader = read_text;
+        input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
+        input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
         input.passes = &passes_;
-        input.size = size;
-        input.params = params;
-        input.observed = std::move(observed);
-        input.camera = camera;
+        input.request.size = size;
+        input.request.params = params;
+        input.request.observed = std::move(observed);
         input.check_plan = true;
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene, input, warnings_);
-        Status done = session ? (*session)->render_frame(0, 0) : Status{session.take_errors()};
+        Status done = session ? (*session)->render_frame({.camera = camera}) : Status{session.take_errors()};
         if (done) done = (*session)->finish();
         if (!done) {
             ADD_FAILURE() << to_text(done.errors());
@@ -58,8 +57,8 @@ class TileTest : public SessionTest {
         }
         TileFrame frame;
         frame.size = size;
-        frame.view = (*session)->view();
-        frame.lights = (*session)->lights();
+        frame.view = (*session)->parts().frames.view();
+        frame.lights = (*session)->parts().scene.lights();
         for (const shared::Light& light : frame.lights)
             frame.directional += light.type == shared::kLightDirectional ? 1u : 0u;
         for (const vk::ReadbackData& data : (*session)->take_readbacks()) store(data, frame);

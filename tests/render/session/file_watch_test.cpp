@@ -1,5 +1,5 @@
 // Changes of files as editors, compilers and version control make them, and which of them count.
-#include "weft/render/file_watch.h"
+#include "render/file_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -28,21 +28,21 @@ class IndirectDraws : public SessionTest {
         const PassCatalog passes = registered_passes();
         const scene::Scene scene = scene::make_spheres();
         render::SessionInput input;
-        input.graph_path = "graph.json";
-        input.reader = std::move(reader);
-        input.graph_root = WEFT_SOURCE_DIR "/graphs";
-        input.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.request.path = "graph.json";
+        input.load.reader = std::move(reader);
+        input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
+        input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
         input.passes = &passes;
-        input.size = {96, 54, 1};
-        input.observed = {"albedo"};
-        input.camera = scene.cameras[0];
+        input.request.size = {96, 54, 1};
+        input.request.observed = {"albedo"};
         input.check_plan = true;
         Diagnostics warnings;
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(device, scene, input, warnings);
         if (!session) return session.take_errors();
         Status done = Unit{};
-        for (int frame = 0; frame < 2 && done; ++frame) done = (*session)->render_frame(0, 0);
+        for (int frame = 0; frame < 2 && done; ++frame)
+            done = (*session)->render_frame({.camera = scene.cameras[0]});
         if (done) done = (*session)->finish();
         if (!done) return done.take_errors();
         std::vector<std::vector<std::byte>> pictures;

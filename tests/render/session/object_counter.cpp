@@ -6,6 +6,8 @@
 #include <atomic>
 #include <fstream>
 
+#include "vulkan/device/functions.h"
+
 namespace weft::test {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "vulkan/device/functions.h"
 #include "weft/vulkan/device.h"
 
 namespace weft::test {

@@ -130,7 +130,7 @@ class Reloading : public SessionTest {
     }
     void draw(render::Session& session, uint32_t frames) {
         for (uint32_t i = 0; i < frames; ++i) {
-            const Status done = session.render_frame(0, 0);
+            const Status done = draw_frame(session);
             ASSERT_TRUE(done) << to_text(done.errors());
             if (&session == live_.get()) ++drawn_;
         }
@@ -149,8 +149,8 @@ class Reloading : public SessionTest {
         return shown(*fresh);
     }
     // In a thread of its own, while frames go on.
-    render::Preparation prepare() {
-        std::future<render::Preparation> made = std::async(
+    render::PrepareResult prepare() {
+        std::future<render::PrepareResult> made = std::async(
             std::launch::async, [this, selection = live_->selection()] { return live_->prepare(selection); });
         while (made.wait_for(std::chrono::milliseconds(2)) != std::future_status::ready) draw(*live_, 1);
         return made.get();
@@ -170,9 +170,9 @@ class Reloading : public SessionTest {
     }
     void do_good(const GoodEdit& edit, bool there) {
         edit.apply(folder_, there);
-        render::Preparation made = prepare();
+        render::PrepareResult made = prepare();
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
-        const render::Rebuilt rebuilt = made.result->rebuilt;
+        const render::Rebuilt rebuilt = made.result->rebuilt();
         const Result<bool> swapped = live_->swap_in(std::move(*made.result));
         ASSERT_TRUE(swapped) << to_text(swapped.errors());
         EXPECT_TRUE(*swapped);
@@ -184,7 +184,7 @@ class Reloading : public SessionTest {
     }
     void do_broken(const BrokenEdit& edit) {
         edit.apply(folder_);
-        const render::Preparation made = prepare();
+        const render::PrepareResult made = prepare();
         EXPECT_FALSE(made.result);
         if (!made.result) {
             EXPECT_FALSE(to_text(made.result.errors()).empty());
@@ -270,9 +270,9 @@ TEST_F(ManyEdits, OfOneShaderLeaveNoPipelineBehind) {
         SCOPED_TRACE(i);
         const auto scale = [](int step) { return "scale = " + std::to_string(step) + ".0"; };
         folder_.replace("paint.comp", scale(i), scale(i + 1));
-        render::Preparation made = prepare();
+        render::PrepareResult made = prepare();
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
-        EXPECT_EQ(to_text(made.result->rebuilt), "1 of 4 shaders, 1 of 4 pipelines");
+        EXPECT_EQ(to_text(made.result->rebuilt()), "1 of 4 shaders, 1 of 4 pipelines");
         // With frames in flight, whose pipelines go when they are over.
         ASSERT_NO_FATAL_FAILURE(draw(*live_, 2));
         const Result<bool> swapped = live_->swap_in(std::move(*made.result));

@@ -6,6 +6,7 @@
 
 #include "tests/render/session/live_folder.h"
 #include "tests/render/session_fixture.h"
+#include "vulkan/device/functions.h"
 #include "weft/render/reloader.h"
 
 namespace weft::test {
@@ -43,7 +44,7 @@ class Reloads : public SessionTest {
     }
     void draw(uint32_t frames) {
         for (uint32_t i = 0; i < frames; ++i) {
-            const Status done = live_->render_frame(0, 0);
+            const Status done = draw_frame(*live_);
             ASSERT_TRUE(done) << to_text(done.errors());
             ++drawn_;
         }
@@ -179,7 +180,7 @@ TEST_F(Reloads, OtherParametersAreAnotherSelection) {
     begin();
     const uint32_t before = last_texel();
     render::Selection selection = live_->selection();
-    selection.params["gain"] = 0.125;
+    selection.request.params["gain"] = 0.125;
     reloader_->select(selection);
     const std::optional<render::Reload> reload = next();
     ASSERT_TRUE(reload);
@@ -191,7 +192,7 @@ TEST_F(Reloads, OtherParametersAreAnotherSelection) {
 TEST_F(Reloads, AnotherTierIsAnotherSelection) {
     begin();
     render::Selection selection = live_->selection();
-    selection.tier = "low";
+    selection.request.tier = "low";
     reloader_->select(selection);
     const std::optional<render::Reload> reload = next();
     ASSERT_TRUE(reload);
@@ -204,7 +205,7 @@ TEST_F(Reloads, AnotherTierIsAnotherSelection) {
     // The tier stays when files change.
     folder_.replace("paint.comp", "scale = 1.0", "scale = 0.5");
     ASSERT_TRUE(next());
-    EXPECT_EQ(live_->selection().tier, "low");
+    EXPECT_EQ(live_->selection().request.tier, "low");
 }
 
 TEST_F(Reloads, AnIncludedGraphIsFollowedToo) {

@@ -24,7 +24,7 @@ class Resize : public SessionTest {
     }
     static void frames(render::Session& session, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
-            const Status done = session.render_frame(0, 0);
+            const Status done = draw_frame(session);
             ASSERT_TRUE(done) << to_text(done.errors());
         }
     }

@@ -11,7 +11,7 @@ TEST_F(Turns, TheFirstFrameRunsAllAndLaterOnesOneEach) {
         start(WEFT_SOURCE_DIR "/tests/render/turns/turns.json", {8, 8, 1}, {"probe"});
     ASSERT_TRUE(session);
     constexpr uint32_t kFrames = 8, kLayers = 3;
-    for (uint32_t i = 0; i < kFrames; ++i) ASSERT_TRUE(session->render_frame(0, 0));
+    for (uint32_t i = 0; i < kFrames; ++i) ASSERT_TRUE(draw_frame(*session));
     ASSERT_TRUE(session->finish());
     const std::vector<vk::ReadbackData> readbacks = session->take_readbacks();
     ASSERT_EQ(readbacks.size(), kFrames);

@@ -27,7 +27,7 @@ class Forward : public SessionTest {
                                  const FileReader& reader) {
         const std::unique_ptr<render::Session> session =
             start(scene, scene.cameras.at(0), graph, kSize, {"hdr"}, scene.exposure_ev, reader);
-        if (!session || !session->render_frame(0, 0) || !session->finish()) {
+        if (!session || !draw_frame(*session) || !session->finish()) {
             ADD_FAILURE() << "no picture";
             return {};
         }
@@ -108,7 +108,7 @@ TEST_F(Forward, TransparentPanesGoOverOneAnother) {
         const std::unique_ptr<render::Session> session =
             start(scene, scene.cameras[0], kForward, {16, 16, 1}, {"hdr"});
         ASSERT_TRUE(session);
-        ASSERT_TRUE(session->render_frame(0, 0));
+        ASSERT_TRUE(draw_frame(*session));
         ASSERT_TRUE(session->finish());
         const std::vector<vk::ReadbackData> readbacks = session->take_readbacks();
         const glm::vec4 center =

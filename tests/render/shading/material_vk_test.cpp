@@ -20,7 +20,7 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
         const std::string graph = std::string(WEFT_SOURCE_DIR "/graphs/") + GetParam() + ".json";
         const std::unique_ptr<render::Session> session =
             start(scene, scene.cameras.at(0), graph, kQuadSize, {"hdr"});
-        if (!session || !session->render_frame(0, 0) || !session->finish()) {
+        if (!session || !draw_frame(*session) || !session->finish()) {
             ADD_FAILURE() << "no picture";
             return std::vector<glm::vec4>(size_t{kQuadSize.width} * kQuadSize.height);
         }

@@ -30,7 +30,7 @@ class TileShading : public SessionTest {
         const std::unique_ptr<render::Session> session =
             start(scene, scene.cameras.at(camera), graph_path(graph), kSize, std::move(observed),
                   scene.exposure_ev);
-        if (!session || !session->render_frame(0, 0) || !session->finish()) {
+        if (!session || !draw_frame(*session) || !session->finish()) {
             ADD_FAILURE() << "no picture of " << graph;
             return {};
         }

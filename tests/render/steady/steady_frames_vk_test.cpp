@@ -62,7 +62,7 @@ class Steady : public SessionTest {
     void draw(uint32_t frames) {
         for (uint32_t i = 0; i < frames; ++i) {
             time_s_ += kStep_s;
-            const Status done = session_->render_frame(time_s_, kStep_s);
+            const Status done = draw_frame(*session_, time_s_, kStep_s);
             ASSERT_TRUE(done) << to_text(done.errors());
         }
         ASSERT_TRUE(session_->finish());
@@ -73,7 +73,7 @@ class Steady : public SessionTest {
     }
     // Selects another tier or other parameters for the next frames.
     void select(const render::Selection& selection) {
-        render::Preparation made = session_->prepare(selection);
+        render::PrepareResult made = session_->prepare(selection);
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
         const Result<bool> swapped = session_->swap_in(std::move(*made.result));
         ASSERT_TRUE(swapped && *swapped);
@@ -109,7 +109,7 @@ TEST_P(SteadyGraph, CompilesNothingInAnyTier) {
     for (const std::string& tier : tiers_of(shipped(GetParam()))) {
         SCOPED_TRACE(tier);
         render::Selection selection = session_->selection();
-        selection.tier = tier;
+        selection.request.tier = tier;
         ASSERT_NO_FATAL_FAILURE(select(selection));
         ASSERT_NO_FATAL_FAILURE(expect_steady(objects));
     }
@@ -160,7 +160,7 @@ TEST_F(SteadyBranches, CompileNothingWhenAParameterChanges) {
     const uint64_t compiled = compiled_modules();
     for (int i = 1; i <= 5; ++i) {
         render::Selection selection = session_->selection();
-        selection.params["gain"] = 0.5 + 0.1 * i;
+        selection.request.params["gain"] = 0.5 + 0.1 * i;
         ASSERT_NO_FATAL_FAILURE(select(selection));
         ASSERT_NO_FATAL_FAILURE(draw(2));
     }

@@ -1,5 +1,5 @@
 // The sun's shadow maps: their positions for all movements of the camera.
-#include "weft/render/sun_cascades.h"
+#include "render/sun_cascades.h"
 
 #include <gtest/gtest.h>
 

@@ -54,7 +54,7 @@ class SunShadows : public SessionTest {
     }
     static Seen run(const std::unique_ptr<render::Session>& session) {
         Seen seen;
-        if (!session || !session->render_frame(0, 0) || !session->finish()) {
+        if (!session || !draw_frame(*session) || !session->finish()) {
             ADD_FAILURE() << "no picture";
             return seen;
         }
@@ -65,8 +65,8 @@ class SunShadows : public SessionTest {
             if (data.pass != "observe:seen") continue;
             for (const glm::vec4& texel : texels) seen.share.push_back(texel.r);
         }
-        seen.sun = session->sun();
-        seen.eye = session->view().eye;
+        seen.sun = session->parts().frames.sun();
+        seen.eye = session->parts().frames.view().eye;
         return seen;
     }
 };

@@ -1,14 +1,16 @@
-// Purpose: loads a graph file: read, merge, parse, compile its shaders, resolve. All faults of the file and
-// its shaders are reported together.
+// Purpose: from a graph file to a resolved graph, in two steps: parse_graph() reads, merges and parses the
+// file, load_graph() compiles its shaders and resolves it. All faults of the file and its shaders are
+// reported at once.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
-#include <vector>
 
 #include "weft/declaration.h"
 #include "weft/graph_desc.h"
+#include "weft/graph_request.h"
 #include "weft/imports.h"
 #include "weft/limits.h"
 #include "weft/pass.h"
@@ -19,28 +21,35 @@
 
 namespace weft {
 
-// For each image, the number of its alternative formats that are skipped; see ResolveInput.
+// How many of an image's alternative formats are skipped, by the image's name; see ResolveInput.
 using SkippedFormats = std::map<std::string, size_t>;
 
+// Where graphs and shaders are read from, and what they may ask for.
+struct LoadSettings {
+    FileReader reader;                    // for graph files
+    std::filesystem::path graph_root;     // the graphs/ folder, where included files are looked for as well
+    std::filesystem::path shader_root;    // the shaders/ folder; its include/ is the include root
+    std::filesystem::path shader_cache;   // empty: none
+    std::filesystem::path shader_worker;  // find_shader_worker(); empty: glslang runs in this process
+    Limits limits;
+};
+
+// The graph file of a request: read with all its includes, merged for its tier, and parsed.
+struct ParsedGraph {
+    JsonDoc document;
+    GraphDesc desc;                         // without the debug view of the request
+    std::set<std::filesystem::path> files;  // the graph files that were looked for, absolute, present or not
+};
+
 struct LoadInput {
-    std::string path;
-    FileReader reader;                   // reads the graph file
-    std::filesystem::path shader_root;   // the shaders/ folder; its include/ is the include root
-    std::filesystem::path shader_cache;  // empty: no cache
+    GraphRequest request;
+    const LoadSettings& settings;
     const PassCatalog& passes;
     const ImportCatalog& imports;
     const DeviceProfile& profile;
-    Extent3D output_extent{1280, 720, 1};
-    std::map<std::string, double> params;
-    std::vector<std::string> observed;
-    std::filesystem::path shader_worker = {};  // find_shader_worker(); empty: glslang runs in this process
-    Limits limits = {};
-    std::filesystem::path graph_root = {};  // the graphs/ folder, where included files are also searched
-    std::string tier = {};                  // empty: the graph without a tier
-    std::string debug = {};                 // a debug view to add as kDebugView and observe; empty: none
-    ShaderMemory* memory = nullptr;         // data kept from earlier loads
-    // The result of common_formats(), for loads without observers and parameters. Null: the other tiers are
-    // loaded to compute it.
+    ShaderMemory* memory = nullptr;  // what earlier loads left for this one
+    // The result of common_formats(), for loads without observers and parameters. Null: load_graph() loads
+    // the other tiers to find the formats.
     const SkippedFormats* common_formats = nullptr;
 };
 
@@ -51,24 +60,29 @@ struct LoadedGraph {
     SkippedFormats skipped_formats;  // makes formats equal in all tiers
 };
 
-// Reads the graph's file and all files that it includes. load_graph() applies the tier.
-[[nodiscard]] Result<JsonDoc> read_graph(const LoadInput& input);
+// The graph file and its includes, before a tier is chosen.
+[[nodiscard]] Result<JsonDoc> read_graph(const std::string& path, const LoadSettings& settings);
 
-// Checks the file, and the requested tier, view and parameters, before any shader is compiled. For callers
-// that do slow work before load_graph().
-[[nodiscard]] Status check_request(const LoadInput& input);
+// `files`, if given, receives ParsedGraph::files, after an error as well.
+[[nodiscard]] Result<ParsedGraph> parse_graph(const GraphRequest& request, const LoadSettings& settings,
+                                              std::set<std::filesystem::path>* files = nullptr);
 
-// The formats common to all tiers of a document, computed once for load_graph() of each tier. Loads every
-// tier; ignores the tier, parameters and observers of `input`.
+// The faults of the request's debug view and parameters. No shader is compiled: check this before slow work.
+[[nodiscard]] Status check_request(const ParsedGraph& parsed, const GraphRequest& request,
+                                   const ImportCatalog& imports);
+
+// The formats that all tiers of a document share, found once for load_graph() of each. Loads every tier; the
+// tier, parameters and observers of the request are ignored.
 [[nodiscard]] SkippedFormats common_formats(const JsonDoc& document, const LoadInput& input);
 
-// Warnings are added to `warnings`.
+// Warnings are added to `warnings`. `parsed` is of `input.request`.
+[[nodiscard]] Result<LoadedGraph> load_graph(const ParsedGraph& parsed, const LoadInput& input,
+                                             Diagnostics& warnings);
+// The same from a document, merged and parsed for the tier of the request.
 [[nodiscard]] Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input,
                                              Diagnostics& warnings);
-// Reads the file and loads the graph.
-[[nodiscard]] Result<LoadedGraph> load_graph(const LoadInput& input, Diagnostics& warnings);
 
-// Resolves the same graph for another output size or other parameters, without compiling shaders.
+// The same graph for another output size or other parameters. The shaders stay as they are.
 [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
                                                   Diagnostics& warnings);
 

@@ -1,41 +1,43 @@
-// Purpose: keeps a session's picture up to date with its files. A thread watches the graph, its included
-// files, its shaders and their included files, prepares changed parts, and stores the result for the frame
-// thread, which takes it between two frames. If the files have faults, the last valid graph keeps running.
-// Units: milliseconds in names. Errors: X580 files cannot be watched; warning X581, one of their folders
-// cannot be watched.
+// Purpose: keeps a session's picture up to date with its files. A thread waits for changes of the graph, its
+// shaders and their includes, and prepares the changed graph. The frame thread takes it over between two
+// frames. While the files have faults, the last good graph goes on. Errors: X580 the system gives no watch.
+// Warnings: X581 a folder of the files can't be watched.
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
-#include "weft/render/file_watch.h"
 #include "weft/render/session.h"
 
 namespace weft::render {
 
+class FileWatch;
+
 // The result of a change of files.
 struct Reload {
-    Rebuilt rebuilt;       // valid if there are no errors
-    Diagnostics errors;    // the reasons why the previous graph keeps running
-    Diagnostics warnings;  // warnings about the current graph
-    double ms = 0;         // time from the end of the change to the swap
-    double swap_ms = 0;    // the part of this time on the frame thread
+    Rebuilt rebuilt;       // without errors
+    Diagnostics errors;    // why the old graph goes on
+    Diagnostics warnings;  // of the new graph
+    double ms = 0;         // from the end of the change to the swap
+    double swap_ms = 0;    // of that, on the frame thread
 
     [[nodiscard]] bool good() const { return errors.empty(); }
 };
 
 class Reloader {
  public:
-    // `session` must outlive this. Changes since the session loaded its files are noticed.
+    // `session` outlives it. Changes since the session loaded its files are noticed, too.
     [[nodiscard]] static Result<std::unique_ptr<Reloader>> start(Session& session);
     ~Reloader();
     Reloader(const Reloader&) = delete;
     Reloader& operator=(const Reloader&) = delete;
 
-    // Call this on the frame thread, between two frames: takes over a prepared change, if there is one. Never
+    // On the frame thread, between two frames: swaps to the graph that is ready, if there is one. Never
     // waits.
     [[nodiscard]] std::optional<Reload> update();
     // Swaps to another graph, tier or other parameters, as after a change of a file.
@@ -44,18 +46,14 @@ class Reloader {
  private:
     using Clock = std::chrono::steady_clock;
     struct Ready {
-        Preparation made;
+        PrepareResult made;
         Clock::time_point begun;
     };
-    Reloader(Session& session, std::unique_ptr<FileWatch> watch)
-        : session_(session),
-          watch_(std::move(watch)),
-          good_files_(session.first_files()),
-          selection_(session.selection()) {}
+    Reloader(Session& session, std::unique_ptr<FileWatch> watch);
     void run();
     [[nodiscard]] bool wait_for_work();
-    [[nodiscard]] Preparation prepare_and_watch(const Selection& selection);
-    // Requests another preparation although no file changed.
+    [[nodiscard]] PrepareResult prepare_and_watch(const Selection& selection);
+    // Makes the thread prepare again, though no file changed.
     void ask_again();
 
     Session& session_;

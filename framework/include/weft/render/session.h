@@ -1,155 +1,106 @@
-// Purpose: renders one scene with one graph: load, compile, check, run. `weft render` and the picture tests
-// use it, and it is the simplest way to embed Weft. Units: size in pixels, exposure in EV (hdr is stored ×
-// 2^EV). Threads: all functions must be called by the thread that submits, except prepare().
+// Purpose: one graph draws one scene: load, compile, prove, run. The shortest way to embed Weft, and what
+// `weft render` and the picture tests use. Units: size in pixels. Threads: prepare() may run on any thread,
+// all else runs on the thread that submits.
 #pragma once
 
-#include <atomic>
+#include <vulkan/vulkan_core.h>
+
+#include <cstdint>
+#include <filesystem>
 #include <memory>
-#include <mutex>
+#include <set>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "shared/frame.glsl"
-#include "shared/light.glsl"
 #include "weft/load/load_graph.h"
-#include "weft/render/prepared.h"
-#include "weft/render/sun_cascades.h"
-#include "weft/scene/scene.h"
-#include "weft/vulkan/executor.h"
-#include "weft/vulkan/pipeline_store.h"
+#include "weft/render/frame_input.h"
+#include "weft/render/pending_swap.h"
+#include "weft/result.h"
+#include "weft/vulkan/frame_results.h"
+
+namespace weft::scene {
+struct Scene;
+}
+namespace weft::vk {
+class Device;
+}
 
 namespace weft::render {
 
-class GpuScene;
-
-// Creation info for SessionInput::output: RGBA8, one mip. It points to data of `device`.
+// How to make an image for Selection::output: RGBA8, of one mip. Points into `device`.
 [[nodiscard]] VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size);
 
 struct SessionInput {
-    std::string graph_path;
-    FileReader reader;
-    std::filesystem::path graph_root;  // the graphs/ folder, where included files are also searched
-    std::filesystem::path shader_root;
-    std::filesystem::path shader_cache;
-    std::filesystem::path shader_worker;  // find_shader_worker(); empty: glslang runs in this process
-    Limits limits;
+    GraphRequest request;
+    LoadSettings load;
     const PassCatalog* passes = nullptr;
-    Extent3D size{1280, 720, 1};
-    std::string tier;  // tier of the graph; empty: none
-    std::map<std::string, double> params;
-    std::vector<std::string> observed;  // references of resources that are read back every frame
-    std::string debug;    // a debug view, or any resource; drawn as "debugView", which must be observed to
-                          // see it
-    uint32_t queues = 1;  // number of logical queues; the device must have been created for as many
-    scene::Camera camera;
-    float exposure_ev = 0;
-    // An embedder's image, made with output_create_info(), to which frames are drawn; null: the session
-    // creates one. When render_frame() returns, the image is written and in TRANSFER_SRC_OPTIMAL for commands
-    // submitted to the device's first queue. They may copy or blit it and must leave it in that layout. It
-    // must outlive the session.
-    VkImage output = VK_NULL_HANDLE;
-    bool check_plan = false;  // check the plan before it runs; always done in debug builds
-    bool timestamps = false;  // GPU times per pass; adds execution barriers, so do not use it for validation
-                              // runs
-    std::string drop_barriers_before;  // for tests: name of a pass whose barriers are not recorded
+    const ParsedGraph* parsed = nullptr;  // the request's graph; null: create() parses it
+    VkImage output = VK_NULL_HANDLE;      // as Selection::output
+    uint32_t queues = 1;                  // logical queues; the device must have been made for as many
+    bool check_plan = false;              // prove the plan before it runs; debug builds always do
+    bool timestamps = false;  // per-pass GPU times; adds execution barriers, so not for validation runs
+    std::string drop_barriers_before;  // test hook: a pass whose barriers are not recorded
 };
+
+struct SessionParts;
 
 class Session {
  public:
-    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…). The examined files are added
-    // to `files`, also after an error; see prepare().
+    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…). `files`, if given, receives
+    // what PrepareResult::files would hold, after an error as well.
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
-    // The same for a scene that is no longer needed: its textures are freed one by one as they are copied to
-    // the GPU, which halves their peak memory.
+    // For a scene that is not used any more: create() frees each texture when it is copied to the GPU. That
+    // halves the memory that textures take at most.
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, scene::Scene&& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
-
     ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
 
-    [[nodiscard]] const Selection& selection() const { return selection_; }
-    // The files that create() examined.
-    [[nodiscard]] const std::set<std::filesystem::path>& first_files() const { return first_files_; }
-    // Reads the selected graph, compiles changed parts, checks the plan and creates its objects, while frames
-    // continue. May be called from any thread; submits nothing. Errors: those of create().
-    [[nodiscard]] Preparation prepare(const Selection& selection);
-    // Takes effect with the next frame. Histories and kept resources continue as given by transition().
-    // Returns false, and does nothing, if something else was swapped in after `next` was prepared; prepare it
-    // again. After an error of the checker (C…) the running graph continues.
-    [[nodiscard]] Result<bool> swap_in(Prepared next);
-    // Prepares and swaps in the last loaded graph at another size. After an error about the graph (W…, C…) or
-    // memory, the session continues at the old size. `output` replaces SessionInput::output, whose image may
-    // still be used by frames in flight. Errors: those of create().
+    [[nodiscard]] const Selection& selection() const;
+    // The files that create() looked for, as PrepareResult::files.
+    [[nodiscard]] const std::set<std::filesystem::path>& first_files() const;
+    // Reads the selected graph, compiles what changed, proves the plan and makes its objects, while frames go
+    // on. May be called from any thread, and submits nothing. Errors: as create().
+    [[nodiscard]] PrepareResult prepare(const Selection& selection);
+    // From the next frame on. Histories and kept resources live on, as transition() says. False: another swap
+    // came in between, and nothing happens; prepare again. After an error of the checker (C…) the running
+    // graph goes on.
+    [[nodiscard]] Result<bool> swap_in(PendingSwap next);
+    // Prepares and swaps in the loaded graph at another size. After an error that names the graph (W…, C…) or
+    // memory the running graph goes on at the old size. `output` replaces Selection::output, whose image
+    // frames in flight may still use. Errors: as create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
-    // Number of pipelines created since create() by the thread that called it.
-    [[nodiscard]] uint64_t pipelines_made_between_frames() const { return pipelines_made_between_frames_; }
-    [[nodiscard]] Status render_frame(double time_s, double delta_time_s);
+    // How many pipelines were made by the thread that called create(), since then.
+    [[nodiscard]] uint64_t pipelines_made_between_frames() const;
+
+    [[nodiscard]] Status render_frame(const FrameInput& input);
     [[nodiscard]] Status finish();
-    // True if the graph writes an output; a graph that only delivers resources need not.
-    [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
-    // The output image of the last frame; call this after finish(). W184: the graph has no output.
+    // Whether the graph writes an output: a graph may only deliver resources.
+    [[nodiscard]] bool has_output() const;
+    // The output image of the last frame; call after finish(). W184: there is none.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
-    [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks() { return stage_.executor->take_readbacks(); }
-    [[nodiscard]] std::vector<vk::FrameTiming> take_timings() { return stage_.executor->take_timings(); }
-    [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
-    // The number of frames that the graph requests.
-    [[nodiscard]] uint32_t frames() const { return loaded_.graph.frames; }
-    [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
-    [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
-    [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
-    // The cascades of the last frame; empty if no pass draws the sun's view.
-    [[nodiscard]] const SunCascades& sun() const { return sun_; }
+    [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks();
+    [[nodiscard]] std::vector<vk::FrameTiming> take_timings();
+    [[nodiscard]] const FramePlan& plan() const;
+    // How many frames the graph asks for.
+    [[nodiscard]] uint32_t frames() const;
+    // 2^EV of the last frame.
+    [[nodiscard]] float pre_exposure() const;
+
+    // For tests, which include render/session_parts.h.
+    [[nodiscard]] const SessionParts& parts() const { return *parts_; }
 
  private:
-    Session(vk::Device& device, const SessionInput& input);
+    explicit Session(std::unique_ptr<SessionParts> parts);
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, scene::Scene* owned, const SessionInput& input,
         Diagnostics& warnings, std::set<std::filesystem::path>* files);
-    [[nodiscard]] LoadInput load_input(const Selection& selection, const ImportCatalog& imports) const;
-    // With memory_, which holds the files that were looked at then.
-    [[nodiscard]] Result<LoadedGraph> load(const Selection& selection, const ImportCatalog& imports,
-                                           Diagnostics& warnings);
-    // The graph, loaded and resolved, as it follows what runs now.
-    [[nodiscard]] Result<Prepared> follow_with(const Selection& selection, const ShaderCatalog& shaders,
-                                               const ResolvedGraph& graph);
-    [[nodiscard]] Status make_stage(Prepared& next, vk::ExecutorInput run, ImportCatalog imports) const;
-    [[nodiscard]] Status hand_over_to(Stage stage);
-    void adopt(Prepared& next);
-    [[nodiscard]] StageMark running() const;
-    [[nodiscard]] shared::FrameConstants frame_constants(double time_s, double delta_time_s) const;
-    [[nodiscard]] SunCascades find_sun() const;
 
-    vk::Device& device_;
-    const SessionInput input_;
-    const PassCatalog passes_;
-    ImportCatalog imports_;  // for the first size
-    std::set<std::filesystem::path> first_files_;
-    std::unique_ptr<GpuScene> scene_;
-    const std::thread::id drawing_thread_ = std::this_thread::get_id();
-    std::atomic<uint64_t> pipelines_made_between_frames_ = 0;
-    std::mutex preparing_;  // one at a time; guards memory_
-    std::unique_ptr<ShaderMemory> memory_;
-    mutable std::mutex marking_;
-    StageMark mark_;
-    // The rest is the drawing thread's.
-    Selection selection_;
-    LoadedGraph loaded_;
-    std::vector<scene::Light> scene_lights_;
-    size_t light_functions_ = 0;
-    bool lights_move_ = false;
-    std::vector<shared::Light> lights_;  // of this frame
-    shared::ViewConstants view_{};
-    scene::Bounds scene_bounds_;
-    SunMaps sun_maps_;
-    SunCascades sun_;
-    shared::FrameConstants scene_constants_{};
-    float pre_exposure_ = 1;
-    uint64_t frame_index_ = 0;
-    vk::PipelineStore pipelines_;
-    Stage stage_;  // last: destroyed first
+    std::unique_ptr<SessionParts> parts_;
 };
 
 }  // namespace weft::render

@@ -14,10 +14,12 @@
 #include "weft/device_profile.h"
 #include "weft/result.h"
 #include "weft/vulkan/device_features.h"
-#include "weft/vulkan/functions.h"
 #include "weft/vulkan/messages.h"
 
 namespace weft::vk {
+
+struct DeviceFunctions;
+struct InstanceFunctions;
 
 struct DeviceOptions {
     bool validate = false;  // core and synchronisation validation; all messages are collected
@@ -91,9 +93,9 @@ class Device {
     [[nodiscard]] const std::vector<QueueFamily>& families() const { return families_; }
     // The families with queues if there are several, else none: the families of a CONCURRENT resource.
     [[nodiscard]] const std::vector<uint32_t>& sharing_families() const { return sharing_families_; }
-    [[nodiscard]] const DeviceFunctions& fn() const { return functions_; }
-    [[nodiscard]] DeviceFunctions& fn() { return functions_; }  // modified by tests for fault injection
-    [[nodiscard]] const InstanceFunctions& instance_fn() const { return instance_functions_; }
+    [[nodiscard]] const DeviceFunctions& fn() const { return *functions_; }
+    [[nodiscard]] DeviceFunctions& fn() { return *functions_; }  // for fault injection
+    [[nodiscard]] const InstanceFunctions& instance_fn() const { return *instance_functions_; }
     [[nodiscard]] const DeviceInfo& info() const { return info_; }
     [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
@@ -117,7 +119,7 @@ class Device {
     void name(VkObjectType type, uint64_t handle, const std::string& text) const;
 
  private:
-    Device() = default;
+    Device();
     void tear_down();
     friend std::vector<Message> destroy_device(std::unique_ptr<Device> device);
 
@@ -131,9 +133,9 @@ class Device {
     std::vector<uint32_t> sharing_families_;
     bool owned_ = false;
     bool debug_utils_ = false;
-    std::atomic<bool> abandoned_ = false;  // one thread may call abandon() while another creates objects
-    InstanceFunctions instance_functions_{};
-    DeviceFunctions functions_{};
+    std::atomic<bool> abandoned_ = false;  // one thread may give up while another makes objects
+    std::unique_ptr<InstanceFunctions> instance_functions_;
+    std::unique_ptr<DeviceFunctions> functions_;
     DeviceInfo info_;
     DeviceProfile profile_;
     OptionalFeatures optional_;

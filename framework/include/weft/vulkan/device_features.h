@@ -3,10 +3,10 @@
 // creates its device with the features set by enable_features(), and passes both to Device::adopt().
 #pragma once
 
+#include <vulkan/vulkan_core.h>
+
 #include <string>
 #include <vector>
-
-#include "weft/vulkan/functions.h"
 
 namespace weft::vk {
 

@@ -16,14 +16,22 @@
 #include "weft/transition.h"
 #include "weft/vulkan/device.h"
 #include "weft/vulkan/draw_source.h"
+#include "weft/vulkan/frame_results.h"
 #include "weft/vulkan/memory.h"
-#include "weft/vulkan/pipeline_store.h"
 
 namespace weft::vk {
 
 inline constexpr uint32_t kFramesInFlight = 2;
 
-// The memory requirements for alias(), queried from the device. Creates only temporary objects.
+class PipelineStore;
+
+// How many pipelines a plan draws and computes with, and how many of them were made for it.
+struct PipelineCounts {
+    uint32_t all = 0;
+    uint32_t made = 0;
+};
+
+// What alias() needs to know about memory, from the device itself. Creates nothing that outlives the call.
 [[nodiscard]] MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph);
 
 // The program's objects for a graph's imports.
@@ -41,28 +49,7 @@ struct FrameInput {
     const HostInputs* host = nullptr;
 };
 
-struct PassTiming {
-    std::string pass;
-    double gpu_ms = 0;  // negative: the device has no timestamps
-};
-
-struct FrameTiming {
-    std::vector<PassTiming> passes;
-    double record_ms = 0;
-    double submit_ms = 0;
-    double wait_ms = 0;  // time spent waiting for the frame slot's fence
-};
-
-// The result of a readback pass: tightly packed texels, one mip and layer after another, or a buffer's bytes.
-struct ReadbackData {
-    std::string pass;
-    uint64_t frame_index = 0;
-    Format format = Format::undefined;
-    Extent3D extent;
-    std::vector<std::byte> bytes;
-};
-
-// For tests. A removed barrier must be detected by validation and by the checker.
+// Test hooks. A dropped barrier must show up in validation and in the checker.
 struct ExecutorHooks {
     uint32_t drop_barriers_of_position = kNoId;  // schedule position of a pass whose barriers are not
                                                  // recorded
@@ -82,11 +69,11 @@ struct ExecutorInput {
 
 class Executor;
 
-// The executor to replace, after a resize, a reload or a swap.
+// The executor that another one takes over from, after a resize, a reload or a swap.
 struct Predecessor {
     std::vector<Image> images;           // imports that only its frames in flight still use
-    TransitionPlan transition;           // from its plan to the new one
-    std::unique_ptr<Executor> executor;  // must have no frame begun; last member: destroyed first
+    TransitionPlan transition;           // from its plan to the new one's
+    std::unique_ptr<Executor> executor;  // between frames; last: destroyed first
 };
 
 // New values and pipelines for a running plan.

@@ -10,16 +10,10 @@
 #include <string>
 #include <utility>
 
+#include "vulkan/device/handle.h"
 #include "weft/result.h"
-#include "weft/vulkan/handle.h"
 
 namespace weft::vk {
-
-// The number of pipelines that a plan uses, and how many of them were created for it.
-struct PipelineCounts {
-    uint32_t all = 0;
-    uint32_t made = 0;
-};
 
 class PipelineStore;
 

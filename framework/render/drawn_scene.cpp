@@ -1,0 +1,46 @@
+#include "render/drawn_scene.h"
+
+#include <algorithm>
+
+#include "render/frame_data.h"
+
+namespace weft::render {
+
+Result<DrawnScene> DrawnScene::create(vk::Device& device, const scene::Scene& scene, scene::Scene* owned) {
+    Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene, owned);
+    if (!gpu) return gpu.take_errors();
+    DrawnScene drawn;
+    drawn.gpu_ = std::move(*gpu);
+    drawn.scene_lights_ = scene.lights;
+    drawn.light_functions_ = scene.light_functions.size();
+    drawn.lights_move_ = std::ranges::any_of(
+        scene.lights, [](const scene::Light& light) { return light.path.turns_per_s != 0; });
+    drawn.lights_ = gpu_lights(scene.lights, 0, scene.light_functions.size());
+    drawn.bounds_ = scene::world_bounds(scene);
+    drawn.constants_ = scene_constants(scene);
+    return drawn;
+}
+
+void DrawnScene::set_time(double time_s) {
+    if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s, light_functions_);
+}
+
+shared::FrameConstants DrawnScene::frame_constants() const {
+    shared::FrameConstants frame = constants_;
+    frame.light_count = static_cast<uint32_t>(lights_.size());
+    const auto directional = [](const shared::Light& light) {
+        return light.type == shared::kLightDirectional;
+    };
+    frame.directional_count = static_cast<uint32_t>(std::ranges::count_if(lights_, directional));
+    const auto first_other = std::ranges::find_if_not(lights_, is_plain);
+    frame.plain_count = static_cast<uint32_t>(first_other - lights_.begin());
+    return frame;
+}
+
+// Directional lights come first.
+SunCascades DrawnScene::find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const {
+    if (maps.count == 0 || lights_.empty() || lights_[0].type != shared::kLightDirectional) return {};
+    return sun_cascades(camera, aspect, {-lights_[0].direction, bounds_}, maps);
+}
+
+}  // namespace weft::render

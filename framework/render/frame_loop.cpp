@@ -1,0 +1,87 @@
+#include "render/frame_loop.h"
+
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "render/frame_data.h"
+#include "render/jitter.h"
+#include "weft/check/check_transition.h"
+#include "weft/compile.h"
+#include "weft/light_list.h"
+
+namespace weft::render {
+
+FrameLoop::FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length) : stage_(std::move(stage)) {
+    set_graph(size, jitter_length);
+}
+
+void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
+    size_ = size;
+    jitter_length_ = jitter_length;
+    sun_maps_ = sun_maps_of(plan());
+}
+
+// The first frame has no frame before it, and takes its own view for that.
+shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera) const {
+    shared::ViewConstants view = view_constants(camera, view_.steady_view_projection, size_.width,
+                                                size_.height, jitter_px(frame_index_, jitter_length_));
+    if (frame_index_ == 0) view.prev_view_projection = view.steady_view_projection;
+    return view;
+}
+
+Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
+    Result<uint32_t> slot = stage_.executor->begin_frame();
+    if (!slot) return slot.take_errors();
+    vk::FrameInput frame;
+    frame.frame_index = frame_index_;
+    frame.time_s = input.time_s;
+    frame.delta_time_s = input.delta_time_s;
+    frame.pre_exposure = std::exp2(input.exposure_ev);
+    frame.prev_pre_exposure = frame_index_ == 0 ? frame.pre_exposure : pre_exposure_;
+    pre_exposure_ = frame.pre_exposure;
+    view_ = find_view(input.camera);
+    scene.set_time(input.time_s);
+    sun_ = scene.find_sun(input.camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
+    shared::FrameConstants constants = scene.frame_constants();
+    constants.frame_index = static_cast<uint32_t>(frame_index_++);
+    constants.time_s = static_cast<float>(input.time_s);
+    constants.delta_time_s = static_cast<float>(input.delta_time_s);
+    constants.pre_exposure = frame.pre_exposure;
+    constants.prev_pre_exposure = frame.prev_pre_exposure;
+    scene.gpu().set_frame(*slot, constants, view_, sun_);
+    const LightList lights{std::as_bytes(std::span(scene.lights()))};
+    HostInputs host;
+    host.set("lights", lights);
+    frame.host = &host;
+    return stage_.executor->run(frame);
+}
+
+Result<vk::ReadbackData> FrameLoop::read_output() {
+    if (!has_output()) {
+        Diagnostic d;
+        d.code = "W184";
+        d.message = "the graph has no output";
+        d.help = {"let it import one, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
+                  "or look at one of its resources: --resource NAME"};
+        return d;
+    }
+    return stage_.executor->read_image(stage_.output);
+}
+
+Status FrameLoop::take_over(RenderStage stage, bool check) {
+    const FramePlan &old_plan = plan(), &new_plan = stage.executor->plan();
+    TransitionPlan between = transition(old_plan, new_plan);
+    if (check) {
+        Diagnostics faults = check_transition(old_plan, new_plan, between);
+        if (!faults.empty()) return faults;
+    }
+    vk::Predecessor predecessor;
+    predecessor.images.push_back(std::move(stage_.output));
+    predecessor.transition = std::move(between);
+    predecessor.executor = std::move(stage_.executor);
+    stage_ = std::move(stage);
+    return stage_.executor->take_over(std::move(predecessor));
+}
+
+}  // namespace weft::render

@@ -1,0 +1,42 @@
+// Purpose: loads graphs for one device and scene, again and again: what did not change since the last load is
+// not compiled again. load() is for one thread at a time; the other functions are for any thread.
+#pragma once
+
+#include <filesystem>
+#include <set>
+
+#include "shader/shader_memory.h"
+#include "weft/load/load_graph.h"
+
+namespace weft::render {
+
+class GraphLoader {
+ public:
+    // `profile` outlives it. `imports` are those of the scene, at any size.
+    GraphLoader(const DeviceProfile& profile, LoadSettings settings, PassCatalog passes,
+                ImportCatalog imports)
+        : profile_(profile),
+          settings_(std::move(settings)),
+          passes_(std::move(passes)),
+          imports_(std::move(imports)) {}
+
+    // Parses the graph file, unless `parsed` holds its content. `files` receives what the load looked for.
+    [[nodiscard]] Result<LoadedGraph> load(const GraphRequest& request, const ParsedGraph* parsed,
+                                           Diagnostics& warnings, std::set<std::filesystem::path>& files);
+    [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const GraphRequest& request,
+                                                      Diagnostics& warnings) const;
+
+    [[nodiscard]] const LoadSettings& settings() const { return settings_; }
+    [[nodiscard]] const PassCatalog& passes() const { return passes_; }
+    // The scene's imports with an output of this size.
+    [[nodiscard]] ImportCatalog imports_at(Extent3D size) const;
+
+ private:
+    const DeviceProfile& profile_;
+    const LoadSettings settings_;
+    const PassCatalog passes_;
+    const ImportCatalog imports_;
+    ShaderMemory memory_;
+};
+
+}  // namespace weft::render

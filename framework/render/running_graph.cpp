@@ -1,0 +1,71 @@
+#include "render/running_graph.h"
+
+#include <utility>
+
+namespace weft::render {
+
+RunningGraph::RunningGraph(const vk::Device& device, const SessionInput& input, ImportCatalog imports)
+    : loader_(device.profile(), input.load, *input.passes, std::move(imports)),
+      selection_{input.request, input.output} {}
+
+Status RunningGraph::load_first(const ParsedGraph* parsed, Diagnostics& warnings) {
+    Result<LoadedGraph> loaded = loader_.load(selection_.request, parsed, warnings, first_files_);
+    if (!loaded) return loaded.take_errors();
+    loaded_ = std::move(*loaded);
+    return Unit{};
+}
+
+Result<PendingSwap> RunningGraph::start(vk::Device& device, const GpuScene& scene,
+                                        const StageSettings& settings) {
+    maker_ = std::make_unique<StageMaker>(device, scene, loader_, settings);
+    Result<std::unique_ptr<SwapParts>> first =
+        maker_->make(selection_, loaded_.shaders, loaded_.graph, StageFingerprint{});
+    if (!first) return first.take_errors();
+    return PendingSwap(std::move(*first));
+}
+
+StageFingerprint RunningGraph::running() const {
+    const std::lock_guard lock(fingerprint_mutex_);
+    return fingerprint_;
+}
+
+PrepareResult RunningGraph::prepare(const Selection& selection) {
+    const std::lock_guard one_at_a_time(preparing_);
+    Diagnostics warnings;
+    std::set<std::filesystem::path> files;
+    Result<LoadedGraph> loaded = loader_.load(selection.request, nullptr, warnings, files);
+    if (!loaded) return {loaded.take_errors(), std::move(warnings), std::move(files)};
+    Result<std::unique_ptr<SwapParts>> next =
+        maker_->make(selection, loaded->shaders, loaded->graph, running());
+    if (!next) return {next.take_errors(), std::move(warnings), std::move(files)};
+    (*next)->loaded = std::move(*loaded);
+    return {PendingSwap(std::move(*next)), std::move(warnings), std::move(files)};
+}
+
+Result<PendingSwap> RunningGraph::prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings) {
+    Selection selection = selection_;
+    selection.request.size = size;
+    selection.output = output;
+    Result<ResolvedGraph> graph = loader_.resolve_again(loaded_, selection.request, warnings);
+    if (!graph) return graph.take_errors();
+    Result<std::unique_ptr<SwapParts>> next = maker_->make(selection, loaded_.shaders, *graph, running());
+    if (!next) return next.take_errors();
+    (*next)->resolved = std::move(*graph);
+    return PendingSwap(std::move(*next));
+}
+
+bool RunningGraph::is_next(const SwapParts& next) const {
+    return next.follows == running().generation;
+}
+
+void RunningGraph::adopt(SwapParts& next) {
+    selection_ = std::move(next.selection);
+    if (next.loaded) loaded_ = std::move(*next.loaded);
+    if (next.resolved) loaded_.graph = std::move(*next.resolved);
+    const std::lock_guard lock(fingerprint_mutex_);
+    const uint64_t generation = fingerprint_.generation + 1;
+    fingerprint_ = std::move(next.fingerprint);
+    fingerprint_.generation = generation;
+}
+
+}  // namespace weft::render

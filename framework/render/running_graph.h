@@ -1,0 +1,56 @@
+// Purpose: the graph that a session draws, and the preparation of the one that follows it. prepare() may run
+// on any thread; all else is for the thread that submits.
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <set>
+
+#include "render/graph_loader.h"
+#include "render/stage_maker.h"
+#include "weft/render/pending_swap.h"
+
+namespace weft::render {
+
+class RunningGraph {
+ public:
+    // `device` outlives it. start() comes before all else.
+    RunningGraph(const vk::Device& device, const SessionInput& input, ImportCatalog imports);
+
+    // Loads the first graph, before the scene is on the GPU: it may have faults. As Session::create().
+    [[nodiscard]] Status load_first(const ParsedGraph* parsed, Diagnostics& warnings);
+    // Makes the objects of the first graph.
+    [[nodiscard]] Result<PendingSwap> start(vk::Device& device, const GpuScene& scene,
+                                            const StageSettings& settings);
+
+    // As those of Session.
+    [[nodiscard]] PrepareResult prepare(const Selection& selection);
+    [[nodiscard]] Result<PendingSwap> prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings);
+    // Whether the swap was prepared to follow what runs now.
+    [[nodiscard]] bool is_next(const SwapParts& next) const;
+    // `next` runs from now on.
+    void adopt(SwapParts& next);
+
+    [[nodiscard]] const Selection& selection() const { return selection_; }
+    [[nodiscard]] const LoadedGraph& loaded() const { return loaded_; }
+    // What load_first() looked for.
+    [[nodiscard]] const std::set<std::filesystem::path>& first_files() const { return first_files_; }
+    [[nodiscard]] bool checks_plans() const { return maker_->checks_plans(); }
+    [[nodiscard]] uint64_t pipelines_made_between_frames() const {
+        return maker_->pipelines_made_between_frames();
+    }
+
+ private:
+    [[nodiscard]] StageFingerprint running() const;
+
+    std::mutex preparing_;  // one load at a time
+    GraphLoader loader_;
+    std::unique_ptr<StageMaker> maker_;
+    std::set<std::filesystem::path> first_files_;
+    Selection selection_;
+    LoadedGraph loaded_;
+    mutable std::mutex fingerprint_mutex_;
+    StageFingerprint fingerprint_;
+};
+
+}  // namespace weft::render

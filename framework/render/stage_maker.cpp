@@ -1,0 +1,127 @@
+#include "render/stage_maker.h"
+
+#include "render/gpu_scene.h"
+#include "weft/check/check_plan.h"
+#include "weft/compile.h"
+#include "weft/render/import_catalog.h"
+#include "weft/report/memory_report.h"
+
+namespace weft::render {
+namespace {
+
+uint32_t position_of(const FramePlan& plan, const std::string& pass) {
+    for (uint32_t p = 0; p < plan.schedule.order.size(); ++p)
+        if (plan.graph.passes[plan.schedule.order[p]].name == pass) return p;
+    return kNoId;
+}
+
+// The limits and the memory of the device that the plan exceeds.
+Diagnostics find_excess(const vk::Device& device, const FramePlan& plan, const GraphLimits& limits,
+                        const std::string& path) {
+    Diagnostics faults = budget_faults(plan, limits, path);
+    for (Diagnostic& fault : memory_faults(plan, device.profile(), path)) {
+        fault.severity = Severity::error;
+        fault.code = "W143";
+        faults.push_back(std::move(fault));
+    }
+    return faults;
+}
+
+// Indirect draws name their instance by firstInstance, which is an optional feature of devices.
+Diagnostics find_missing_features(const vk::Device& device, const FramePlan& plan) {
+    Diagnostics missing;
+    if (device.optional().draw_indirect_first_instance) return missing;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        if (pass.draw_commands_use == kNoId) continue;
+        missing.push_back(plan.graph.sources.error(
+            pass.loc, "V417",
+            "pass \"" + pass.name + "\" draws indirectly; the device lacks drawIndirectFirstInstance"));
+        missing.back().help = {"draw the list directly: \"draws\": [\"" + pass.draw_lists.front() + "\"]"};
+    }
+    return missing;
+}
+
+Rebuilt compare(const StageFingerprint& from, const StageFingerprint& to) {
+    const bool same_plan = can_amend(from, to);
+    Rebuilt rebuilt;
+    rebuilt.shaders = static_cast<uint32_t>(to.programs.size());
+    rebuilt.changed_shaders = count_changed_programs(from, to);
+    rebuilt.plan = !same_plan;
+    rebuilt.values = same_plan && from.plan_hash != to.plan_hash;
+    return rebuilt;
+}
+
+}  // namespace
+
+Result<FramePlan> StageMaker::make_plan(const ResolvedGraph& graph, const std::string& path) const {
+    CompileOptions options;
+    options.queues = logical_queues(device_.profile(), settings_.queues);
+    options.granularity_bytes = device_.profile().buffer_image_granularity_bytes;
+    FramePlan plan = compile(graph, vk::query_memory_needs(device_, graph), options);
+    Diagnostics faults;
+    if (settings_.check_plan) faults = check_plan(plan);
+    if (faults.empty()) faults = find_excess(device_, plan, loader_.settings().limits.graph, path);
+    if (faults.empty()) faults = find_missing_features(device_, plan);
+    if (!faults.empty()) return faults;
+    return plan;
+}
+
+Result<std::unique_ptr<SwapParts>> StageMaker::make(const Selection& selection, const ShaderCatalog& shaders,
+                                                    const ResolvedGraph& graph,
+                                                    const StageFingerprint& running) {
+    Result<FramePlan> plan = make_plan(graph, selection.request.path);
+    if (!plan) return plan.take_errors();
+    auto next = std::make_unique<SwapParts>();
+    next->selection = selection;
+    next->follows = running.generation;
+    next->fingerprint = take_fingerprint(*plan, shaders, selection.output);
+    next->rebuilt = compare(running, next->fingerprint);
+    if (next->rebuilt.nothing()) return next;
+    if (Status made = make_objects(*next, std::move(*plan), shaders); !made) return made.take_errors();
+    const vk::PipelineCounts counts =
+        next->stage ? next->stage->executor->pipelines() : next->amendment->pipelines();
+    next->rebuilt.pipelines = counts.all;
+    next->rebuilt.made_pipelines = counts.made;
+    if (running.generation > 0 && std::this_thread::get_id() == drawing_thread_)
+        made_between_frames_ += counts.made;
+    return next;
+}
+
+Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders) {
+    const ImportCatalog imports = loader_.imports_at(next.selection.request.size);
+    vk::ExecutorInput run;
+    run.hooks.drop_barriers_of_position = position_of(plan, settings_.drop_barriers_before);
+    run.plan = std::move(plan);
+    run.shaders = &shaders;
+    run.passes = &loader_.passes();
+    run.draws = &scene_;
+    run.pipelines = &pipelines_;
+    run.timestamps = settings_.timestamps;
+    run.imports = &imports;
+    if (next.rebuilt.plan) {
+        Result<RenderStage> stage = make_stage(std::move(run), next.selection.output);
+        if (!stage) return stage.take_errors();
+        next.stage = std::move(*stage);
+        return Unit{};
+    }
+    Result<std::unique_ptr<vk::Amendment>> amendment = vk::Executor::make_amendment(device_, std::move(run));
+    if (!amendment) return amendment.take_errors();
+    next.amendment = std::move(*amendment);
+    return Unit{};
+}
+
+Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, VkImage own) const {
+    const ResourceDecl& decl = run.imports->imports.at("backbuffer").resource;
+    Result<vk::Image> output =
+        own != VK_NULL_HANDLE ? vk::Image::adopt(device_, own, decl) : vk::Image::create(device_, decl);
+    if (!output) return output.take_errors();
+    run.bindings.images.emplace("backbuffer", &*output);
+    for (const char* list : kDrawLists)
+        run.bindings.buffers.emplace(commands_of(list), scene_.commands(list));
+    Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
+    if (!executor) return executor.take_errors();
+    return RenderStage{std::move(*output), std::move(*executor)};
+}
+
+}  // namespace weft::render

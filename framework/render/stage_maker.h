@@ -1,0 +1,60 @@
+// Purpose: from a resolved graph to a swap: compiles and proves its plan and makes the objects that the
+// running stage lacks. make() may run on any thread while frames go on, and submits nothing.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+#include "render/graph_loader.h"
+#include "render/swap_parts.h"
+#include "vulkan/pipelines/pipeline_store.h"
+#include "weft/render/session.h"
+
+namespace weft::render {
+
+class GpuScene;
+
+struct StageSettings {
+    uint32_t queues = 1;
+    bool check_plan = false;
+    bool timestamps = false;
+    std::string drop_barriers_before;
+
+    explicit StageSettings(const SessionInput& input)
+        : queues(input.queues),
+          check_plan(input.check_plan || kAlwaysCheck),
+          timestamps(input.timestamps),
+          drop_barriers_before(input.drop_barriers_before) {}
+};
+
+class StageMaker {
+ public:
+    // All outlive it. It counts the pipelines that are made on the calling thread.
+    StageMaker(vk::Device& device, const GpuScene& scene, const GraphLoader& loader, StageSettings settings)
+        : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)) {}
+
+    // `running` is the fingerprint of the stage that the swap replaces; of generation 0, none.
+    [[nodiscard]] Result<std::unique_ptr<SwapParts>> make(const Selection& selection,
+                                                          const ShaderCatalog& shaders,
+                                                          const ResolvedGraph& graph,
+                                                          const StageFingerprint& running);
+    [[nodiscard]] bool checks_plans() const { return settings_.check_plan; }
+    // On the thread of the constructor, to replace a running stage.
+    [[nodiscard]] uint64_t pipelines_made_between_frames() const { return made_between_frames_; }
+
+ private:
+    [[nodiscard]] Result<FramePlan> make_plan(const ResolvedGraph& graph, const std::string& path) const;
+    [[nodiscard]] Status make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders);
+    [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, VkImage output) const;
+
+    vk::Device& device_;
+    const GpuScene& scene_;
+    const GraphLoader& loader_;
+    const StageSettings settings_;
+    const std::thread::id drawing_thread_ = std::this_thread::get_id();
+    std::atomic<uint64_t> made_between_frames_ = 0;
+    vk::PipelineStore pipelines_;
+};
+
+}  // namespace weft::render

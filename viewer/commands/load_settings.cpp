@@ -1,0 +1,17 @@
+#include "viewer/commands/load_settings.h"
+
+#include "viewer/files/files.h"
+
+namespace weft::viewer {
+
+LoadSettings load_settings(const Limits& limits) {
+    const std::filesystem::path root = shipped_root();
+    return {.reader = reader_up_to(limits.graph.json_bytes),
+            .graph_root = root / "graphs",
+            .shader_root = root / "shaders",
+            .shader_cache = shader_cache(),
+            .shader_worker = find_shader_worker(),
+            .limits = limits};
+}
+
+}  // namespace weft::viewer
