@@ -1,4 +1,4 @@
-// Purpose: the stage of resolve() that puts the results of the others together.
+// Purpose: the stage of resolve() that combines the results of the other stages.
 #pragma once
 
 #include "graph/resolve/attach.h"
@@ -7,7 +7,8 @@
 
 namespace weft {
 
-// Without the parameters of C++ passes and the costs of the graph's, which need the whole graph.
+// Does not fill in the parameters of C++ passes and the costs of the graph's parameters, which need the whole
+// graph.
 [[nodiscard]] ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph,
                                      const Attachments& attachments, const Dispatches& dispatches,
                                      const Blocks& blocks);

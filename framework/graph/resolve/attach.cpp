@@ -88,7 +88,8 @@ class PassAttacher {
               "\"stencil\"");
     }
 
-    // A viewport may be as large as the images that the device draws into, and lie within twice that size.
+    // A viewport may be as large as the largest image that the device can draw to, and may extend to twice
+    // that size.
     void check_viewport() {
         if (!draft_.decl.state.viewport) return;
         const RectPx& view = *draft_.decl.state.viewport;

@@ -17,7 +17,7 @@ enum class WriteRank : uint8_t {
     fresh,     // makes a new version: nothing of the old content is seen
     resumes,   // continues a preceding version if this frame has one (a loaded attachment, a read-write
                // buffer)
-    in_place,  // changes the preceding version
+    in_place,  // modifies the previous version
 };
 
 // Facts about a use beyond its UseDecl.
@@ -28,8 +28,8 @@ struct PortDraft {
     std::vector<PassId> pins;  // `@pass`: all passes of that name, in the order of their repeat
     WriteRank rank = WriteRank::fresh;
     bool is_depth_port = false;
-    bool is_resolve = false;      // gets the averages of a multisampled attachment
-    bool is_indirect = false;     // holds the size of the dispatch
+    bool is_resolve = false;      // receives the averages of a multisampled attachment
+    bool is_indirect = false;     // contains the size of the dispatch
     bool reads_own_port = false;  // "in" and "out" both name this port: one binding, in place
 
     [[nodiscard]] bool pinned() const { return !pins.empty(); }
@@ -38,10 +38,10 @@ struct PortDraft {
 struct BoundPass {
     std::vector<UseDecl> uses;             // inputs first, then outputs, each in name order
     std::vector<PortDraft> ports = {};     // by use
-    std::vector<std::string> absent = {};  // optional ports that are bound to nothing
+    std::vector<std::string> absent = {};  // optional ports without a resource
     std::vector<SpecValue> spec_values = {};
     std::vector<std::string> draw_lists = {};
-    uint32_t vertices = 0;  // in place of draw lists
+    uint32_t vertices = 0;  // instead of draw lists
     uint32_t instances = 0;
     std::string view = PassDecl{}.view;
     std::array<float, 4> clear{0, 0, 0, 0};

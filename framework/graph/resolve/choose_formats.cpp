@@ -11,11 +11,11 @@
 namespace weft {
 namespace {
 
-// The needs of one resource beyond its usages.
+// Requirements of one resource in addition to its usages.
 struct Needs {
     bool blend = false;
     bool blit_from = false, blit_to = false;
-    bool linear_always = false;    // a sampler that says so
+    bool linear_always = false;    // a sampler that states it
     bool linear_if_float = false;  // the default sampler
 };
 
@@ -74,13 +74,13 @@ bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
            (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
 
-// The memory of a ring serves all its roles in turn, so all their needs are one.
+// Each memory of a ring is used by all its roles in turn, so they share one set of requirements.
 ResourceId base_of(const std::vector<ResourceDecl>& resources, ResourceId id) {
     const ResourceId ring = resources[id].ring;
     return ring == kNoId ? id : ring;
 }
 
-// A clear or a copy from another plan makes the content of the first frame.
+// The content of the first frame comes from a clear, or from a copy from another plan.
 void need_transfers(std::vector<ResourceDecl>& resources) {
     for (ResourceDecl& resource : resources) {
         if (resource.lifetime == ResourceLifetime::persistent)
@@ -155,7 +155,7 @@ std::string counts_text(SampleCountMask counts) {
     return text;
 }
 
-// The format decides which numbers of samples there are.
+// The format determines the supported sample counts.
 bool check_samples(const DeviceProfile& profile, const ResourceDecl& decl, Reporter& reporter) {
     const SampleCountMask offered = profile.samples(decl.format);
     if (decl.samples == 1 || (offered & decl.samples) != 0) return true;
@@ -213,7 +213,7 @@ void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& 
         use.sampler.filter = use.sampler.mip_filter = SamplerFilter::nearest;
     }
     if (!port.binding) return;
-    // There is nothing between the mips of one mip.
+    // A single mip has no neighbours to filter between.
     if (use.range.mips == 1) use.sampler.mip_filter = SamplerFilter::nearest;
     use.sampler.compare_greater_equal = port.binding->shadow;
 }
@@ -228,7 +228,8 @@ bool fits(const ResourceDecl& resource, uint64_t limit_bytes) {
     return content_bytes(resource) <= limit_bytes;
 }
 
-// Refuses a single resource that can't be placed where it is written. The plan checks their sum.
+// Reports each resource that is too large to be allocated, at its place in the file. The plan checks their
+// sum.
 void check_sizes(const Declared& declared, FormattedGraph& graph, Reporter& reporter) {
     const uint64_t limit_bytes = declared.input.limits.transient_bytes;
     for (ResourceId id = 0; id < graph.resources.size(); ++id) {

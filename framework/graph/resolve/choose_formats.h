@@ -1,6 +1,6 @@
-// Purpose: the stage of resolve() that picks formats. The union of a resource's usages decides: the first
-// format that the device supports for all of them. Aspects and default samplers follow from it, and with them
-// every use is complete. Errors: W109, W116, W117, W119, W125.
+// Purpose: the stage of resolve() that chooses formats: for each resource, the first format that the device
+// supports for all its usages. Aspects and default samplers follow from the format, and then every use is
+// complete. Errors: W109, W116, W117, W119, W125.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Which passes matter: those with side effects, those that write the output, and all that these read from.
-// An `after` edge orders passes that run anyway; it keeps nobody alive.
+// Needed passes: those with side effects, those that write the output, and all from which these read. An
+// `after` edge only orders passes that run anyway; it does not keep a pass.
 #include <algorithm>
 
 #include "graph/resolve/cull.h"
@@ -20,7 +20,7 @@ void keep(PassId pass, LiveGraph& live, std::vector<PassId>& pending) {
     pending.push_back(pass);
 }
 
-// By resource: who writes it.
+// index: resource; the passes that write it.
 std::vector<std::vector<PassId>> writers_by_resource(const ResolvedGraph& graph) {
     std::vector<std::vector<PassId>> writers(graph.resources.size());
     for (PassId id = 0; id < graph.passes.size(); ++id)
@@ -29,7 +29,7 @@ std::vector<std::vector<PassId>> writers_by_resource(const ResolvedGraph& graph)
     return writers;
 }
 
-// The copies of a ring change places from frame to frame: one of them in use keeps all.
+// The copies of a ring rotate from frame to frame: if one of them is in use, all are kept.
 void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
     std::vector<uint8_t> used(graph.resources.size(), 0);
     for (ResourceId id = 0; id < graph.resources.size(); ++id)
@@ -38,7 +38,7 @@ void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
         if (graph.resources[id].ring != kNoId) live.live_resources[id] = used[graph.resources[id].ring];
 }
 
-// What was there before the frame was made by the frame before: who reads it keeps its writers.
+// Content from before the frame was made by the previous frame, so its reader keeps its writers.
 void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     const std::vector<std::vector<PassId>> writers = writers_by_resource(graph);
     std::vector<PassId> pending;
@@ -60,7 +60,7 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     }
 }
 
-// By pass: the passes that read something it wrote.
+// index: pass; the passes that read its outputs.
 std::vector<std::vector<PassId>> readers_by_producer(const ResolvedGraph& graph) {
     std::vector<std::vector<PassId>> readers(graph.passes.size());
     for (PassId id = 0; id < graph.passes.size(); ++id)

@@ -30,7 +30,7 @@ struct Declared {
 
 // "pass \"blur#2\"" or "the observer": the subject of a message.
 [[nodiscard]] std::string name_reader(const PassDraft& pass);
-// The names of all passes that the graph describes, those that `if` leaves out too.
+// The names of all passes in the graph, including those that `if` removes.
 [[nodiscard]] std::vector<std::string> described_pass_names(const GraphDesc& graph);
 
 }  // namespace weft

@@ -1,5 +1,5 @@
-// Purpose: finds the pass that would write a resource if `if` did not leave it out. Messages of several
-// stages name that pass.
+// Purpose: finds the pass that would write a resource if `if` had not removed the pass. Messages of several
+// stages name this pass.
 #pragma once
 
 #include <string>

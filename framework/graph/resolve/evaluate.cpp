@@ -78,7 +78,7 @@ class NamedEvaluator {
     struct Waiting {
         const std::string* name;
         const Expr* expression;
-        size_t next = 0;  // the part of the expression to look at
+        size_t next = 0;  // the next part of the expression
     };
 
     // Null: it is neither a constant nor a size.
@@ -100,7 +100,7 @@ class NamedEvaluator {
         }
     }
 
-    // False: its value is known or never will be.
+    // False: its value is known, or cannot be found.
     bool begin(const std::string& name) {
         const Expr* expression = find(name);
         if (!expression || values_.by_name.contains(name) || is_faulty(name)) return false;
@@ -112,7 +112,7 @@ class NamedEvaluator {
         return true;
     }
 
-    // Begins with the next name that the last one of the path waits for; false: there is none.
+    // Begins with the next name for which the last one of the path waits; false: there is none.
     bool begin_next() {
         const std::vector<ExprNode>& parts = path_.back().expression->postfix;
         while (path_.back().next < parts.size()) {
@@ -164,7 +164,7 @@ class NamedEvaluator {
     std::set<std::string_view> on_path_;
 };
 
-// How long the imported draw lists are: "opaqueDraws". A name that the author declares comes first.
+// The lengths of the imported draw lists: "opaqueDraws". A name that the author declares takes precedence.
 void count_draws(const ResolveInput& input, Values& values) {
     for (const auto& [list, import] : input.graph.imports) {
         if (import.kind != import_kind_name(ImportKind::draw_list)) continue;
@@ -179,7 +179,7 @@ void count_draws(const ResolveInput& input, Values& values) {
     }
 }
 
-// The catalogue's numbers for expressions. A name that the author declares comes first.
+// The catalogue's numbers for expressions. A name that the author declares takes precedence.
 void add_offered_numbers(const ResolveInput& input, Values& values) {
     for (const auto& [name, number] : input.imports.numbers) {
         const bool taken = input.graph.sizes.contains(name) || input.graph.consts.contains(name);

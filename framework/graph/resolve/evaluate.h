@@ -1,5 +1,5 @@
-// Purpose: the first stage of resolve(). Parameters, constants and sizes become the names that every later
-// expression may use. Errors: W106, W107, W109, W120.
+// Purpose: the first stage of resolve(). Makes parameters, constants and sizes available as names for all
+// later expressions. Errors: W106, W107, W109, W120.
 #pragma once
 
 #include <functional>

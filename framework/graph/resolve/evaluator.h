@@ -1,5 +1,5 @@
-// Purpose: evaluates expressions at one place of the graph and reports their faults. It is quiet about an
-// expression that names what was reported already.
+// Purpose: evaluates expressions at one place of the graph and reports their faults. Reports nothing about an
+// expression with a name whose fault was already reported.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ namespace weft {
 
 class Evaluator {
  public:
-    // Knows parameters, constants and sizes. It borrows all that it is given.
+    // For parameters, constants and sizes. Keeps references to all arguments.
     Evaluator(const Values& values, Reporter& reporter) : values_(&values), reporter_(&reporter) {}
-    // Knows the mips of resources too.
+    // Also for the mips of resources.
     Evaluator(const Values& values, const Shapes& shapes, const Suspects& suspects, Reporter& reporter)
         : values_(&values), shapes_(&shapes), suspects_(&suspects), reporter_(&reporter) {}
     // The same for a pass with these indices of its repeat. A later pass of a repeat finds the faults that
@@ -28,7 +28,7 @@ class Evaluator {
     // A number within bounds; nullopt: reported. `what` names it: "the history of \"color\"".
     [[nodiscard]] std::optional<double> number(const Expr& expression, const std::string& what, double least,
                                                double most, bool whole = true) const;
-    // A faulty channel is reported, and 0.
+    // A faulty channel is reported, and its value is 0.
     [[nodiscard]] std::array<float, 4> color(const ColorDesc& color) const;
     // The value of a name; nullopt: it has none.
     [[nodiscard]] std::optional<ExprValue> find(const std::string& name) const;

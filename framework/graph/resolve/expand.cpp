@@ -37,7 +37,8 @@ PassDecl declare(const PassDesc& desc, std::string name) {
     return decl;
 }
 
-// Slices a repeat over frames: `each` of its passes run in a frame, in order. 0 (or false) is all of them.
+// Divides a repeat among frames: `each` of its passes run in a frame, in order. 0 (or false) means all of
+// them.
 void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
     if (draft.desc->per_frame.empty()) return;
     constexpr double kMost = 1u << 20;
@@ -50,7 +51,7 @@ void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
     draft.decl.turns = (passes + at_once - 1) / at_once;
 }
 
-// By the name of the pass.
+// index: name of the pass.
 std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const Evaluator& evaluator,
                                               const Shapes& shapes, Expansion& expansion,
                                               Reporter& reporter) {
@@ -73,7 +74,7 @@ std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const E
     return drafts;
 }
 
-// Ids follow the names.
+// Ids are in the order of the names.
 void name_passes(const Evaluator& evaluator, std::map<std::string, PassDraft> drafts, Expansion& expansion) {
     for (auto& [name, draft] : drafts) {
         std::vector<PassId>& instances = expansion.instances[draft.desc->name];

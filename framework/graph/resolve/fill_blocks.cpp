@@ -97,7 +97,7 @@ class BlockFiller {
         report_unknown(member);
     }
 
-    // Whether the name is the draw count of an imported list: "opaqueDraws".
+    // True if the name is the draw count of an imported list: "opaqueDraws".
     bool counts_draws(std::string_view name) const {
         if (!name.ends_with(kDrawsSuffix) || declared_.input.graph.sizes.contains(std::string(name)))
             return false;
@@ -107,7 +107,7 @@ class BlockFiller {
                import->second.kind == import_kind_name(ImportKind::draw_list);
     }
 
-    // Each from_… is true when it knows the name, even if the value is wrong: that is reported.
+    // Each from_… returns true for a known name, even if its value is wrong, which is reported.
     bool from_pass(const BlockMember& member, ParamWrite& write) {
         const auto param = std::ranges::find(draft_.desc->params, member.name, &ParamValueDesc::name);
         if (param == draft_.desc->params.end()) return false;
@@ -150,14 +150,15 @@ class BlockFiller {
         return use == bound_.uses.end() ? nullptr : &*use;
     }
 
-    // An optional port that is bound to nothing: its shader does not read the member, but the block has it.
+    // True for an optional port without a resource: the block has the member, but the shader does not read
+    // it.
     bool stands_for_absent(std::string_view name, std::string_view suffix) const {
         if (!name.ends_with(suffix)) return false;
         name.remove_suffix(suffix.size());
         return std::ranges::find(bound_.absent, name) != bound_.absent.end();
     }
 
-    // Whether the content of a port was ever written: always, unless it is of an earlier frame.
+    // Whether a frame has written the content of a port: always true, except for content of an earlier frame.
     bool from_port_valid(const BlockMember& member, ParamWrite& write) {
         if (stands_for_absent(member.name, kValidSuffix)) {
             store(member, write, {0}, shader_loc());
@@ -181,7 +182,7 @@ class BlockFiller {
         }
         const UseDecl* use = port_before(member.name, kSizeSuffix);
         if (!use || graph_.resources[use->resource].kind == ResourceKind::buffer) {
-            // A port of a faulty pass may be missing for a reason that was reported.
+            // A port of a faulty pass may be missing because of a fault that was already reported.
             return suspects_.passes[pass_];
         }
         const Extent3D extent = use_extent(graph_.resources, *use);
@@ -213,7 +214,7 @@ class BlockFiller {
         result_.params.push_back(write);
     }
 
-    // The bits of a word may mean either kind of integer: -1 is all bits.
+    // The bits of a word may be a signed or an unsigned integer: -1 sets all bits.
     static bool fits_member(ScalarType scalar, double value) {
         if (scalar == ScalarType::f32) return fits_into_float(value);
         return scalar == ScalarType::boolean || fits_into<int32_t>(value) || fits_into<uint32_t>(value);

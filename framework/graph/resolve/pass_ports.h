@@ -1,4 +1,4 @@
-// Purpose: questions about passes and ports that several stages ask.
+// Purpose: queries about passes and ports that several stages need.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace weft {
 
 // Outputs, depth attachment and resolve targets.
 [[nodiscard]] std::vector<const PortDesc*> written_ports(const PassDesc& desc);
-// Whether the port means the resource as it is in this frame.
+// True if the port refers to the resource's content of this frame.
 [[nodiscard]] bool names_this_frames(const PortDesc& port, const std::string& resource);
 // The port by which a pass writes a resource; null: none.
 [[nodiscard]] const PortDesc* output_of(const PassDesc& desc, const std::string& resource);
-// The state of "" holds for every output that has none of its own.
+// The state with the name "" applies to every output without its own state.
 [[nodiscard]] BlendState blend_of(const PassDesc& desc, const std::string& port);
 [[nodiscard]] bool has_shader(PassKind kind);
 // The extent of the first mip of the use's range.

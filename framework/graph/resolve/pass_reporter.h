@@ -9,7 +9,7 @@ namespace weft {
 
 class PassReporter {
  public:
-    // It borrows all that it is given.
+    // Keeps references to all arguments.
     PassReporter(const Shapes& shapes, const Expansion& expansion, Suspects& suspects, Reporter& reporter)
         : shapes_(shapes), expansion_(expansion), suspects_(suspects), reporter_(reporter) {}
 

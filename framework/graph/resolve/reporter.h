@@ -1,7 +1,7 @@
 // Purpose: collects the errors and warnings of resolving one graph, and counts its steps. It is the only
-// object that the stages change; they return everything else.
-// Every stage reports each fault that it meets and continues. A fault makes some facts unknown; those are
-// marked in Suspects, and later stages report nothing about them: one cause, one message.
+// object that the stages modify; they return everything else. Every stage reports each fault that it finds
+// and continues. Facts that are unknown because of a fault are marked in Suspects, and later stages report
+// nothing about them: one cause, one message.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace weft {
 
-// Reporter throws it when there are too many errors or the steps are used up, after it has added the message
-// for that; only resolve() catches it. An exception stops a stage at once, wherever it is in its loops, so
-// that no graph, however large or faulty, keeps it busy for long.
+// Thrown by Reporter if there are too many errors or the steps are used up, after it has added the message
+// for that; only resolve() catches it. An exception stops a stage immediately, inside any loop, so that no
+// graph, however large or faulty, takes much time.
 struct ResolveStopped {};
 
 class Reporter {
@@ -24,20 +24,20 @@ class Reporter {
     // `steps` is the limit graph.steps, which all tiers of the graph share. Warnings are added to `warnings`.
     Reporter(const GraphDesc& graph, uint64_t steps, Diagnostics& warnings);
 
-    // Each of these throws ResolveStopped beyond the most errors.
+    // Each of these throws ResolveStopped if there are too many errors.
     Diagnostic& error(SourceLoc loc, std::string code, std::string message);
     Diagnostic& add(Diagnostic fault);
-    // Unless the same code was reported at the same place.
+    // Does nothing if the same code was reported at the same place.
     void add_once(Diagnostic fault);
-    // For the later passes of a repeat: a fault that is known is not reported again, and the result is a
-    // diagnostic that is dropped. The caller still searches for a similar name to suggest in it;
-    // `search_steps` are spent for that.
+    // For the later passes of a repeat: a known fault is not reported again, and the result is a diagnostic
+    // that is discarded. The caller still searches for a similar name to suggest; `search_steps` are spent
+    // for that.
     Diagnostic& add_once(Diagnostic fault, SourceLoc loc, uint64_t search_steps);
 
     void warn(SourceLoc loc, std::string code, std::string message, std::string help);
 
-    // Counts work whose amount the file decides, before it is done: a step is about 100 ns or 32 bytes.
-    // Throws ResolveStopped beyond the limit.
+    // Counts work before it is done, where the file determines its amount: a step is about 100 ns or 32
+    // bytes. Throws ResolveStopped beyond the limit.
     void spend(uint64_t count, SourceLoc loc);
     // The part of graph.steps that one tier may use.
     [[nodiscard]] uint64_t most_steps() const;
@@ -46,7 +46,7 @@ class Reporter {
     [[nodiscard]] size_t error_count() const { return errors_.size(); }
     // Sorts the errors from the index `first` on by their place in the file.
     void sort_errors(size_t first);
-    // All errors. Call it once, at the end: it also tells how many warnings were left out.
+    // All errors. Call it once, at the end: it also reports the number of omitted warnings.
     [[nodiscard]] Diagnostics finish();
 
     [[nodiscard]] const SourceMap& sources() const { return graph_.sources; }

@@ -39,7 +39,7 @@ Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) 
     try {
         graph = run_stages(input, reporter);
     } catch (const ResolveStopped&) {
-        // The reporter holds the reason.
+        // The reporter contains the reason.
     }
     Diagnostics errors = reporter.finish();
     if (!errors.empty()) return errors;

@@ -19,12 +19,12 @@ bool uses_mips_of(const ResourceDesc& desc) {
     return asks(desc.size) || asks(desc.mips) || asks(desc.layers) || asks(desc.count);
 }
 
-// Draw lists are no resources.
+// Draw lists are not resources.
 bool becomes_resource(const ImportDesc& import) {
     return !is_draw_list(import);
 }
 
-// How many earlier frames it keeps.
+// The number of earlier frames that it keeps.
 uint32_t count_history(const ResourceDesc& desc, const Evaluator& evaluator, Shapes& shapes) {
     if (desc.history.empty()) return 0;
     const std::optional<double> frames =
@@ -40,7 +40,7 @@ struct Role {
     uint32_t age = 0;
 };
 
-// All resources by name, those of earlier frames too.
+// All resources by name, including those of earlier frames.
 std::map<std::string, Role> find_roles(const ResolveInput& input, const Evaluator& evaluator, Shapes& shapes,
                                        Reporter& reporter) {
     std::map<std::string, Role> roles;
@@ -88,7 +88,7 @@ void name_resources(const ResolveInput& input, const Evaluator& evaluator, Shape
     shapes.suspects.writers.resize(roles.size());
 }
 
-// Once all have their ids.
+// Called when all have their ids.
 void tie_rings(const Evaluator& evaluator, Shapes& shapes) {
     for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
         const ResourceDesc* desc = shapes.origins[id].desc;
@@ -132,7 +132,7 @@ Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter
     tie_rings(evaluator, shapes);
     check_draw_list_imports(input, reporter);
     shape_all_imports(input, shapes, reporter);
-    // Those that ask for another's mips come second.
+    // Resources that need the mip counts of others are handled in the second round.
     for (const bool second : {false, true}) {
         for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
             const ResourceDesc* desc = shapes.origins[id].desc;

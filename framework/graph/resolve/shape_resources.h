@@ -1,6 +1,6 @@
 // Purpose: the stage of resolve() that finds extents, mips, layers and bytes of all images and buffers, and
-// what imports offer. Formats come later, when the usages are known.
-// Errors: W105, W106, W109, W116, W118, W119, W125.
+// the contents of imports. Formats are chosen later, when the usages are known. Errors: W105, W106, W109,
+// W116, W118, W119, W125.
 #pragma once
 
 #include <functional>

@@ -12,7 +12,7 @@
 namespace weft {
 namespace {
 
-constexpr double kMaxGroups = 65535;  // the least that Vulkan promises
+constexpr double kMaxGroups = 65535;  // Vulkan's guaranteed minimum
 
 // Floats cannot be counts.
 bool holds_floats(const Shapes& shapes, ResourceId resource) {
@@ -133,7 +133,7 @@ class DispatchSizer {
             const auto& e = *extents.begin();
             return std::array<double, 3>{double(e[0]), double(e[1]), double(e[2])};
         }
-        // A faulty pass may lack the output that decides.
+        // A faulty pass may lack the output that determines the size.
         if (suspects_.passes[pass_]) return std::nullopt;
         const std::string why = extents.empty() ? "it writes no image" : "its outputs differ: " + listed;
         error(draft_.decl.loc, "the dispatch size of pass " + quote(draft_.decl.name) + " is unknown: " + why,

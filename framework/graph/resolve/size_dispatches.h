@@ -1,6 +1,6 @@
 // Purpose: the stage of resolve() that counts workgroups: ceil(extent of the pass's output range / local
-// size), or what the pass says. It finds the buffers of indirect dispatches and draws, and checks that the
-// ends of copies fit. Errors: W106, W107, W114, W183.
+// size), or the number given by the pass. It finds the buffers of indirect dispatches and draws, and checks
+// that the ends of copies fit. Errors: W106, W107, W114, W183.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Purpose: facts that a reported fault makes unknown. A stage reports nothing that only follows from them.
+// Purpose: facts that are unknown because of a reported fault. A stage does not report consequences of them.
 #pragma once
 
 #include <cstdint>

@@ -14,7 +14,7 @@ struct VersionedGraph {
     std::vector<EdgeDecl> edges;    // sorted by (to, from, kind, resource)
     Suspects suspects;
 };
-// Extends the graph. `suspects` are those of the checks behind choose_formats().
+// Extends the graph. `suspects` are those of the checks after choose_formats().
 [[nodiscard]] VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects suspects,
                                      Reporter& reporter);
 

@@ -1,4 +1,4 @@
-// One cause gives one message, in the file's order, and its help helps.
+// One cause gives one message, in the order of the file, with a useful help text.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -14,7 +14,7 @@ class OneCause : public ResolveTest {
         shaders["show.frag"] = fragment({"backbuffer"}, {sampled("src")});
     }
 
-    // A mip chain down and up, whose way down reads `source`.
+    // A mip chain down and up; its first pass down reads `source`.
     static std::string chain(const std::string& source) {
         return R"j("imports": {"backbuffer": "output"}, "resources": {"hdr": "rgba16f", "bloom": {"format": "rgba16f", "mips": 5}},
           "passes": {

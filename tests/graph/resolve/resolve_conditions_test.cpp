@@ -1,4 +1,4 @@
-// Passes that `if` leaves out, what becomes of those who read from them, and specialisation constants.
+// Passes removed by `if`, the ports that read from them, and specialisation constants.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -103,7 +103,7 @@ TEST_F(ResolveConditions, OptionalTakesASwitch) {
     const Diagnostic d = bad(graph(R"j({"ref": "z", "optional": true})j"));
     EXPECT_EQ(d.code, "W168");
     expect_help(d, "const bool HAS_src");
-    // A shader that could do without doesn't make the port optional: the author says so.
+    // The shader can run without the port, but only the author may make the port optional.
     EXPECT_EQ(bad(graph(R"j("x")j", "", "maybe.comp")).code, "W123");
     const Diagnostic copy = bad(R"j("resources": {"x": "rgba16f", "y": "rgba16f"}, "passes": {
       "c": {"type": "clear", "out": ["x"]},
@@ -145,7 +145,7 @@ TEST_F(ResolveConditions, APinOfADroppedPassFollowsItsOwnPin) {
 "pinned": {"type": "readback", "in": ["x@fog"]}})j";
     };
     EXPECT_EQ(seen(good(body(R"j(["x@maker"])j")), "pinned", "x"), "maker");
-    // With several writers and no pin nobody can say which version fog would have passed on.
+    // With several writers and no pin, it is unknown which version fog would have passed on.
     const Diagnostic d = bad(body(R"j(["x"])j"));
     EXPECT_EQ(d.code, "W123");
     EXPECT_EQ(d.line, 5u);

@@ -1,4 +1,4 @@
-// Expressions wherever a number may stand, formats that all tiers share, and what it costs to change a
+// Expressions in all places that allow a number, formats common to all tiers, and the cost of changing a
 // parameter.
 #include "tests/graph/resolve/resolve_fixture.h"
 

@@ -37,7 +37,7 @@ inline ImportCatalog fake_imports() {
     return catalog;
 }
 
-// A device that does with each format what its numbers allow, and all that a state may ask for.
+// A device that supports every usage that a format allows, and all pipeline state.
 inline DeviceProfile fake_profile() {
     namespace ff = format_feature;
     DeviceProfile profile;
@@ -61,7 +61,7 @@ inline DeviceProfile fake_profile() {
 
 class ResolveTest : public ::testing::Test {
  protected:
-    // `body` is what stands between the braces, on one line each: line 1 of "graph.json" is its first line.
+    // `body` is the text between the outer braces: its first line is line 1 of "graph.json".
     Result<ResolvedGraph> run(const std::string& body) {
         const std::string text = "{\"version\": 1, \"name\": \"test\"," + body + "}";
         const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };

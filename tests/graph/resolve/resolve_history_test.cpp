@@ -1,4 +1,4 @@
-// Resources that outlive a frame: history, keep, what is in them at first, and who may touch them how.
+// Persistent resources: history, keep, their initial content, and the allowed accesses.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {

@@ -26,7 +26,7 @@ TEST_F(ResolveInterface, PortWithoutBinding) {
     shaders["other.comp"] = compute({sampled("picture"), image_out("dst")});
     const Result<ResolvedGraph> r = run(filter_pass("other.comp"));
     ASSERT_FALSE(r.ok());
-    // The port has no binding, and the binding no port: both directions.
+    // The port has no binding, and the binding has no port: both are reported.
     ASSERT_EQ(r.errors().size(), 2u) << to_text(r.errors());
     EXPECT_EQ(r.errors()[0].code, "W170");
     EXPECT_EQ(r.errors()[0].line, 2u);

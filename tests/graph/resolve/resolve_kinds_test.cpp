@@ -1,4 +1,4 @@
-// Cubes, arrays, 3D and multisampled images; resolves, blits and dispatches whose size lies in a buffer.
+// Cubes, arrays, 3D and multisampled images; resolves, blits and indirect dispatches.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -267,7 +267,7 @@ TEST_F(ResolveIndirectDraws, ListsCountTheirDrawsInExpressionsAndParams) {
     EXPECT_EQ(find_pass(g, "m")->groups[0], 7u);
     ASSERT_EQ(find_pass(g, "m")->params.size(), 1u);
     EXPECT_EQ(find_pass(g, "m")->params[0].value[0], 3.0);
-    // The author's own names come first.
+    // The author's names take precedence.
     EXPECT_EQ(find_pass(good(graph(R"j("consts": {"opaqueDraws": 20},)j")), "m")->groups[0], 24u);
 }
 

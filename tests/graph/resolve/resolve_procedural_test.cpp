@@ -1,4 +1,4 @@
-// Draws without a list: how many vertices and instances, and what their shaders can't have.
+// Draws without a list: the numbers of vertices and instances, and inputs that their shaders cannot use.
 #include <algorithm>
 
 #include "graph/report/plan_facts.h"

@@ -172,7 +172,8 @@ TEST_F(ResolveRaster, VertexInputsComeFromTheDrawList) {
 }
 
 TEST_F(ResolveRaster, DeferredShape) {
-    // What the G-buffer pass leaves in hdr is lit in place: the reads of its other outputs order the two.
+    // The lighting pass modifies hdr in place after the G-buffer pass: the reads of the other G-buffer
+    // outputs order the two passes.
     shaders["gb"] = fragment({"albedo", "hdr"});
     shaders["light.comp"] = compute({sampled("albedo"), image_in_out("hdr")});
     const ResolvedGraph g = good(graph(

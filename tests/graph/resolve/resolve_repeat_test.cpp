@@ -1,4 +1,4 @@
-// Passes that are repeated: their names, indices, and which versions they see of each other's work.
+// Repeated passes: their names, indices, and the versions that they see of each other's outputs.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -128,7 +128,7 @@ TEST_F(ResolveRepeat, ConditionsMaySpeakOfTheIndex) {
     EXPECT_EQ(names(g), (std::vector<std::string>{"p#1", "p#3"}));
 }
 
-// Six layers, one a frame; `keys` of the resource.
+// Six layers, one written per frame; `keys` of the resource.
 std::string turns(const std::string& keys, const std::string& repeat = R"j("repeat": {"i": "0..5"}, )j") {
     return R"j("resources": {"x": {"format": "rgba16f", "layers": 6)j" + keys + R"j(}}, "passes": {
       "p": {"type": "compute", "shader": "make.comp", )j" +

@@ -1,5 +1,5 @@
-// What a shader needs of its pass beyond ports: descriptor sets that something binds, sizes of points, a
-// local size; and numbers that fit where they go.
+// Requirements of shaders other than ports: bound descriptor sets, sizes of points, a local size; and numbers
+// that fit their types.
 #include "graph/diagnostics/whole_number.h"
 #include "tests/graph/resolve/resolve_fixture.h"
 
@@ -72,7 +72,7 @@ TEST_F(ResolveShaderFit, EachBindingMustBeThere) {
     ShaderBinding cube = at(0, 2, BindingKind::sampled_image);
     cube.dim = ImageDim::cube;
     EXPECT_EQ(code_of(cube), "W185");
-    // Instances are for the vertex stage, and nobody may write them.
+    // Only the vertex stage may read instances, and no stage may write them.
     shaders["s"] = with_binding(fragment({"color"}), at(3, 0, BindingKind::storage_buffer));
     EXPECT_EQ(bad(lists()).code, "W185");
     ShaderBinding instances = at(3, 0, BindingKind::storage_buffer);
@@ -140,7 +140,7 @@ TEST_F(ResolveShaderFit, ViewportsLieWhereTheDeviceHasSome) {
     EXPECT_FALSE(viewport("[0, 4096, 1, 4096]"));
 }
 
-// What is not drawn must not show the memory's last owner.
+// Texels that are not drawn must not show data of the memory's previous resource.
 TEST_F(ResolveShaderFit, AFullscreenPassThatMayLeaveTexelsOutIsCleared) {
     shaders["s"] = fragment({"color"});
     shaders["s"].interface.writes_point_size = true;

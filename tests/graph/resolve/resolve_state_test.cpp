@@ -1,4 +1,4 @@
-// State that only some devices can do is asked of the device's profile.
+// Pipeline state that only some devices support is checked against the device profile.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {

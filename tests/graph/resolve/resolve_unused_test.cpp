@@ -1,4 +1,4 @@
-// Warnings about what is there or done for nothing, and where there are none.
+// Warnings about unused declarations and useless passes, and cases without such warnings.
 #include <algorithm>
 
 #include "tests/graph/resolve/resolve_fixture.h"

@@ -1,4 +1,4 @@
-// Which pass's content each port sees, and which edges follow.
+// The version that each port sees, and the resulting edges.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -76,7 +76,7 @@ TEST_F(ResolveVersions, MipChainDownAndUpHasNoCycle) {
     EXPECT_TRUE(has_edge(g, "down2", "up1", EdgeKind::war));
 }
 
-// A pin on a pass that doesn't write that mip means the last writer not ordered after it.
+// A pin on a pass that does not write that mip selects the last writer not ordered after that pass.
 TEST_F(ResolveVersions, PinOnAPassThatWritesAnotherMip) {
     const ResolvedGraph g = good(R"j("resources": {"b": {"format": "rgba16f", "mips": 2}, "y": "rgba16f"},
       "passes": {
@@ -125,7 +125,7 @@ TEST_F(ResolveVersions, PinOfAnInPlaceWriterOrdersItAfterThat) {
     EXPECT_EQ(find_pass(g, "one")->uses.size(), 1u);
 }
 
-// Reading y's first version before its second writer is what orders the writers of x.
+// The read of y's first version must precede y's second writer; this orders the writers of x.
 TEST_F(ResolveVersions, OverwritesOfOneResourceOrderTheWritersOfAnother) {
     shaders["both.comp"] = compute({sampled("src"), image_in_out("x")});
     shaders["pair.comp"] = compute({image_in_out("y"), image_in_out("x")});
@@ -168,7 +168,7 @@ TEST_F(ResolveVersions, ObservedReferencesBecomeReadbackPasses) {
     EXPECT_NE(find_resource(g, "x")->usage & usage::kTransferSrc, 0u);
 }
 
-// Order in the file means nothing.
+// The order in the file has no effect.
 TEST_F(ResolveVersions, ShuffledDeclarationsResolveAlike) {
     const std::string a = R"j("base": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}})j";
     const std::string b = R"j("mod": {"type": "compute", "shader": "change.comp", "out": ["x"]})j";

@@ -1,4 +1,4 @@
-// Whose eyes a pass looks through, views with numbers among them, and the numbers that a program offers.
+// The views of passes, indexed views, and the views that a program provides.
 #include <algorithm>
 
 #include "tests/graph/resolve/resolve_fixture.h"

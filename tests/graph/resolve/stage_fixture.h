@@ -79,7 +79,7 @@ class StageTest : public ::testing::Test {
         return bound[pass].uses.back();
     }
 
-    // All that is suspect so far, in the shape that the stages expect.
+    // The suspects so far, with the sizes that the stages expect.
     Suspects suspects() {
         Suspects all = shapes.suspects;
         bound.resize(expansion.passes.size());
@@ -117,7 +117,7 @@ class StageTest : public ::testing::Test {
     std::vector<BoundPass> bound;
     std::list<PortDesc> described_ports;
 
-    // Made by each test's call, so that it sees the fixture's fields as they are then.
+    // Made at each call, so that it contains the current fields of the fixture.
     ResolveInput input() {
         return {.graph = graph,
                 .passes = passes,

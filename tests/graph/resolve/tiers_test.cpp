@@ -1,4 +1,4 @@
-// Quality tiers: what `set` and `patch` make of a graph, and what is wrong with them.
+// Quality tiers: the effects of `set` and `patch`, and faults in them.
 #include "tests/graph/report/marked_graph.h"
 
 namespace weft::test {
@@ -72,7 +72,7 @@ TEST(Tiers, AFileWithoutTiersSaysSo) {
     EXPECT_NE(joined_help(graph.errors().front()).find("no tiers"), std::string::npos);
 }
 
-// "$$" before each fault, in tier "t".
+// "$$" precedes each fault, in tier "t".
 void expect_tier_fault(const std::string& tier, const std::string& code, const std::string& message,
                        const std::string& help) {
     const MarkedText marked = unmark(

@@ -1,5 +1,5 @@
-// Specialisation constants by name: HAS_x says whether port x is bound, the rest comes from the pass's
-// "constants", the graph, or the numbers that the scene offers. The variants of a draw list set the others.
+// Specialisation constants by name: HAS_x tells whether port x is bound; other values come from the pass's
+// "constants", the graph, or numbers of the scene. The variants of a draw list set the remaining ones.
 #include <algorithm>
 #include <bit>
 
@@ -90,7 +90,7 @@ class ConstantBinder {
         return at_.evaluator.find(name);
     }
 
-    // Any list that the program offers counts: a shader that could draw all of them may be given one.
+    // All lists that the program provides count, because the shader may be used with any of them.
     bool is_set_by_draws(const std::string& name) const {
         if (at_.draft.decl.kind != PassKind::raster) return false;
         return std::ranges::any_of(at_.declared.input.imports.imports, [&](const auto& import) {

@@ -64,7 +64,7 @@ void check_procedural_shader(PassBinding& pass) {
     add_help(d, "place vertices by gl_VertexIndex and gl_InstanceIndex, or name a draw list");
 }
 
-// Vertices and instances in place of lists.
+// Counts the vertices and instances of a draw without a list.
 void count_vertices(PassBinding& pass) {
     constexpr double kMost = 1 << 24;
     const PassDesc& desc = *pass.draft.desc;

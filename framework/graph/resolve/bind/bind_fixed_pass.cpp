@@ -55,7 +55,7 @@ const PortDecl* find_declared(const PassType& type, const UseDecl& use) {
     return found == type.ports.end() ? nullptr : &*found;
 }
 
-// One of the ports has a similar name that the type does not have: that was reported.
+// True if a port has a similar name that the type does not have: that fault was reported.
 bool is_misspelt(const PassType& type, const PortDecl& wanted, const std::vector<PortDesc>& ports) {
     const std::vector<std::string> known = port_names(type, wanted.is_output);
     return std::ranges::any_of(ports, [&](const PortDesc& port) {

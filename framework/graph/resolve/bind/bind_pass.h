@@ -14,7 +14,7 @@ struct PassBinding {
     const Declared& declared;
     PassId id;
     const PassDraft& draft;
-    Evaluator evaluator;  // knows the indices of the pass
+    Evaluator evaluator;  // contains the indices of the pass
     BoundPass& bound;
     Suspects& suspects;
     PassReporter& report;
@@ -34,7 +34,7 @@ void bind_fixed_ports(PassBinding& pass);
 void bind_custom_ports(PassBinding& pass);
 // Specialisation constants. Errors: W113.
 void bind_constants(PassBinding& pass);
-// The draw lists of a raster pass, or the vertices in place of them. Errors: W114, W118, W167.
+// The draw lists of a raster pass, or the number of vertices. Errors: W114, W118, W167.
 void bind_draws(PassBinding& pass);
 // One of the views that the program offers. Errors: W109, W118.
 void bind_view(PassBinding& pass);

@@ -42,14 +42,14 @@ class ReferenceBinder {
     }
 
  private:
-    // A misspelt output may be the writer that another pass waits for: that pass has no fault of its own.
+    // A misspelt output may be the writer for which another pass waits: that pass itself has no fault.
     void suspect_near_names(const std::string& name) {
         for (const std::string& near : did_you_mean(name, resource_names(declared_.shapes.resources))) {
             result_.suspects.writers[resource_id(declared_.shapes.resources, near)] = 1;
         }
     }
 
-    // The import itself was reported: ports that spell its name right have no fault of their own.
+    // The import itself was reported, so ports with its correct name have no fault.
     bool means_faulty_import(PassId pass, const std::string& name) {
         for (const std::string& near : did_you_mean(name, resource_names(declared_.shapes.resources))) {
             const ResourceId id = resource_id(declared_.shapes.resources, near);
@@ -115,7 +115,7 @@ class ReferenceBinder {
             return std::nullopt;
         }
         if (!check_pin(pass, ref) || result_.suspects.shapes[resource]) {
-            // An output is still known to write this resource, though not where.
+            // The pass is still known to write this resource, but the range is unknown.
             result_.suspects.passes[pass] = 1;
             if (is_output) result_.suspects.writers[resource] = 1;
             return std::nullopt;

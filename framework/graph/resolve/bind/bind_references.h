@@ -1,4 +1,4 @@
-// Purpose: the references of all ports become resources, ranges and pins. Private to bind().
+// Purpose: converts the references of all ports to resources, ranges and pins. Private to bind().
 #pragma once
 
 #include "graph/resolve/bind.h"

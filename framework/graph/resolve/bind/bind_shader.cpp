@@ -1,4 +1,4 @@
-// Formats are unknown here; check_interfaces() judges them later.
+// Formats are unknown in this stage; check_interfaces() checks them later.
 #include <algorithm>
 
 #include "graph/resolve/bind/bind_pass.h"
@@ -39,7 +39,7 @@ class ShaderBinder {
         return !port.is_depth_port && !port.is_resolve && !port.is_indirect;
     }
 
-    // The depth attachment and its like are no bindings, so an input may share their names.
+    // The depth attachment and similar attachments are not bindings, so an input may have the same name.
     size_t output_of_same_name(size_t in) const {
         size_t out = 0;
         for (; out < at_.bound.uses.size(); ++out) {
@@ -103,7 +103,7 @@ class ShaderBinder {
         const BlendState blend = blend_of(desc(), use.port);
         const bool cleared = clears(use.port);
         const bool keeps_part = blend.enabled || blend.write_mask != 0xF || desc().partial || port.pinned();
-        // A fullscreen triangle writes every texel unless a fragment may be dropped.
+        // A fullscreen triangle writes every texel unless the shader may discard fragments.
         const bool covered = desc().covers || fullscreen_covers();
         use.access = Access::color_write;
         if (cleared) {
@@ -229,7 +229,8 @@ class ShaderBinder {
         });
     }
 
-    // Asks the description: a port that is faulty for another reason is not also missing.
+    // Searches the description: a port that is faulty for another reason must not also be reported as
+    // missing.
     bool names_port(const std::string& name) const {
         const auto named = [&](const PortDesc& p) { return p.port == name; };
         return std::ranges::any_of(desc().in, named) || std::ranges::any_of(desc().out, named);

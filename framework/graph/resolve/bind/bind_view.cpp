@@ -8,7 +8,7 @@ namespace {
 
 struct OfferedViews {
     std::vector<std::string> names;  // without numbers, each once
-    uint32_t numbered = 0;           // how many of the asked name have a number
+    uint32_t numbered = 0;           // number of views with the requested name that have an index
     bool is_known = false;
 };
 

@@ -37,7 +37,7 @@ class ShaderFit {
         const std::string what = shader() + " reads " + quote(binding.name) + " at set " +
                                  std::to_string(binding.set) + ", binding " + std::to_string(binding.binding);
         if (binding.set != kFrameSet && !draws_lists()) {
-            // W167 says so of draws without a list.
+            // Draws without a list are reported as W167.
             if (at_.draft.decl.kind != PassKind::raster)
                 error("W185", what + ", which only raster passes that draw lists have",
                       "leave set and binding out: then it is a port of the pass");

@@ -8,7 +8,7 @@
 
 namespace weft {
 
-// Whether an output of any pass names it, or has a misspelt name that may mean it.
+// True if an output of any pass has this name, or a similar misspelt one.
 bool RoleFinder::written_by_any_pass(const std::string& name) {
     if (const auto known = is_written_.find(name); known != is_written_.end()) return known->second;
     const auto names = [&](const PortDesc* port) {

@@ -9,7 +9,7 @@
 namespace weft {
 namespace {
 
-// Whether a pass leaves the version before it visible, as far as its description tells.
+// True if, according to its description, the pass leaves the previous version visible.
 bool passes_on(const PassDesc& desc, const std::string& name) {
     const PortDesc* out = output_of(desc, name);
     if (!out || desc.partial || !out->ref.pass.empty() || desc.type == "raster") return true;
@@ -18,7 +18,7 @@ bool passes_on(const PassDesc& desc, const std::string& name) {
     return reads_it || blend_of(desc, out->port).enabled;
 }
 
-// The pass that a dropped pass pins itself.
+// The pass to which a removed pass is itself pinned.
 const std::string* own_pin(const PassDesc& desc, const std::string& name) {
     for (const std::vector<PortDesc>* ports : {&desc.in, &desc.out}) {
         for (const PortDesc& port : *ports) {
@@ -50,7 +50,7 @@ std::set<std::string> Presence::writers_of(const std::string& resource, PassId e
 void Presence::find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const {
     const Expansion& expansion = declared_.expansion;
     const std::string* name = &ref.pass;
-    // Dropped passes may pin each other in a circle.
+    // Removed passes may pin each other in a cycle.
     for (size_t steps = 0; steps <= expansion.dropped.size(); ++steps) {
         const std::vector<PassId>& pins = expansion.instances.at(*name);
         reporter_.spend(1 + pins.size(), ref.loc);

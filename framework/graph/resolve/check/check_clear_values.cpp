@@ -1,4 +1,4 @@
-// A clear value that the format can't hold would be cut off without a message, or is undefined behaviour.
+// A clear value outside the format's range would be clamped without a message, or is undefined behaviour.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,7 +87,7 @@ class ClearCheck {
         }
     }
 
-    // The pass's own value is a colour: depth attachments take the resource's.
+    // The pass's own value is a colour: depth attachments use the resource's value.
     static bool is_cleared_by_pass(PassKind kind, const UseDecl& use) {
         if (kind == PassKind::clear) return true;
         return use.access == Access::color_write || use.access == Access::color_read_write;
@@ -101,7 +101,7 @@ class ClearCheck {
                                  "the words of buffer " + quote(resource.name));
         const FormatInfo& format = format_info(resource.format);
         const std::string who = quote(resource.name) + ", whose format is " + quote(format.name) + ",";
-        // One number stands for all channels: of depth and stencil it is the depth.
+        // A single number applies to all channels; for depth and stencil formats it is the depth.
         const bool one = same_place(color.channels[0].loc, color.channels[1].loc);
         if (format.depth) check_channel(evaluator, color.channels[0], {0, 1}, who);
         if (format.stencil && (!format.depth || !one))
@@ -118,7 +118,8 @@ class ClearCheck {
         if (!value || value->is_size) return;  // reported where it is read
         const double x = value->x;
         const bool inside = x >= range.least && x <= range.most && (!range.whole || x == std::floor(x));
-        // Colours are kept in single precision; its next number above UINT32_MAX means all bits.
+        // Colours are stored in single precision; the float next above UINT32_MAX represents it (all bits
+        // set).
         const bool exact = !range.whole || static_cast<double>(saturated_float(x)) == x || x == UINT32_MAX;
         if (inside && exact) return;
         Diagnostic fault =

@@ -1,4 +1,4 @@
-// Purpose: both ends of a copy have the same shape, and those of a blit fit.
+// Purpose: checks that both ends of a copy have the same shape, and that the ends of a blit fit.
 #pragma once
 
 #include "graph/resolve/version.h"

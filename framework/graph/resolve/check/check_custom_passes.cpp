@@ -71,7 +71,7 @@ std::vector<NamedValue> evaluate_params(const CustomPass& pass) {
     return params;
 }
 
-// Shows the faults that the pass type finds at the pass.
+// Reports the faults that the pass type finds, at the pass's place in the file.
 void run_type_check(const CustomPass& pass, const ResolvedGraph& graph, const Suspects& suspects) {
     const PassDraft& draft = pass.draft;
     const PassDecl& decl = graph.passes[pass.id];

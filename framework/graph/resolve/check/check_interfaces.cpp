@@ -246,7 +246,8 @@ class InterfaceCheck {
         }
         if (binding.members.empty() || !binding.members.back().is_runtime_array || resource.stride_bytes == 0)
             return;
-        // Reading vec4s as floats is fine; elements that straddle the shader's are not.
+        // Reading vec4s as floats is allowed; the shader's elements must not cross the boundaries of the
+        // resource's elements.
         const uint32_t step = binding.members.back().array_stride_bytes;
         if (step == 0 || step % resource.stride_bytes == 0 || resource.stride_bytes % step == 0) return;
         error(use, "W166",
@@ -274,7 +275,7 @@ bool both_writes_or_other_layout(const std::vector<ResourceDecl>& resources, con
            access_state(b.access, 0, resource.aspects).layout;
 }
 
-// A subresource has one layout while a pass runs, and one port writes it.
+// A subresource has one layout while a pass runs, and only one port may write it.
 void check_layouts(const Declared& declared, const FormattedGraph& graph, PassId pass, PassReporter& report) {
     const std::vector<UseDecl>& uses = graph.passes[pass].uses;
     for (size_t i = 0; i < uses.size(); ++i) {

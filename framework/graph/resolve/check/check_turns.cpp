@@ -1,4 +1,5 @@
-// Passes that take turns, some in each frame: what they write must still be there in the frames between.
+// Checks passes that take turns, so that only some run in each frame: their results must still exist in the
+// frames between.
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 

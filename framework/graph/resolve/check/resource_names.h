@@ -13,7 +13,7 @@ using ResourceNames = std::set<std::string, std::less<>>;
 
 void add_names(const PortDesc& port, ResourceNames& names);  // its "else" too
 void add_inputs(const PassDesc& desc, ResourceNames& names);
-// The resources that debug views show and tests look at.
+// The resources used by debug views and tests.
 [[nodiscard]] ResourceNames watched_resources(const GraphDesc& graph);
 
 }  // namespace weft

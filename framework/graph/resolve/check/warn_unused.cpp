@@ -10,7 +10,8 @@ bool is_included(const SourceMap& sources, SourceLoc loc) {
     return loc.file < files.size() && files[loc.file].included_at.file < files.size();
 }
 
-// A pass that is left out, and a port that took its "else", use their resources with other parameters.
+// With other parameters, a removed pass, and the reference of a port that now uses its "else", may use their
+// resources.
 void warn_unused(const Declared& declared, Reporter& reporter) {
     ResourceNames used;
     for (const auto& [name, desc] : declared.input.graph.passes) {

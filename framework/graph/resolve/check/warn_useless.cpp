@@ -1,5 +1,5 @@
-// Resources that no pass reads and passes that lead to nothing. A use that depends on an `if`, an "else", a
-// view or a test counts, for at times it has a purpose.
+// Warns about resources that no pass reads and about passes without effect. A use that depends on an `if`, an
+// "else", a view or a test counts as a use, because it has an effect in some cases.
 #include <algorithm>
 
 #include "graph/resolve/check/resource_names.h"
@@ -48,8 +48,8 @@ class UselessSearch {
         }
     }
 
-    // A depth buffer serves the pass that tests against it, and a multisampled image the one that resolves
-    // it.
+    // A depth buffer is used by the pass that tests against it, and a multisampled image by the pass that
+    // resolves it.
     static bool sees(const PassDecl& decl, const PortDraft& port, const UseDecl& use) {
         if (reads(use.access)) return true;
         if (port.is_depth_port) return decl.state.depth_test || decl.state.stencil_test;
@@ -58,7 +58,7 @@ class UselessSearch {
         });
     }
 
-    // Where only useless passes write it, those passes get the warning.
+    // If only useless passes write it, these passes get the warning.
     void judge_resource(ResourceId id) {
         const ResourceDecl& resource = graph_.resources[id];
         if (resource.lifetime != ResourceLifetime::transient || seen_[id] || !written_[id]) return;
@@ -73,7 +73,7 @@ class UselessSearch {
         return !desc.condition.empty() || std::ranges::any_of(written_ports(desc), at_times);
     }
 
-    // Of passes that are culled together only the last one is named: it is the cause.
+    // If several passes are culled together, only the last one is named, because it is the cause.
     void judge_pass(const std::string& name, const std::vector<PassId>& ids) {
         const auto is_culled = [&](PassId id) { return live_.live_passes[id] == 0; };
         const auto is_cause = [&](PassId id) { return live_.reasons[id] == CullReason::unused_output; };
@@ -90,9 +90,9 @@ class UselessSearch {
     const ResolvedGraph& graph_;
     Reporter& reporter_;
     LiveGraph live_;
-    ResourceNames read_;            // by passes, whether they run or not
-    ResourceNames at_times_;        // by views, tests, and where the parameters stand otherwise
-    std::vector<uint8_t> seen_;     // by ResourceId: by the passes that there are
+    ResourceNames read_;            // by passes, including those that do not run
+    ResourceNames at_times_;        // by views, tests, and with other values of parameters
+    std::vector<uint8_t> seen_;     // index: ResourceId; used by the existing passes
     std::vector<uint8_t> written_;  // by ResourceId: by passes that run
 };
 

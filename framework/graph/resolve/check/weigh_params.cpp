@@ -25,7 +25,7 @@ class ParamCosts {
         return found != costs_.end() ? found->second : ParamCost::nothing;
     }
 
-    // Not where faults may hide a use, nor for names that an included file offers.
+    // No warnings if faults may hide a use, or for names that an included file declares.
     void warn(Reporter& reporter) const {
         if (is_unknown_ || reporter.has_errors()) return;
         for (const auto& [name, param] : graph_.params)
@@ -41,7 +41,7 @@ class ParamCosts {
                                       quote(name),
                                   "remove it, or use it");
         const ResourceNames named = named_resources();
-        const char* output = import_kind_name(ImportKind::output);  // W184 says so
+        const char* output = import_kind_name(ImportKind::output);  // its fault is W184
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
                 !is_included(graph_.sources, import.loc))
@@ -50,7 +50,7 @@ class ParamCosts {
     }
 
  private:
-    // A use of that cost uses the names in its definition as well.
+    // A use with this cost also uses the names in the definition of `name`.
     void add_name(const std::string& name, ParamCost cost) {
         const auto [known, is_new] = costs_.try_emplace(name, cost);
         if (!is_new && known->second >= cost) return;
@@ -117,7 +117,7 @@ class ParamCosts {
             for (const Expr& component : value.components) add(component, cost);
     }
 
-    // Names that the shader or the C++ pass takes, unless the pass gives them other values.
+    // Names that the shader or the C++ pass uses, unless the pass gives them other values.
     void add_shader(const PassDesc& pass) {
         const auto custom = input_.passes.find(pass.type);
         if (custom != input_.passes.end())
@@ -141,7 +141,7 @@ class ParamCosts {
         for (const Expr& bound : *view.range) add(bound, ParamCost::live);
     }
 
-    // By passes, whether they run or not, by views and by tests.
+    // By passes, including those that do not run, by views and by tests.
     ResourceNames named_resources() const {
         ResourceNames named = watched_resources(graph_);
         const auto add_named = [&](const PortDesc& port) {

@@ -7,8 +7,8 @@
 namespace weft {
 namespace {
 
-constexpr uint64_t kStepsPerSubresource = 16;  // it has a state in each of several tables
-constexpr uint64_t kCheckedFrames = 3;         // and one more for each frame of a history
+constexpr uint64_t kStepsPerSubresource = 16;  // several tables contain a state for it
+constexpr uint64_t kCheckedFrames = 3;         // plus one for each frame of a history
 
 uint64_t count_subresources(const SubresourceRange& range) {
     return uint64_t{range.mips} * range.layers *

@@ -23,7 +23,7 @@ constexpr std::array kKinds{
     KindName{"readback", PassKind::readback},
 };
 
-// An ability that not every device has, and the state that needs it.
+// An optional feature of devices, and the state that needs it.
 struct StateNeed {
     bool asked = false;
     bool offered = false;

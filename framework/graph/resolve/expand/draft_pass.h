@@ -1,5 +1,5 @@
-// Purpose: the parts of a pass that its own description decides: kind, shader, fixed-function state. Private
-// to expand().
+// Purpose: determines the parts of a pass that follow from its own description: kind, shader, fixed-function
+// state. Private to expand().
 #pragma once
 
 #include "graph/resolve/pass_reporter.h"
@@ -8,7 +8,7 @@ namespace weft {
 
 // The fixed-function state. Its numbers may depend on the indices of a repeat.
 [[nodiscard]] RasterState evaluate_state(const PassDesc& desc, const Evaluator& evaluator);
-// Whether the device can do what the state asks for. Errors: W187.
+// Checks that the device supports the state. Errors: W187.
 void check_state(const DeviceProfile& profile, PassId id, const PassDraft& draft, PassReporter& report);
 // Errors: W115.
 void find_kind(const ResolveInput& input, PassId id, PassDraft& draft, PassReporter& report);

@@ -11,7 +11,7 @@
 namespace weft {
 namespace {
 
-// Nested repeats take some steps for each pass; empty inner ones take steps for none.
+// Nested repeats take several steps per pass; with empty inner repeats there are steps but no passes.
 constexpr uint64_t kMostStepsPerPass = 16;
 
 class PassRepeater {
@@ -78,7 +78,7 @@ class PassRepeater {
         return true;
     }
 
-    // Reports the first pass too many, and only that.
+    // Reports only the first pass that exceeds the limit.
     bool over(const char* what, const std::string& limit, uint64_t most) {
         if (std::exchange(expansion_.too_large, true)) return false;
         const SourceLoc loc = desc_.repeat.empty() ? desc_.loc : desc_.repeat.front().range_loc;
@@ -134,7 +134,7 @@ class PassRepeater {
         return text;
     }
 
-    // It is unknown whether and where it writes.
+    // Marks the pass as suspect: it is unknown whether and where it writes.
     void suspect() {
         expansion_.faulty.insert(desc_.name);
         for (const PortDesc* port : written_ports(desc_)) {
@@ -151,7 +151,7 @@ class PassRepeater {
     Expansion& expansion_;
     Reporter& reporter_;
     std::map<std::string, double> indices_;
-    bool is_later_ = false;  // the first pass found its faults
+    bool is_later_ = false;  // the faults were already found in the first pass
     std::vector<PassInstance> found_;
 };
 

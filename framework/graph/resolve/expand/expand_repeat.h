@@ -1,4 +1,4 @@
-// Purpose: the passes that one description stands for. Private to expand().
+// Purpose: makes the passes of one description. Private to expand().
 #pragma once
 
 #include "graph/resolve/expand.h"
@@ -10,10 +10,10 @@ struct PassInstance {
     std::map<std::string, double> indices;
 };
 
-// Counts of the whole graph so far, which limits bound.
+// Counts of the whole graph so far, which have limits.
 struct RepeatCounts {
     uint64_t steps = 0;
-    uint64_t passes = 0;  // those that `if` leaves out are counted too
+    uint64_t passes = 0;  // includes passes that `if` removes
 };
 
 // Extends `counts` and the expansion's `dropped`, `faulty`, `tried_ports`, `too_large` and `suspects`.

@@ -15,8 +15,8 @@ namespace {
 
 constexpr uint32_t kCubeFaces = 6;
 
-// Rounds down, but a part of 1 is 1: halving ends there. More than any device holds is capped here, and the
-// check of the limits reports it.
+// Rounds down, but values below 1 become 1, so repeated halving ends at 1. Values above every device's limit
+// are clamped here, and the check of the limits reports them.
 uint32_t at_least_one(double value) {
     constexpr double kMost = 1u << 30;
     return saturated<uint32_t>(std::clamp(std::floor(value), 1.0, kMost));
@@ -177,7 +177,7 @@ class ResourceShaper {
         }
     }
 
-    // The device comes first: no limit can be raised beyond what it offers.
+    // The device's limit is checked first: no other limit can be raised above it.
     void check_limit(const std::string& what, uint32_t value, uint32_t device, uint64_t limit,
                      const std::string& name, const std::string& unit) {
         if (value > device) return over_limit(what, std::to_string(device) + unit);

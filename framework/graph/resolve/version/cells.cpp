@@ -126,7 +126,7 @@ std::vector<VersionSource> merge_sources(const std::vector<VersionSource>& cells
             rows.push_back(cell);
         }
     }
-    // Rows come layer by layer: only the last box of one producer and one range of mips can grow.
+    // Rows are in the order of layers: only the last box of one producer and one range of mips can grow.
     std::map<std::tuple<PassId, AspectMask, uint32_t, uint32_t>, size_t> last;
     std::vector<VersionSource> boxes;
     for (const VersionSource& row : rows) {

@@ -1,5 +1,5 @@
-// Purpose: a resource cut into cells, the largest boxes of mips, layers and aspects that every use covers
-// wholly or not at all. Each cell has versions of its own. Private to version().
+// Purpose: divides a resource into cells, the largest boxes of mips, layers and aspects that every use covers
+// completely or not at all. Each cell has its own versions. Private to version().
 #pragma once
 
 #include <map>
@@ -21,7 +21,7 @@ struct Cell {
     std::vector<CellUse> writers;  // one for each writing pass; in the order of versions once `ordered`
     std::vector<CellUse> readers;  // uses that only read
     bool ordered = false;
-    // Reads pinned to a pass that doesn't write this cell: the writers that may come before the reader.
+    // Reads pinned to a pass that does not write this cell: the writers that may come before the reader.
     std::map<CellUse, std::vector<PassId>> foreign_pins;
 
     [[nodiscard]] int writer_index(PassId pass) const;  // -1: doesn't write the cell

@@ -1,5 +1,5 @@
-// Where passes take turns, every read must see the version that it names in each frame, whichever passes run
-// in it.
+// If passes take turns, every read must see the version that it names in each frame, whichever passes run in
+// it.
 #include <algorithm>
 #include <set>
 #include <tuple>

@@ -104,7 +104,8 @@ class VersionConnector {
         const bool loads = seen.this_frame || (in_place && any);
         Access& a = use(u).access;
         if (a == Access::storage_write && (any || in_place)) a = Access::storage_read_write;
-        // The first raster write clears the content that an import had before the frame, as any other.
+        // The first raster write clears the content that an import had before the frame, like any other
+        // content.
         if (a == Access::color_write && loads) a = Access::color_read_write;
         if (a == Access::depth_write && loads) a = Access::depth_read_write;
     }
@@ -123,7 +124,7 @@ class VersionConnector {
         return reads(use(u).access) || port(u).rank == WriteRank::in_place;
     }
 
-    // Without earlier content attachments are cleared and buffers left as they are; a port that reads needs
+    // Without earlier content, attachments are cleared and buffers stay undefined; a port that reads needs
     // content.
     bool must_find_content(const CellUse& u) {
         const Access a = use(u).access;
@@ -132,8 +133,8 @@ class VersionConnector {
                (declared_.expansion.passes[u.pass].custom && reads(a)) || wants_last_frame(u);
     }
 
-    // Its author says that the preceding version stays where this pass does not write. An attachment without
-    // a preceding version is cleared.
+    // The author declares that the previous version is preserved where this pass does not write. An
+    // attachment without a previous version is cleared.
     bool keeps_the_rest(const CellUse& u) {
         const PortDraft& draft = port(u);
         const bool attachment = draft.color_output != nullptr || draft.is_depth_port;
@@ -141,7 +142,8 @@ class VersionConnector {
                (declared_.expansion.passes[u.pass].desc->partial || draft.pinned());
     }
 
-    // It continues a version, and this frame's copy of a history has none: its author means the last frame.
+    // The pass continues a version, but this frame's copy of a history has none: the author means the
+    // previous frame.
     bool wants_last_frame(const CellUse& u) {
         if (graph_.resources[use(u).resource].history == 0) return false;
         const WriteRank rank = port(u).rank;
@@ -208,7 +210,7 @@ class VersionConnector {
         const auto key = [](const EdgeDecl& e) { return std::tuple(e.to, e.from, e.kind, e.resource); };
         std::vector<EdgeDecl>& edges = graph_.edges;
         std::ranges::stable_sort(edges, {}, key);
-        // Not std::ranges::unique: clang 14 can't compile what it returns with libstdc++ 12.
+        // Not std::ranges::unique: clang 14 cannot compile its result with libstdc++ 12.
         const auto equal = [&](const EdgeDecl& a, const EdgeDecl& b) { return key(a) == key(b); };
         edges.erase(std::unique(edges.begin(), edges.end(), equal), edges.end());
     }

@@ -23,7 +23,7 @@ class WriterOrder {
           reporter_(reporter),
           order_(graph.passes.size()) {}
 
-    // False when there is a cycle: then nothing can be said about versions.
+    // False if there is a cycle: then versions are undefined.
     bool run() {
         add_after();
         for (Cell& cell : cells_) add_known(cell);
@@ -60,13 +60,13 @@ class WriterOrder {
         paid_ = order_.work();
     }
 
-    // Looking for one writer of a cell: many are compared in the time of a step.
+    // The search for one writer of a cell: one step covers many comparisons.
     static uint64_t search_steps(const Cell& cell) {
         constexpr size_t kWritersPerStep = 64;
         return 1 + cell.writers.size() / kWritersPerStep;
     }
 
-    // Keeping an arc costs more than looking at it.
+    // Storing an arc costs more than visiting it.
     void add_arc(const OrderArc& arc) {
         constexpr uint64_t kStepsPerArc = 4;
         reporter_.spend(kStepsPerArc, arc.loc);
@@ -160,7 +160,8 @@ class WriterOrder {
         }
     }
 
-    // The one writer that starts a version comes first; where all continue one, the most like a start.
+    // The one writer that starts a version comes first; if all writers continue one, the writer most similar
+    // to a start.
     void add_base(const Cell& cell) {
         if (cell.writers.size() < 2) return;
         const auto rank = [this](const CellUse& w) { return port(w).rank; };

@@ -7,8 +7,8 @@
 
 namespace weft {
 
-// Adds the edges of `after`. False where a cycle was reported: then nothing can be said about versions.
-// Errors: W104, W111, W150.
+// Adds the edges of `after`. False if a cycle was reported: then versions are undefined. Errors: W104, W111,
+// W150.
 [[nodiscard]] bool order_writers(const Declared& declared, VersionedGraph& graph, std::vector<Cell>& cells,
                                  Reporter& reporter);
 

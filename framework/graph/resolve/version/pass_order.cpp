@@ -38,7 +38,7 @@ bool PassOrder::reaches(PassId from, PassId to) {
         for (const uint32_t index : out_[pass]) {
             const PassId next = arcs_[index].to;
             if (next == to) return true;
-            // A pass behind the goal can't lead to it.
+            // A pass after the goal cannot lead to it.
             if (position_[next] > position_[to] || stamp_[next] == search_) continue;
             stamp_[next] = search_;
             open.push_back(next);

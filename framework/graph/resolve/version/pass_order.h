@@ -1,5 +1,5 @@
-// Purpose: the known order of passes while versions are found. Private to version().
-// An arc says that `to` runs after `from`, and why, so that the message about a cycle can name the reasons.
+// Purpose: the known order of passes while versions are found. Private to version(). An arc means that `to`
+// runs after `from`, and contains the reason for the message about a cycle.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ struct OrderArc {
     EdgeKind kind = EdgeKind::raw;
     ResourceId resource = kNoId;
     SourceLoc loc;
-    bool pinnable = false;  // `to` reads a resource of several writers without saying which version
+    bool pinnable = false;  // `to` reads a resource of several writers without naming a version
 };
 
 class PassOrder {
@@ -31,7 +31,7 @@ class PassOrder {
     // By pass: 1 where it runs after `from`.
     [[nodiscard]] std::vector<uint8_t> reached_from(PassId from) const;
 
-    // Arcs looked at so far.
+    // The number of arcs visited so far.
     [[nodiscard]] uint64_t work() const { return work_; }
     [[nodiscard]] const std::vector<OrderArc>& arcs() const { return arcs_; }
     [[nodiscard]] const std::vector<std::vector<uint32_t>>& arcs_out() const { return out_; }

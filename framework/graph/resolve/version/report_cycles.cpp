@@ -1,4 +1,5 @@
-// A message about a dependency cycle names which pass waits for which, the reasons, and where to cut it.
+// A message about a dependency cycle names the waiting passes, the reasons, and the place where it can be
+// broken.
 #include <algorithm>
 #include <deque>
 #include <tuple>
@@ -32,7 +33,7 @@ class CycleReport {
     }
 
  private:
-    // Marks passes that no undone pass leads to as done: they are on no cycle.
+    // Marks passes that no unfinished pass leads to as done: they are not part of a cycle.
     void peel() {
         std::vector<uint32_t> waits_for(done_.size(), 0);
         for (const OrderArc& arc : order_.arcs()) ++waits_for[arc.to];
@@ -51,7 +52,7 @@ class CycleReport {
         }
     }
 
-    // Arc indices of a shortest way from `from` to `to` through undone passes; empty: none.
+    // Arc indices of a shortest path from `from` to `to` through unfinished passes; empty: none.
     std::vector<uint32_t> way(PassId from, PassId to) const {
         std::vector<uint32_t> by(done_.size(), kNoId);
         std::deque<PassId> open{from};
@@ -75,7 +76,7 @@ class CycleReport {
         return arcs;
     }
 
-    // All undone passes that wait for `pass` while it waits for them.
+    // All unfinished passes that wait for `pass` while it waits for them.
     std::vector<PassId> knot_of(PassId pass) const {
         const std::vector<uint8_t> after = order_.reached_from(pass);
         std::vector<std::vector<PassId>> before(done_.size());
@@ -100,7 +101,7 @@ class CycleReport {
         return knot;
     }
 
-    // The arc that the message begins with: best one that a pin would cut, then one of `after`.
+    // The arc with which the message begins: preferably one that a pin would remove, then one of `after`.
     const OrderArc* best_cut(const std::vector<PassId>& knot) const {
         const OrderArc* best = nullptr;
         const auto rank = [](const OrderArc& arc) {
@@ -131,7 +132,7 @@ class CycleReport {
         return "";
     }
 
-    // A writer outside the knot whose version could be pinned instead.
+    // A writer outside the cycle whose version could be pinned instead.
     std::string writer_outside(const std::vector<PassId>& knot, ResourceId resource) const {
         for (const WriteRank rank : {WriteRank::fresh, WriteRank::resumes, WriteRank::in_place}) {
             for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
@@ -154,7 +155,7 @@ class CycleReport {
         });
     }
 
-    // A repeat whose passes read what its own earlier passes wrote.
+    // True for a repeat whose passes read outputs of its own earlier passes.
     bool reads_own_repeat(PassId pass, ResourceId resource) const {
         const auto& instances = declared_.expansion.instances;
         const auto own = instances.find(declared_.author_name(pass));
