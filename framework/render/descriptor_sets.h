@@ -1,5 +1,5 @@
-// Purpose: descriptor set layouts and sets for what outlives every frame: made once, written once.
-// Errors: those of vk_error().
+// Purpose: layouts and sets of descriptors that live longer than a frame: created and written once. Errors:
+// those of vk_error().
 #pragma once
 
 #include <span>
@@ -11,19 +11,19 @@
 
 namespace weft::render {
 
-// `count` sets of one layout, with the pool they came from.
+// `count` sets of one layout, and their pool.
 struct DescriptorSets {
     vk::SetLayoutHandle layout;
     vk::DescriptorPoolHandle pool;
     std::vector<VkDescriptorSet> sets;
 
-    // `name` is for messages. No sets is fine: the layout alone is made.
+    // `name` is used in messages. With a count of 0 only the layout is made.
     [[nodiscard]] static Result<DescriptorSets> create(vk::Device& device,
                                                        std::span<const VkDescriptorSetLayoutBinding> bindings,
                                                        uint32_t count, const std::string& name);
 };
 
-// Write descriptors of consecutive bindings that share a type, from `binding` on.
+// Writes descriptors of consecutive bindings of one type, starting at `binding`.
 void write_buffers(vk::Device& device, VkDescriptorSet set, uint32_t binding, VkDescriptorType type,
                    std::span<const VkDescriptorBufferInfo> buffers);
 void write_images(vk::Device& device, VkDescriptorSet set, uint32_t binding,

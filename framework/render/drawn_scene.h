@@ -1,5 +1,5 @@
-// Purpose: a scene as frames see it: its objects on the GPU, its lights at a time, and its constants. Units:
-// seconds.
+// Purpose: the scene's data for frames: its objects on the GPU, its lights at a time, and its constants.
+// Units: seconds.
 #pragma once
 
 #include <memory>
@@ -17,14 +17,14 @@ class DrawnScene {
     [[nodiscard]] static Result<DrawnScene> create(vk::Device& device, const scene::Scene& scene,
                                                    scene::Scene* owned);
 
-    // Moves the lights that move.
+    // Moves the animated lights.
     void set_time(double time_s);
-    // At the time that was set last.
+    // At the time of the last set_time().
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
-    // The sky, the environment and the counts of lights; time and exposure are the caller's.
+    // The sky, the environment and the counts of lights; the caller adds time and exposure.
     [[nodiscard]] shared::FrameConstants frame_constants() const;
-    // None where no directional light shines, or the graph has no maps. `aspect` is the picture's width /
-    // height.
+    // Empty if there is no directional light with intensity, or the graph has no maps. `aspect` is the
+    // picture's width / height.
     [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const;
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
 

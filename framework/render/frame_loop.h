@@ -1,5 +1,5 @@
-// Purpose: draws frame after frame with a stage, and keeps what a frame needs of the one before it. For the
-// thread that submits.
+// Purpose: renders frames with a stage, and keeps the data of the previous frame that the next one needs. For
+// the thread that submits.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ class FrameLoop {
     // W184: the graph has no output.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
 
-    // The running stage with other values and pipelines, or another stage, from the next frame on.
-    // set_graph() comes after either.
+    // From the next frame on, uses the running stage with other values and pipelines, or another stage. Call
+    // set_graph() after either.
     void amend(std::unique_ptr<vk::Amendment> amendment) { stage_.executor->amend(std::move(amendment)); }
-    // `check`: prove the transition. After an error of the checker nothing has changed.
+    // `check`: check the transition. After an error of the checker nothing has changed.
     [[nodiscard]] Status take_over(RenderStage stage, bool check);
     void set_graph(Extent3D size, uint32_t jitter_length);
 

@@ -1,4 +1,4 @@
-// Purpose: what surrounds a scene as a texture with mips; a black texel where there is no environment.
+// Purpose: the environment of a scene as a texture with mips; a black texel for a scene without one.
 #pragma once
 
 #include "vulkan/device/handle.h"
@@ -12,7 +12,7 @@ class GpuEnvironment {
     [[nodiscard]] static Result<GpuEnvironment> create(vk::Device& device,
                                                        const scene::Environment& environment);
 
-    // Around the sides it repeats, at the poles it ends.
+    // Repeats horizontally, and is clamped at the poles.
     [[nodiscard]] VkDescriptorImageInfo descriptor() const;
 
  private:

@@ -1,6 +1,6 @@
-// Purpose: set 0 of every frame in flight, one for each view that a pass may look through: frame constants,
-// the sun's cascades and the view, in host-written memory, one copy a slot, and what all frames share: the
-// environment and what shapes the lights.
+// Purpose: set 0 of every frame in flight, one set for each view that a pass may use. It has the frame
+// constants, the sun's cascades and the view in host-written memory, one copy per slot, and data common to
+// all frames: the environment and the light functions.
 #pragma once
 
 #include "render/descriptor_sets.h"
@@ -16,15 +16,15 @@ class GpuFrame {
  public:
     [[nodiscard]] static Result<GpuFrame> create(vk::Device& device, const scene::Scene& scene);
 
-    // The slot must not be in flight: Executor::begin_frame() says which one is free.
+    // The slot must not be in flight: Executor::begin_frame() returns a free one.
     void write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
                const SunCascades& sun);
     [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
-    // Of a view that import_catalog.h offers.
+    // For a view of import_catalog.h.
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
 
  private:
-    DescriptorSets sets_;  // by slot and view
+    DescriptorSets sets_;  // index: slot and view
     vk::Buffer constants_;
     GpuEnvironment environment_;
     GpuLightFunctions light_functions_;

@@ -1,6 +1,6 @@
-// Purpose: a scene's meshes in GPU memory, in the canonical vertex format of import_catalog.h: one buffer of
-// positions, one of attributes, one of indices, one of instances; vertex colours and second uvs, which few
-// meshes have, in buffers that hold those meshes alone. Errors: those of vk::Buffer and the upload.
+// Purpose: a scene's meshes in GPU memory, in the vertex format of import_catalog.h: one buffer each for
+// positions, attributes, indices and instances. Vertex colours and second uvs, which few meshes have, are in
+// buffers that contain only those meshes. Errors: those of vk::Buffer and the upload.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@ struct GpuGeometry {
     vk::Buffer instances;
     vk::Buffer colors;
     vk::Buffer second_uvs;
-    std::vector<MeshRange> meshes;  // by scene::Scene::meshes
+    std::vector<MeshRange> meshes;  // index: as in scene::Scene::meshes
 
     [[nodiscard]] static Result<GpuGeometry> create(vk::Device& device, const scene::Scene& scene);
 };

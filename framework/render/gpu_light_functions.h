@@ -1,5 +1,5 @@
-// Purpose: what shapes the scene's lights, as set 0 holds it: a buffer of functions and an array of pictures;
-// one of each, unused, where there are none.
+// Purpose: the scene's light functions for set 0: a buffer of functions and an array of pictures; one unused
+// element of each if the scene has none.
 #pragma once
 
 #include "vulkan/device/handle.h"
@@ -13,7 +13,7 @@ class GpuLightFunctions {
     [[nodiscard]] static Result<GpuLightFunctions> create(vk::Device& device, const scene::Scene& scene);
 
     [[nodiscard]] VkDescriptorBufferInfo functions() const { return {functions_.handle(), 0, VK_WHOLE_SIZE}; }
-    // Repeats on all sides.
+    // Repeats in all directions.
     [[nodiscard]] VkDescriptorImageInfo pictures() const;
 
  private:

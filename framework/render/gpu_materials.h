@@ -1,5 +1,5 @@
-// Purpose: a scene's textures and materials in GPU memory, one descriptor set (set 2) a material: lavapipe
-// has no descriptor indexing, and a set a material costs microseconds.
+// Purpose: a scene's textures and materials in GPU memory, with one descriptor set (set 2) per material:
+// lavapipe has no descriptor indexing, and one set per material costs only microseconds.
 #pragma once
 
 #include <map>
@@ -31,7 +31,7 @@ class GpuMaterials {
     VkDescriptorImageInfo image(vk::Device& device, const scene::TextureSlot& slot,
                                 const vk::Image& fallback);
 
-    DescriptorSets sets_;  // one a material
+    DescriptorSets sets_;  // one per material
     std::vector<vk::Image> textures_;
     vk::Image white_;
     vk::Image flat_normal_;

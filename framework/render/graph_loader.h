@@ -1,5 +1,5 @@
-// Purpose: loads graphs for one device and scene, again and again: what did not change since the last load is
-// not compiled again. load() is for one thread at a time; the other functions are for any thread.
+// Purpose: loads graphs repeatedly for one device and scene: parts that did not change since the last load
+// are not compiled again. load() is for one thread at a time; the other functions are for any thread.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace weft::render {
 
 class GraphLoader {
  public:
-    // `profile` outlives it. `imports` are those of the scene, at any size.
+    // `profile` must outlive the loader. `imports` are those of the scene, at any size.
     GraphLoader(const DeviceProfile& profile, LoadSettings settings, PassCatalog passes,
                 ImportCatalog imports)
         : profile_(profile),
@@ -20,7 +20,7 @@ class GraphLoader {
           passes_(std::move(passes)),
           imports_(std::move(imports)) {}
 
-    // Parses the graph file, unless `parsed` holds its content. `files` receives what the load looked for.
+    // Parses the graph file, unless `parsed` has its content. `files` receives the files that were searched.
     [[nodiscard]] Result<LoadedGraph> load(const GraphRequest& request, const ParsedGraph* parsed,
                                            Diagnostics& warnings, std::set<std::filesystem::path>& files);
     [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const GraphRequest& request,

@@ -1,7 +1,6 @@
-// Purpose: where in its pixels the camera samples in each frame, for graphs that average frames.
-// Units: pixels, x to the right and y down.
-// Source: Halton 1964, "Algorithm 247: Radical-inverse quasi-random point sequence"; Karis 2014,
-// "High-Quality Temporal Supersampling".
+// Purpose: the camera's sample position inside the pixels of each frame, for graphs that average frames.
+// Units: pixels, x to the right and y down. Source: Halton 1964, "Algorithm 247: Radical-inverse quasi-random
+// point sequence"; Karis 2014, "High-Quality Temporal Supersampling".
 #pragma once
 
 #include <cstdint>
@@ -9,11 +8,11 @@
 
 namespace weft::render {
 
-// The digits of `index` in `base`, mirrored at the point: in [0, 1).
+// Mirrors the digits of `index` in `base` at the radix point: in [0, 1).
 [[nodiscard]] double radical_inverse(uint32_t index, uint32_t base);
 
-// Of the points 1 … `length` of Halton's sequence in bases 2 and 3, taken in turn and moved so that their
-// mean is a pixel's centre, how far this frame's is from there. (0, 0) for lengths 0 and 1.
+// The sample offset of this frame from the pixel's centre. The points 1 … `length` of Halton's sequence in
+// bases 2 and 3 are used in turn, moved so that their mean is the centre. (0, 0) for lengths 0 and 1.
 [[nodiscard]] glm::vec2 jitter_px(uint64_t frame, uint32_t length);
 
 }  // namespace weft::render

@@ -1,5 +1,5 @@
-// Purpose: the objects that one graph at one size runs on, and a fingerprint of them: it decides what a new
-// plan can take over.
+// Purpose: the objects of one graph at one size, and a fingerprint of them, which determines the objects that
+// a new plan can use again.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace weft::render {
 
-// Debug builds prove every plan.
+// Debug builds check every plan.
 #ifdef NDEBUG
 inline constexpr bool kAlwaysCheck = false;
 #else
@@ -41,7 +41,7 @@ struct StageFingerprint {
 };
 [[nodiscard]] StageFingerprint take_fingerprint(const FramePlan& plan, const ShaderCatalog& shaders,
                                                 VkImage output);
-// Whether a stage with fingerprint `from` can run the plan of `to` with other values and pipelines.
+// True if a stage with fingerprint `from` can run the plan of `to` with other values and pipelines.
 [[nodiscard]] bool can_amend(const StageFingerprint& from, const StageFingerprint& to);
 [[nodiscard]] uint32_t count_changed_programs(const StageFingerprint& from, const StageFingerprint& to);
 

@@ -1,5 +1,5 @@
-// Purpose: the graph that a session draws, and the preparation of the one that follows it. prepare() may run
-// on any thread; all else is for the thread that submits.
+// Purpose: the graph that a session renders, and the preparation of the next one. prepare() may run on any
+// thread; all other functions are for the thread that submits.
 #pragma once
 
 #include <filesystem>
@@ -14,26 +14,27 @@ namespace weft::render {
 
 class RunningGraph {
  public:
-    // `device` outlives it. start() comes before all else.
+    // `device` must outlive it. Call start() before all other functions except load_first().
     RunningGraph(const vk::Device& device, const SessionInput& input, ImportCatalog imports);
 
-    // Loads the first graph, before the scene is on the GPU: it may have faults. As Session::create().
+    // Loads the first graph, before the scene is uploaded, because the graph may have faults. As
+    // Session::create().
     [[nodiscard]] Status load_first(const ParsedGraph* parsed, Diagnostics& warnings);
     // Makes the objects of the first graph.
     [[nodiscard]] Result<PendingSwap> start(vk::Device& device, const GpuScene& scene,
                                             const StageSettings& settings);
 
-    // As those of Session.
+    // As the function of Session.
     [[nodiscard]] PrepareResult prepare(const Selection& selection);
     [[nodiscard]] Result<PendingSwap> prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings);
-    // Whether the swap was prepared to follow what runs now.
+    // True if the swap was prepared for the graph that runs now.
     [[nodiscard]] bool is_next(const SwapParts& next) const;
-    // `next` runs from now on.
+    // From now on `next` runs.
     void adopt(SwapParts& next);
 
     [[nodiscard]] const Selection& selection() const { return selection_; }
     [[nodiscard]] const LoadedGraph& loaded() const { return loaded_; }
-    // What load_first() looked for.
+    // The files that load_first() searched.
     [[nodiscard]] const std::set<std::filesystem::path>& first_files() const { return first_files_; }
     [[nodiscard]] bool checks_plans() const { return maker_->checks_plans(); }
     [[nodiscard]] uint64_t pipelines_made_between_frames() const {

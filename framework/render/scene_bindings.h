@@ -1,5 +1,5 @@
-// Purpose: what descriptor sets 0, 2 and 3 hold while a scene is drawn: one table for the layouts that are
-// made and for the check of shaders. See shaders/include/frame_set.glsl, material_set.glsl and
+// Purpose: the contents of descriptor sets 0, 2 and 3 while a scene is drawn: one table for creating the
+// layouts and for checking shaders. See shaders/include/frame_set.glsl, material_set.glsl and
 // surface_vertex.glsl.
 #pragma once
 

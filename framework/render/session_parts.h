@@ -1,4 +1,4 @@
-// Purpose: the parts of a Session, which only joins them.
+// Purpose: the parts of a Session, which only connects them.
 #pragma once
 
 #include <memory>

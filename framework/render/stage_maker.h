@@ -1,5 +1,5 @@
-// Purpose: from a resolved graph to a swap: compiles and proves its plan and makes the objects that the
-// running stage lacks. make() may run on any thread while frames go on, and submits nothing.
+// Purpose: makes a swap from a resolved graph: compiles and checks its plan and makes the objects that the
+// running stage lacks. make() may run on any thread while frames are rendered, and submits nothing.
 #pragma once
 
 #include <atomic>
@@ -30,17 +30,17 @@ struct StageSettings {
 
 class StageMaker {
  public:
-    // All outlive it. It counts the pipelines that are made on the calling thread.
+    // All arguments must outlive it. It counts the pipelines that the calling thread makes.
     StageMaker(vk::Device& device, const GpuScene& scene, const GraphLoader& loader, StageSettings settings)
         : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)) {}
 
-    // `running` is the fingerprint of the stage that the swap replaces; of generation 0, none.
+    // `running` is the fingerprint of the stage that the swap replaces; generation 0 means none.
     [[nodiscard]] Result<std::unique_ptr<SwapParts>> make(const Selection& selection,
                                                           const ShaderCatalog& shaders,
                                                           const ResolvedGraph& graph,
                                                           const StageFingerprint& running);
     [[nodiscard]] bool checks_plans() const { return settings_.check_plan; }
-    // On the thread of the constructor, to replace a running stage.
+    // The number of pipelines made on the constructor's thread to replace a running stage.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const { return made_between_frames_; }
 
  private:

@@ -1,4 +1,4 @@
-// Purpose: the contents of a PendingSwap: a whole stage, or only values and pipelines where the plan has the
+// Purpose: the contents of a PendingSwap: a whole stage, or only values and pipelines if the plan has the
 // same structure, or neither.
 #pragma once
 
@@ -17,7 +17,7 @@ struct SwapParts {
     uint64_t follows = 0;  // StageFingerprint::generation of the stage that this replaces
     StageFingerprint fingerprint;
     std::optional<LoadedGraph> loaded;      // absent: the session keeps its own
-    std::optional<ResolvedGraph> resolved;  // of the graph that the session keeps, at the new size
+    std::optional<ResolvedGraph> resolved;  // for the graph that the session keeps, at the new size
     std::optional<RenderStage> stage;
     std::unique_ptr<vk::Amendment> amendment;
 };

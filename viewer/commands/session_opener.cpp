@@ -16,7 +16,7 @@
 namespace weft::viewer {
 namespace {
 
-// The environment is in cd/m²; how much of that makes a white pixel, the exposure says.
+// The environment is in cd/m²; the exposure determines the luminance of a white pixel.
 void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
     constexpr float kMiddleGrey = 0.18f, kMostStops = 6;
     const float mean = mean_luminance(scene.environment);
@@ -74,7 +74,7 @@ SessionOpener::SessionOpener(const RenderOptions& options, Attempts attempts)
       passes_(registered_passes()),
       input_(session_input(options, passes_)) {}
 
-// Before the slow work of loading a scene and creating a device.
+// Called before the slow work of loading a scene and creating a device.
 Result<ParsedGraph> SessionOpener::parse_checked() {
     Result<ParsedGraph> parsed = parse_graph(input_.request, input_.load, &files_);
     if (!parsed) return parsed;

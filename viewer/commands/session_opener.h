@@ -15,17 +15,18 @@ namespace weft::viewer {
 
 class SessionOpener {
  public:
-    // With one attempt the scene is handed over to the session, which needs less memory.
+    // With one attempt the session takes ownership of the scene, which needs less memory.
     enum class Attempts : uint8_t { one, many };
-    // `options` outlives it.
+    // `options` must outlive it.
     SessionOpener(const RenderOptions& options, Attempts attempts);
 
-    // Warnings go to stderr. With many attempts it may be called again after an error; never after a success.
+    // Warnings are printed on stderr. With many attempts it may be called again after an error, but not after
+    // a success.
     [[nodiscard]] Result<OpenSession> open();
 
-    // After an error: an edit of files() may fix it.
+    // After an error: true if an edit of files() may correct it.
     [[nodiscard]] bool is_fixable() const { return is_fixable_; }
-    // What was looked at of the graph, its includes and its shaders, whether it is there or not. Absolute
+    // The files of the graph, its includes and its shaders that were searched, existing or not. Absolute
     // paths.
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
 

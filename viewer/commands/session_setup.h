@@ -1,5 +1,5 @@
-// Purpose: from the command line to a session that draws, for the commands that need one.
-// Errors: those of scenes (S…), devices (V…) and Session::create().
+// Purpose: makes a session from the command line, for commands that render. Errors: those of scenes (S…),
+// devices (V…) and Session::create().
 #pragma once
 
 #include <memory>
@@ -17,20 +17,20 @@ struct OpenSession {
     std::unique_ptr<render::Session> session;  // last: destroyed first
 };
 
-// How the options want the camera's view of the scene drawn.
+// The session's input for these options.
 [[nodiscard]] render::SessionInput session_input(const RenderOptions& options, const PassCatalog& passes);
-// The camera's view of the scene at the exposure of the options, or else the scene's own.
+// The camera's view of the scene, at the exposure of the options, or else the scene's exposure.
 [[nodiscard]] render::FrameInput frame_input(const RenderOptions& options, const scene::Scene& scene,
                                              const scene::Camera& camera);
 [[nodiscard]] Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options);
-// Warnings go to stderr.
+// Warnings are printed on stderr.
 [[nodiscard]] Result<OpenSession> open_session(const RenderOptions& options);
-// The graph's output or a debug view, which are display-encoded already: a PNG takes their bytes as they are.
+// For the graph's output or a debug view, which are display-encoded: a PNG stores their bytes unchanged.
 [[nodiscard]] Status write_output_picture(const std::string& path, const vk::ReadbackData& data);
-// Prints what the layers said, pass by pass. True: they said something.
+// Prints the messages of the validation layers, by pass. True if there were any.
 bool report_messages(const std::vector<vk::Message>& messages);
-// Prints the errors and returns their exit code; after a time-out it leaves at once, without tearing down
-// what the device may still be at work with.
+// Prints the errors and returns their exit code. After a time-out it exits at once, without destroying
+// objects that the device may still use.
 [[nodiscard]] ExitCode fail_on_device(const Diagnostics& errors);
 
 }  // namespace weft::viewer

@@ -1,4 +1,4 @@
-// Changes of files as editors, compilers and version control make them, and which of them count.
+// Changes of files as made by editors, compilers and version control, and which of them are reported.
 #include "render/file_watch.h"
 
 #include <gtest/gtest.h>
@@ -28,9 +28,9 @@ class FileWatching : public ::testing::Test {
         for (const std::string& name : names) files.insert(folder_.path(name));
         return watch_->watch(files);
     }
-    // Waits for as long as it takes: only a fault that would hang reaches the end.
+    // Waits for a long time: the limit is reached only if a fault makes it wait forever.
     bool notices(const std::function<void()>& change) { return changes_within(600s, change); }
-    // The system lists a change before the call that makes it returns, so a second is enough to see one.
+    // The system queues a change before the call that makes it returns, so waiting for one second is enough.
     bool ignores(const std::function<void()>& change) { return !changes_within(1s, change); }
 
     bool changes_within(std::chrono::seconds most, const std::function<void()>& change) {
@@ -59,7 +59,7 @@ TEST_F(FileWatching, EveryWayOfSavingIsSeen) {
     }));
 }
 
-// A file that was written elsewhere, or under no name, comes whole.
+// A file that was written under another name or without a name appears complete.
 TEST_F(FileWatching, AFileThatIsLinkedIntoItsPlaceIsSeen) {
     static_cast<void>(watch({"linked.json"}));
     folder_.set("draft", "x");
@@ -104,7 +104,7 @@ TEST_F(FileWatching, AFolderMayGoAndComeBack) {
     EXPECT_TRUE(notices([&] { fs::rename(folder_.path("sub"), folder_.path("away")); }));
 }
 
-// All have happened when the wait begins, so that no pause between them depends on the machine.
+// All changes are made before the wait begins, so that pauses between them do not depend on the machine.
 TEST_F(FileWatching, SavesInARowAreOneChange) {
     static_cast<void>(watch({"live.json"}));
     for (int i = 0; i < 20; ++i) folder_.set("live.json", std::to_string(i), LiveFolder::Way::in_place);

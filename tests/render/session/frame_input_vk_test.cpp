@@ -1,4 +1,4 @@
-// What differs from frame to frame: the camera and the exposure.
+// Values that change from frame to frame: the camera and the exposure.
 #include "tests/render/session_fixture.h"
 
 namespace weft::test {

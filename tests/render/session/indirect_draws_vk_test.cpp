@@ -1,5 +1,5 @@
-// The shipped graph with its opaque list drawn by a copy of the scene's commands: the same picture, or a
-// refusal where the device can't.
+// The shipped graph with its opaque list drawn with a copy of the scene's commands: the same picture, or an
+// error if the device does not support it.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-// Purpose: a graph's files in a folder of their own, to be edited, broken and mended. Gone after the test.
+// Purpose: a folder with a graph's files that a test can edit, break and restore. Removed after the test.
 #pragma once
 
 #include <filesystem>
@@ -21,12 +21,12 @@ class LiveFolder {
 
     // In place, or as most editors do, by writing another file and renaming it.
     enum class Way : uint8_t { in_place, rename };
-    // What the file shall hold from now on.
+    // Sets the wanted content of the file.
     void set(const std::string& name, const std::string& text, Way way = Way::rename);
-    // Replaces what stands there once. The test fails where it isn't there.
+    // Replaces the only occurrence of `from`. The test fails if there is none.
     void replace(const std::string& name, const std::string& from, const std::string& to,
                  Way way = Way::rename);
-    // Until mend(), which brings all files back to what they shall hold.
+    // Writes other content until mend(), which restores the wanted content of all files.
     void spoil(const std::string& name, const std::string& text, Way way = Way::rename) const;
     void remove(const std::string& name) const;
     void mend() const;

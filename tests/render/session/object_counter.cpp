@@ -11,7 +11,7 @@
 namespace weft::test {
 namespace {
 
-// What plain functions can reach.
+// Global, because plain functions access it.
 std::atomic<int64_t> live_objects = 0;
 
 template <auto Create, class Function>
@@ -67,7 +67,7 @@ ObjectCounter::ObjectCounter(vk::Device& device) : device_(device), functions_(d
     count<&Table::vkCreateDescriptorPool, &Table::vkDestroyDescriptorPool>(table);
     count<&Table::vkCreatePipelineLayout, &Table::vkDestroyPipelineLayout>(table);
     count<&Table::vkCreatePipelineCache, &Table::vkDestroyPipelineCache>(table);
-    // Both make one at a time here.
+    // In these tests both make one pipeline per call.
     count<&Table::vkCreateGraphicsPipelines, &Table::vkDestroyPipeline>(table);
     count_made<&Table::vkCreateComputePipelines>(table);
     count<&Table::vkCreateShaderModule, &Table::vkDestroyShaderModule>(table);

@@ -1,5 +1,5 @@
-// Purpose: how many objects of a device are alive, by standing in front of the functions that make and
-// destroy them. One at a time: the device's table has room for plain functions only.
+// Purpose: counts the live objects of a device by replacing the functions that create and destroy them. Only
+// one counter at a time, because the device's table holds plain functions.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ class ObjectCounter {
     ObjectCounter(const ObjectCounter&) = delete;
     ObjectCounter& operator=(const ObjectCounter&) = delete;
 
-    // Of all that were made since the counter was.
+    // Counts only objects made since the counter was created.
     [[nodiscard]] int64_t live() const;
 
  private:
     vk::Device& device_;
-    vk::DeviceFunctions functions_;  // as they were
+    vk::DeviceFunctions functions_;  // the original functions
 };
 
-// Memory of this process that is in use, in bytes, with what the allocator could give back given back.
+// Memory of this process that is in use, in bytes, after the allocator returned unused memory to the system.
 [[nodiscard]] uint64_t resident_bytes();
 
 }  // namespace weft::test

@@ -1,5 +1,5 @@
-// A graph that is edited while it draws: whatever the edit, the last good picture stays until the next good
-// one is there, what lives on from frame to frame lives on, and nothing is left behind.
+// A graph that is edited while it runs: after any edit, the last valid picture stays until the next valid one
+// is ready, histories are preserved, and no objects or memory are leaked.
 #include <cstdlib>
 #include <cstring>
 #include <functional>
@@ -15,7 +15,7 @@ namespace {
 constexpr Extent3D kSize{64, 36, 1};
 constexpr uint32_t kSettlingFrames = 3;  // as long as the longest history
 
-// An edit that the graph survives, by turns there and back, and what it may cost.
+// An edit that is valid, made and undone in turn, and the work that it may cause.
 struct GoodEdit {
     const char* name;
     std::function<void(LiveFolder&, bool there)> apply;
@@ -141,21 +141,21 @@ class Reloading : public SessionTest {
         EXPECT_TRUE(output);
         return output ? std::move(output->bytes) : std::vector<std::byte>();
     }
-    // What a session that starts with the files as they should be shows.
+    // The picture of a session that starts with the wanted content of the files.
     std::vector<std::byte> wanted() {
         const std::unique_ptr<render::Session> fresh = start(folder_.graph(), kSize, {"frames"});
         if (!fresh) return {};
         draw(*fresh, kSettlingFrames);
         return shown(*fresh);
     }
-    // In a thread of its own, while frames go on.
+    // Prepares on a separate thread while frames are rendered.
     render::PrepareResult prepare() {
         std::future<render::PrepareResult> made = std::async(
             std::launch::async, [this, selection = live_->selection()] { return live_->prepare(selection); });
         while (made.wait_for(std::chrono::milliseconds(2)) != std::future_status::ready) draw(*live_, 1);
         return made.get();
     }
-    // All frames that were ever drawn, whatever was swapped meanwhile.
+    // Expects that a frame was counted for each frame rendered, across all swaps.
     void expect_all_counted() {
         ASSERT_TRUE(live_->finish());
         uint32_t counted = 0;
@@ -199,7 +199,7 @@ class Reloading : public SessionTest {
     uint32_t drawn_ = 0;
 };
 
-// What is there at two moments between which many edits came and went.
+// Objects and memory at two moments, with many edits between them.
 struct Leftovers {
     int64_t objects = 0;
     uint64_t bytes = 0;
@@ -211,8 +211,8 @@ class ManyEdits : public Reloading {
         EXPECT_TRUE(live_->finish());
         return {objects.live(), resident_bytes()};
     }
-    // Good and broken ones by turns. Measured at two moments at which all toggles stand as they stood: whole
-    // turns there and back lie between them.
+    // Valid and faulty edits in turn. Measures at two moments at which all edits are in the same state:
+    // complete cycles lie between them.
     void run(uint32_t settled, uint32_t count) {
         const std::vector<GoodEdit> good = good_edits();
         const std::vector<BrokenEdit> broken = broken_edits();
@@ -261,7 +261,7 @@ TEST_F(ManyEdits, ShowTheLastGoodPictureAndLeaveNoObjectBehind) {
     extended() ? run(60, 500) : run(20, 60);
 }
 
-// One executor lives through all of these.
+// One executor stays in use for all of these edits.
 TEST_F(ManyEdits, OfOneShaderLeaveNoPipelineBehind) {
     const ObjectCounter objects(*device_);
     begin();
@@ -273,7 +273,7 @@ TEST_F(ManyEdits, OfOneShaderLeaveNoPipelineBehind) {
         render::PrepareResult made = prepare();
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
         EXPECT_EQ(to_text(made.result->rebuilt()), "1 of 4 shaders, 1 of 4 pipelines");
-        // With frames in flight, whose pipelines go when they are over.
+        // Frames are in flight; their pipelines are destroyed when they have finished.
         ASSERT_NO_FATAL_FAILURE(draw(*live_, 2));
         const Result<bool> swapped = live_->swap_in(std::move(*made.result));
         ASSERT_TRUE(swapped && *swapped);
@@ -299,15 +299,15 @@ TEST_F(ManyEditsOnQueues, AreTheSame) {
 
 class ManyEditsUnwatched : public ManyEdits {
  protected:
-    // The validation layer of Vulkan 1.3.239 keeps what it knows of every command buffer, which would hide
-    // our own.
+    // The validation layer of Vulkan 1.3.239 keeps data for every command buffer, which would hide leaks of
+    // Weft.
     void SetUp() override { make_device(false); }
 };
 
 TEST_F(ManyEditsUnwatched, LeaveNoMemoryBehind) {
     if (!extended()) GTEST_SKIP() << "runs with WEFT_EXTENDED=1";
     run(60, 500);
-    // The same but for what an allocator keeps now and not then.
+    // Equal except for memory that the allocator keeps at one moment and not at the other.
     EXPECT_LE(over_.bytes, settled_.bytes + (2u << 20));
 }
 

@@ -1,5 +1,5 @@
-// The whole way from a saved file to another picture: watched, prepared in a thread, taken over between
-// frames.
+// The complete path from a saved file to another picture: the change is noticed, prepared on a thread, and
+// taken over between frames.
 #include <chrono>
 #include <cstring>
 #include <thread>
@@ -15,7 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr Extent3D kSize{64, 36, 1};
 
-// Where pipelines are made. The device's table has room for plain functions only.
+// The threads that make pipelines. Global, because the device's table holds plain functions.
 std::set<std::thread::id> pipeline_threads;
 PFN_vkCreateGraphicsPipelines real_graphics = nullptr;
 PFN_vkCreateComputePipelines real_compute = nullptr;
@@ -49,7 +49,7 @@ class Reloads : public SessionTest {
             ++drawn_;
         }
     }
-    // Frames go on until something came of a change: for as long as it takes, unless `most` says otherwise.
+    // Renders frames until a change has a result; without limit, unless `most` is given.
     std::optional<render::Reload> next(std::chrono::milliseconds most = std::chrono::minutes(10)) {
         const Clock::time_point end = Clock::now() + most;
         while (Clock::now() < end) {
@@ -59,7 +59,7 @@ class Reloads : public SessionTest {
         }
         return std::nullopt;
     }
-    // All frames that were ever drawn, whatever was swapped meanwhile.
+    // The number of all frames rendered, across swaps.
     uint32_t counted() {
         EXPECT_TRUE(live_->finish());
         uint32_t count = 0;
@@ -158,7 +158,7 @@ TEST_F(Reloads, AGraphThatStartsToIncludeIsFollowedThere) {
 TEST_F(Reloads, ANewSizeMayComeInBetween) {
     begin();
     folder_.replace("live.json", "[40, 24]", "[56, 16]");
-    // Until something is ready, which the new size makes stale.
+    // Waits until a graph is prepared, which the new size makes out of date.
     std::this_thread::sleep_for(std::chrono::milliseconds(400));
     ASSERT_TRUE(live_->resize({48, 20, 1}, warnings_));
     const std::optional<render::Reload> reload = next();
@@ -175,7 +175,7 @@ TEST_F(Reloads, ANewSizeMayComeInBetween) {
     EXPECT_EQ(counted(), drawn_);
 }
 
-// What a menu of tiers or parameters does.
+// As a menu of tiers or parameters would do.
 TEST_F(Reloads, OtherParametersAreAnotherSelection) {
     begin();
     const uint32_t before = last_texel();

@@ -1,4 +1,4 @@
-// A window that changes its size: what outlives a frame outlives this too, and nothing is left behind.
+// A window that changes its size: persistent resources are preserved, and no objects or memory are leaked.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -55,7 +55,7 @@ struct Picture {
         return texels[static_cast<size_t>(clamp(y, size.height)) * size.width +
                       static_cast<size_t>(clamp(x, size.width))];
     }
-    // As a linear filter with clamped edges sees it.
+    // As sampled by a linear filter with clamped edges.
     [[nodiscard]] glm::vec4 sample(glm::dvec2 uv) const {
         const glm::dvec2 place = uv * glm::dvec2(size.width, size.height) - 0.5;
         const glm::dvec2 corner = glm::floor(place), part = place - corner;
@@ -91,7 +91,7 @@ TEST_F(Resize, AHistoryIsStretchedToTheNewSize) {
                 worst = std::max({worst, double{off.x}, double{off.y}, double{off.z}, double{off.w}});
             }
         }
-        // A filter's weights have eight bits, and neighbours differ by a 27th at most.
+        // A filter's weights have eight bits, and neighbours differ by at most 1/27.
         EXPECT_LE(worst, 1.0 / 256 / 27 + 1e-6);
     }
 }
@@ -185,7 +185,7 @@ TEST_F(Resize, TheShippedPipelineTakesAnySize) {
         << "another picture than one that had this size from the start";
 }
 
-// Sizes that a window goes through, the smallest among them.
+// Sizes of a window, including the smallest.
 Extent3D any_size(std::mt19937& random) {
     const auto any = [&](uint32_t most) { return 1 + static_cast<uint32_t>(random()) % most; };
     switch (random() % 5) {
@@ -202,7 +202,7 @@ Extent3D any_size(std::mt19937& random) {
     }
 }
 
-// What is there at two moments between which many sizes came and went.
+// Objects and memory at two moments, with many resizes between them.
 struct Leftovers {
     int64_t objects = 0;
     uint64_t bytes = 0;
@@ -210,7 +210,7 @@ struct Leftovers {
 
 class ManyResizes : public Resize {
  protected:
-    // After 50 resizes and after all.
+    // Measures after 50 resizes and after all.
     void run() {
         const uint32_t count = std::getenv("WEFT_EXTENDED") != nullptr ? 1000 : 150;
         constexpr uint32_t kSeed = 20, kSettled = 50;
@@ -250,14 +250,15 @@ TEST_F(ManyResizes, LeaveNoObjectBehindAndNoMessage) {
 
 class ManyResizesUnwatched : public ManyResizes {
  protected:
-    // The validation layer of Vulkan 1.3.239 keeps what it knows of every command buffer: some 16 KiB a
-    // resize, which would hide our own.
+    // The validation layer of Vulkan 1.3.239 keeps data for every command buffer, about 16 KiB per resize,
+    // which would hide leaks of Weft.
     void SetUp() override { make_device(false); }
 };
 
 TEST_F(ManyResizesUnwatched, LeaveNoMemoryBehind) {
     run();
-    // The same but for what an allocator keeps now and not then: 1 MiB up and down.
+    // Equal except for memory that the allocator keeps at one moment and not at the other: it varies by 1
+    // MiB.
     EXPECT_LE(over_.bytes, settled_.bytes + (2u << 20));
 }
 

@@ -1,4 +1,4 @@
-// Passes that take turns: one works in each frame, and what the others wrote stays.
+// Passes that take turns: one runs in each frame, and the results of the others are preserved.
 #include "tests/render/session_fixture.h"
 
 namespace weft::test {

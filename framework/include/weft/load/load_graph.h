@@ -1,6 +1,5 @@
-// Purpose: from a graph file to a resolved graph, in two steps: parse_graph() reads, merges and parses the
-// file, load_graph() compiles its shaders and resolves it. All faults of the file and its shaders are
-// reported at once.
+// Purpose: loads a graph file in two steps: parse_graph() reads, merges and parses the file, load_graph()
+// compiles its shaders and resolves it. All faults of the file and its shaders are reported at once.
 #pragma once
 
 #include <filesystem>
@@ -24,10 +23,10 @@ namespace weft {
 // How many of an image's alternative formats are skipped, by the image's name; see ResolveInput.
 using SkippedFormats = std::map<std::string, size_t>;
 
-// Where graphs and shaders are read from, and what they may ask for.
+// The folders of graphs and shaders, and their limits.
 struct LoadSettings {
     FileReader reader;                    // for graph files
-    std::filesystem::path graph_root;     // the graphs/ folder, where included files are looked for as well
+    std::filesystem::path graph_root;     // the graphs/ folder, in which included files are searched too
     std::filesystem::path shader_root;    // the shaders/ folder; its include/ is the include root
     std::filesystem::path shader_cache;   // empty: none
     std::filesystem::path shader_worker;  // find_shader_worker(); empty: glslang runs in this process
@@ -38,7 +37,7 @@ struct LoadSettings {
 struct ParsedGraph {
     JsonDoc document;
     GraphDesc desc;                         // without the debug view of the request
-    std::set<std::filesystem::path> files;  // the graph files that were looked for, absolute, present or not
+    std::set<std::filesystem::path> files;  // the graph files that were searched, absolute, existing or not
 };
 
 struct LoadInput {
@@ -47,7 +46,7 @@ struct LoadInput {
     const PassCatalog& passes;
     const ImportCatalog& imports;
     const DeviceProfile& profile;
-    ShaderMemory* memory = nullptr;  // what earlier loads left for this one
+    ShaderMemory* memory = nullptr;  // results of earlier loads
     // The result of common_formats(), for loads without observers and parameters. Null: load_graph() loads
     // the other tiers to find the formats.
     const SkippedFormats* common_formats = nullptr;
@@ -63,11 +62,11 @@ struct LoadedGraph {
 // The graph file and its includes, before a tier is chosen.
 [[nodiscard]] Result<JsonDoc> read_graph(const std::string& path, const LoadSettings& settings);
 
-// `files`, if given, receives ParsedGraph::files, after an error as well.
+// `files`, if not null, receives ParsedGraph::files, also after an error.
 [[nodiscard]] Result<ParsedGraph> parse_graph(const GraphRequest& request, const LoadSettings& settings,
                                               std::set<std::filesystem::path>* files = nullptr);
 
-// The faults of the request's debug view and parameters. No shader is compiled: check this before slow work.
+// Checks the request's debug view and parameters without compiling shaders: call this before slow work.
 [[nodiscard]] Status check_request(const ParsedGraph& parsed, const GraphRequest& request,
                                    const ImportCatalog& imports);
 
@@ -75,14 +74,14 @@ struct LoadedGraph {
 // tier, parameters and observers of the request are ignored.
 [[nodiscard]] SkippedFormats common_formats(const JsonDoc& document, const LoadInput& input);
 
-// Warnings are added to `warnings`. `parsed` is of `input.request`.
+// Warnings are added to `warnings`. `parsed` must be the result for `input.request`.
 [[nodiscard]] Result<LoadedGraph> load_graph(const ParsedGraph& parsed, const LoadInput& input,
                                              Diagnostics& warnings);
 // The same from a document, merged and parsed for the tier of the request.
 [[nodiscard]] Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input,
                                              Diagnostics& warnings);
 
-// The same graph for another output size or other parameters. The shaders stay as they are.
+// The same graph for another output size or other parameters. Shaders are not compiled again.
 [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
                                                   Diagnostics& warnings);
 

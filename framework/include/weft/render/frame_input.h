@@ -1,5 +1,5 @@
-// Purpose: what may differ from frame to frame. Parameters are values of the plan: changing one is a swap
-// (Session::prepare()). Units: seconds; exposure in EV (hdr is stored × 2^EV).
+// Purpose: values that may change from frame to frame. Parameters are values of the plan, so changing one is
+// a swap (Session::prepare()). Units: seconds; exposure in EV (hdr is stored × 2^EV).
 #pragma once
 
 #include "weft/scene/scene.h"
@@ -10,7 +10,7 @@ struct FrameInput {
     scene::Camera camera;
     float exposure_ev = 0;
     double time_s = 0;
-    double delta_time_s = 0;  // since the frame before
+    double delta_time_s = 0;  // since the previous frame
 };
 
 }  // namespace weft::render

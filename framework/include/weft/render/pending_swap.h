@@ -1,4 +1,4 @@
-// Purpose: a graph that is ready to replace a session's running one: the same graph at another size, an
+// Purpose: a prepared graph that can replace a session's running one: the same graph at another size, an
 // edited graph, or another one. Session::prepare() makes it on any thread, Session::swap_in() takes it
 // between two frames.
 #pragma once
@@ -20,21 +20,22 @@ struct FramePlan;
 
 namespace weft::render {
 
-// What may change while a session runs.
+// Selects the graph that a session renders; may change while it runs.
 struct Selection {
     GraphRequest request;
-    // An embedder's image, made as output_create_info() says, that frames are drawn into; null: one of the
-    // session's own. When render_frame() returns, commands submitted to the device's first queue find it in
-    // TRANSFER_SRC_OPTIMAL, written, and may copy or blit it; they leave it so. It outlives the session.
+    // An embedder's image to which frames are rendered, created with output_create_info(); null: the
+    // session's own image. When render_frame() returns, commands submitted to the device's first queue see it
+    // written and in TRANSFER_SRC_OPTIMAL. They may copy or blit it, and must leave it in that layout. It
+    // must outlive the session.
     VkImage output = VK_NULL_HANDLE;
 };
 
-// What a swap makes anew.
+// The parts that a swap compiled or created.
 struct Rebuilt {
     uint32_t shaders = 0, changed_shaders = 0;  // programs that the graph names
     uint32_t pipelines = 0, made_pipelines = 0;
     bool plan = false;    // memory, descriptors, barriers
-    bool values = false;  // parameters, constants or state of a plan that is otherwise the same
+    bool values = false;  // parameters, constants or state of an otherwise equal plan
 
     [[nodiscard]] bool nothing() const { return !plan && !values && changed_shaders == 0; }
 };
@@ -52,7 +53,7 @@ class PendingSwap {
     PendingSwap& operator=(PendingSwap&& other) noexcept;
 
     [[nodiscard]] const Rebuilt& rebuilt() const;
-    // The plan that a swap brings; null where the running plan stays, or changes its values only.
+    // The plan of the swap; null if the running plan stays, or changes only its values.
     [[nodiscard]] const FramePlan* new_plan() const;
     [[nodiscard]] SwapParts& parts() { return *parts_; }
 
@@ -63,8 +64,8 @@ class PendingSwap {
 struct PrepareResult {
     Result<PendingSwap> result;
     Diagnostics warnings;
-    // The files of the graph and its shaders that were looked for, absolute, present or not. After an error,
-    // a change to one of them may fix it.
+    // The files of the graph and its shaders that were searched, absolute, existing or not. After an error, a
+    // change of one of them may correct it.
     std::set<std::filesystem::path> files;
 };
 

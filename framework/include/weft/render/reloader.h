@@ -1,7 +1,7 @@
-// Purpose: keeps a session's picture up to date with its files. A thread waits for changes of the graph, its
+// Purpose: reloads the graph of a session when its files change. A thread waits for changes of the graph, its
 // shaders and their includes, and prepares the changed graph. The frame thread takes it over between two
-// frames. While the files have faults, the last good graph goes on. Errors: X580 the system gives no watch.
-// Warnings: X581 a folder of the files can't be watched.
+// frames. While the files have faults, the last valid graph keeps running. Errors: X580 the system provides
+// no watch. Warnings: X581 a folder of the files cannot be watched.
 #pragma once
 
 #include <chrono>
@@ -20,27 +20,27 @@ class FileWatch;
 
 // The result of a change of files.
 struct Reload {
-    Rebuilt rebuilt;       // without errors
-    Diagnostics errors;    // why the old graph goes on
+    Rebuilt rebuilt;       // if there was no error
+    Diagnostics errors;    // the reasons why the old graph keeps running
     Diagnostics warnings;  // of the new graph
     double ms = 0;         // from the end of the change to the swap
-    double swap_ms = 0;    // of that, on the frame thread
+    double swap_ms = 0;    // the part of `ms` on the frame thread
 
     [[nodiscard]] bool good() const { return errors.empty(); }
 };
 
 class Reloader {
  public:
-    // `session` outlives it. Changes since the session loaded its files are noticed, too.
+    // `session` must outlive the reloader. Changes since the session loaded its files are noticed, too.
     [[nodiscard]] static Result<std::unique_ptr<Reloader>> start(Session& session);
     ~Reloader();
     Reloader(const Reloader&) = delete;
     Reloader& operator=(const Reloader&) = delete;
 
-    // On the frame thread, between two frames: swaps to the graph that is ready, if there is one. Never
+    // Call it on the frame thread, between two frames: swaps to the prepared graph, if there is one. Never
     // waits.
     [[nodiscard]] std::optional<Reload> update();
-    // Swaps to another graph, tier or other parameters, as after a change of a file.
+    // Swaps to another graph, tier or other parameters; works like a change of a file.
     void select(const Selection& selection);
 
  private:
@@ -53,7 +53,7 @@ class Reloader {
     void run();
     [[nodiscard]] bool wait_for_work();
     [[nodiscard]] PrepareResult prepare_and_watch(const Selection& selection);
-    // Makes the thread prepare again, though no file changed.
+    // Makes the thread prepare again although no file changed.
     void ask_again();
 
     Session& session_;
