@@ -69,9 +69,7 @@ Result<ResolvedGraph> resolve_formats(const GraphDesc& desc, const ShaderCatalog
                     .shaders = shaders,
                     .imports = input.imports,
                     .profile = input.profile,
-                    .params = input.request.params,
-                    .output_extent = input.request.size,
-                    .observed = input.request.observed,
+                    .request = input.request,
                     .limits = input.settings.limits.graph,
                     .skipped_formats = skipped},
                    warnings);

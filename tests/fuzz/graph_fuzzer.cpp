@@ -111,7 +111,7 @@ void run_tier(const JsonDoc& document, const std::string& tier, uint64_t choices
     const ShaderCatalog shaders = fitting_shaders(*graph, choices);
     Diagnostics warnings;
     const Result<ResolvedGraph> resolved =
-        resolve({*graph, passes, shaders, imports, profile, {}, {320, 180, 1}, {}}, warnings);
+        resolve({*graph, passes, shaders, imports, profile, {.size = {320, 180, 1}}}, warnings);
     if (!resolved) {
         if (std::getenv("WEFT_FUZZ_SAY") != nullptr) std::fputs(to_text(resolved.errors()).c_str(), stderr);
         return;

@@ -37,7 +37,7 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
                        const Dispatches& dispatches, const Blocks& blocks) {
     ResolvedGraph resolved;
     resolved.name = declared.input.graph.name;
-    resolved.output_extent = declared.input.output_extent;
+    resolved.output_extent = declared.input.request.size;
     resolved.resources = graph.resources;
     resolved.edges = graph.edges;
     resolved.output = declared.shapes.output;

@@ -52,9 +52,9 @@ double value_of(const std::string& name, const ParamDesc& param,
 }
 
 void add_params(const ResolveInput& input, Values& values, Reporter& reporter) {
-    for (Diagnostic& fault : param_faults(input.graph, input.params)) reporter.add(std::move(fault));
+    for (Diagnostic& fault : param_faults(input.graph, input.request.params)) reporter.add(std::move(fault));
     for (const auto& [name, param] : input.graph.params) {
-        const double value = value_of(name, param, input.params);
+        const double value = value_of(name, param, input.request.params);
         values.by_name[name] = number_value(value);
         if (!allows(param, value)) values.faulty.insert(name);
         values.params.push_back({name, value, ParamCost::nothing});
@@ -207,7 +207,7 @@ Diagnostics param_faults(const GraphDesc& graph, const std::map<std::string, dou
 
 Values evaluate(const ResolveInput& input, Reporter& reporter) {
     Values values;
-    const Extent3D output = input.output_extent;
+    const Extent3D output = input.request.size;
     values.by_name["output"] = size_value(output.width, output.height);
     add_params(input, values, reporter);
     count_draws(input, values);

@@ -10,7 +10,7 @@ namespace {
 
 std::map<std::string, PassDesc> find_observers(const ResolveInput& input, Reporter& reporter) {
     std::map<std::string, PassDesc> observers;
-    for (const std::string& text : input.observed) {
+    for (const std::string& text : input.request.observed) {
         const Result<RefDesc> ref = parse_reference({.text = text, .literal = {}}, input.graph.sources);
         if (!ref) {
             for (const Diagnostic& fault : ref.errors()) reporter.add(fault);

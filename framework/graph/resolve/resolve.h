@@ -8,6 +8,7 @@
 #include "weft/declaration.h"
 #include "weft/device_profile.h"
 #include "weft/graph_desc.h"
+#include "weft/graph_request.h"
 #include "weft/imports.h"
 #include "weft/limits.h"
 #include "weft/pass.h"
@@ -22,9 +23,7 @@ struct ResolveInput {
     const ShaderCatalog& shaders;
     const ImportCatalog& imports;
     const DeviceProfile& profile;
-    std::map<std::string, double> params;  // overrides, by name
-    Extent3D output_extent{1280, 720, 1};
-    std::vector<std::string> observed;  // references ("name@pass.mip(e)") that must be produced as well
+    GraphRequest request;  // its parameters, size and observed resources
     GraphLimits limits = {};
     // For images with alternatives, by name: how many of the first alternatives to skip, though the device
     // supports them.

@@ -76,9 +76,7 @@ class ResolveTest : public ::testing::Test {
                         .shaders = shaders,
                         .imports = imports,
                         .profile = profile,
-                        .params = params,
-                        .output_extent = output_extent,
-                        .observed = observed},
+                        .request = {.params = params, .size = output_extent, .observed = observed}},
                        warnings);
     }
 

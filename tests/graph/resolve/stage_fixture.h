@@ -124,9 +124,7 @@ class StageTest : public ::testing::Test {
                 .shaders = shaders,
                 .imports = imports,
                 .profile = profile,
-                .params = params,
-                .output_extent = {64, 32, 1},
-                .observed = observed,
+                .request = {.params = params, .size = {64, 32, 1}, .observed = observed},
                 .limits = limits};
     }
     Reporter reporter{graph, limits.steps, warnings};

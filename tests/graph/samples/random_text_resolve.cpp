@@ -99,9 +99,7 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
                     .shaders = shaders,
                     .imports = imports,
                     .profile = profile,
-                    .params = params,
-                    .output_extent = {64, 64, 1},
-                    .observed = {}},
+                    .request = {.params = params, .size = {64, 64, 1}}},
                    warnings);
 }
 

@@ -57,7 +57,7 @@ void shape_import(const ResolveInput& input, const ImportDesc& desc, ResourceId 
     decl.loc = desc.loc;
     decl.lifetime = ResourceLifetime::imported;
     if (!decl.import) decl.import = ImportState{};
-    if (import->kind == ImportKind::output) decl.extent = input.output_extent;
+    if (import->kind == ImportKind::output) decl.extent = input.request.size;
     if (decl.kind == ResourceKind::image) {
         const FormatInfo& format = format_info(decl.format);
         decl.aspects = static_cast<AspectMask>((format.depth ? aspect::kDepth : 0) |
