@@ -47,7 +47,7 @@ std::vector<uint32_t> SubresourceGrid::cells_of(const SubresourceRange& range) c
     return cells;
 }
 
-std::vector<SubresourceRange> SubresourceGrid::merged(const std::vector<uint32_t>& cells) const {
+std::vector<SubresourceRange> SubresourceGrid::merge(const std::vector<uint32_t>& cells) const {
     std::vector<Run> runs;
     for (const uint32_t cell : cells) {
         const uint32_t layer = cell / mip_count(), mip = cell % mip_count();

@@ -18,7 +18,7 @@ class SubresourceGrid {
     // The cells of a range, in ascending order.
     [[nodiscard]] std::vector<uint32_t> cells_of(const SubresourceRange& range) const;
     // Merges cells into few boxes: first into runs along mips, then along layers. `cells` must ascend.
-    [[nodiscard]] std::vector<SubresourceRange> merged(const std::vector<uint32_t>& cells) const;
+    [[nodiscard]] std::vector<SubresourceRange> merge(const std::vector<uint32_t>& cells) const;
 
  private:
     [[nodiscard]] uint32_t mip_count() const { return static_cast<uint32_t>(mip_cuts_.size()) - 1; }

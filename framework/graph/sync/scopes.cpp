@@ -20,8 +20,8 @@ std::vector<const AttachmentDecl*> attachments_of(const PassDecl& pass) {
 
 // The second pass goes on where the first one left this attachment. What the first one writes, the last one
 // has to store.
-bool goes_on(const PassDecl& first, const AttachmentDecl& a, const PassDecl& second,
-             const AttachmentDecl& b) {
+bool keeps_attachment(const PassDecl& first, const AttachmentDecl& a, const PassDecl& second,
+                      const AttachmentDecl& b) {
     const UseDecl &before = first.uses[a.use], &after = second.uses[b.use];
     return a.location == b.location && a.resolve_use == kNoId && b.resolve_use == kNoId &&
            before.resource == after.resource && before.range == after.range &&
@@ -48,14 +48,15 @@ bool uses_what_it_draws(const PassDecl& pass) {
     return false;
 }
 
-bool continues(const PassDecl& first, const PassDecl& second, const std::vector<AttachmentOps>& second_ops) {
+bool merges_render_pass(const PassDecl& first, const PassDecl& second,
+                        const std::vector<AttachmentOps>& second_ops) {
     if (!draws(first) || !draws(second) || first.render_extent != second.render_extent) return false;
     if (first.colors.size() != second.colors.size() || first.depth.has_value() != second.depth.has_value())
         return false;
     const std::vector<const AttachmentDecl*> before = attachments_of(first), after = attachments_of(second);
     if (after.empty()) return false;
     for (size_t i = 0; i < after.size(); ++i)
-        if (!goes_on(first, *before[i], second, *after[i])) return false;
+        if (!keeps_attachment(first, *before[i], second, *after[i])) return false;
     const bool loads = std::all_of(second_ops.begin(), second_ops.end(),
                                    [](const AttachmentOps& ops) { return ops.load == LoadOp::load; });
     return loads && !uses_what_it_draws(first) && !uses_what_it_draws(second);
@@ -69,8 +70,8 @@ ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
     std::vector<uint32_t> last(order.queues.size(), kNoId);
     for (uint32_t position = 0; position < scopes.size(); ++position) {
         uint32_t& before = last[order.queue[position]];
-        if (before != kNoId && continues(graph.passes[order.order[before]],
-                                         graph.passes[order.order[position]], attachments[position]))
+        if (before != kNoId && merges_render_pass(graph.passes[order.order[before]],
+                                                  graph.passes[order.order[position]], attachments[position]))
             scopes[position] = before;
         before = position;
     }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "graph/schedule/attachment_ops.h"
-#include "graph/sync/barrier_history.h"
+#include "graph/sync/track_resource.h"
 #include "weft/plan.h"
 
 namespace weft {

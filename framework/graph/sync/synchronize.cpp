@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "graph/sync/accesses.h"
 #include "graph/sync/queue_clocks.h"
 #include "graph/sync/synchronize.h"
-#include "graph/sync/touches.h"
 
 namespace weft {
 namespace {
@@ -32,7 +32,7 @@ void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
 
 SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const AttachmentTable& attachments,
                       ScopeTable scopes) {
-    const TouchTable touches = collect_touches(graph, order, attachments, scopes);
+    const AccessTable events = collect_accesses(graph, order, attachments, scopes);
     const std::vector<std::vector<ResourceId>> rings = rings_of(graph);
     SyncTable table;
     table.scopes = std::move(scopes);
@@ -43,12 +43,12 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
         input.order = &order;
         bool touched = false;
         for (const ResourceId id : ring) {
-            input.roles.push_back({&graph.resources[id], &touches[id]});
-            touched = touched || !touches[id].empty();
+            input.roles.push_back({&graph.resources[id], &events[id]});
+            touched = touched || !events[id].empty();
         }
         if (!touched) continue;
         input.resource = ring.front();
-        RingHistory history = resource_history(input);
+        RingHistory history = track_resource(input);
         for (size_t age = 0; age < ring.size(); ++age) {
             table.histories[ring[age]] = std::move(history.roles[age]);
             table.concurrent[ring[age]] = history.concurrent ? 1 : 0;

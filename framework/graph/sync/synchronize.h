@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "graph/sync/barrier_history.h"
 #include "graph/sync/scopes.h"
+#include "graph/sync/track_resource.h"
 #include "weft/declaration.h"
 #include "weft/plan.h"
 

@@ -7,23 +7,23 @@
 namespace weft {
 namespace {
 
-enum class Fate : uint8_t { clear, copy, resample };
+enum class ContentAction : uint8_t { clear, copy, resample };
 
 bool same_shape(const ResourceDecl& a, const ResourceDecl& b) {
     return a.extent == b.extent && a.mips == b.mips && a.layers == b.layers && a.size_bytes == b.size_bytes;
 }
 
-// What a resource of the new plan makes of its namesake's content.
-Fate fate_of(const ResourceDecl& old_decl, const ResourceDecl& decl) {
+// How a resource of the new plan uses the content of its namesake in the old one.
+ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& decl) {
     const bool same_kind = old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
                            old_decl.format == decl.format && old_decl.image_kind == decl.image_kind &&
                            old_decl.samples == decl.samples;
-    if (!same_kind) return Fate::clear;
-    if (same_shape(old_decl, decl)) return Fate::copy;
+    if (!same_kind) return ContentAction::clear;
+    if (same_shape(old_decl, decl)) return ContentAction::copy;
     // Only what a filter can blend is stretched: a buffer has no size to speak of, and depth no mean.
     const bool blends = decl.kind == ResourceKind::image && decl.layers == old_decl.layers &&
                         decl.samples == 1 && (decl.aspects & aspect::kColor) != 0;
-    return decl.on_resize == OnResize::resample && blends ? Fate::resample : Fate::clear;
+    return decl.on_resize == OnResize::resample && blends ? ContentAction::resample : ContentAction::clear;
 }
 
 AccessState transfer_state(const ResourceDecl& decl, Access access) {
@@ -53,18 +53,20 @@ class Builder {
         const auto from =
             namesake == nullptr ? kNoId : static_cast<ResourceId>(namesake - old_.graph.resources.data());
         const bool lived = from != kNoId && old_.live.live_resources[from] != 0;
-        const Fate fate = lived ? fate_of(*namesake, decl) : Fate::clear;
+        const ContentAction action = lived ? choose_action(*namesake, decl) : ContentAction::clear;
         // The newest role of a ring is about to be overwritten: nothing is lost with it.
         const bool forgotten = decl.history > 0 && decl.age == 0;
         AccessState written = transfer_state(decl, Access::clear_write);
-        if (fate == Fate::clear || forgotten) {
+        if (action == ContentAction::clear || forgotten) {
             plan_.cleared.push_back(id);
         } else {
-            written = transfer_state(decl, fate == Fate::copy ? Access::copy_write : Access::blit_write);
-            plan_.carried.push_back({from, id, fate == Fate::resample});
-            leave_old(from, transfer_state(decl, fate == Fate::copy ? Access::copy_read : Access::blit_read));
+            written =
+                transfer_state(decl, action == ContentAction::copy ? Access::copy_write : Access::blit_write);
+            plan_.carried.push_back({from, id, action == ContentAction::resample});
+            leave_old(from, transfer_state(
+                                decl, action == ContentAction::copy ? Access::copy_read : Access::blit_read));
         }
-        if (fate != Fate::clear && decl.ring != kNoId) plan_.keeps_validity[decl.ring] = 1;
+        if (action != ContentAction::clear && decl.ring != kNoId) plan_.keeps_validity[decl.ring] = 1;
         enter_new(id, written);
     }
 

@@ -1,5 +1,5 @@
-// Purpose: all barriers of one resource over one frame, from the touches of its subresources alone, and what
-// queues have to wait for because of it. What happened to its memory before the first touch of a transient is
+// Purpose: all barriers of one resource over one frame, from the events of its subresources alone, and what
+// queues have to wait for because of it. What happened to its memory before the first event of a transient is
 // filled in by barriers().
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "graph/sync/barrier_state.h"
+#include "graph/sync/single_queue_tracker.h"
 #include "weft/plan.h"
 
 namespace weft {
@@ -27,7 +27,7 @@ struct ResourceHistory {
 // A resource, or one role of a ring.
 struct Role {
     const ResourceDecl* decl = nullptr;
-    const std::vector<RangeTouch>* touches = nullptr;  // in order of position
+    const std::vector<RangeAccess>* events = nullptr;  // in order of position
 };
 
 struct HistoryInput {
@@ -43,6 +43,6 @@ struct RingHistory {
 };
 
 // Imports also get their release into the exit state.
-[[nodiscard]] RingHistory resource_history(const HistoryInput& input);
+[[nodiscard]] RingHistory track_resource(const HistoryInput& input);
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-// Purpose: what is known of one subresource while a frame is walked on one queue: layout, unflushed writes,
+// Purpose: what is known of one subresource while a frame is trace on one queue: layout, unflushed writes,
 // who has to be waited for, and for each stage the accesses already made visible. A barrier is needed only
 // for a layout change, a pending write, an access not yet visible in its stage, or a write after anything.
 // Source: the flush/invalidate model of Vulkan's memory model appendix, tracked as H.-K. Arntzen describes
@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "graph/sync/touches.h"
+#include "graph/sync/accesses.h"
 #include "weft/plan.h"
 
 namespace weft {
@@ -42,32 +42,32 @@ struct CellBarrier {
 };
 
 // What walking one cell through a frame asks for.
-struct CellEvents {
+struct CellSync {
     std::vector<CellBarrier> barriers;
     std::vector<QueueDependency> dependencies;
 };
 
 // One state for the first read and all that follow in its layout on its queue, up to the next write.
-[[nodiscard]] AccessState merged_reads(std::span<const Touch> touches);
+[[nodiscard]] AccessState merged_reads(std::span<const AccessEvent> events);
 
-class SubresourceState {
+class SingleQueueTracker {
  public:
     enum class Start : uint8_t {
-        taken_over,  // a transient: its first touch always needs a barrier, whose source only the caller
+        taken_over,  // a transient: its first event always needs a barrier, whose source only the caller
                      // knows
         known,       // a persistent resource of which nothing is pending
     };
-    explicit SubresourceState(Start start) : taken_over_(start == Start::taken_over) {}
+    explicit SingleQueueTracker(Start start) : taken_over_(start == Start::taken_over) {}
     // An import, as it enters the frame.
-    explicit SubresourceState(const AccessState& entry);
+    explicit SingleQueueTracker(const AccessState& entry);
 
-    // Adds the barrier that the first of `touches` needs, if any. It also serves the reads that follow in the
+    // Adds the barrier that the first of `events` needs, if any. It also serves the reads that follow in the
     // same layout before the next write, so that they need none.
-    void advance(std::span<const Touch> touches, CellEvents& events);
+    void advance(std::span<const AccessEvent> events, CellSync& sync);
     // An import's way back into its exit state: needed after writes, for another layout, and where whoever
     // comes next may write what this frame has read.
-    void release(const AccessState& exit, CellEvents& events);
-    // From here on touches belong to the next frame.
+    void release(const AccessState& exit, CellSync& sync);
+    // From here on events belong to the next frame.
     void next_frame() { previous_frame_ = true; }
     // The content is not needed any more.
     void discard();
@@ -79,15 +79,15 @@ class SubresourceState {
         return reader_stages_ != 0 ? reader_stages_ : writer_stages_;
     }
     [[nodiscard]] bool visible(const AccessState& state) const;
-    [[nodiscard]] bool needs_barrier(const Touch& touch) const;
-    [[nodiscard]] bool goes_on_drawing(const Touch& touch) const;
-    [[nodiscard]] BarrierReason reason(const Touch& touch) const;
+    [[nodiscard]] bool needs_barrier(const AccessEvent& event) const;
+    [[nodiscard]] bool merges_render_pass(const AccessEvent& event) const;
+    [[nodiscard]] BarrierReason reason(const AccessEvent& event) const;
     void apply_barrier(const CellBarrier& barrier);
-    void apply_touch(const Touch& touch);
-    void join_drawing(Touch touch);
+    void apply_event(const AccessEvent& event);
+    void merge_drawing(AccessEvent event);
     void note_pass(PassId pass);
 
-    bool taken_over_ = true;  // not touched yet, and the first touch takes memory over
+    bool taken_over_ = true;  // not touched yet, and the first event takes memory over
     bool entered_ = false;    // an import that nothing has touched yet
     Layout layout_ = Layout::undefined;
     StageMask writer_stages_ = stage::kNone;
@@ -99,7 +99,7 @@ class SubresourceState {
     bool written_ = false;
     bool touched_ = false;
     bool previous_frame_ = false;  // all of the above happened a frame ago
-    QueueIndex queue_ = 0;         // of the last touch
+    QueueIndex queue_ = 0;         // of the last event
     uint32_t position_ = 0;
 };
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "graph/sync/barrier_state.h"
+#include "graph/sync/single_queue_tracker.h"
 
 namespace weft {
 
@@ -18,17 +18,17 @@ struct QueueRules {
     uint32_t epilogue = 0;  // the position that stands for the end of queue 0's frame
 };
 
-class QueueWalk {
+class MultiQueueTracker {
  public:
-    QueueWalk(const QueueRules& rules, SubresourceState::Start start)
-        : rules_(&rules), taken_over_(start == SubresourceState::Start::taken_over) {}
+    MultiQueueTracker(const QueueRules& rules, SingleQueueTracker::Start start)
+        : rules_(&rules), taken_over_(start == SingleQueueTracker::Start::taken_over) {}
     // An import, as queue 0 left it at the end of the frame before; or as it always is, where the frame
     // changes neither its content nor its layout.
-    QueueWalk(const QueueRules& rules, const AccessState& entry, bool changes);
+    MultiQueueTracker(const QueueRules& rules, const AccessState& entry, bool changes);
 
-    // As SubresourceState's.
-    void advance(std::span<const Touch> touches, CellEvents& events);
-    void release(const AccessState& exit, CellEvents& events);
+    // As SingleQueueTracker's.
+    void advance(std::span<const AccessEvent> events, CellSync& sync);
+    void release(const AccessState& exit, CellSync& sync);
     void next_frame();
     void discard();
     void add_last_uses(std::vector<LastUse>& all) const;
@@ -44,23 +44,23 @@ class QueueWalk {
     };
 
     [[nodiscard]] uint32_t family(QueueIndex queue) const { return rules_->queues[queue].family; }
-    [[nodiscard]] bool starts_anew(const Touch& touch) const;
-    [[nodiscard]] bool goes_on_drawing(const Touch& touch) const;
+    [[nodiscard]] bool starts_anew(const AccessEvent& event) const;
+    [[nodiscard]] bool merges_render_pass(const AccessEvent& event) const;
     [[nodiscard]] bool visible(const AccessState& state) const;
     [[nodiscard]] AccessMask unflushed_on(QueueIndex queue) const {
         return source_ && source_->queue == queue ? unflushed_ : access::kNone;
     }
     [[nodiscard]] std::vector<Past> predecessors() const;
-    [[nodiscard]] std::optional<Past> common_past(std::span<const Touch> touches) const;
-    void join_drawing(const Touch& touch);
-    void join(std::span<const Touch> touches, CellEvents& events);
-    void begin(std::span<const Touch> touches, CellEvents& events);
-    void share(const Past& past, std::span<const Touch> touches, CellEvents& events);
-    void transfer(std::span<const Touch> touches, CellEvents& events);
-    void change(std::span<const Touch> touches, CellEvents& events);
-    void wait_for(const Past& past, uint32_t position, CellEvents& events) const;
-    void note_source(const Touch& touch, const AccessState& made_visible);
-    [[nodiscard]] BarrierReason reason(const Touch& touch) const;
+    [[nodiscard]] std::optional<Past> common_past(std::span<const AccessEvent> events) const;
+    void merge_drawing(const AccessEvent& event);
+    void join(std::span<const AccessEvent> events, CellSync& sync);
+    void begin(std::span<const AccessEvent> events, CellSync& sync);
+    void share(const Past& past, std::span<const AccessEvent> events, CellSync& sync);
+    void transfer(std::span<const AccessEvent> events, CellSync& sync);
+    void change(std::span<const AccessEvent> events, CellSync& sync);
+    void wait_for(const Past& past, uint32_t position, CellSync& sync) const;
+    void note_source(const AccessEvent& event, const AccessState& made_visible);
+    [[nodiscard]] BarrierReason reason(const AccessEvent& event) const;
 
     const QueueRules* rules_;
     bool taken_over_ = false;
