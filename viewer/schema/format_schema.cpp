@@ -3,7 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "graph/parse/format_words.h"
+#include "graph/parse/grammar_tables.h"
 #include "weft/registry.h"
 #include "weft/render/import_catalog.h"
 
@@ -20,7 +20,7 @@ Json reference(const std::string& definition) {
 }
 
 // Restricts the keys that exist for all kinds of passes or resources to those that this kind allows.
-void complete_kind(const FormatWords& kind, Json& definitions) {
+void complete_kind(const GrammarTable& kind, Json& definitions) {
     const Json& all = definitions.at(kind.kind_of).at("properties");
     Json& definition = definitions[kind.place];
     Json properties = Json::object();
@@ -56,7 +56,7 @@ void add_pass_types(const std::vector<std::string>& builtin, Json& definitions) 
 }
 
 void add_words(Json& definitions) {
-    for (const FormatWords& words : format_words()) {
+    for (const GrammarTable& words : grammar_tables()) {
         if (!words.kind_of.empty()) {
             complete_kind(words, definitions);
         } else if (words.place == "builtinType") {
@@ -142,7 +142,7 @@ void add_patches(Json& schema) {
     Json& definitions = schema["definitions"];
     PatchForms forms(definitions);
     Json strict = Json::object(), over = Json::object();
-    for (const FormatWords& words : format_words()) {
+    for (const GrammarTable& words : grammar_tables()) {
         if (words.place != "patch") continue;
         for (const std::string& key : words.words) {
             strict[key] = schema["properties"][key];

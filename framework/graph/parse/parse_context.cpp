@@ -153,13 +153,6 @@ bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int6
     return true;
 }
 
-bool read_byte(ParseContext& context, const JsonNode& node, uint8_t& out) {
-    int64_t value = 0;
-    if (!read_integer(context, node, 0, 255, value)) return false;
-    out = static_cast<uint8_t>(value);
-    return true;
-}
-
 bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out) {
     if (!expect(context, node, JsonKind::array)) return false;
     if (node.items.size() != out.size()) {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "graph/diagnostics/quoted_list.h"
-#include "graph/parse/format_words.h"
+#include "graph/parse/grammar_tables.h"
 #include "weft/graph_desc.h"
 #include "weft/result.h"
 #include "weft/syntax/json_doc.h"
@@ -94,7 +94,6 @@ bool read_bool(ParseContext& context, const JsonNode& node, bool& out);
 bool read_number(ParseContext& context, const JsonNode& node, double& out);
 bool read_float(ParseContext& context, const JsonNode& node, float& out);
 bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int64_t max, int64_t& out);
-bool read_byte(ParseContext& context, const JsonNode& node, uint8_t& out);
 // An array of `count` numbers.
 bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out);
 // A number or an expression in a string.
@@ -171,15 +170,15 @@ bool read_object(ParseContext& context, const JsonNode& node, std::string_view w
     return true;
 }
 
-// The keys of a table, for format_words().
+// The keys of a table, for grammar_tables().
 template <class T, size_t N>
-void list_keys(std::vector<FormatWords>& lists, std::string place, const std::array<KeyRule<T>, N>& rules) {
-    FormatWords& list = lists.emplace_back(FormatWords{std::move(place), true, {}});
+void list_keys(std::vector<GrammarTable>& lists, std::string place, const std::array<KeyRule<T>, N>& rules) {
+    GrammarTable& list = lists.emplace_back(GrammarTable{std::move(place), true, {}});
     for (const KeyRule<T>& rule : rules) list.words.emplace_back(rule.key);
 }
 
 template <class E, size_t N>
-void list_choices(std::vector<FormatWords>& lists, std::string place,
+void list_choices(std::vector<GrammarTable>& lists, std::string place,
                   const std::array<Choice<E>, N>& choices) {
     lists.push_back({std::move(place), false, choice_names(std::span<const Choice<E>>(choices))});
 }
@@ -223,14 +222,14 @@ void parse_blend(ParseContext& context, const JsonNode* blend, const JsonNode* w
 
 // --- the words of each part
 // -------------------------------------------------------------------------------------
-void list_graph_words(std::vector<FormatWords>& lists);
-void list_param_words(std::vector<FormatWords>& lists);
-void list_resource_words(std::vector<FormatWords>& lists);
-void list_pass_words(std::vector<FormatWords>& lists);
-void list_port_words(std::vector<FormatWords>& lists);
-void list_state_words(std::vector<FormatWords>& lists);
-void list_blend_words(std::vector<FormatWords>& lists);
-void list_debug_words(std::vector<FormatWords>& lists);
-void list_test_words(std::vector<FormatWords>& lists);
+void list_graph_words(std::vector<GrammarTable>& lists);
+void list_param_words(std::vector<GrammarTable>& lists);
+void list_resource_words(std::vector<GrammarTable>& lists);
+void list_pass_words(std::vector<GrammarTable>& lists);
+void list_port_words(std::vector<GrammarTable>& lists);
+void list_state_words(std::vector<GrammarTable>& lists);
+void list_blend_words(std::vector<GrammarTable>& lists);
+void list_debug_words(std::vector<GrammarTable>& lists);
+void list_test_words(std::vector<GrammarTable>& lists);
 
 }  // namespace weft

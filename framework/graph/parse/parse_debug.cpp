@@ -45,7 +45,7 @@ constexpr std::array kViewKeys{
 
 }  // namespace
 
-void list_debug_words(std::vector<FormatWords>& lists) {
+void list_debug_words(std::vector<GrammarTable>& lists) {
     list_keys(lists, "debugView", kViewKeys);
 }
 

@@ -330,12 +330,12 @@ void read_pass(ParseContext& context, const JsonMember& member, const JsonNode& 
 
 }  // namespace
 
-void list_pass_words(std::vector<FormatWords>& lists) {
+void list_pass_words(std::vector<GrammarTable>& lists) {
     lists.push_back({"anyPass", true, keys_of(kAll)});
     lists.push_back({"customPass", true, keys_of(kCustom), {"type"}, "anyPass"});
     for (const Choice<TypeMask>& type : kBuiltinTypes) {
-        FormatWords& list = lists.emplace_back(
-            FormatWords{std::string(type.name) + "Pass", true, keys_of(type.value), {"type"}, "anyPass"});
+        GrammarTable& list = lists.emplace_back(
+            GrammarTable{std::string(type.name) + "Pass", true, keys_of(type.value), {"type"}, "anyPass"});
         for (const RequiredKey& key : kRequiredKeys)
             if ((key.types & type.value) != 0) list.required.emplace_back(key.key);
     }

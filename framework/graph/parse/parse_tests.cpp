@@ -201,7 +201,7 @@ constexpr std::array kTestKeys{
 
 }  // namespace
 
-void list_test_words(std::vector<FormatWords>& lists) {
+void list_test_words(std::vector<GrammarTable>& lists) {
     list_keys(lists, "test", kTestKeys);
     list_keys(lists, "expectation", kExpectKeys);
 }

@@ -97,7 +97,7 @@ struct FreeHashState {
 };
 
 template <class Visit>
-std::string hashed(Visit visit) {
+std::string hash_fields(Visit visit) {
     const std::unique_ptr<XXH3_state_t, FreeHashState> state(XXH3_createState());
     XXH3_128bits_reset(state.get());
     HashVisitor visitor(state.get());

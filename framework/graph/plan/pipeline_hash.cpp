@@ -32,7 +32,7 @@ void add_state(HashVisitor& v, RasterState state) {
 }  // namespace
 
 std::string pipeline_hash(const PipelineParts& parts) {
-    return hashed([&](HashVisitor& v) {
+    return hash_fields([&](HashVisitor& v) {
         v("kind", parts.pass.kind);
         add_program(v, parts.program);
         v("specValues", parts.pass.spec_values);

@@ -7,7 +7,7 @@
 namespace weft {
 
 std::string plan_hash(const FramePlan& plan) {
-    return hashed([&](HashVisitor& visitor) { visit_fields(visitor, plan); });
+    return hash_fields([&](HashVisitor& visitor) { visit_fields(visitor, plan); });
 }
 
 std::string structure_hash(FramePlan plan) {

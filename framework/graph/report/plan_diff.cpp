@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "graph/diagnostics/quantity_text.h"
-#include "graph/report/plan_facts.h"
+#include "graph/report/plan_summary.h"
 #include "weft/declaration.h"
 
 namespace weft {
@@ -134,8 +134,8 @@ PlanDiff diff_plans(const FramePlan& from, const FramePlan& to) {
     PlanDiff diff;
     diff.same = from.hash == to.hash;
     diff.counts = count_changes(from, to);
-    diff.passes = diff_names(from, from.graph.passes, to, to.graph.passes, pass_facts);
-    diff.resources = diff_names(from, from.graph.resources, to, to.graph.resources, resource_facts);
+    diff.passes = diff_names(from, from.graph.passes, to, to.graph.passes, summarize_pass);
+    diff.resources = diff_names(from, from.graph.resources, to, to.graph.resources, summarize_resource);
     diff.moved = moved_passes(from, to);
     return diff;
 }

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <vector>
 
-#include "graph/report/plan_explain_parts.h"
-#include "graph/report/plan_words.h"
+#include "graph/report/explain_phrases.h"
+#include "graph/report/plan_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/report/plan_explain.h"
 
 namespace weft {
 
-const char* reason_words(BarrierReason reason) {
+const char* describe_reason(BarrierReason reason) {
     switch (reason) {
         case BarrierReason::raw:
             return "a read after a write";
@@ -70,8 +70,8 @@ class BarrierAnswer {
             for (const BarrierDecl& b : plan_.barriers.steps[from_].after)
                 if (used_by_second(b)) add(b, kNoId);
         if (!text_.empty()) return text_;
-        return "There is no barrier between " + pass_words(plan_, first_) + " and " +
-               pass_words(plan_, second_) + ".\n" + why_none();
+        return "There is no barrier between " + describe_pass(plan_, first_) + " and " +
+               describe_pass(plan_, second_) + ".\n" + why_none();
     }
 
  private:
@@ -85,18 +85,19 @@ class BarrierAnswer {
     // `before` is kNoId for what is recorded right after the first pass.
     void add(const BarrierDecl& b, PassId before) {
         const bool image = plan_.graph.resources[b.resource].kind == ResourceKind::image;
-        text_ += part_words(plan_, b.resource, b.range) + ": a barrier " +
-                 (before == kNoId
-                      ? "right after " + pass_words(plan_, first_)
-                      : "before " + pass_words(plan_, before) + " waits for " + pass_words(plan_, first_)) +
+        text_ += describe_part(plan_, b.resource, b.range) + ": a barrier " +
+                 (before == kNoId ? "right after " + describe_pass(plan_, first_)
+                                  : "before " + describe_pass(plan_, before) + " waits for " +
+                                        describe_pass(plan_, first_)) +
                  (b.from_previous_frame || from_ >= to_ ? " of the frame before" : "") +
-                 ".\n  Reason: " + reason_words(b.reason) + ".\n";
+                 ".\n  Reason: " + describe_reason(b.reason) + ".\n";
         for (const UseDecl* use : uses_waited_for(plan_, b, first_))
-            text_ += "  first   " + use_words(plan_, *use) + ".\n";
+            text_ += "  first   " + describe_use(plan_, *use) + ".\n";
         for (const UseDecl& use : plan_.graph.passes[second_].uses)
             if (use.resource == b.resource && overlaps(use.range, b.range))
-                text_ += "  second  " + use_words(plan_, use) + ".\n";
-        text_ += "  from    " + state_words(b.src, image) + "\n  to      " + state_words(b.dst, image) + "\n";
+                text_ += "  second  " + describe_use(plan_, use) + ".\n";
+        text_ += "  from    " + describe_state(b.src, image) + "\n  to      " + describe_state(b.dst, image) +
+                 "\n";
         if (b.src_family != b.dst_family)
             text_ += "  from queue family " + std::to_string(b.src_family) + " to " +
                      std::to_string(b.dst_family) + "\n";
@@ -113,8 +114,8 @@ class BarrierAnswer {
             }
         if (!shared) text = "  They use nothing in common, and neither takes over the other's memory.\n";
         if (from_ > to_)
-            text += "  The second runs first: " + position_words(plan_, to_) + " comes before " +
-                    position_words(plan_, from_) + ".\n";
+            text += "  The second runs first: " + describe_position(plan_, to_) + " comes before " +
+                    describe_position(plan_, from_) + ".\n";
         return text;
     }
 
@@ -126,7 +127,7 @@ class BarrierAnswer {
     }
 
     std::string why_none_on(const UseDecl& a, const UseDecl& b) const {
-        const std::string part = part_words(plan_, a.resource, a.range);
+        const std::string part = describe_part(plan_, a.resource, a.range);
         if (first_ != second_ && in_one_scope() && writes(a.access) && writes(b.access))
             return "  " + part +
                    ": both draw to it in one rendering scope, in which the rasteriser keeps their order.\n";
@@ -142,8 +143,8 @@ class BarrierAnswer {
                 if (between.resource == a.resource && overlaps(between.range, a.range) &&
                     overlaps(between.range, b.range) && waits_for(plan_, between, first_))
                     return "  " + part + ": " + through_words(p, between, b);
-        return "  " + part + ": the first " + does_words(a.access) + " it, the second " +
-               does_words(b.access) +
+        return "  " + part + ": the first " + access_verb(a.access) + " it, the second " +
+               access_verb(b.access) +
                " it; what the first left is waited for in the next frame, or by an order that other passes "
                "give.\n";
     }
@@ -152,7 +153,7 @@ class BarrierAnswer {
     std::string through_words(uint32_t position, const BarrierDecl& barrier, const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];
         const std::string waited =
-            "the barrier before " + pass_words(plan_, through) + " has waited for it already";
+            "the barrier before " + describe_pass(plan_, through) + " has waited for it already";
         for (const UseDecl& use : plan_.graph.passes[through].uses)
             if (use.resource == barrier.resource && overlaps(use.range, b.range) && writes(use.access))
                 return waited + "; that pass writes it too, so that the second waits for that one.\n";
@@ -180,7 +181,7 @@ Result<std::string> explain_barrier(const FramePlan& plan, const std::string& fi
     if (!errors.empty()) return errors;
     for (const PassId pass : {*a, *b})
         if (!plan.live.live_passes[pass])
-            return "There is no barrier: " + pass_words(plan, pass) +
+            return "There is no barrier: " + describe_pass(plan, pass) +
                    " is culled: " + plan.live.details[pass] + ".\n";
     return BarrierAnswer(plan, *a, *b).text();
 }

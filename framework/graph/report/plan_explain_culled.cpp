@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "graph/report/plan_words.h"
+#include "graph/report/plan_phrases.h"
 #include "weft/report/plan_explain.h"
 
 namespace weft {
@@ -45,7 +45,7 @@ const UseDecl* output_write(const FramePlan& plan, PassId pass) {
 }
 
 std::string root_words(const FramePlan& plan, PassId pass) {
-    if (const UseDecl* use = output_write(plan, pass)) return use_words(plan, *use) + ", the output";
+    if (const UseDecl* use = output_write(plan, pass)) return describe_use(plan, *use) + ", the output";
     return plan.graph.passes[pass].side_effect ? "it has a side effect, so that it always runs" : "";
 }
 
@@ -67,25 +67,26 @@ std::vector<Need> way_to_root(const FramePlan& plan, PassId pass) {
 }
 
 std::string live_words(const FramePlan& plan, PassId pass) {
-    std::string text = pass_words(plan, pass) + " is not culled: it runs at position " +
+    std::string text = describe_pass(plan, pass) + " is not culled: it runs at position " +
                        std::to_string(plan.schedule.position[pass]) + ".\n";
     if (const std::string root = root_words(plan, pass); !root.empty()) text += "  " + root + ".\n";
     for (const Need& need : needs_of(plan, pass))
         if (plan.live.live_passes[need.reader])
-            text += "  " + pass_words(plan, need.reader) + " needs it: " + use_words(plan, *need.use) + ".\n";
+            text += "  " + describe_pass(plan, need.reader) + " needs it: " + describe_use(plan, *need.use) +
+                    ".\n";
     const std::vector<Need> way = way_to_root(plan, pass);
     if (way.empty()) return text;
     const PassId end = way.back().reader;
-    text += "  In the end it is there for " + pass_words(plan, end) + ": " + root_words(plan, end) + ".\n";
+    text += "  In the end it is there for " + describe_pass(plan, end) + ": " + root_words(plan, end) + ".\n";
     return text;
 }
 
 std::string culled_words(const FramePlan& plan, PassId pass) {
-    std::string text = pass_words(plan, pass) + " is culled: " + plan.live.details[pass] + ".\n";
+    std::string text = describe_pass(plan, pass) + " is culled: " + plan.live.details[pass] + ".\n";
     for (const UseDecl& use : plan.graph.passes[pass].uses)
-        if (writes(use.access)) text += "  " + use_words(plan, use) + ".\n";
+        if (writes(use.access)) text += "  " + describe_use(plan, use) + ".\n";
     for (const Need& need : needs_of(plan, pass))
-        text += "  " + pass_words(plan, need.reader) +
+        text += "  " + describe_pass(plan, need.reader) +
                 " would read it, but is culled as well: " + plan.live.details[need.reader] + ".\n";
     return text;
 }

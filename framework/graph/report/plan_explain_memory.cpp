@@ -3,8 +3,8 @@
 
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
-#include "graph/report/plan_explain_parts.h"
-#include "graph/report/plan_words.h"
+#include "graph/report/explain_phrases.h"
+#include "graph/report/plan_phrases.h"
 #include "weft/report/plan_explain.h"
 
 namespace weft {
@@ -18,7 +18,7 @@ const Placement* placement_of(const FramePlan& plan, ResourceId resource) {
 
 std::string lifetime_words(const FramePlan& plan, ResourceId resource) {
     const LifetimeSpan& span = plan.lifetimes.spans[resource];
-    return "from " + position_words(plan, span.first) + " to " + position_words(plan, span.last);
+    return "from " + describe_position(plan, span.first) + " to " + describe_position(plan, span.last);
 }
 
 std::string bytes_words(const Placement& p) {
@@ -33,7 +33,7 @@ bool overlap_in_memory(const Placement& a, const Placement& b) {
 
 // Why a resource shares memory with nobody at all; empty when it might.
 std::string alone_words(const FramePlan& plan, ResourceId resource) {
-    const std::string name = resource_words(plan, resource);
+    const std::string name = describe_resource(plan, resource);
     if (!plan.live.live_resources[resource]) return name + " takes no memory: no pass that runs uses it.\n";
     if (plan.graph.resources[resource].lifetime == ResourceLifetime::imported)
         return name + " is an import: its memory belongs to somebody else.\n";
@@ -44,13 +44,13 @@ std::string alone_words(const FramePlan& plan, ResourceId resource) {
 
 }  // namespace
 
-std::string hand_over_words(const FramePlan& plan, ResourceId a, ResourceId b) {
+std::string describe_alias_transitions(const FramePlan& plan, ResourceId a, ResourceId b) {
     std::string text;
     for (const HandOver& h : plan.memory.hand_overs)
         if ((h.from == a && h.to == b) || (h.from == b && h.to == a))
-            text += "  " + resource_words(plan, h.to) + " takes it over from " +
-                    resource_words(plan, h.from) + (h.wrap ? " of the frame before" : "") + ", at " +
-                    position_words(plan, plan.lifetimes.spans[h.to].first) + ".\n";
+            text += "  " + describe_resource(plan, h.to) + " takes it over from " +
+                    describe_resource(plan, h.from) + (h.wrap ? " of the frame before" : "") + ", at " +
+                    describe_position(plan, plan.lifetimes.spans[h.to].first) + ".\n";
     return text.empty() ? "  A third resource holds the memory in between.\n" : text;
 }
 
@@ -60,8 +60,8 @@ std::string overlap_words(const FramePlan& plan, ResourceId a, ResourceId b) {
     const LifetimeSpan &s = plan.lifetimes.spans[a], &t = plan.lifetimes.spans[b];
     const uint32_t first = std::max(s.first, t.first), last = std::min(s.last, t.last);
     if (first <= last)
-        return "  Both are alive from " + position_words(plan, first) + " to " + position_words(plan, last) +
-               ".\n";
+        return "  Both are alive from " + describe_position(plan, first) + " to " +
+               describe_position(plan, last) + ".\n";
     if (plan.schedule.queues.size() > 1 &&
         (s.queues.size() > 1 || t.queues.size() > 1 || s.queues.front().queue != t.queues.front().queue))
         return "  They are used on several queues: memory is shared there only where one is proved to be "
@@ -97,7 +97,7 @@ std::string shape_words(const ResourceDecl& r) {
 std::string ring_words(const FramePlan& plan, const ResourceDecl& r) {
     if (r.lifetime != ResourceLifetime::persistent) return "";
     if (r.age > 0)
-        return "  It is what " + resource_words(plan, r.ring) + " held " + count_text(r.age, "frame") +
+        return "  It is what " + describe_resource(plan, r.ring) + " held " + count_text(r.age, "frame") +
                " ago.\n";
     return r.history > 0
                ? "  It keeps " + count_text(r.history, "earlier frame") + " in memory of their own.\n"
@@ -113,7 +113,7 @@ std::string memory_words(const FramePlan& plan, ResourceId id) {
     std::string others;
     for (const Placement& p : plan.memory.placements)
         if (p.resource != id && overlap_in_memory(p, *own))
-            others += (others.empty() ? "" : ", ") + resource_words(plan, p.resource);
+            others += (others.empty() ? "" : ", ") + describe_resource(plan, p.resource);
     return text +
            (others.empty() ? "  Nobody shares that memory.\n" : "  It shares memory with " + others + ".\n");
 }
@@ -127,9 +127,9 @@ std::string users_words(const FramePlan& plan, ResourceId id) {
             for (const UseDecl& use : plan.graph.passes[pass].uses)
                 if (use.resource == id)
                     text += "  " +
-                            (live ? position_words(plan, i)
+                            (live ? describe_position(plan, i)
                                   : "culled, \"" + plan.graph.passes[pass].name + "\"") +
-                            ": " + use_words(plan, use) + " (" + access_name(use.access) + ").\n";
+                            ": " + describe_use(plan, use) + " (" + access_name(use.access) + ").\n";
         }
     return text.empty() ? "  No pass uses it.\n" : text;
 }
@@ -147,11 +147,12 @@ Result<std::string> explain_alias(const FramePlan& plan, const std::string& firs
         !alone.empty())
         return "They share no memory.\n  " + alone;
     const Placement &p = *placement_of(plan, *a), &q = *placement_of(plan, *b);
-    const std::string where = "  " + resource_words(plan, *a) + " has " + bytes_words(p) + " and lives " +
-                              lifetime_words(plan, *a) + ".\n  " + resource_words(plan, *b) + " has " +
+    const std::string where = "  " + describe_resource(plan, *a) + " has " + bytes_words(p) + " and lives " +
+                              lifetime_words(plan, *a) + ".\n  " + describe_resource(plan, *b) + " has " +
                               bytes_words(q) + " and lives " + lifetime_words(plan, *b) + ".\n";
     if (*a == *b) return "They are one and the same.\n" + where;
-    if (overlap_in_memory(p, q)) return "They share memory.\n" + where + hand_over_words(plan, *a, *b);
+    if (overlap_in_memory(p, q))
+        return "They share memory.\n" + where + describe_alias_transitions(plan, *a, *b);
     return "They share no memory.\n" + where +
            (p.heap != q.heap ? heap_words(plan, p, q) : overlap_words(plan, *a, *b));
 }
@@ -162,7 +163,7 @@ Result<std::string> explain_resource(const FramePlan& plan, const std::string& n
     std::string text;
     for (const ResourceId id : *resources) {
         const ResourceDecl& r = plan.graph.resources[id];
-        text += resource_words(plan, id) + " is " + shape_words(r) + ", " + enum_name(r.lifetime) + ".\n" +
+        text += describe_resource(plan, id) + " is " + shape_words(r) + ", " + enum_name(r.lifetime) + ".\n" +
                 ring_words(plan, r) + memory_words(plan, id) + users_words(plan, id);
     }
     return text;

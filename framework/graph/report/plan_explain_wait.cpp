@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"
-#include "graph/report/plan_explain_parts.h"
-#include "graph/report/plan_words.h"
+#include "graph/report/explain_phrases.h"
+#include "graph/report/plan_phrases.h"
 #include "weft/report/plan_explain.h"
 
 namespace weft {
@@ -22,28 +22,28 @@ std::string uses_at(const FramePlan& plan, uint32_t position, ResourceId resourc
     std::string text;
     for (const UseDecl& use : plan.graph.passes[plan.schedule.order[position]].uses)
         if (use.resource == resource)
-            text += "    " + pass_words(plan, plan.schedule.order[position]) + ": " + use_words(plan, use) +
-                    ".\n";
+            text += "    " + describe_pass(plan, plan.schedule.order[position]) + ": " +
+                    describe_use(plan, use) + ".\n";
     return text;
 }
 
 }  // namespace
 
-std::string batch_words(const FramePlan& plan, const Batch& batch) {
+std::string describe_batch(const FramePlan& plan, const Batch& batch) {
     std::string text = "queue " + std::to_string(batch.queue);
     if (!batch.positions.empty())
-        text += ", " + position_words(plan, batch.positions.front()) +
-                (batch.positions.size() > 1 ? " to " + position_words(plan, batch.positions.back()) : "");
+        text += ", " + describe_position(plan, batch.positions.front()) +
+                (batch.positions.size() > 1 ? " to " + describe_position(plan, batch.positions.back()) : "");
     return text;
 }
 
-std::string cause_words(const FramePlan& plan, uint32_t dependency) {
+std::string describe_cause(const FramePlan& plan, uint32_t dependency) {
     if (dependency == kNoId) return "";
     const QueueDependency& d = plan.submissions.dependencies[dependency];
-    std::string text = "    " + position_words(plan, d.to) + " must not start before " +
-                       position_words(plan, d.from) + (d.previous_frame ? " of the frame before" : "") +
+    std::string text = "    " + describe_position(plan, d.to) + " must not start before " +
+                       describe_position(plan, d.from) + (d.previous_frame ? " of the frame before" : "") +
                        " is over, because of ";
-    text += d.resource == kNoId ? "an \"after\"" : resource_words(plan, d.resource);
+    text += d.resource == kNoId ? "an \"after\"" : describe_resource(plan, d.resource);
     text += ".\n";
     if (d.resource == kNoId) return text;
     return text + uses_at(plan, d.from, d.resource) + uses_at(plan, d.to, d.resource);
@@ -52,7 +52,7 @@ std::string cause_words(const FramePlan& plan, uint32_t dependency) {
 namespace {
 
 std::string wait_words(const FramePlan& plan, PassId pass) {
-    const std::string words = pass_words(plan, pass);
+    const std::string words = describe_pass(plan, pass);
     if (!plan.live.live_passes[pass])
         return words + " waits for nothing: it is culled: " + plan.live.details[pass] + ".\n";
     const uint32_t position = plan.schedule.position[pass], own = batch_of(plan, position);
@@ -61,18 +61,19 @@ std::string wait_words(const FramePlan& plan, PassId pass) {
                " waits for no other queue: the plan has one. Barriers order what runs on it; plan for more "
                "with --queues.\n";
     const Batch& batch = plan.submissions.batches[own];
-    std::string text = words + " runs in a submission of its queue: " + batch_words(plan, batch) + ".\n";
+    std::string text = words + " runs in a submission of its queue: " + describe_batch(plan, batch) + ".\n";
     if (batch.waits.empty()) text += "  It waits for no other queue.\n";
     for (const QueueWait& wait : batch.waits)
-        text += "  Before it begins it waits for " + batch_words(plan, plan.submissions.batches[wait.batch]) +
+        text += "  Before it begins it waits for " +
+                describe_batch(plan, plan.submissions.batches[wait.batch]) +
                 (wait.previous_frame ? ", of the frame before (ignored in the first)" : "") + ".\n" +
-                cause_words(plan, wait.dependency);
+                describe_cause(plan, wait.dependency);
     for (const Batch& other : plan.submissions.batches)
         for (const QueueWait& wait : other.waits)
             if (wait.batch == own)
-                text += "  It is waited for by " + batch_words(plan, other) +
+                text += "  It is waited for by " + describe_batch(plan, other) +
                         (wait.previous_frame ? ", of the next frame" : "") + ".\n" +
-                        cause_words(plan, wait.dependency);
+                        describe_cause(plan, wait.dependency);
     return text;
 }
 

@@ -21,7 +21,7 @@ IndexRows make_rows(size_t row_count, const IndexPairs& pairs) {
     return rows;
 }
 
-IndexPairs swapped(IndexPairs pairs) {
+IndexPairs swap_pairs(IndexPairs pairs) {
     for (auto& [a, b] : pairs) std::swap(a, b);
     return pairs;
 }
@@ -62,10 +62,10 @@ ScheduleProblem schedule_problem(const ResolvedGraph& graph, const LiveGraph& li
     IndexPairs edges;
     for (const EdgeDecl& edge : graph.edges) edges.emplace_back(edge.from, edge.to);
     problem.successors = make_rows(graph.passes.size(), edges);
-    problem.predecessors = make_rows(graph.passes.size(), swapped(std::move(edges)));
+    problem.predecessors = make_rows(graph.passes.size(), swap_pairs(std::move(edges)));
     IndexPairs touched = touched_transients(graph, live);
     problem.resources = make_rows(graph.passes.size(), touched);
-    problem.users = make_rows(graph.resources.size(), swapped(std::move(touched)));
+    problem.users = make_rows(graph.resources.size(), swap_pairs(std::move(touched)));
     for (const MemoryNeed& need : needs) problem.size_bytes.push_back(need.size_bytes);
     problem.size_bytes.resize(graph.resources.size(), 0);
     return problem;

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "graph/schedule/written_whole.h"
+#include "graph/schedule/fully_written.h"
 #include "graph/sync/barriers.h"
 
 namespace weft {
@@ -45,7 +45,7 @@ struct HandOverRows {
 class EarlierOwners {
  public:
     EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const HandOverRows& rows)
-        : graph_(graph), rows_(rows), whole_(written_whole(graph, order)) {}
+        : graph_(graph), rows_(rows), whole_(fully_written(graph, order)) {}
 
     [[nodiscard]] std::vector<ResourceId> of(ResourceId to, const std::vector<HandOver>& owners) const {
         std::vector<ResourceId> found, left;

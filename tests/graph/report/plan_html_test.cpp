@@ -207,7 +207,7 @@ TEST(PlanHtml, ManyPassesStayLegible) {
         const std::string text = plan_to_html(plan, {});
         EXPECT_LT(text.size(), 8u << 20);
         const PlanPage page = make_page(plan, {});
-        EXPECT_TRUE(page.columns.slanted);
+        EXPECT_TRUE(page.columns.rotated_labels);
         for (size_t p = 1; p < page.columns.passes.size(); ++p) {
             const PageColumn &before = page.columns.passes[p - 1], &column = page.columns.passes[p];
             EXPECT_GE(column.left_px, before.left_px + before.width_px);

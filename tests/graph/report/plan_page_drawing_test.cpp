@@ -167,7 +167,7 @@ TEST(PlanPageDrawing, NamesOnEdgesTouchNoBoxAndNoOtherName) {
 }
 
 TEST(PlanPageDrawing, ANameLiesOnItsWayAndOnNoOther) {
-    EdgeWay way, near, across, shared;
+    EdgePath way, near, across, shared;
     way.move({50, 50});
     way.line({250, 50});
     const std::vector<EdgeName> free = place_edge_names({way}, {{"hdr"}}, {}, {300, 100});

@@ -1,7 +1,7 @@
 // Draws without a list: the numbers of vertices and instances, and inputs that their shaders cannot use.
 #include <algorithm>
 
-#include "graph/report/plan_facts.h"
+#include "graph/report/plan_summary.h"
 #include "tests/graph/resolve/resolve_fixture.h"
 #include "weft/compile.h"
 
@@ -41,7 +41,7 @@ TEST_F(ResolveProcedural, ThePlanSaysHowMany) {
     CompileOptions options;
     options.keep_all_passes = true;
     const FramePlan plan = compile(g, content_needs(g), options);
-    const std::vector<std::string> facts = pass_facts(plan, 0);
+    const std::vector<std::string> facts = summarize_pass(plan, 0);
     EXPECT_NE(std::ranges::find(facts, "draws 3 vertices x 5 as seen by camera"), facts.end());
 }
 

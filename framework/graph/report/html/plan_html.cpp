@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"
-#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_page_sizes.h"
-#include "graph/report/plan_words.h"
+#include "graph/report/plan_phrases.h"
 
 namespace weft {
 namespace {
@@ -98,7 +98,7 @@ void write_legend(Markup& out, const std::vector<std::pair<const char*, const ch
 
 std::string barrier_label(const PlanPage& page, size_t barrier) {
     const BarrierItem& item = page.barriers[barrier];
-    std::string part = part_words(*page.plan, item.barrier->resource, item.barrier->range);
+    std::string part = describe_part(*page.plan, item.barrier->resource, item.barrier->range);
     part.erase(std::remove(part.begin(), part.end(), '"'), part.end());
     std::string reason = enum_name(item.barrier->reason);
     std::replace(reason.begin(), reason.end(), '_', ' ');

@@ -2,10 +2,10 @@
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"
+#include "graph/report/explain_phrases.h"
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_html_articles.h"
-#include "graph/report/html/plan_html_parts.h"
-#include "graph/report/plan_explain_parts.h"
-#include "graph/report/plan_words.h"
+#include "graph/report/plan_phrases.h"
 #include "weft/report/plan_explain.h"
 
 namespace weft {
@@ -55,7 +55,7 @@ void write_pass_barriers(const PlanPage& page, PassId pass, Markup& out) {
         for (const size_t b : barriers_at(page, place, position)) {
             const BarrierDecl& barrier = *page.barriers[b].barrier;
             links.push_back({barrier_key(b), page.plan->graph.resources[barrier.resource].name,
-                             reason_words(barrier.reason)});
+                             describe_reason(barrier.reason)});
         }
         write_links(out, place == BarrierPlace::before_pass ? "Barriers in front" : "Barriers afterwards",
                     links);
@@ -81,7 +81,7 @@ void write_hand_overs(const FramePlan& plan, ResourceId id, Markup& out) {
         const ResourceId other = h.from == id ? h.to : h.from;
         if (std::find(others.begin(), others.end(), other) == others.end()) others.push_back(other);
     }
-    for (const ResourceId other : others) write_sentences(out, hand_over_words(plan, id, other));
+    for (const ResourceId other : others) write_sentences(out, describe_alias_transitions(plan, id, other));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // What the panels that share their columns have in common: the names above, the lines between.
 #include <algorithm>
 
-#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_page_sizes.h"
 
 namespace weft {
@@ -26,10 +26,10 @@ bool open_column_panel(const PlanPage& page, Markup& out, const char* id, const 
 }
 
 int32_t heading_height_px(const PlanPage& page) {
-    if (!page.columns.slanted) return kFlatHeading_px;
+    if (!page.columns.rotated_labels) return kFlatHeading_px;
     int32_t longest_px = 0;
     for (uint32_t p = 0; p < page.plan->schedule.order.size(); ++p)
-        longest_px = std::max(longest_px, slanted_px(pass_at(*page.plan, p)));
+        longest_px = std::max(longest_px, rotated_label_px(pass_at(*page.plan, p)));
     return kFlatHeading_px + longest_px;
 }
 
@@ -41,7 +41,7 @@ void write_heading(const PlanPage& page, Markup& out) {
         const std::string& name = page.plan->graph.passes[pass].name;
         const int32_t x_px = column.box_left_px + column.box_width_px / 2;
         open_item(out, "title", pass_keys(page, pass), std::to_string(p) + " " + name);
-        if (page.columns.slanted) {
+        if (page.columns.rotated_labels) {
             std::string turn = "translate(";
             turn += std::to_string(x_px) + " " + std::to_string(bottom_px) + ") rotate(-45)";
             out.leaf("text", {{"class", "name"}, {"transform", turn}}, short_name(name));

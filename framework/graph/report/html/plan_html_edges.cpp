@@ -25,22 +25,22 @@ class Occupied {
           rows_(drawing.y / kSquare_px + 1),
           owners_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), kFree) {}
 
-    // `way`: stands for all ways of one name; kNoId for what nothing may cover. A square of two names belongs
-    // to neither.
-    void take(const AreaPx& area, uint32_t way) {
+    // `path`: stands for all paths of one name; kNoId for what nothing may cover. A square of two names
+    // belongs to neither.
+    void take(const AreaPx& area, uint32_t path) {
         for_squares(area, [&](size_t square) {
             const uint32_t owner = owners_[square];
-            owners_[square] = owner == kFree || owner == way ? way : kNoId;
+            owners_[square] = owner == kFree || owner == path ? path : kNoId;
             return true;
         });
     }
-    // Whether no way of another name runs through it.
-    [[nodiscard]] bool is_free(const AreaPx& area, uint32_t way) const {
+    // Whether no path of another name runs through it.
+    [[nodiscard]] bool is_free(const AreaPx& area, uint32_t path) const {
         if (area.x < 0 || area.y < 0 || area.x + area.width > columns_ * kSquare_px ||
             area.y + area.height > rows_ * kSquare_px)
             return false;
-        return for_squares(area,
-                           [&](size_t square) { return owners_[square] == kFree || owners_[square] == way; });
+        return for_squares(
+            area, [&](size_t square) { return owners_[square] == kFree || owners_[square] == path; });
     }
 
  private:
@@ -70,23 +70,23 @@ AreaPx area_of(const std::string& text, PointPx at) {
     return {at.x - width_px / 2, at.y - kAscent_px, width_px, kAscent_px + kDescent_px};
 }
 
-// On the way itself, which ends at one side of the name and goes on at the other: as near as can be to the
+// On the path itself, which ends at one side of the name and goes on at the other: as near as can be to the
 // middle.
-EdgeName place(const std::string& text, const EdgeWay& way, uint32_t owner, const Occupied& occupied) {
-    const auto count = static_cast<int32_t>(way.points().size()), middle = count / 2;
+EdgeName place(const std::string& text, const EdgePath& path, uint32_t owner, const Occupied& occupied) {
+    const auto count = static_cast<int32_t>(path.points().size()), middle = count / 2;
     for (int32_t away = 0; away <= middle; away += kTryEvery_px / kWayStep_px)
         for (const int32_t step : {middle - away, middle + away}) {
             if (step < 0 || step >= count) continue;
-            const PointPx on = way.points()[static_cast<size_t>(step)];
+            const PointPx on = path.points()[static_cast<size_t>(step)];
             const PointPx at{on.x, on.y + (kAscent_px - kDescent_px) / 2 + 1};
             if (occupied.is_free(area_of(text, at), owner)) return {text, at};
         }
     return {};
 }
 
-bool passes_through(const EdgeWay& way, const std::vector<AreaPx>& areas) {
+bool passes_through(const EdgePath& path, const std::vector<AreaPx>& areas) {
     return std::any_of(areas.begin(), areas.end(), [&](const AreaPx& area) {
-        return std::any_of(way.points().begin(), way.points().end(), [&](PointPx p) {
+        return std::any_of(path.points().begin(), path.points().end(), [&](PointPx p) {
             return p.x >= area.x && p.x < area.x + area.width && p.y >= area.y && p.y < area.y + area.height;
         });
     });
@@ -94,27 +94,27 @@ bool passes_through(const EdgeWay& way, const std::vector<AreaPx>& areas) {
 
 }  // namespace
 
-void EdgeWay::move(PointPx to) {
+void EdgePath::move(PointPx to) {
     path_ += "M" + point(to);
     points_.push_back(to);
 }
 
-void EdgeWay::line(PointPx to) {
+void EdgePath::line(PointPx to) {
     path_ += "L" + point(to);
     follow(points_.back(), to, to);
 }
 
-void EdgeWay::curve(PointPx first, PointPx second, PointPx to) {
+void EdgePath::curve(PointPx first, PointPx second, PointPx to) {
     path_ += "C" + point(first) + " " + point(second) + " " + point(to);
     follow(first, second, to);
 }
 
-void EdgeWay::bend(PointPx corner, PointPx to) {
+void EdgePath::bend(PointPx corner, PointPx to) {
     path_ += "Q" + point(corner) + " " + point(to);
     follow(corner, corner, to);  // inside its corner too, which is near enough
 }
 
-void EdgeWay::follow(PointPx first, PointPx second, PointPx to) {
+void EdgePath::follow(PointPx first, PointPx second, PointPx to) {
     const PointPx from = points_.back();
     const auto between = [](PointPx a, PointPx b) { return std::abs(a.x - b.x) + std::abs(a.y - b.y); };
     const int32_t most_px = between(from, first) + between(first, second) + between(second, to);
@@ -128,23 +128,23 @@ void EdgeWay::follow(PointPx first, PointPx second, PointPx to) {
     }
 }
 
-std::vector<EdgeName> place_edge_names(const std::vector<EdgeWay>& ways,
+std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                        const std::vector<NameChoices>& names,
                                        const std::vector<AreaPx>& boxes, PointPx drawing) {
     Occupied occupied(drawing);
     for (const AreaPx& box : boxes) occupied.take(box, kNoId);
-    std::map<NameChoices, uint32_t> by_name;  // ways of one name may share its place
+    std::map<NameChoices, uint32_t> by_name;  // paths of one name may share its place
     std::vector<uint32_t> owner;
-    for (uint32_t i = 0; i < ways.size(); ++i) {
+    for (uint32_t i = 0; i < paths.size(); ++i) {
         owner.push_back(by_name.try_emplace(names[i], i).first->second);
-        for (const PointPx& p : ways[i].points()) occupied.take({p.x - 1, p.y - 1, 2, 2}, owner[i]);
+        for (const PointPx& p : paths[i].points()) occupied.take({p.x - 1, p.y - 1, 2, 2}, owner[i]);
     }
-    std::vector<EdgeName> placed(ways.size());
-    std::vector<std::vector<AreaPx>> areas(ways.size());  // of placed names, by owner
-    for (uint32_t i = 0; i < ways.size(); ++i) {
-        if (passes_through(ways[i], areas[owner[i]])) continue;
+    std::vector<EdgeName> placed(paths.size());
+    std::vector<std::vector<AreaPx>> areas(paths.size());  // of placed names, by owner
+    for (uint32_t i = 0; i < paths.size(); ++i) {
+        if (passes_through(paths[i], areas[owner[i]])) continue;
         for (const std::string& text : names[i]) {
-            placed[i] = place(text, ways[i], owner[i], occupied);
+            placed[i] = place(text, paths[i], owner[i], occupied);
             if (placed[i].text.empty()) continue;
             const AreaPx area = area_of(text, placed[i].at);
             occupied.take(

@@ -1,4 +1,4 @@
-// Purpose: the ways of the edges in the page's graph, and where on them there is room for the names of
+// Purpose: the paths of the edges in the page's graph, and where on them there is room for the names of
 // their resources. Units: pixels of the drawing.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace weft {
 
 // The path of an SVG element, and points on it that lie no further apart than kWayStep_px.
-class EdgeWay {
+class EdgePath {
  public:
     void move(PointPx to);
     void line(PointPx to);
@@ -40,10 +40,10 @@ struct EdgeName {
 // What an edge would be called, the longest first.
 using NameChoices = std::vector<std::string>;
 
-// By edge. Those that come first have the choice of place; a name lies on its own way, and touches no box, no
-// way of another name and no other name. Ways that share a name and the place where it lies share the name:
-// only the first has it.
-[[nodiscard]] std::vector<EdgeName> place_edge_names(const std::vector<EdgeWay>& ways,
+// By edge. Those that come first have the choice of place; a name lies on its own path, and touches no box,
+// no path of another name and no other name. Paths that share a name and the place where it lies share the
+// name: only the first has it.
+[[nodiscard]] std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                                      const std::vector<NameChoices>& names,
                                                      const std::vector<AreaPx>& boxes, PointPx drawing);
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_html_graph_drawing.h"
-#include "graph/report/html/plan_html_parts.h"
 
 namespace weft {
 namespace {

@@ -62,10 +62,10 @@ class GraphDrawing {
         // Later ones lie on top: reads, then what has a name, which no line may cross out.
         for (const auto& [named, reads] :
              {std::pair{false, false}, {false, true}, {true, false}, {true, true}})
-            for (size_t i = 0; i < ways_.size(); ++i)
+            for (size_t i = 0; i < paths_.size(); ++i)
                 if (names[i].text.empty() != named &&
                     (graph_.links[drawn_[i]].kind == EdgeKind::raw) == reads)
-                    draw_link(graph_.links[drawn_[i]], ways_[i].path(), names[i]);
+                    draw_link(graph_.links[drawn_[i]], paths_[i].path(), names[i]);
         for (uint32_t node = 0; node < graph_.nodes.size(); ++node) draw_node(node);
         close_drawing(out_);
     }
@@ -114,13 +114,13 @@ class GraphDrawing {
                 const GraphLink& link = graph_.links[i];
                 if (link.history != history || (link.kind == EdgeKind::raw) != raw) continue;
                 drawn_.push_back(i);
-                ways_.push_back(history ? way_below(link, lane++) : way(i));
+                paths_.push_back(history ? path_below(link, lane++) : path(i));
             }
         }
     }
 
     // Level in boxes' layers, curved in between.
-    EdgeWay way(size_t index) const {
+    EdgePath path(size_t index) const {
         const GraphLink& item = graph_.links[index];
         const int32_t offset_px = kBoxHeight_px / 2 + port_offset_px(item.kind);
         std::vector<PointPx> points{{right_px(item.from), corner(item.from).y + offset_px}};
@@ -128,35 +128,35 @@ class GraphDrawing {
         for (const PointPx& bend : layout_.bends[index])
             points.push_back({bend.x + kMargin_px, bend.y + kMargin_px + port_offset_px(item.kind) / 3});
         points.push_back({corner(item.to).x - 5, corner(item.to).y + offset_px});
-        EdgeWay way;
-        way.move(points[0]);
+        EdgePath path;
+        path.move(points[0]);
         for (size_t i = 1; i < points.size(); ++i) {
             const PointPx &a = points[i - 1], &b = points[i];
             const int32_t middle = (a.x + b.x) / 2;
             if (i % 2 == 0 || a.y == b.y)
-                way.line(b);
+                path.line(b);
             else
-                way.curve({middle, a.y}, {middle, b.y}, b);
+                path.curve({middle, a.y}, {middle, b.y}, b);
         }
-        return way;
+        return path;
     }
 
     // From frame to frame: down, back below all boxes, and up.
-    EdgeWay way_below(const GraphLink& item, int32_t lane) const {
+    EdgePath path_below(const GraphLink& item, int32_t lane) const {
         constexpr int32_t kBend_px = 8;
         const int32_t from_x = right_px(item.from) - 14 - 4 * (lane % 4),
                       to_x = corner(item.to).x + 14 + 4 * (lane % 4);
         const int32_t from_y = bottom_px(item.from), to_y = bottom_px(item.to) + 5;
         const int32_t lane_y = layout_.height_px + kMargin_px + (lane + 1) * kLane_px;
         const int32_t turn = to_x < from_x ? -kBend_px : kBend_px;
-        EdgeWay way;
-        way.move({from_x, from_y});
-        way.line({from_x, lane_y - kBend_px});
-        way.bend({from_x, lane_y}, {from_x + turn, lane_y});
-        way.line({to_x - turn, lane_y});
-        way.bend({to_x, lane_y}, {to_x, lane_y - kBend_px});
-        way.line({to_x, to_y});
-        return way;
+        EdgePath path;
+        path.move({from_x, from_y});
+        path.line({from_x, lane_y - kBend_px});
+        path.bend({from_x, lane_y}, {from_x + turn, lane_y});
+        path.line({to_x - turn, lane_y});
+        path.bend({to_x, lane_y}, {to_x, lane_y - kBend_px});
+        path.line({to_x, to_y});
+        return path;
     }
 
     // All resources, or the first of them and how many more there are.
@@ -171,7 +171,7 @@ class GraphDrawing {
     }
 
     std::vector<EdgeName> edge_names(PointPx drawing) const {
-        if (ways_.size() > kMostNamedEdges) return std::vector<EdgeName>(ways_.size());
+        if (paths_.size() > kMostNamedEdges) return std::vector<EdgeName>(paths_.size());
         std::vector<NameChoices> names;
         for (const size_t link : drawn_) names.push_back(names_of(graph_.links[link]));
         std::vector<AreaPx> boxes;
@@ -179,7 +179,7 @@ class GraphDrawing {
             const PointPx at = corner(node);
             boxes.push_back({at.x, at.y, boxes_[node].width_px, kBoxHeight_px});
         }
-        return place_edge_names(ways_, names, boxes, drawing);
+        return place_edge_names(paths_, names, boxes, drawing);
     }
 
     void write_arrow_heads() {
@@ -280,8 +280,8 @@ class GraphDrawing {
     NodeGraph graph_;
     std::vector<LayoutBox> boxes_;
     LayeredLayout layout_;
-    std::vector<size_t> drawn_;  // links, in the order of their names' rank
-    std::vector<EdgeWay> ways_;  // of each of these
+    std::vector<size_t> drawn_;    // links, in the order of their names' rank
+    std::vector<EdgePath> paths_;  // of each of these
 };
 
 }  // namespace

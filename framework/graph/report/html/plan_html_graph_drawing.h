@@ -1,7 +1,7 @@
 // Purpose: one drawing of the page's graph.
 #pragma once
 
-#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_page_repeats.h"
 
 namespace weft {

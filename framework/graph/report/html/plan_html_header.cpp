@@ -1,6 +1,6 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
-#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/html_sections.h"
 
 namespace weft {
 namespace {

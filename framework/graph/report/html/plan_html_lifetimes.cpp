@@ -3,9 +3,9 @@
 
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
-#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_page_sizes.h"
-#include "graph/report/plan_words.h"
+#include "graph/report/plan_phrases.h"
 #include "weft/report/memory_report.h"
 
 namespace weft {
@@ -129,10 +129,10 @@ class LifetimeDrawing {
             if (use.resource != resource) continue;
             reading = reading || reads(use.access);
             writing = writing || writes(use.access);
-            std::string part = part_words(plan_, resource, use.range);
+            std::string part = describe_part(plan_, resource, use.range);
             part.erase(std::remove(part.begin(), part.end(), '"'), part.end());
             label += std::string(label == plan_.graph.passes[pass].name ? " " : ", ") +
-                     does_words(use.access) + " " + part + " (" + use.port + ": " + access_name(use.access) +
+                     access_verb(use.access) + " " + part + " (" + use.port + ": " + access_name(use.access) +
                      ")";
         }
         const char* style = reading && writing ? "cell both" : writing ? "cell write" : "cell read";

@@ -1,7 +1,7 @@
 // What the drawings don't show: resources that outlive the frame, and passes that don't run.
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
-#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/html_sections.h"
 #include "weft/report/memory_report.h"
 
 namespace weft {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"
-#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_page_bytes.h"
 #include "graph/report/html/plan_page_sizes.h"
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"
+#include "graph/report/explain_phrases.h"
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_html_articles.h"
-#include "graph/report/html/plan_html_parts.h"
-#include "graph/report/plan_explain_parts.h"
-#include "graph/report/plan_words.h"
+#include "graph/report/plan_phrases.h"
 
 namespace weft {
 namespace {
@@ -39,7 +39,7 @@ void write_waited_for(const PlanPage& page, const BarrierItem& item, Markup& out
     for (const PassId pass : passes) {
         std::string more = of_frame_before(page, item, pass) ? "of the frame before" : "";
         for (const UseDecl* use : uses_waited_for(*page.plan, *item.barrier, pass))
-            more += (more.empty() ? "" : ", ") + use_words(*page.plan, *use);
+            more += (more.empty() ? "" : ", ") + describe_use(*page.plan, *use);
         links.push_back({pass_key(pass), page.plan->graph.passes[pass].name, more});
     }
     write_links(out, "Waits for", links);
@@ -55,7 +55,7 @@ std::string uses_of(const FramePlan& plan, const BarrierDecl& barrier, PassId pa
     std::string text;
     for (const UseDecl& use : plan.graph.passes[pass].uses) {
         if (use.resource != barrier.resource || !overlaps(use.range, barrier.range)) continue;
-        text += (text.empty() ? "" : ", ") + use_words(plan, use);
+        text += (text.empty() ? "" : ", ") + describe_use(plan, use);
         writing = writing || writes(use.access);
     }
     return text;
@@ -109,8 +109,8 @@ void write_states(const FramePlan& plan, const BarrierDecl& b, Markup& out) {
 }
 
 std::string edge_words(const PlanPage& page, const EdgeItem& edge, ResourceId resource) {
-    const std::string from = pass_words(*page.plan, edge.from), to = pass_words(*page.plan, edge.to);
-    const std::string what = resource == kNoId ? "" : resource_words(*page.plan, resource);
+    const std::string from = describe_pass(*page.plan, edge.from), to = describe_pass(*page.plan, edge.to);
+    const std::string what = resource == kNoId ? "" : describe_resource(*page.plan, resource);
     if (edge.history) return to + " reads " + what + " as " + from + " left it in an earlier frame.";
     switch (edge.kind) {
         case EdgeKind::raw:
@@ -132,7 +132,7 @@ void write_barrier_article(const PlanPage& page, size_t barrier, Markup& out) {
     const BarrierItem& item = page.barriers[barrier];
     const BarrierDecl& b = *item.barrier;
     open_article(out, barrier_key(barrier), barrier_label(page, barrier), "");
-    out.leaf("p", {{"class", "why"}}, std::string("Reason: ") + reason_words(b.reason) + ".");
+    out.leaf("p", {{"class", "why"}}, std::string("Reason: ") + describe_reason(b.reason) + ".");
     write_links(out, "On",
                 {{resource_key(b.resource), plan.graph.resources[b.resource].name,
                   b.range == plan.graph.resources[b.resource].whole() ? "all of it" : range_text(b.range)}});
@@ -154,11 +154,11 @@ void write_wait_article(const PlanPage& page, size_t wait, Markup& out) {
     const WaitItem& item = page.waits[wait];
     open_article(out, wait_key(wait), wait_label(page, wait), "a semaphore");
     out.leaf("p", {},
-             "Before it begins, " + batch_words(plan, plan.submissions.batches[item.batch]) +
-                 " waits until " + batch_words(plan, plan.submissions.batches[item.wait->batch]) +
+             "Before it begins, " + describe_batch(plan, plan.submissions.batches[item.batch]) +
+                 " waits until " + describe_batch(plan, plan.submissions.batches[item.wait->batch]) +
                  " is over" +
                  (item.wait->previous_frame ? ", of the frame before. The first frame does not wait." : "."));
-    write_sentences(out, cause_words(plan, item.wait->dependency));
+    write_sentences(out, describe_cause(plan, item.wait->dependency));
     write_links(
         out, "Submissions",
         {{batch_key(item.wait->batch), "submission " + std::to_string(item.wait->batch), "is waited for"},

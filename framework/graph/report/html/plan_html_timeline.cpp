@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"
-#include "graph/report/html/plan_html_parts.h"
+#include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_page_sizes.h"
 #include "graph/sync/scopes.h"
 
@@ -131,10 +131,10 @@ class TimelineDrawing {
                             {"height", kRowHeight_px},
                             {"rx", 4}});
         const int32_t middle_px = column.box_left_px + column.box_width_px / 2;
-        if (!page_.columns.slanted)
+        if (!page_.columns.rotated_labels)
             out_.leaf("text", {{"class", "name mid"}, {"x", middle_px}, {"y", y_px + kRowHeight_px / 2 - 2}},
                       short_name(plan_.graph.passes[pass].name));
-        const int32_t kind_y_px = y_px + kRowHeight_px / 2 + (page_.columns.slanted ? 4 : 15);
+        const int32_t kind_y_px = y_px + kRowHeight_px / 2 + (page_.columns.rotated_labels ? 4 : 15);
         out_.leaf("text", {{"class", "kind mid"}, {"x", middle_px}, {"y", kind_y_px}},
                   small_text_in(below_name(position), column.box_width_px - 4));
         out_.close();
@@ -144,8 +144,8 @@ class TimelineDrawing {
     }
 
     std::string below_name(uint32_t position) const {
-        return page_.columns.slanted ? std::to_string(position)
-                                     : plan_.graph.passes[plan_.schedule.order[position]].type;
+        return page_.columns.rotated_labels ? std::to_string(position)
+                                            : plan_.graph.passes[plan_.schedule.order[position]].type;
     }
 
     // From the pass whose rendering scope this one goes on in.

@@ -53,7 +53,7 @@ struct PageColumns {
     std::vector<PageColumn> passes;  // by position
     PageColumn prologue, epilogue;   // width 0: there is none
     int32_t width_px = 0;
-    bool slanted = false;  // names stand above at a slant: there are too many to lie flat
+    bool rotated_labels = false;  // names stand above at a slant: there are too many to lie flat
 
     // The column of a position; past the last one: the end of the frame.
     [[nodiscard]] const PageColumn& at(uint32_t position) const {

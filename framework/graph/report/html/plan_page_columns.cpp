@@ -10,7 +10,7 @@ namespace {
 
 constexpr int32_t kGap_px = 10;
 constexpr int32_t kMostFlatWidth_px = 2400;
-constexpr int32_t kSlantedBox_px = 30;
+constexpr int32_t kRotatedBox_px = 30;
 constexpr int32_t kWaitGap_px = 36;  // for its arrow
 
 int32_t marks_width_px(size_t barriers) {
@@ -69,7 +69,7 @@ int32_t name_width_px(const std::string& name) {
     return static_cast<int32_t>(std::min(name.size(), kMostNameCharacters)) * 15 / 2 + 20;
 }
 
-int32_t slanted_px(const std::string& name) {
+int32_t rotated_label_px(const std::string& name) {
     return name_width_px(name) * 71 / 100;
 }
 
@@ -93,7 +93,7 @@ std::string short_name(const std::string& name, size_t most_characters) {
 PageColumns make_columns(const PlanPage& page) {
     const FramePlan& plan = *page.plan;
     PageColumns columns;
-    columns.slanted = boxes_width_px(plan) > kMostFlatWidth_px;
+    columns.rotated_labels = boxes_width_px(plan) > kMostFlatWidth_px;
     columns.prologue = end_column(page, BarrierPlace::prologue, 0);
     const int32_t roomy_px = roomy_box_px(page);
     int32_t x_px = columns.prologue.width_px + kGap_px;
@@ -101,7 +101,7 @@ PageColumns make_columns(const PlanPage& page) {
         const int32_t before_px = marks_width_px(barriers_at(page, BarrierPlace::before_pass, p).size());
         const int32_t after_px = marks_width_px(barriers_at(page, BarrierPlace::after_pass, p).size());
         const int32_t box_px =
-            columns.slanted ? kSlantedBox_px : std::max(roomy_px, name_width_px(pass_at(plan, p)));
+            columns.rotated_labels ? kRotatedBox_px : std::max(roomy_px, name_width_px(pass_at(plan, p)));
         if (waits_before(plan, p)) x_px += kWaitGap_px;
         PageColumn column{x_px, 0, x_px + before_px + kGap_px / 2, box_px};
         column.width_px = before_px + box_px + after_px + kGap_px;
@@ -110,9 +110,10 @@ PageColumns make_columns(const PlanPage& page) {
     }
     columns.epilogue = end_column(page, BarrierPlace::epilogue, x_px);
     columns.width_px = x_px + columns.epilogue.width_px + kGap_px;
-    if (columns.slanted) {
+    if (columns.rotated_labels) {
         const PageColumn& last = columns.passes.back();
-        const int32_t name_px = slanted_px(pass_at(plan, static_cast<uint32_t>(columns.passes.size()) - 1));
+        const int32_t name_px =
+            rotated_label_px(pass_at(plan, static_cast<uint32_t>(columns.passes.size()) - 1));
         columns.width_px = std::max(columns.width_px, last.box_left_px + last.box_width_px + name_px);
     }
     return columns;

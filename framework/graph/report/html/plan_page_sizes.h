@@ -23,7 +23,7 @@ inline constexpr size_t kLeastNameCharacters = 4;  // fewer say nothing
 // Of a name in the page's monospaced face, with a margin.
 [[nodiscard]] int32_t name_width_px(const std::string& name);
 // How wide and high it is when it rises at 45°.
-[[nodiscard]] int32_t slanted_px(const std::string& name);
+[[nodiscard]] int32_t rotated_label_px(const std::string& name);
 // How many characters of that face have room.
 [[nodiscard]] size_t characters_in(int32_t width_px);
 // Of small text in the page's proportional face: what has room, "" when that is next to nothing.

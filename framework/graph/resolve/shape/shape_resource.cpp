@@ -6,7 +6,7 @@
 
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/diagnostics/whole_number.h"
-#include "graph/parse/format_words.h"
+#include "graph/parse/grammar_tables.h"
 #include "graph/resolve/evaluator.h"
 #include "graph/resolve/fault_text.h"
 

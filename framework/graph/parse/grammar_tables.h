@@ -8,7 +8,7 @@
 
 namespace weft {
 
-struct FormatWords {
+struct GrammarTable {
     std::string place;      // "resource", "computePass", "cull", …
     bool are_keys = false;  // true: keys of an object; false: allowed strings
     std::vector<std::string> words;
@@ -16,7 +16,7 @@ struct FormatWords {
     std::string kind_of = {};                // the place with the keys of all kinds
 };
 
-[[nodiscard]] std::vector<FormatWords> format_words();
+[[nodiscard]] std::vector<GrammarTable> grammar_tables();
 // Element types of a buffer, besides the structs that the program shares.
 [[nodiscard]] std::vector<std::string> plain_elements();
 

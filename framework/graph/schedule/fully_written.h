@@ -9,6 +9,6 @@
 
 namespace weft {
 
-[[nodiscard]] std::vector<uint8_t> written_whole(const ResolvedGraph& graph, const Schedule& order);
+[[nodiscard]] std::vector<uint8_t> fully_written(const ResolvedGraph& graph, const Schedule& order);
 
 }  // namespace weft

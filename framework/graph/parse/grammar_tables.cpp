@@ -1,4 +1,4 @@
-#include "graph/parse/format_words.h"
+#include "graph/parse/grammar_tables.h"
 
 #include "graph/parse/debug_view.h"
 #include "graph/parse/parse_context.h"
@@ -6,8 +6,8 @@
 
 namespace weft {
 
-std::vector<FormatWords> format_words() {
-    std::vector<FormatWords> words;
+std::vector<GrammarTable> grammar_tables() {
+    std::vector<GrammarTable> words;
     for (const auto list :
          {list_graph_words, list_param_words, list_resource_words, list_pass_words, list_port_words,
           list_state_words, list_blend_words, list_debug_words, list_test_words})

@@ -10,7 +10,7 @@
 namespace weft {
 
 // In a fixed order, without repeats.
-[[nodiscard]] std::vector<std::string> pass_facts(const FramePlan& plan, PassId pass);
-[[nodiscard]] std::vector<std::string> resource_facts(const FramePlan& plan, ResourceId resource);
+[[nodiscard]] std::vector<std::string> summarize_pass(const FramePlan& plan, PassId pass);
+[[nodiscard]] std::vector<std::string> summarize_resource(const FramePlan& plan, ResourceId resource);
 
 }  // namespace weft

@@ -8,17 +8,18 @@
 
 namespace weft {
 
-[[nodiscard]] const char* reason_words(BarrierReason reason);  // "a read after a write"
+[[nodiscard]] const char* describe_reason(BarrierReason reason);  // "a read after a write"
 // Uses of the memory that a barrier is about: of its resource, or of whoever held the memory before.
 [[nodiscard]] std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& barrier,
                                                           PassId pass);
 [[nodiscard]] bool waits_for(const FramePlan& plan, const BarrierDecl& barrier, PassId pass);
 
-[[nodiscard]] std::string batch_words(const FramePlan& plan, const Batch& batch);  // queue 0, 1 "a" to 3 "b"
+[[nodiscard]] std::string describe_batch(const FramePlan& plan,
+                                         const Batch& batch);  // queue 0, 1 "a" to 3 "b"
 // Indented lines: which pass must not start before which, and their uses. kNoId: empty.
-[[nodiscard]] std::string cause_words(const FramePlan& plan, uint32_t dependency);
+[[nodiscard]] std::string describe_cause(const FramePlan& plan, uint32_t dependency);
 
 // Indented lines: who takes over whose memory and when, or that a third one comes between.
-[[nodiscard]] std::string hand_over_words(const FramePlan& plan, ResourceId a, ResourceId b);
+[[nodiscard]] std::string describe_alias_transitions(const FramePlan& plan, ResourceId a, ResourceId b);
 
 }  // namespace weft

@@ -10,18 +10,18 @@
 
 namespace weft {
 
-[[nodiscard]] std::string pass_words(const FramePlan& plan, PassId pass);
-[[nodiscard]] std::string resource_words(const FramePlan& plan, ResourceId resource);
+[[nodiscard]] std::string describe_pass(const FramePlan& plan, PassId pass);
+[[nodiscard]] std::string describe_resource(const FramePlan& plan, ResourceId resource);
 // Its range too, where it is not the whole resource: "bloom.mip(2).layer(0)".
-[[nodiscard]] std::string part_words(const FramePlan& plan, ResourceId resource,
-                                     const SubresourceRange& range);
+[[nodiscard]] std::string describe_part(const FramePlan& plan, ResourceId resource,
+                                        const SubresourceRange& range);
 // port "hdr" (place) reads and writes "hdr"
-[[nodiscard]] std::string use_words(const FramePlan& plan, const UseDecl& use);
-[[nodiscard]] const char* does_words(Access access);  // "reads", "writes", "reads and writes"
+[[nodiscard]] std::string describe_use(const FramePlan& plan, const UseDecl& use);
+[[nodiscard]] const char* access_verb(Access access);  // "reads", "writes", "reads and writes"
 // 2 "lighting"
-[[nodiscard]] std::string position_words(const FramePlan& plan, uint32_t position);
+[[nodiscard]] std::string describe_position(const FramePlan& plan, uint32_t position);
 // color_output color_write color_attachment
-[[nodiscard]] std::string state_words(const AccessState& state, bool image);
+[[nodiscard]] std::string describe_state(const AccessState& state, bool image);
 
 // Errors: W104 and W103, with near names, or the names of all rounds where `name` is that of a repeat; `file`
 // of the error is the graph's.

@@ -1,4 +1,4 @@
-#include "graph/report/plan_facts.h"
+#include "graph/report/plan_summary.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_fields.h"
 #include "graph/plan/plan_names.h"
-#include "graph/report/plan_words.h"
+#include "graph/report/plan_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/report/memory_report.h"
 
@@ -84,8 +84,8 @@ void add_params(const PassDecl& pass, Facts& facts) {
 
 std::string barrier_fact(const FramePlan& plan, const BarrierDecl& b, const char* where) {
     const bool image = plan.graph.resources[b.resource].kind == ResourceKind::image;
-    std::string text = std::string(where) + part_words(plan, b.resource, b.range) + ": " +
-                       state_words(b.src, image) + " -> " + state_words(b.dst, image) + " [" +
+    std::string text = std::string(where) + describe_part(plan, b.resource, b.range) + ": " +
+                       describe_state(b.src, image) + " -> " + describe_state(b.dst, image) + " [" +
                        enum_name(b.reason) + "]";
     for (const ResourceId id : b.hand_over_from) text += " from " + plan.graph.resources[id].name;
     if (b.src_family != b.dst_family)
@@ -115,7 +115,7 @@ void sort_out(Facts& facts) {
 
 }  // namespace
 
-std::vector<std::string> pass_facts(const FramePlan& plan, PassId id) {
+std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
     const PassDecl& pass = plan.graph.passes[id];
     Facts facts{"type " + pass.type};
     if (!pass.shader.empty()) facts.push_back("shader " + pass.shader);
@@ -133,7 +133,7 @@ std::vector<std::string> pass_facts(const FramePlan& plan, PassId id) {
     add_params(pass, facts);
     for (const UseDecl& use : pass.uses) {
         facts.push_back(std::string(use.is_output ? "out " : "in ") + use.port + " = " +
-                        part_words(plan, use.resource, use.range) + " (" + access_name(use.access) + ")");
+                        describe_part(plan, use.resource, use.range) + " (" + access_name(use.access) + ")");
         add_fields("sampler of " + use.port + " ", use.sampler, facts);
     }
     if (plan.live.live_passes[id]) add_step(plan, id, facts);
@@ -141,7 +141,7 @@ std::vector<std::string> pass_facts(const FramePlan& plan, PassId id) {
     return facts;
 }
 
-std::vector<std::string> resource_facts(const FramePlan& plan, ResourceId id) {
+std::vector<std::string> summarize_resource(const FramePlan& plan, ResourceId id) {
     const ResourceDecl& r = plan.graph.resources[id];
     Facts facts{std::string(enum_name(r.lifetime)) + " " + enum_name(r.kind)};
     if (r.kind == ResourceKind::image) {

@@ -1,6 +1,6 @@
 // The schema contains exactly the keys that the parser accepts. Reads graphs/weft.schema.json; another test
 // compares this file with the output of `weft schema`.
-#include "graph/parse/format_words.h"
+#include "graph/parse/grammar_tables.h"
 
 #include <gtest/gtest.h>
 
@@ -32,13 +32,13 @@ const Json& place(const std::string& name) {
     return name == "graph" ? schema() : schema().at("definitions").at(name);
 }
 
-Words words_of(const FormatWords& list) {
+Words words_of(const GrammarTable& list) {
     return {list.words.begin(), list.words.end()};
 }
 
 TEST(Schema, HasEveryKeyOfTheParserAndNoOther) {
     size_t places = 0;
-    for (const FormatWords& list : format_words()) {
+    for (const GrammarTable& list : grammar_tables()) {
         if (!list.are_keys) continue;
         EXPECT_EQ(keys_of(place(list.place).at("properties")), words_of(list)) << list.place;
         EXPECT_EQ(place(list.place).at("additionalProperties"), false) << list.place;
@@ -48,7 +48,7 @@ TEST(Schema, HasEveryKeyOfTheParserAndNoOther) {
 }
 
 TEST(Schema, HasEveryChoiceOfTheParserAndNoOther) {
-    for (const FormatWords& list : format_words()) {
+    for (const GrammarTable& list : grammar_tables()) {
         if (list.are_keys || list.place == "formatName" || list.place == "plainElement") continue;
         EXPECT_EQ(place(list.place).at("enum").get<Words>(), words_of(list)) << list.place;
     }
@@ -57,7 +57,7 @@ TEST(Schema, HasEveryChoiceOfTheParserAndNoOther) {
 // The tests above would not cover a definition that only the schema has.
 TEST(Schema, DescribesNoObjectThatTheParserDoesNotList) {
     Words listed;
-    for (const FormatWords& list : format_words())
+    for (const GrammarTable& list : grammar_tables())
         if (list.are_keys) listed.insert(list.place);
     for (const auto& [name, definition] : schema().at("definitions").items()) {
         const bool is_patch = name.ends_with(".patch");
@@ -69,7 +69,7 @@ TEST(Schema, DescribesNoObjectThatTheParserDoesNotList) {
 TEST(Schema, ExplainsEveryKey) {
     const Words plain{"front", "back",     "constant",  "slope",    "clamp",     "kind",
                       "fill",  "topology", "depthBias", "readMask", "writeMask", "reference"};
-    for (const FormatWords& list : format_words()) {
+    for (const GrammarTable& list : grammar_tables()) {
         if (!list.are_keys || !list.kind_of.empty() || list.place == "patch" || list.place == "graph")
             continue;
         for (const auto& [key, property] : place(list.place).at("properties").items())

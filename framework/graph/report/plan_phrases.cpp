@@ -1,4 +1,4 @@
-#include "graph/report/plan_words.h"
+#include "graph/report/plan_phrases.h"
 
 #include <algorithm>
 
@@ -53,34 +53,34 @@ Result<uint32_t> find_named(const FramePlan& plan, const std::vector<T>& items, 
 
 }  // namespace
 
-std::string pass_words(const FramePlan& plan, PassId pass) {
+std::string describe_pass(const FramePlan& plan, PassId pass) {
     return quoted(plan.graph.passes[pass].name) + place(plan, plan.graph.passes[pass].loc);
 }
 
-std::string resource_words(const FramePlan& plan, ResourceId resource) {
+std::string describe_resource(const FramePlan& plan, ResourceId resource) {
     return quoted(plan.graph.resources[resource].name) + place(plan, plan.graph.resources[resource].loc);
 }
 
-std::string part_words(const FramePlan& plan, ResourceId resource, const SubresourceRange& range) {
+std::string describe_part(const FramePlan& plan, ResourceId resource, const SubresourceRange& range) {
     const ResourceDecl& decl = plan.graph.resources[resource];
     return quoted(decl.name + (range == decl.whole() ? "" : range_text(range)));
 }
 
-const char* does_words(Access access) {
+const char* access_verb(Access access) {
     return !writes(access) ? "reads" : reads(access) ? "reads and writes" : "writes";
 }
 
-std::string use_words(const FramePlan& plan, const UseDecl& use) {
-    return "port " + quoted(use.port) + place(plan, use.loc) + " " + does_words(use.access) + " " +
-           part_words(plan, use.resource, use.range);
+std::string describe_use(const FramePlan& plan, const UseDecl& use) {
+    return "port " + quoted(use.port) + place(plan, use.loc) + " " + access_verb(use.access) + " " +
+           describe_part(plan, use.resource, use.range);
 }
 
-std::string position_words(const FramePlan& plan, uint32_t position) {
+std::string describe_position(const FramePlan& plan, uint32_t position) {
     if (position >= plan.schedule.order.size()) return "the end of the frame";
     return std::to_string(position) + " " + quoted(plan.graph.passes[plan.schedule.order[position]].name);
 }
 
-std::string state_words(const AccessState& state, bool image) {
+std::string describe_state(const AccessState& state, bool image) {
     std::string text = stages_text(state.stages) + " " + access_text(state.access);
     if (image) text += " " + layout_text(state.layout);
     return text;

@@ -1,4 +1,4 @@
-#include "graph/schedule/written_whole.h"
+#include "graph/schedule/fully_written.h"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ bool covers(const ResourceDecl& resource, const std::vector<SubresourceRange>& w
 
 }  // namespace
 
-std::vector<uint8_t> written_whole(const ResolvedGraph& graph, const Schedule& order) {
+std::vector<uint8_t> fully_written(const ResolvedGraph& graph, const Schedule& order) {
     std::vector<uint8_t> whole(graph.resources.size(), 0);
     std::vector<std::vector<SubresourceRange>> parts(graph.resources.size());
     for (const PassId pass : order.order) {
