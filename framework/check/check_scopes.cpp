@@ -53,7 +53,7 @@ class ScopeRule {
         if (!is_drawing(first_pass_) || !is_drawing(second_pass_)) return fault("both must draw");
         if (!first_.after.empty() || !second_.barriers.empty())
             return fault("barriers are recorded between them");
-        if (first_pass_.turns != 0 || second_pass_.turns != 0)
+        if (first_pass_.frame_slices != 0 || second_pass_.frame_slices != 0)
             return fault("one of them does not draw in every frame");
         if (first_pass_.render_extent != second_pass_.render_extent)
             return fault("they draw to different extents");
@@ -123,7 +123,7 @@ void check_scopes(const FramePlan& plan, FaultList& faults) {
     for (const Batch& batch : plan.submissions.batches) {
         for (size_t i = 0; i < batch.positions.size(); ++i) {
             const PassStep& step = plan.barriers.steps[batch.positions[i]];
-            if (!step.continues_scope) continue;
+            if (!step.merges_render_pass) continue;
             if (i > 0) {
                 ScopeRule(plan, faults, plan.barriers.steps[batch.positions[i - 1]], step).check();
                 continue;

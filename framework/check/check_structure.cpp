@@ -153,14 +153,14 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
     }
 }
 
-void check_hand_overs(const FramePlan& plan, FaultList& faults) {
-    const std::vector<HandOver>& listed = plan.memory.hand_overs;
+void check_alias_transitions(const FramePlan& plan, FaultList& faults) {
+    const std::vector<AliasTransition>& listed = plan.memory.alias_transitions;
     std::multimap<std::pair<ResourceId, ResourceId>, size_t> known;  // index into `listed` by from and to
     for (size_t i = 0; i < listed.size(); ++i) known.emplace(std::pair(listed[i].from, listed[i].to), i);
     std::vector<uint8_t> used(listed.size(), 0);
     for (const PassStep& step : plan.barriers.steps) {
         for (const BarrierDecl& barrier : step.barriers) {
-            for (const ResourceId from : barrier.hand_over_from) {
+            for (const ResourceId from : barrier.aliased_from) {
                 const auto [begin, end] = known.equal_range({from, barrier.resource});
                 for (auto it = begin; it != end; ++it) used[it->second] = 1;
                 if (begin != end) continue;
@@ -280,7 +280,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_edges(plan, faults);
     check_lifetimes(plan, faults);
     check_placements(plan, faults);
-    check_hand_overs(plan, faults);
+    check_alias_transitions(plan, faults);
     check_boundary(plan, faults);
     check_submissions(plan, faults);
     if (faults.any("C303")) return false;

@@ -9,13 +9,13 @@ namespace weft::check {
 namespace {
 
 bool takes_turns(const PassDecl& pass) {
-    return pass.turns > 1;
+    return pass.frame_slices > 1;
 }
 
 // True if neither pass can run in a frame without the other.
 bool run_together(const PassDecl& a, const PassDecl& b) {
     if (takes_turns(a) != takes_turns(b)) return false;
-    return !takes_turns(a) || (a.turns == b.turns && a.turn == b.turn);
+    return !takes_turns(a) || (a.frame_slices == b.frame_slices && a.frame_slice == b.frame_slice);
 }
 
 // The transitive successors of each pass in the graph.

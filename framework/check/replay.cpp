@@ -159,7 +159,7 @@ void Replay::batch(uint32_t index) {
     for (size_t i = 0; i < batch.positions.size(); ++i) {
         const bool last = i + 1 == batch.positions.size();
         step(plan_.barriers.steps[batch.positions[i]],
-             !last && plan_.barriers.steps[batch.positions[i + 1]].continues_scope);
+             !last && plan_.barriers.steps[batch.positions[i + 1]].merges_render_pass);
     }
     if (batch.epilogue) barriers(plan_.barriers.epilogue, kNoId);
     clock_.end_batch(index);
@@ -167,7 +167,7 @@ void Replay::batch(uint32_t index) {
 
 void Replay::step(const PassStep& step, bool goes_on) {
     barriers(step.barriers, step.pass);
-    if (!step.continues_scope) ++scope_;
+    if (!step.merges_render_pass) ++scope_;
     uses(step, goes_on);
     barriers(step.after, step.pass);
 }

@@ -125,7 +125,7 @@ void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scop
     for (size_t i = 0; i < batch.size(); ++i) {
         all.add(scopes[i]);
         on_resource[batch[i].resource].push_back(i);
-        for (const ResourceId from : batch[i].hand_over_from)
+        for (const ResourceId from : batch[i].aliased_from)
             if (from != batch[i].resource) on_resource[from].push_back(i);
     }
     std::vector<Scopes> on_memory;

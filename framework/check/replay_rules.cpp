@@ -159,7 +159,7 @@ void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc 
     const Scopes scopes = transition ? scopes_of(*transition) : Scopes{};
     // A barrier makes available only writes through the resources that it names.
     const auto is_flushed = [&](ResourceId owner, const AccessRecord& record) {
-        const std::vector<ResourceId>& from = transition->hand_over_from;
+        const std::vector<ResourceId>& from = transition->aliased_from;
         if (std::find(from.begin(), from.end(), owner) != from.end()) return flushed(record, scopes);
         return !record.is_write() || covered(record) || record.available_before(scopes);
     };

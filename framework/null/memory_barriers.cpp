@@ -33,7 +33,7 @@ void Memory::barrier(uint32_t node) {
     for_each_cell(decl, barrier.range, [&](uint32_t cell, const SubresourceRange&) {
         carry(cells_[object][cell], node, barrier);
     });
-    for (const ResourceId from : barrier.hand_over_from) {
+    for (const ResourceId from : barrier.aliased_from) {
         const ResourceId owner = object_of(from, frame);
         for (uint32_t c = 0; c < cells_[owner].size(); ++c) {
             bool own = false;  // set for the barrier's own cells, which were carried above

@@ -180,7 +180,7 @@ class Unroller {
             const bool last = i + 1 == batch.positions.size();
             barriers(batch.queue, step.barriers);
             pass(batch.queue, batch.positions[i],
-                 !last && plan_.barriers.steps[batch.positions[i + 1]].continues_scope);
+                 !last && plan_.barriers.steps[batch.positions[i + 1]].merges_render_pass);
             barriers(batch.queue, step.after);
         }
         if (batch.epilogue) barriers(batch.queue, plan_.barriers.epilogue);
@@ -216,7 +216,7 @@ class Unroller {
             if (use.reads) reading |= use.stages;
             if (use.writes) writing |= write_stage(use, position, u, choice_);
         }
-        if (!step.continues_scope) {
+        if (!step.merges_render_pass) {
             drawing_ = {};
             ++scope_;
         }

@@ -144,12 +144,13 @@ TEST_F(PlantedFault, HandOverDropped) {
     for (PassStep& s : plan.barriers.steps) {
         for (size_t i = 0; i < s.barriers.size(); ++i) {
             const BarrierDecl b = s.barriers[i];
-            if (b.reason != BarrierReason::hand_over || b.from_previous_frame) continue;
-            const std::string from = plan.graph.resources[b.hand_over_from.front()].name;
+            if (b.reason != BarrierReason::alias || b.from_previous_frame) continue;
+            const std::string from = plan.graph.resources[b.aliased_from.front()].name;
             const std::string to = plan.graph.resources[b.resource].name;
             ASSERT_NE(from, to);
-            std::erase_if(plan.memory.hand_overs, [&](const HandOver& h) { return h.to == b.resource; });
-            s.barriers[i].hand_over_from.clear();
+            std::erase_if(plan.memory.alias_transitions,
+                          [&](const AliasTransition& h) { return h.to == b.resource; });
+            s.barriers[i].aliased_from.clear();
             s.barriers[i].src = {stage::kHost, 0, Layout::undefined};
             expect_fault({plan.graph.passes[s.pass].name.c_str(), from.c_str(), to.c_str()});
             return;
@@ -159,9 +160,9 @@ TEST_F(PlantedFault, HandOverDropped) {
 }
 
 TEST_F(PlantedFault, HandOverDroppedFromTheMemoryPlanOnly) {
-    ASSERT_FALSE(plan.memory.hand_overs.empty());
-    const HandOver dropped = plan.memory.hand_overs.front();
-    plan.memory.hand_overs.erase(plan.memory.hand_overs.begin());
+    ASSERT_FALSE(plan.memory.alias_transitions.empty());
+    const AliasTransition dropped = plan.memory.alias_transitions.front();
+    plan.memory.alias_transitions.erase(plan.memory.alias_transitions.begin());
     expect_fault(
         {plan.graph.resources[dropped.from].name.c_str(), plan.graph.resources[dropped.to].name.c_str()});
 }
@@ -169,7 +170,7 @@ TEST_F(PlantedFault, HandOverDroppedFromTheMemoryPlanOnly) {
 TEST_F(PlantedFault, WrapAroundHandOverDropped) {
     for (PassStep& s : plan.barriers.steps) {
         for (BarrierDecl& b : s.barriers) {
-            if (b.reason != BarrierReason::hand_over || !b.from_previous_frame) continue;
+            if (b.reason != BarrierReason::alias || !b.from_previous_frame) continue;
             b.src = {stage::kHost, 0, Layout::undefined};
             expect_fault(
                 {plan.graph.passes[s.pass].name.c_str(), plan.graph.resources[b.resource].name.c_str()});

@@ -57,7 +57,7 @@ class ScopeFault : public testing::Test {
 };
 
 TEST_F(ScopeFault, NoneInTheSoundPlan) {
-    ASSERT_TRUE(step("second").continues_scope);
+    ASSERT_TRUE(step("second").merges_render_pass);
     ASSERT_TRUE(step("second").barriers.empty());
     const Diagnostics faults = check_plan(plan);
     EXPECT_TRUE(faults.empty()) << to_text(faults);
@@ -65,7 +65,7 @@ TEST_F(ScopeFault, NoneInTheSoundPlan) {
 
 // Without the shared scope, two barriers that it replaced are missing.
 TEST_F(ScopeFault, ScopeDropped) {
-    step("second").continues_scope = false;
+    step("second").merges_render_pass = false;
     expect_fault("C310", "\"target\"");
     expect_fault("C310", "\"z\"");
 }

@@ -111,7 +111,7 @@ TEST_F(NullExecutor, SeesTheWrongLayout) {
 }
 
 TEST_F(NullExecutor, SeesMemoryTakenTooEarly) {
-    barrier("tint", "c").hand_over_from.clear();
+    barrier("tint", "c").aliased_from.clear();
     barrier("tint", "c").src = {stage::kCopy, access::kNone, Layout::undefined};
     EXPECT_FALSE(broken(plan).empty());
 }
@@ -229,9 +229,9 @@ FramePlan drawing(bool looks) {
 TEST(NullScopes, OrderWhatIsDrawn) {
     FramePlan plan = drawing(false);
     PassStep& second = plan.barriers.steps[1];
-    ASSERT_TRUE(second.continues_scope);
+    ASSERT_TRUE(second.merges_render_pass);
     EXPECT_TRUE(broken(plan).empty());
-    second.continues_scope = false;
+    second.merges_render_pass = false;
     EXPECT_FALSE(broken(plan).empty());
 }
 
@@ -241,7 +241,7 @@ TEST(NullScopes, OrderNothingElse) {
     ASSERT_EQ(second.barriers.size(), 2u);
     EXPECT_TRUE(broken(plan).empty());
     second.barriers.clear();
-    second.continues_scope = true;
+    second.merges_render_pass = true;
     EXPECT_FALSE(broken(plan).empty());
 }
 

@@ -18,10 +18,10 @@ class Mutator {
             const std::string& pass = plan_.graph.passes[step.pass].name;
             mutate(step.barriers, "before " + pass);
             mutate(step.after, "after " + pass);
-            if (!step.continues_scope) continue;
-            step.continues_scope = false;
+            if (!step.merges_render_pass) continue;
+            step.merges_render_pass = false;
             show(MutantKind::parted_scope, pass + " begins a scope of its own");
-            step.continues_scope = true;
+            step.merges_render_pass = true;
         }
         mutate(barriers.epilogue, "at the end");
         weakened_ = MutantKind::weakened_prologue;
@@ -70,12 +70,12 @@ class Mutator {
     }
 
     void drop_owners(BarrierDecl& barrier, const std::string& what) {
-        const std::vector<ResourceId> sound = barrier.hand_over_from;
+        const std::vector<ResourceId> sound = barrier.aliased_from;
         for (size_t i = 0; i < sound.size(); ++i) {
-            barrier.hand_over_from.erase(barrier.hand_over_from.begin() + static_cast<std::ptrdiff_t>(i));
+            barrier.aliased_from.erase(barrier.aliased_from.begin() + static_cast<std::ptrdiff_t>(i));
             show(MutantKind::removed_owner,
                  plan_.graph.resources[sound[i]].name + " not waited for by the hand-over " + what);
-            barrier.hand_over_from = sound;
+            barrier.aliased_from = sound;
         }
     }
 

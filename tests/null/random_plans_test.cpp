@@ -44,7 +44,7 @@ TEST(RandomPlans, GiveWhatTheGraphMeansOnOneQueue) {
 
 // The features that the sets of graphs must contain for a meaningful test.
 void expect_shares(const GraphCoverage& coverage) {
-    EXPECT_GE(coverage.hand_overs * 2, coverage.graphs);
+    EXPECT_GE(coverage.alias_transitions * 2, coverage.graphs);
     for (const uint32_t count :
          {coverage.waits, coverage.history, coverage.ranges, coverage.repeats, coverage.conditionals})
         EXPECT_GE(count * 10, coverage.graphs * 3);

@@ -102,8 +102,8 @@ void set_turns(const TurnGraph& made, ResolvedGraph& graph) {
         const auto found = made.at_once.find(pass.name.substr(0, mark));
         if (found == made.at_once.end()) continue;
         const uint32_t rounds = made.rounds.at(found->first);
-        pass.turns = (rounds + found->second - 1) / found->second;
-        pass.turn = static_cast<uint32_t>(std::stoul(pass.name.substr(mark + 1))) / found->second;
+        pass.frame_slices = (rounds + found->second - 1) / found->second;
+        pass.frame_slice = static_cast<uint32_t>(std::stoul(pass.name.substr(mark + 1))) / found->second;
     }
 }
 
@@ -114,8 +114,8 @@ class BruteForce {
         sort();
         std::map<std::pair<uint32_t, uint32_t>, uint32_t> numbers;
         for (const PassDecl& pass : graph.passes) {
-            const bool always = pass.turns <= 1;
-            const auto key = std::pair(pass.turns, pass.turn);
+            const bool always = pass.frame_slices <= 1;
+            const auto key = std::pair(pass.frame_slices, pass.frame_slice);
             turn_of_.push_back(
                 always ? kNoId : numbers.emplace(key, static_cast<uint32_t>(numbers.size())).first->second);
         }
@@ -293,8 +293,8 @@ TEST_F(TurnRule, TheCheckerDoesNotProveAChainThatCullingBroke) {
     ResolvedGraph graph = good(graph_text);
     for (PassDecl& pass : graph.passes) {
         if (pass.kind != PassKind::compute) continue;
-        pass.turns = 4;
-        pass.turn = static_cast<uint32_t>(pass.name.back() - '0');
+        pass.frame_slices = 4;
+        pass.frame_slice = static_cast<uint32_t>(pass.name.back() - '0');
     }
     const FramePlan plan = compile(graph, content_needs(graph), {});
     EXPECT_EQ(plan.schedule.order.size(), 6u) << "three rounds of the bake are culled";

@@ -28,8 +28,8 @@ uint32_t spread_over_frames(ResolvedGraph& graph) {
             all_stay &= decl.lifetime == ResourceLifetime::persistent && decl.history == 0;
         }
         if (!writes_any || !all_stay || pass.side_effect) continue;
-        pass.turns = 3;
-        pass.turn = count++ % 3;
+        pass.frame_slices = 3;
+        pass.frame_slice = count++ % 3;
     }
     return count;
 }
@@ -63,7 +63,8 @@ TEST(Turns, ContentThatIsDroppedIsMissed) {
         for (PassStep& step : plan.barriers.steps) {
             for (BarrierDecl& barrier : step.barriers) {
                 const ResourceDecl& decl = plan.graph.resources[barrier.resource];
-                if (plan.graph.passes[step.pass].turns == 0 || decl.kind != ResourceKind::image) continue;
+                if (plan.graph.passes[step.pass].frame_slices == 0 || decl.kind != ResourceKind::image)
+                    continue;
                 barrier.src.layout = Layout::undefined;
                 dropped = true;
             }

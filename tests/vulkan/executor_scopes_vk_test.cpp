@@ -23,7 +23,7 @@ float from_half(uint16_t bits) {
 
 uint32_t continued(const FramePlan& plan) {
     uint32_t count = 0;
-    for (const PassStep& step : plan.barriers.steps) count += step.continues_scope ? 1 : 0;
+    for (const PassStep& step : plan.barriers.steps) count += step.merges_render_pass ? 1 : 0;
     return count;
 }
 

@@ -21,9 +21,10 @@ constexpr uint32_t kSeeds = 16;
 
 using RandomGraphsVk = DeviceTest;
 
-uint32_t hand_over_count(const FramePlan& plan) {
+uint32_t alias_transition_count(const FramePlan& plan) {
     uint32_t count = 0;
-    for (const HandOver& hand_over : plan.memory.hand_overs) count += hand_over.from != hand_over.to ? 1 : 0;
+    for (const AliasTransition& hand_over : plan.memory.alias_transitions)
+        count += hand_over.from != hand_over.to ? 1 : 0;
     return count;
 }
 
@@ -76,7 +77,7 @@ TEST_F(RandomGraphsVk, RunsBitForBitWithAllFeaturesOnSeveralQueues) {
     std::printf("seeds %u..%u, %s\n", kFirst, kFirst + seeds - 1, coverage.text().c_str());
     EXPECT_GE(coverage.several_queues * 2, seeds);
     EXPECT_GE(coverage.history * 10, seeds * 3);
-    EXPECT_GE(coverage.hand_overs * 2, seeds);
+    EXPECT_GE(coverage.alias_transitions * 2, seeds);
 }
 
 TEST_F(RandomGraphsVk, RunsBitForBitLikeTheNaivePlan) {
@@ -89,13 +90,13 @@ TEST_F(RandomGraphsVk, RunsBitForBitLikeTheNaivePlan) {
         const FramePlan plan = compile(graph, needs, {});
         const Diagnostics faults = check_plan(plan);
         EXPECT_TRUE(faults.empty()) << to_text(faults);
-        shared += hand_over_count(plan) != 0 ? 1 : 0;
+        shared += alias_transition_count(plan) != 0 ? 1 : 0;
         const auto start = std::chrono::steady_clock::now();
         expect_equal(run_plan(device(), plan, shaders),
                      run_plan(device(), test::naive_plan(graph, needs), shaders));
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         std::printf("seed %u: %zu of %zu passes, %u hand-overs, %.2f s\n", seed, plan.schedule.order.size(),
-                    graph.passes.size(), hand_over_count(plan), took.count());
+                    graph.passes.size(), alias_transition_count(plan), took.count());
         EXPECT_EQ(device().messages().count(), 0u);
         if (HasFailure()) return;
     }

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "graph/memory/alias.h"
-#include "graph/memory/alias_hand_over.h"
 #include "graph/memory/alias_pack.h"
+#include "graph/memory/alias_transitions.h"
 
 namespace weft {
 namespace {
@@ -138,7 +138,7 @@ MemoryPlan alias(const ResolvedGraph& graph, const LiveGraph& live, const Schedu
     const Peak peak = find_peak(placed, spans, needs);
     plan.peak_live_bytes = peak.bytes;
     plan.peak_position = peak.position;
-    plan.hand_overs = hand_overs(plan.placements, spans);
+    plan.alias_transitions = alias_transitions(plan.placements, spans);
     place_persistent(graph, live, needs, granularity_bytes, plan);
     std::sort(plan.placements.begin(), plan.placements.end(), [](const Placement& a, const Placement& b) {
         return std::tie(a.heap, a.offset_bytes, a.resource) < std::tie(b.heap, b.offset_bytes, b.resource);

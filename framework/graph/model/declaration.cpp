@@ -106,7 +106,7 @@ const PassDecl* find_pass(const ResolvedGraph& graph, std::string_view name) {
 }
 
 bool runs_in_frame(const PassDecl& pass, uint64_t frame) {
-    return pass.turns == 0 || frame == 0 || frame % pass.turns == pass.turn;
+    return pass.frame_slices == 0 || frame == 0 || frame % pass.frame_slices == pass.frame_slice;
 }
 
 const char* import_kind_name(ImportKind kind) {

@@ -112,8 +112,8 @@ void visit_fields(V& v, const PassDecl& x) {
         v("renderExtent", x.render_extent);
     v("state", x.state), v("drawLists", x.draw_lists), v("vertices", x.vertices), v("instances", x.instances),
         v("view", x.view), v("clear", x.clear), v("flops", x.flops);
-    v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use), v("turn", x.turn),
-        v("turns", x.turns);
+    v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use), v("frameSlice", x.frame_slice),
+        v("frameSlices", x.frame_slices);
 }
 template <class V>
 void visit_fields(V& v, const ResolvedGraph& x) {
@@ -157,7 +157,7 @@ void visit_fields(V& v, const Placement& x) {
         v("sizeBytes", x.size_bytes);
 }
 template <class V>
-void visit_fields(V& v, const HandOver& x) {
+void visit_fields(V& v, const AliasTransition& x) {
     v("from", x.from), v("to", x.to), v("wrap", x.wrap);
 }
 template <class V>
@@ -167,7 +167,7 @@ void visit_fields(V& v, const HeapPlan& x) {
 }
 template <class V>
 void visit_fields(V& v, const MemoryPlan& x) {
-    v("heaps", x.heaps), v("placements", x.placements), v("handOvers", x.hand_overs),
+    v("heaps", x.heaps), v("placements", x.placements), v("aliasTransitions", x.alias_transitions),
         v("sumBytes", x.sum_bytes);
     v("peakLiveBytes", x.peak_live_bytes), v("peakPosition", x.peak_position), v("heapBytes", x.heap_bytes);
     v("persistentBytes", x.persistent_bytes);
@@ -181,12 +181,12 @@ void visit_fields(V& v, const BarrierDecl& x) {
     v("resource", x.resource), v("range", x.range), v("src", x.src), v("dst", x.dst),
         v("srcFamily", x.src_family);
     v("dstFamily", x.dst_family), v("reason", x.reason), v("from", x.from), v("to", x.to);
-    v("fromPreviousFrame", x.from_previous_frame), v("handOverFrom", x.hand_over_from);
+    v("fromPreviousFrame", x.from_previous_frame), v("aliasedFrom", x.aliased_from);
 }
 template <class V>
 void visit_fields(V& v, const PassStep& x) {
     v("pass", x.pass), v("barriers", x.barriers), v("after", x.after), v("attachments", x.attachments);
-    v("continuesScope", x.continues_scope);
+    v("mergesRenderPass", x.merges_render_pass);
 }
 template <class V>
 void visit_fields(V& v, const ProloguePlan& x) {

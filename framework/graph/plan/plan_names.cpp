@@ -55,8 +55,8 @@ const char* enum_name(StoreOp value) {
 }
 
 const char* enum_name(BarrierReason value) {
-    return pick(value, std::array{"raw", "war", "waw", "layout", "hand_over", "acquire_import",
-                                  "release_import", "release_queue", "acquire_queue", "prologue"});
+    return pick(value, std::array{"raw", "war", "waw", "layout", "alias", "acquire_import", "release_import",
+                                  "release_queue", "acquire_queue", "prologue"});
 }
 
 const char* enum_name(OnResize value) {

@@ -41,7 +41,7 @@ std::string placement_text(const FramePlan& plan, const Placement& p) {
     if (span.first <= span.last)
         text += "  [" + std::to_string(span.first) + ".." + std::to_string(span.last) + "]";
     std::string owners;
-    for (const HandOver& h : plan.memory.hand_overs)
+    for (const AliasTransition& h : plan.memory.alias_transitions)
         if (h.to == p.resource && h.from != h.to)
             owners +=
                 (owners.empty() ? "  after " : ", ") + name(h.from) + (h.wrap ? " of the frame before" : "");

@@ -18,7 +18,7 @@ const char* describe_reason(BarrierReason reason) {
             return "a write after a write";
         case BarrierReason::layout:
             return "the image has to change its layout";
-        case BarrierReason::hand_over:
+        case BarrierReason::alias:
             return "memory changes its owner";
         case BarrierReason::acquire_import:
             return "an import enters the frame";
@@ -38,9 +38,9 @@ std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const Barrier
     std::vector<const UseDecl*> found;
     for (const UseDecl& use : plan.graph.passes[pass].uses) {
         const bool same = use.resource == b.resource && overlaps(use.range, b.range);
-        const bool owner = std::find(b.hand_over_from.begin(), b.hand_over_from.end(), use.resource) !=
-                           b.hand_over_from.end();
-        if (b.hand_over_from.empty() ? same : owner) found.push_back(&use);
+        const bool owner =
+            std::find(b.aliased_from.begin(), b.aliased_from.end(), use.resource) != b.aliased_from.end();
+        if (b.aliased_from.empty() ? same : owner) found.push_back(&use);
     }
     return found;
 }

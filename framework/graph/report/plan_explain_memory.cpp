@@ -46,7 +46,7 @@ std::string alone_words(const FramePlan& plan, ResourceId resource) {
 
 std::string describe_alias_transitions(const FramePlan& plan, ResourceId a, ResourceId b) {
     std::string text;
-    for (const HandOver& h : plan.memory.hand_overs)
+    for (const AliasTransition& h : plan.memory.alias_transitions)
         if ((h.from == a && h.to == b) || (h.from == b && h.to == a))
             text += "  " + describe_resource(plan, h.to) + " takes it over from " +
                     describe_resource(plan, h.from) + (h.wrap ? " of the frame before" : "") + ", at " +

@@ -87,7 +87,7 @@ std::string barrier_fact(const FramePlan& plan, const BarrierDecl& b, const char
     std::string text = std::string(where) + describe_part(plan, b.resource, b.range) + ": " +
                        describe_state(b.src, image) + " -> " + describe_state(b.dst, image) + " [" +
                        enum_name(b.reason) + "]";
-    for (const ResourceId id : b.hand_over_from) text += " from " + plan.graph.resources[id].name;
+    for (const ResourceId id : b.aliased_from) text += " from " + plan.graph.resources[id].name;
     if (b.src_family != b.dst_family)
         text += " family " + std::to_string(b.src_family) + " to " + std::to_string(b.dst_family);
     return text;

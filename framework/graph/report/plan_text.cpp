@@ -131,9 +131,9 @@ class PlanText {
         const bool image = plan_.graph.resources[b.resource].kind == ResourceKind::image;
         text_ += "    barrier " + part(b.resource, b.range) + ": " + state(b.src, image) + " -> " +
                  state(b.dst, image) + "  [" + enum_name(b.reason);
-        if (!b.hand_over_from.empty()) {
+        if (!b.aliased_from.empty()) {
             text_ += " from";
-            for (const ResourceId id : b.hand_over_from) text_ += " " + resource(id);
+            for (const ResourceId id : b.aliased_from) text_ += " " + resource(id);
         }
         if (b.from != kNoId) text_ += ", after " + pass(b.from);
         if (b.from_previous_frame) text_ += " of the frame before";

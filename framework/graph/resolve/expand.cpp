@@ -47,8 +47,8 @@ void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
     if (!each || *each == 0) return;
     const auto passes = static_cast<uint32_t>(count);
     const auto at_once = static_cast<uint32_t>(*each);
-    draft.decl.turn = draft.instance / at_once;
-    draft.decl.turns = (passes + at_once - 1) / at_once;
+    draft.decl.frame_slice = draft.instance / at_once;
+    draft.decl.frame_slices = (passes + at_once - 1) / at_once;
 }
 
 // index: name of the pass.

@@ -47,7 +47,7 @@ uint32_t family_of(const DeviceProfile& profile, QueueKind kind) {
 std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vector<PassId>& order,
                                       const std::vector<LogicalQueue>& queues) {
     std::vector<QueueIndex> assigned;
-    std::array<uint32_t, 3> turns{};  // by kind: several queues of one kind take turns
+    std::array<uint32_t, 3> used{};  // by kind: how many passes were given to queues of that kind
     for (const PassId id : order) {
         const PassDecl& pass = graph.passes[id];
         QueueIndex chosen = 0;
@@ -57,7 +57,7 @@ std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vec
                 if (static_cast<int>(queues[q].kind) == kind && can_run(pass, queues[q]) &&
                     owns_imports(graph, pass, queues[q]))
                     fitting.push_back(q);
-            if (!fitting.empty()) chosen = fitting[turns[static_cast<size_t>(kind)]++ % fitting.size()];
+            if (!fitting.empty()) chosen = fitting[used[static_cast<size_t>(kind)]++ % fitting.size()];
         }
         assigned.push_back(chosen);
     }

@@ -25,14 +25,15 @@ AccessMask writes_of(StageMask stages) {
     return mask;
 }
 
-struct HandOverRows {
-    const std::vector<HandOver>& all;
+struct AliasTransitionRows {
+    const std::vector<AliasTransition>& all;
 
     // Those into `to`. Every transient in use has at least one, from itself if from nobody else.
-    [[nodiscard]] std::vector<HandOver> into(ResourceId to) const {
-        const auto first = std::lower_bound(all.begin(), all.end(), to,
-                                            [](const HandOver& h, ResourceId id) { return h.to < id; });
-        const auto last = std::find_if(first, all.end(), [to](const HandOver& h) { return h.to != to; });
+    [[nodiscard]] std::vector<AliasTransition> into(ResourceId to) const {
+        const auto first = std::lower_bound(
+            all.begin(), all.end(), to, [](const AliasTransition& h, ResourceId id) { return h.to < id; });
+        const auto last =
+            std::find_if(first, all.end(), [to](const AliasTransition& h) { return h.to != to; });
         if (first == last) return {{to, to, true}};
         return {first, last};
     }
@@ -44,20 +45,21 @@ struct HandOverRows {
 // it see that a buffer overwrites an image, or an image a buffer.
 class EarlierOwners {
  public:
-    EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const HandOverRows& rows)
+    EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const AliasTransitionRows& rows)
         : graph_(graph), rows_(rows), whole_(fully_written(graph, order)) {}
 
-    [[nodiscard]] std::vector<ResourceId> of(ResourceId to, const std::vector<HandOver>& owners) const {
+    [[nodiscard]] std::vector<ResourceId> of(ResourceId to,
+                                             const std::vector<AliasTransition>& owners) const {
         std::vector<ResourceId> found, left;
         const auto look_behind = [&](ResourceId owner) {
             const bool hides = whole_[owner] && graph_.resources[owner].kind == graph_.resources[to].kind;
             if (!hides) left.push_back(owner);
         };
-        for (const HandOver& owner : owners) look_behind(owner.from);
+        for (const AliasTransition& owner : owners) look_behind(owner.from);
         while (!left.empty()) {
             const ResourceId owner = left.back();
             left.pop_back();
-            for (const HandOver& before : rows_.into(owner)) {
+            for (const AliasTransition& before : rows_.into(owner)) {
                 if (std::find(found.begin(), found.end(), before.from) != found.end()) continue;
                 found.push_back(before.from);
                 look_behind(before.from);
@@ -68,7 +70,7 @@ class EarlierOwners {
 
  private:
     const ResolvedGraph& graph_;
-    const HandOverRows& rows_;
+    const AliasTransitionRows& rows_;
     std::vector<uint8_t> whole_;
 };
 
@@ -83,12 +85,12 @@ void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) 
 
 // Waits for whoever used the memory last: by a barrier on the same queue, by a semaphore on another. Within a
 // frame memory is shared only where the order of the queues is known already.
-void take_over(const SyncTable& sync, const std::vector<HandOver>& owners, QueueIndex queue,
+void take_over(const SyncTable& sync, const std::vector<AliasTransition>& owners, QueueIndex queue,
                PlacedBarrier& placed, std::vector<QueueDependency>& dependencies) {
     BarrierDecl& barrier = placed.barrier;
     barrier.from_previous_frame = true;
     bool first = true, elsewhere = false;
-    for (const HandOver& owner : owners) {
+    for (const AliasTransition& owner : owners) {
         for (const LastUse& last : sync.histories[owner.from].last_uses) {
             barrier.from = first || barrier.from == last.pass ? last.pass : kNoId;
             first = false;
@@ -102,8 +104,8 @@ void take_over(const SyncTable& sync, const std::vector<HandOver>& owners, Queue
             barrier.src.access |= last.writes;
         }
         barrier.from_previous_frame = barrier.from_previous_frame && owner.wrap;
-        if (barrier.hand_over_from.empty() || barrier.hand_over_from.back() != owner.from)
-            barrier.hand_over_from.push_back(owner.from);
+        if (barrier.aliased_from.empty() || barrier.aliased_from.back() != owner.from)
+            barrier.aliased_from.push_back(owner.from);
     }
     if (elsewhere) barrier.src.stages |= barrier.dst.stages;
 }
@@ -159,15 +161,15 @@ BarrierResult barriers(const ResolvedGraph& graph, const Schedule& order, const 
     for (uint32_t position = 0; position < order.order.size(); ++position) {
         plan.steps[position].pass = order.order[position];
         plan.steps[position].attachments = attachments[position];
-        plan.steps[position].continues_scope = sync.scopes[position] != kNoId;
+        plan.steps[position].merges_render_pass = sync.scopes[position] != kNoId;
     }
-    const HandOverRows rows{memory.hand_overs};
+    const AliasTransitionRows rows{memory.alias_transitions};
     const EarlierOwners earlier(graph, order, rows);
     for (ResourceId id = 0; id < graph.resources.size(); ++id) {
-        const std::vector<HandOver> owners = rows.into(id);
+        const std::vector<AliasTransition> owners = rows.into(id);
         for (PlacedBarrier placed : sync.histories[id].barriers) {
             placed.barrier.resource = id;
-            if (placed.barrier.reason == BarrierReason::hand_over) {
+            if (placed.barrier.reason == BarrierReason::alias) {
                 const QueueIndex queue = order.queue[placed.position];
                 take_over(sync, owners, queue, placed, result.memory_dependencies);
                 for (const ResourceId before : earlier.of(id, owners))

@@ -64,7 +64,7 @@ void MultiQueueTracker::wait_for(const Past& past, uint32_t position, CellSync& 
 }
 
 BarrierReason MultiQueueTracker::reason(const AccessEvent& event) const {
-    if (taken_over_) return BarrierReason::hand_over;
+    if (taken_over_) return BarrierReason::alias;
     if (entered_) return BarrierReason::acquire_import;
     if (readers_.empty()) return event.reads ? BarrierReason::raw : BarrierReason::waw;
     return event.writes ? BarrierReason::war : BarrierReason::layout;

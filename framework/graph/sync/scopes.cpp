@@ -7,7 +7,7 @@ namespace {
 
 bool draws(const PassDecl& pass) {
     // What draws elsewhere every frame has no attachments that a plan could compare.
-    return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.turns == 0;
+    return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.frame_slices == 0;
 }
 
 // Colours by location, then depth.
@@ -101,7 +101,7 @@ ScopeTable within_batches(ScopeTable scopes, const SubmissionPlan& submissions) 
 }
 
 PassId continued_pass(const FramePlan& plan, uint32_t position) {
-    if (!plan.barriers.steps[position].continues_scope) return kNoId;
+    if (!plan.barriers.steps[position].merges_render_pass) return kNoId;
     for (uint32_t before = position; before-- > 0;)
         if (plan.schedule.queue[before] == plan.schedule.queue[position]) return plan.schedule.order[before];
     return kNoId;

@@ -37,7 +37,7 @@ bool SingleQueueTracker::needs_barrier(const AccessEvent& event) const {
 }
 
 BarrierReason SingleQueueTracker::reason(const AccessEvent& event) const {
-    if (taken_over_) return BarrierReason::hand_over;
+    if (taken_over_) return BarrierReason::alias;
     if (entered_) return BarrierReason::acquire_import;
     if (unflushed_ != 0) return event.reads ? BarrierReason::raw : BarrierReason::waw;
     return event.writes ? BarrierReason::war : BarrierReason::layout;

@@ -325,10 +325,10 @@ struct PassDecl {
     std::string view = "camera";
     std::array<float, 4> clear{0, 0, 0, 0};  // for clear passes
     double flops = 0;                        // declared arithmetic cost
-    // One pass of a repeat with `perFrame`: frame f runs turn f mod turns, frame 0 runs all turns. Its
-    // results are kept for the frames in between. 0 turns: it runs in every frame.
-    uint32_t turn = 0;
-    uint32_t turns = 0;
+    // One pass of a repeat with `perFrame`, which is cut into slices: frame f runs slice f mod frame_slices,
+    // frame 0 runs all slices. Its results are kept for the frames in between. 0 slices: it runs in every frame.
+    uint32_t frame_slice = 0;
+    uint32_t frame_slices = 0;
     uint32_t order_key = 0;  // program order of graphs made in memory; ties are ordered by
                              // name
     SourceLoc loc;

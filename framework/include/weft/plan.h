@@ -83,11 +83,11 @@ struct Placement {
 };
 
 // `to` takes over memory from `from`. With `wrap`, `from` used it in the previous frame.
-struct HandOver {
+struct AliasTransition {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
     bool wrap = false;
-    bool operator==(const HandOver&) const = default;
+    bool operator==(const AliasTransition&) const = default;
 };
 
 struct HeapPlan {
@@ -101,7 +101,7 @@ struct MemoryPlan {
     std::vector<HeapPlan> heaps;
     std::vector<Placement>
         placements;  // sorted by (heap, offset, resource); persistent resources share no memory
-    std::vector<HandOver> hand_overs;  // sorted
+    std::vector<AliasTransition> alias_transitions;  // sorted
     uint64_t sum_bytes = 0;            // total without sharing
     uint64_t peak_live_bytes = 0;
     uint32_t peak_position = 0;
@@ -123,7 +123,7 @@ enum class BarrierReason : uint8_t {
     war,
     waw,
     layout,
-    hand_over,
+    alias,  // the resource takes over memory that another one held
     acquire_import,
     release_import,
     release_queue,  // the first half of an ownership transfer, after the last use on the old queue family
@@ -145,7 +145,7 @@ struct BarrierDecl {
     PassId from = kNoId;  // the pass waited for, if a single pass is the reason
     PassId to = kNoId;
     bool from_previous_frame = false;
-    std::vector<ResourceId> hand_over_from;  // resources whose memory is taken over
+    std::vector<ResourceId> aliased_from;  // resources whose memory is taken over
 };
 
 struct PassStep {
@@ -156,7 +156,7 @@ struct PassStep {
     std::vector<AttachmentOps> attachments;  // colours by location, then depth
     // Draws into the rendering scope of the previous pass on its queue. The scope ends with the last such
     // pass. Its load operations are those of its first pass, its store operations those of its last one.
-    bool continues_scope = false;
+    bool merges_render_pass = false;
 };
 
 // Runs once, on queue 0, before the first frame: initialises all copies of all persistent resources.

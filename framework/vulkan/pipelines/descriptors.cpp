@@ -117,7 +117,7 @@ Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const std::vec
     std::map<VkDescriptorType, uint32_t> counts;
     uint32_t sets = 0;
     for (const SetDemand& demand : demands) {
-        const uint32_t pass_sets = demand.turns * kFramesInFlight;
+        const uint32_t pass_sets = demand.ring_phases * kFramesInFlight;
         sets += pass_sets;
         for (const ShaderBinding& binding : demand.interface->bindings)
             if (binding.set == kPortSet) counts[to_vk(binding.kind)] += binding.count * pass_sets;

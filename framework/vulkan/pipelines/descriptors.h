@@ -1,6 +1,6 @@
 // Purpose: the descriptor sets for the ports of passes (set 1). The bindings of a pass never change during
 // the lifetime of a plan, except for resources with history, whose copies rotate. So every set is written
-// only once: one set per rotation state (turn) and frame slot. The sets of different slots differ only in the
+// only once: one set per ring phase and frame slot. The sets of different slots differ only in the
 // memory of their Params. Errors: V411, V413.
 #pragma once
 
@@ -29,12 +29,12 @@ struct DescriptorSources {
 // Number of sets that one pass needs from the pool.
 struct SetDemand {
     const ShaderInterface* interface = nullptr;
-    uint32_t turns = 1;  // number of turns; one turn has a set for each slot
+    uint32_t ring_phases = 1;  // one ring phase has a set for each slot
 };
 [[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device,
                                                                 const std::vector<SetDemand>& demands);
 
-// The sets of the turn that `sources` describes.
+// The sets of the ring phase that `sources` describes.
 [[nodiscard]] Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool,
                                               DescriptorSources sources, uint32_t position,
                                               const ShaderInterface& interface, const PassLayout& layout);

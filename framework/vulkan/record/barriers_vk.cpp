@@ -77,10 +77,10 @@ void record_barriers(const Device& device, VkCommandBuffer commands, std::span<c
         const ResourceDecl& decl = plan.graph.resources[barrier.resource];
         const bool is_image = decl.kind == ResourceKind::image;
         const Families families = families_of(device, barrier);
-        if (!barrier.hand_over_from.empty()) memory.push_back(memory_barrier(barrier, is_image));
+        if (!barrier.aliased_from.empty()) memory.push_back(memory_barrier(barrier, is_image));
         if (is_image)
             images.push_back(image_barrier(barrier, resources.image(barrier.resource), families));
-        else if (barrier.hand_over_from.empty())
+        else if (barrier.aliased_from.empty())
             buffers.push_back(buffer_barrier(barrier, resources.buffer(barrier.resource), families));
     }
     VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};

@@ -16,7 +16,7 @@ uint32_t next_on_queue(const FramePlan& plan, uint32_t position) {
 
 bool scope_goes_on(const FramePlan& plan, uint32_t position) {
     const uint32_t next = next_on_queue(plan, position);
-    return next != kNoId && plan.barriers.steps[next].continues_scope;
+    return next != kNoId && plan.barriers.steps[next].merges_render_pass;
 }
 
 PassStep step_of_scope(const FramePlan& plan, uint32_t position) {

@@ -10,8 +10,9 @@
 namespace weft::vk {
 namespace {
 
-// Limit on the descriptor set turns of a pass. 840 is a multiple of all ring lengths up to eight.
-constexpr uint64_t kMaxTurns = 840;
+// Limit on the ring phases of a pass, each of which has descriptor sets. 840 is a multiple of all ring
+// lengths up to eight.
+constexpr uint64_t kMaxRingPhases = 840;
 
 bool runs_shader(PassKind kind) {
     return kind == PassKind::compute || kind == PassKind::fullscreen || kind == PassKind::raster;
@@ -42,7 +43,7 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
         const auto fault = [&](const std::string& what) {
             errors.push_back(pass_error(plan, pass, "V417", what));
         };
-        if (rings.period(pass) > kMaxTurns)
+        if (rings.period(pass) > kMaxRingPhases)
             fault(
                 "its resources keep histories of so many lengths that they are back in their places only "
                 "after " +
@@ -98,8 +99,8 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
 }
 
 // Prepares the bindings of the pass at `position` in `frame`, which are the same after each full period.
-Status prepare_turn(Device& device, PlanObjects& objects, uint32_t position, const ShaderInterface& interface,
-                    uint64_t frame) {
+Status prepare_ring_phase(Device& device, PlanObjects& objects, uint32_t position,
+                          const ShaderInterface& interface, uint64_t frame) {
     PreparedPass& prepared = objects.passes[position];
     const DescriptorSources sources{objects.plan,  {objects.resources, frame}, objects.params,
                                     objects.views, objects.samplers,           objects.dummies};
@@ -112,7 +113,7 @@ Status prepare_turn(Device& device, PlanObjects& objects, uint32_t position, con
     Result<RenderingScope> scope =
         make_rendering_scope(objects.plan, step_of_scope(objects.plan, position), objects.views, frame);
     if (!scope) return scope.take_errors();
-    scope->begins = !step.continues_scope;
+    scope->begins = !step.merges_render_pass;
     scope->ends = !scope_goes_on(objects.plan, position);
     prepared.scopes.push_back(std::move(*scope));
     return Unit{};
@@ -127,8 +128,8 @@ Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjec
     if (!layout) return layout.take_errors();
     prepared.layout = std::move(*layout);
     for (uint64_t frame = 0; frame < objects.resources.rings.period(pass); ++frame) {
-        const Status turn = prepare_turn(device, objects, position, program.interface, frame);
-        if (!turn) return turn;
+        const Status ring_phase = prepare_ring_phase(device, objects, position, program.interface, frame);
+        if (!ring_phase) return ring_phase;
     }
     Result<std::vector<DrawPipeline>> pipelines =
         make_pipelines(device, {objects.plan, pass, program, prepared.layout, input.imports,

@@ -19,8 +19,8 @@ namespace weft::vk {
 // set.
 struct PreparedPass {
     PassLayout layout;
-    // Both are indexed by the frame's turn: resources with history return to the same copies after that many
-    // frames.
+    // Both are indexed by the frame's ring phase: resources with history return to the same copies after that
+    // many frames.
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
     std::vector<DrawPipeline> pipelines;

@@ -121,7 +121,7 @@ TEST(BarrierPlans, AMipChainMovesOneMipAtATime) {
     EXPECT_EQ(mip1[0].reason, BarrierReason::raw);
     EXPECT_EQ(mip1[0].range, one_cell(0));
     EXPECT_EQ(mip1[0].dst.stages, stage::kComputeShader | stage::kFragmentShader) << "serves `draw` as well";
-    EXPECT_EQ(mip1[1].reason, BarrierReason::hand_over);
+    EXPECT_EQ(mip1[1].reason, BarrierReason::alias);
     EXPECT_EQ(mip1[1].range, one_cell(1));
     const BarrierDecl last = barrier_before(plan, "draw", "chain");
     EXPECT_EQ(last.range, one_cell(2)) << "the other mips are visible already";
@@ -185,19 +185,19 @@ TEST(BarrierPlans, HandOverAndWrapAround) {
     // Within this frame, last takes over a's memory: a was last read by p2's fragment shader, and reads need
     // no flush.
     const BarrierDecl within = barrier_before(plan, "p3", "last");
-    EXPECT_EQ(within.reason, BarrierReason::hand_over);
-    EXPECT_EQ(within.hand_over_from, (std::vector<ResourceId>{resource_id(plan, "a")}));
+    EXPECT_EQ(within.reason, BarrierReason::alias);
+    EXPECT_EQ(within.aliased_from, (std::vector<ResourceId>{resource_id(plan, "a")}));
     EXPECT_FALSE(within.from_previous_frame);
     expect_state(within.src, {stage::kFragmentShader, access::kNone, Layout::undefined});
     expect_state(within.dst, {stage::kComputeShader, access::kStorageWrite, Layout::general});
     // a takes the memory back from last, which the previous frame copied out.
     const BarrierDecl wrap = barrier_before(plan, "p1", "a");
-    EXPECT_EQ(wrap.hand_over_from, (std::vector<ResourceId>{resource_id(plan, "last")}));
+    EXPECT_EQ(wrap.aliased_from, (std::vector<ResourceId>{resource_id(plan, "last")}));
     EXPECT_TRUE(wrap.from_previous_frame);
     expect_state(wrap.src, {stage::kCopy, access::kNone, Layout::undefined});
     // mid shares its memory with no other resource.
     const BarrierDecl self = barrier_before(plan, "p2", "mid");
-    EXPECT_EQ(self.hand_over_from, (std::vector<ResourceId>{resource_id(plan, "mid")}));
+    EXPECT_EQ(self.aliased_from, (std::vector<ResourceId>{resource_id(plan, "mid")}));
     EXPECT_TRUE(self.from_previous_frame);
     expect_state(self.src, {stage::kComputeShader, access::kNone, Layout::undefined});
 }

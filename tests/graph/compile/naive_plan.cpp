@@ -60,9 +60,9 @@ class Layouts {
                 barrier.range = {mip, 1, layer, 1, decl.aspects};
                 barrier.src = {kEveryStage, kEveryAccess, cell.layout};
                 barrier.dst = to;
-                barrier.reason = cell.fresh ? BarrierReason::hand_over : reason;
+                barrier.reason = cell.fresh ? BarrierReason::alias : reason;
                 barrier.from_previous_frame = cell.fresh;
-                if (cell.fresh) barrier.hand_over_from = {resource};
+                if (cell.fresh) barrier.aliased_from = {resource};
                 cell = {to.layout, false};
                 barriers.push_back(barrier);
             }
@@ -170,7 +170,7 @@ void plan_memory(FramePlan& plan, const MemoryNeeds& needs) {
             continue;
         }
         plan.lifetimes.spans[id] = {0, last};
-        plan.memory.hand_overs.push_back({id, id, true});
+        plan.memory.alias_transitions.push_back({id, id, true});
         plan.memory.sum_bytes += needs[id].size_bytes;
     }
     plan.memory.peak_live_bytes = plan.memory.heap_bytes = plan.memory.sum_bytes;

@@ -15,8 +15,8 @@ namespace {
 constexpr uint32_t kGraphs = 300;
 
 bool hands_over(const FramePlan& plan) {
-    return std::any_of(plan.memory.hand_overs.begin(), plan.memory.hand_overs.end(),
-                       [](const HandOver& h) { return h.from != h.to; });
+    return std::any_of(plan.memory.alias_transitions.begin(), plan.memory.alias_transitions.end(),
+                       [](const AliasTransition& h) { return h.from != h.to; });
 }
 
 bool has_partial_ranges(const FramePlan& plan) {

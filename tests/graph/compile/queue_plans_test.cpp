@@ -54,7 +54,7 @@ TEST(QueuePlans, RandomFramesAreProvedOnOneToFourQueues) {
         transfers += moved;
         for (const uint8_t concurrent : plan.barriers.concurrent) shared += concurrent;
         bool reused = false;
-        for (const HandOver& h : plan.memory.hand_overs) reused = reused || h.from != h.to;
+        for (const AliasTransition& h : plan.memory.alias_transitions) reused = reused || h.from != h.to;
         handed_over += reused;
         if (HasFailure()) break;
     }

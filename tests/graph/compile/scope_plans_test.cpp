@@ -42,7 +42,7 @@ class Layers {
 };
 
 bool merged(const FramePlan& plan, const char* pass) {
-    return step_of(plan, pass).continues_scope;
+    return step_of(plan, pass).merges_render_pass;
 }
 
 // Expects that the pass begins its own scope and waits for the previous drawing.
@@ -122,7 +122,7 @@ TEST(ScopePlans, AnotherMip) {
     read_back(b, "read", target);
     const FramePlan plan = compiled(b);
     for (const PassStep& step : plan.barriers.steps)
-        if (step.continues_scope) {
+        if (step.merges_render_pass) {
             const uint32_t position = plan.schedule.position[step.pass];
             const std::string& name = plan.graph.passes[step.pass].name;
             const std::string& before = plan.graph.passes[plan.schedule.order[position - 1]].name;
@@ -234,7 +234,7 @@ TEST(ScopePlans, DumpsAndAnswersSayIt) {
     layers.draw("second");
     const FramePlan plan = layers.plan();
     EXPECT_NE(plan_to_text(plan).find("    continues the scope of pass first\n"), std::string::npos);
-    EXPECT_NE(plan_to_json(plan).find("\"continuesScope\": true"), std::string::npos);
+    EXPECT_NE(plan_to_json(plan).find("\"mergesRenderPass\": true"), std::string::npos);
     EXPECT_NE(plan_to_dot(plan).find("one scope"), std::string::npos);
     const Result<std::string> answer = explain_barrier(plan, "first", "second");
     ASSERT_TRUE(answer.ok());

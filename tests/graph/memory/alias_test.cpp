@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "graph/memory/alias_hand_over.h"
+#include "graph/memory/alias_transitions.h"
 #include "tests/graph/samples/graph_builder.h"
 #include "tests/graph/samples/hand_made.h"
 
@@ -53,14 +53,14 @@ TEST(Alias, AChainNeedsTwoPlacesAndTakesThemOverInTurn) {
         EXPECT_EQ(place_of(plan, id).offset_bytes, place_of(plan, 0).offset_bytes) << id;
     EXPECT_EQ(place_of(plan, 3).offset_bytes, place_of(plan, 1).offset_bytes);
     EXPECT_NE(place_of(plan, 0).offset_bytes, place_of(plan, 1).offset_bytes);
-    const std::vector<HandOver> wanted{
+    const std::vector<AliasTransition> wanted{
         {4, 0, true}, {3, 1, true}, {0, 2, false}, {1, 3, false}, {2, 4, false}};
-    EXPECT_EQ(plan.hand_overs, wanted);
+    EXPECT_EQ(plan.alias_transitions, wanted);
 }
 
 TEST(Alias, AResourceAloneTakesItsBytesOverFromItself) {
     const MemoryPlan plan = aliased(images(1), one_queue(), {span(0, 1)}, {{1024, 1, UINT32_MAX}});
-    EXPECT_EQ(plan.hand_overs, (std::vector<HandOver>{{0, 0, true}}));
+    EXPECT_EQ(plan.alias_transitions, (std::vector<AliasTransition>{{0, 0, true}}));
 }
 
 TEST(Alias, BytesAreSharedBetweenQueuesOnlyWhereClocksProveTheOrder) {
@@ -72,7 +72,8 @@ TEST(Alias, BytesAreSharedBetweenQueuesOnlyWhereClocksProveTheOrder) {
         const MemoryPlan plan =
             aliased(images(2), order, {span(0, 0, 0), span(1, 1, 1)}, MemoryNeeds(2, {1024, 1, UINT32_MAX}));
         EXPECT_EQ(plan.heap_bytes, ordered ? 1024u : 2048u);
-        EXPECT_EQ(plan.hand_overs.front(), (ordered ? HandOver{1, 0, true} : HandOver{0, 0, true}));
+        EXPECT_EQ(plan.alias_transitions.front(),
+                  (ordered ? AliasTransition{1, 0, true} : AliasTransition{0, 0, true}));
     }
 }
 
@@ -115,7 +116,7 @@ TEST(Alias, WhatOutlivesTheFrameSharesNothing) {
     EXPECT_EQ(place_of(plan, 1).offset_bytes, 128u) << "the next multiple of the granularity";
     EXPECT_EQ(plan.persistent_bytes, 188u);
     EXPECT_EQ(plan.heap_bytes, 0u);
-    EXPECT_TRUE(plan.hand_overs.empty());
+    EXPECT_TRUE(plan.alias_transitions.empty());
 }
 
 TEST(Alias, WhatNoPassUsesOrNeedsNoMemoryHasNoPlace) {
@@ -128,9 +129,9 @@ TEST(Alias, WhatNoPassUsesOrNeedsNoMemoryHasNoPlace) {
 TEST(AliasTransitions, FollowTheBytes) {
     // In a heap of 100 bytes: first 0, then 1, both beside 2; then 3 in the memory of both.
     const std::vector<Placement> placements{{0, 0, 0, 60}, {1, 0, 0, 50}, {2, 0, 50, 50}, {3, 0, 0, 100}};
-    const std::vector<HandOver> wanted{{3, 0, true}, {0, 1, false}, {0, 2, false},
-                                       {3, 2, true}, {1, 3, false}, {2, 3, false}};
-    EXPECT_EQ(hand_overs(placements, {{{0, 1}, {2, 3}, {2, 3}, {4, 5}}}), wanted);
+    const std::vector<AliasTransition> wanted{{3, 0, true}, {0, 1, false}, {0, 2, false},
+                                              {3, 2, true}, {1, 3, false}, {2, 3, false}};
+    EXPECT_EQ(alias_transitions(placements, {{{0, 1}, {2, 3}, {2, 3}, {4, 5}}}), wanted);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(PlanDump, TextTellsTheWholeStory) {
                              "barrier color: color_output color_write color_attachment -> compute_shader "
                              "sampled_read shader_read_only  "
                              "[raw, after base]",
-                             "hand_over", "of the frame before", "peak live", "candidates: program",
+                             " alias ", "of the frame before", "peak live", "candidates: program",
                              "culled\n    extra: nobody reads \"unused\""})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\nis missing in\n" << text;
 }
@@ -70,7 +70,7 @@ TEST(PlanDump, TextTellsTheWholeStory) {
 TEST(PlanDump, JsonHoldsNamesAndStates) {
     const std::string json = plan_to_json(compiled(shuffled_frame(0)));
     for (const char* part :
-         {"\"hash\"", "\"handOvers\"", "\"access\": \"sampled_read\"", "\"reason\": \"hand_over\"",
+         {"\"hash\"", "\"aliasTransitions\"", "\"access\": \"sampled_read\"", "\"reason\": \"alias\"",
           "\"format\": \"rgba16f\"", "\"boundary\"", "\"peakLiveBytes\""})
         EXPECT_NE(json.find(part), std::string::npos) << part;
 }

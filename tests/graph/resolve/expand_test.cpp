@@ -90,8 +90,8 @@ TEST_F(ExpandTest, AnObservedReferenceIsAReadback) {
 TEST_F(ExpandTest, PassesThatTakeTurnsAreSlicedOverFrames) {
     describe_repeat("probe", "0", "4").per_frame = expression("2");
     const Expansion found = run();
-    EXPECT_EQ(found.passes[4].decl.turn, 2u);
-    EXPECT_EQ(found.passes[4].decl.turns, 3u);
+    EXPECT_EQ(found.passes[4].decl.frame_slice, 2u);
+    EXPECT_EQ(found.passes[4].decl.frame_slices, 3u);
 }
 
 }  // namespace

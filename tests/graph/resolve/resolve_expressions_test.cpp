@@ -95,7 +95,7 @@ TEST_F(ResolveExpressions, SoManyTurnsAFrame) {
                                      each + R"j(, "out": {"dst": "a.layer(i)"}}})j");
         std::string text;
         for (const PassDecl& pass : g.passes)
-            text += std::to_string(pass.turn) + "/" + std::to_string(pass.turns) + " ";
+            text += std::to_string(pass.frame_slice) + "/" + std::to_string(pass.frame_slices) + " ";
         return text;
     };
     EXPECT_EQ(turns("true"), "0/5 1/5 2/5 3/5 4/5 ");

@@ -139,8 +139,8 @@ TEST_F(ResolveRepeat, PassesMayTakeTurns) {
     const ResolvedGraph g = good(turns(R"j(, "keep": true)j"));
     ASSERT_EQ(g.passes.size(), 6u);
     for (uint32_t i = 0; i < 6; ++i) {
-        EXPECT_EQ(g.passes[i].turn, i);
-        EXPECT_EQ(g.passes[i].turns, 6u);
+        EXPECT_EQ(g.passes[i].frame_slice, i);
+        EXPECT_EQ(g.passes[i].frame_slices, 6u);
     }
     EXPECT_TRUE(runs_in_frame(g.passes[2], 0));
     EXPECT_FALSE(runs_in_frame(g.passes[2], 1));

@@ -35,7 +35,8 @@ bool tests_against_its_input(const PassDecl& pass) {
 
 void GraphCoverage::add(const FramePlan& plan, bool left_out) {
     ++graphs;
-    hand_overs += any(plan.memory.hand_overs, [](const HandOver& h) { return h.from != h.to; });
+    alias_transitions +=
+        any(plan.memory.alias_transitions, [](const AliasTransition& h) { return h.from != h.to; });
     several_queues += any(plan.schedule.queue, [](QueueIndex queue) { return queue != 0; });
     waits += any(plan.submissions.batches, [](const Batch& batch) {
         return any(batch.waits, [](const QueueWait& wait) { return !wait.previous_frame; }) != 0;
@@ -58,7 +59,7 @@ void GraphCoverage::add(const FramePlan& plan, bool left_out) {
     conditionals += left_out ? 1 : 0;
     after += any(plan.graph.edges, [](const EdgeDecl& edge) { return edge.kind == EdgeKind::after; });
     depth_inputs += any_live_pass(plan, tests_against_its_input);
-    merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.continues_scope; });
+    merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.merges_render_pass; });
     culled += plan.schedule.order.size() < plan.graph.passes.size() ? 1 : 0;
 }
 
@@ -68,7 +69,7 @@ std::string GraphCoverage::text() const {
         all += std::string(all.back() == ':' ? " " : ", ") + what + " " +
                std::to_string(graphs == 0 ? 0 : (count * 100 + graphs / 2) / graphs) + " %";
     };
-    share("alias hand-overs", hand_overs);
+    share("alias hand-overs", alias_transitions);
     share("several queues", several_queues);
     share("cross-queue waits", waits);
     share("family transfers", transfers);

@@ -11,7 +11,7 @@ namespace weft::test {
 
 struct GraphCoverage {
     uint32_t graphs = 0;
-    uint32_t hand_overs = 0;  // transfers of memory between two resources
+    uint32_t alias_transitions = 0;  // transfers of memory between two resources
     uint32_t several_queues = 0;
     uint32_t waits = 0;      // waits across queues, within a frame
     uint32_t transfers = 0;  // ownership transfers between queue families

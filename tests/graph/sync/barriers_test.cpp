@@ -34,7 +34,7 @@ SyncTable empty_table(const ResolvedGraph& graph) {
 PlacedBarrier taking_over(uint32_t position) {
     BarrierDecl barrier;
     barrier.dst = kWrite;
-    barrier.reason = BarrierReason::hand_over;
+    barrier.reason = BarrierReason::alias;
     return {position, false, barrier};
 }
 
@@ -65,8 +65,8 @@ TEST(Barriers, StepsTakeOverTheirAttachmentsScopesAndPasses) {
                                       {{}, {{3, LoadOp::load, StoreOp::none}}, {}})
                                  .plan;
     EXPECT_EQ(plan.steps[0].pass, pass_of(graph, "pc"));
-    EXPECT_FALSE(plan.steps[0].continues_scope);
-    EXPECT_TRUE(plan.steps[1].continues_scope);
+    EXPECT_FALSE(plan.steps[0].merges_render_pass);
+    EXPECT_TRUE(plan.steps[1].merges_render_pass);
     ASSERT_EQ(plan.steps[1].attachments.size(), 1u);
     EXPECT_EQ(plan.steps[1].attachments[0].use, 3u);
     EXPECT_EQ(plan.concurrent, sync.concurrent);
@@ -78,7 +78,7 @@ TEST(Barriers, MemoryIsTakenOverFromTheLastUsersOfItsOwner) {
     sync.histories[0].last_uses = {{0, 0, stage::kCopy, access::kTransferWrite, pass_of(graph, "pa")}};
     sync.histories[1].barriers = {taking_over(1)};
     MemoryPlan memory;
-    memory.hand_overs = {{0, 1, false}};
+    memory.alias_transitions = {{0, 1, false}};
     const BarrierResult result =
         barriers(graph, in_order(graph, {"pa", "pb", "pc"}), sync, memory, {{}, {}, {}});
     ASSERT_EQ(result.plan.steps[1].barriers.size(), 1u);
@@ -87,7 +87,7 @@ TEST(Barriers, MemoryIsTakenOverFromTheLastUsersOfItsOwner) {
     expect_state(barrier.dst, kWrite);
     EXPECT_EQ(barrier.from, pass_of(graph, "pa"));
     EXPECT_FALSE(barrier.from_previous_frame);
-    EXPECT_EQ(barrier.hand_over_from, (std::vector<ResourceId>{0}));
+    EXPECT_EQ(barrier.aliased_from, (std::vector<ResourceId>{0}));
     EXPECT_TRUE(result.memory_dependencies.empty());
 }
 
@@ -100,7 +100,7 @@ TEST(Barriers, MemoryThatNoOtherResourceHeldComesFromTheFrameBefore) {
     const BarrierDecl& barrier = result.plan.steps[1].barriers.at(0);
     expect_state(barrier.src, {stage::kComputeShader, access::kNone, Layout::undefined});
     EXPECT_TRUE(barrier.from_previous_frame);
-    EXPECT_EQ(barrier.hand_over_from, (std::vector<ResourceId>{1}));
+    EXPECT_EQ(barrier.aliased_from, (std::vector<ResourceId>{1}));
 }
 
 TEST(Barriers, MemoryOfAnotherQueueIsWaitedForAcrossTheFrameBoundaryOnly) {
@@ -110,7 +110,7 @@ TEST(Barriers, MemoryOfAnotherQueueIsWaitedForAcrossTheFrameBoundaryOnly) {
         sync.histories[0].last_uses = {{1, 0, stage::kCopy, access::kTransferWrite, pass_of(graph, "pa")}};
         sync.histories[1].barriers = {taking_over(1)};
         MemoryPlan memory;
-        memory.hand_overs = {{0, 1, wrap}};
+        memory.alias_transitions = {{0, 1, wrap}};
         const BarrierResult result =
             barriers(graph, in_order(graph, {"pa", "pb", "pc"}, {1, 0, 0}), sync, memory, {{}, {}, {}});
         expect_state(result.plan.steps[1].barriers.at(0).src,
@@ -131,7 +131,7 @@ TEST(Barriers, EarlierOwnersCountWhereTheLastOneWroteOnlyAPart) {
         sync.histories[1].last_uses = {{0, 1, stage::kCopy, access::kTransferWrite, kNoId}};
         sync.histories[2].barriers = {taking_over(2)};
         MemoryPlan memory;
-        memory.hand_overs = {{2, 0, true}, {0, 1, false}, {1, 2, false}};
+        memory.alias_transitions = {{2, 0, true}, {0, 1, false}, {1, 2, false}};
         const BarrierResult result =
             barriers(graph, in_order(graph, {"pa", "pb", "pc"}), sync, memory, {{}, {}, {}});
         const BarrierDecl& barrier = result.plan.steps[2].barriers.at(0);
@@ -140,7 +140,7 @@ TEST(Barriers, EarlierOwnersCountWhereTheLastOneWroteOnlyAPart) {
                                        access::kTransferWrite | access::kStorageWrite, Layout::undefined});
         else
             expect_state(barrier.src, {stage::kCopy, access::kTransferWrite, Layout::undefined});
-        EXPECT_EQ(barrier.hand_over_from, (std::vector<ResourceId>{1}));
+        EXPECT_EQ(barrier.aliased_from, (std::vector<ResourceId>{1}));
     }
 }
 

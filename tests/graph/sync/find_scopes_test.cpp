@@ -55,7 +55,7 @@ TEST(FindScopes, ExtentResolveAndFrameSlicesMustAgree) {
     graph.passes[pass_of(graph, "third")].colors.front().resolve_use = 0;
     EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNone, 0, kNone})) << "resolve";
     graph = layers();
-    graph.passes[pass_of(graph, "third")].turns = 2;
+    graph.passes[pass_of(graph, "third")].frame_slices = 2;
     EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNone, 0, kNone})) << "runs in some frames only";
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint32_t kNone = kNoId;
 
-// Lines such as "0 hand_over none:none:undefined > compute_shader:storage_write:general", sorted by position.
+// Lines such as "0 none:none:undefined > compute_shader:storage_write:general", sorted by position.
 std::string text_of(const std::vector<PlacedBarrier>& barriers) {
     const auto state = [](const AccessState& s) {
         return stages_text(s.stages) + ":" + access_text(s.access) + ":" + layout_text(s.layout);
@@ -48,7 +48,7 @@ TEST(Synchronize, ATransientsHistoryIsATakeOverAndOneBarrierForEachHazard) {
               "0 none:none:undefined > compute_shader:storage_write:general\n"
               "1 compute_shader:storage_write:general > compute_shader:sampled_read:shader_read_only\n");
     EXPECT_EQ(reasons_of(image.barriers),
-              (std::vector<BarrierReason>{BarrierReason::hand_over, BarrierReason::raw}));
+              (std::vector<BarrierReason>{BarrierReason::alias, BarrierReason::raw}));
     EXPECT_EQ(image.barriers[1].barrier.from, pass_of(graph, "make"));
     ASSERT_EQ(image.last_uses.size(), 1u);
     EXPECT_EQ(image.last_uses[0].position, 1u);
@@ -98,7 +98,7 @@ TEST(Synchronize, AnImageMovesBetweenFamiliesAndABufferIsConcurrent) {
     const SyncTable table = synchronize(graph, order, {{}, {}}, {kNone, kNone});
     const std::vector<PlacedBarrier>& barriers = table.histories[resource_of(graph, "image")].barriers;
     EXPECT_EQ(reasons_of(barriers),
-              (std::vector<BarrierReason>{BarrierReason::hand_over, BarrierReason::release_queue,
+              (std::vector<BarrierReason>{BarrierReason::alias, BarrierReason::release_queue,
                                           BarrierReason::acquire_queue}));
     EXPECT_EQ(text_of(barriers),
               "0 none:none:undefined > compute_shader:storage_write:general\n"

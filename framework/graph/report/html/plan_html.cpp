@@ -132,7 +132,7 @@ const char* barrier_style(BarrierReason reason) {
             return "over";
         case BarrierReason::layout:
             return "layout";
-        case BarrierReason::hand_over:
+        case BarrierReason::alias:
             return "handover";
         case BarrierReason::release_queue:
         case BarrierReason::acquire_queue:

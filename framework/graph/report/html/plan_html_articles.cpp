@@ -74,9 +74,9 @@ void write_needed_by(const PlanPage& page, PassId pass, Markup& out) {
     write_links(out, "Needed by", links);
 }
 
-void write_hand_overs(const FramePlan& plan, ResourceId id, Markup& out) {
+void write_alias_transitions(const FramePlan& plan, ResourceId id, Markup& out) {
     std::vector<ResourceId> others;
-    for (const HandOver& h : plan.memory.hand_overs) {
+    for (const AliasTransition& h : plan.memory.alias_transitions) {
         if (h.from == h.to || (h.from != id && h.to != id)) continue;
         const ResourceId other = h.from == id ? h.to : h.from;
         if (std::find(others.begin(), others.end(), other) == others.end()) others.push_back(other);
@@ -150,7 +150,7 @@ void write_resource_article(const PlanPage& page, ResourceId resource, Markup& o
     open_article(out, resource_key(resource), decl.name,
                  std::string(enum_name(decl.lifetime)) + " " + enum_name(decl.kind));
     if (const Result<std::string> what = explain_resource(plan, decl.name)) write_sentences(out, *what);
-    write_hand_overs(plan, resource, out);
+    write_alias_transitions(plan, resource, out);
     out.close();
     out.line();
 }

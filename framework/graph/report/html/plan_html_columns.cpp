@@ -42,9 +42,9 @@ void write_heading(const PlanPage& page, Markup& out) {
         const int32_t x_px = column.box_left_px + column.box_width_px / 2;
         open_item(out, "title", pass_keys(page, pass), std::to_string(p) + " " + name);
         if (page.columns.rotated_labels) {
-            std::string turn = "translate(";
-            turn += std::to_string(x_px) + " " + std::to_string(bottom_px) + ") rotate(-45)";
-            out.leaf("text", {{"class", "name"}, {"transform", turn}}, short_name(name));
+            std::string transform = "translate(";
+            transform += std::to_string(x_px) + " " + std::to_string(bottom_px) + ") rotate(-45)";
+            out.leaf("text", {{"class", "name"}, {"transform", transform}}, short_name(name));
         } else {
             const size_t fits = characters_in(column.box_width_px);
             const std::string numbered = std::to_string(p) + " " + name;

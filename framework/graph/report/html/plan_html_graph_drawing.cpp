@@ -148,12 +148,12 @@ class GraphDrawing {
                       to_x = corner(item.to).x + 14 + 4 * (lane % 4);
         const int32_t from_y = bottom_px(item.from), to_y = bottom_px(item.to) + 5;
         const int32_t lane_y = layout_.height_px + kMargin_px + (lane + 1) * kLane_px;
-        const int32_t turn = to_x < from_x ? -kBend_px : kBend_px;
+        const int32_t bend_px = to_x < from_x ? -kBend_px : kBend_px;
         EdgePath path;
         path.move({from_x, from_y});
         path.line({from_x, lane_y - kBend_px});
-        path.bend({from_x, lane_y}, {from_x + turn, lane_y});
-        path.line({to_x - turn, lane_y});
+        path.bend({from_x, lane_y}, {from_x + bend_px, lane_y});
+        path.line({to_x - bend_px, lane_y});
         path.bend({to_x, lane_y}, {to_x, lane_y - kBend_px});
         path.line({to_x, to_y});
         return path;

@@ -15,7 +15,7 @@ std::vector<PassId> waited_for(const PlanPage& page, const BarrierItem& item) {
     const BarrierDecl& barrier = *item.barrier;
     if (barrier.from != kNoId) return {barrier.from};
     if (item.place == BarrierPlace::prologue || barrier.reason == BarrierReason::acquire_import) return {};
-    std::vector<ResourceId> owners = barrier.hand_over_from;
+    std::vector<ResourceId> owners = barrier.aliased_from;
     if (owners.empty()) owners.push_back(barrier.resource);
     std::vector<PassId> passes;
     for (const ResourceId owner : owners)
@@ -137,7 +137,7 @@ void write_barrier_article(const PlanPage& page, size_t barrier, Markup& out) {
                 {{resource_key(b.resource), plan.graph.resources[b.resource].name,
                   b.range == plan.graph.resources[b.resource].whole() ? "all of it" : range_text(b.range)}});
     std::vector<ArticleLink> owners;
-    for (const ResourceId id : b.hand_over_from)
+    for (const ResourceId id : b.aliased_from)
         owners.push_back({resource_key(id), plan.graph.resources[id].name,
                           id == b.resource ? "of the frame before: it shares its memory with nobody"
                                            : "held this memory"});

@@ -258,7 +258,7 @@ void write_timeline_legend(const PlanPage& page, Markup& out) {
     add("family", "barrier family", "from one queue family to another");
     add("outside", "barrier outside", "an import enters or leaves, or first-frame values");
     const std::vector<PassStep>& steps = page.plan->barriers.steps;
-    if (std::any_of(steps.begin(), steps.end(), [](const PassStep& s) { return s.continues_scope; }))
+    if (std::any_of(steps.begin(), steps.end(), [](const PassStep& s) { return s.merges_render_pass; }))
         used.emplace_back("scope", "goes on in the same rendering scope");
     if (!page.waits.empty()) used.emplace_back("wait", "a queue waits for another");
     if (std::any_of(page.waits.begin(), page.waits.end(),

@@ -44,7 +44,7 @@ class LastWriters {
             for (const UseDecl& use : decl.uses) {
                 if (use.resource != resource || !writes(use.access)) continue;
                 for (const uint32_t cell : grid_.cells_of(use.range)) {
-                    if (decl.turns == 0) writers_[cell].clear();
+                    if (decl.frame_slices == 0) writers_[cell].clear();
                     writers_[cell].push_back(pass);
                 }
             }
@@ -196,7 +196,7 @@ std::string barrier_keys(const PlanPage& page, size_t barrier) {
     std::string keys = barrier_key(barrier) + " " + resource_key(item.barrier->resource);
     if (item.position != kNoId) keys += " " + pass_key(page.plan->schedule.order[item.position]);
     if (item.barrier->from != kNoId) keys += " " + pass_key(item.barrier->from);
-    for (const ResourceId owner : item.barrier->hand_over_from)
+    for (const ResourceId owner : item.barrier->aliased_from)
         if (owner != item.barrier->resource) keys += " " + resource_key(owner);
     return keys;
 }

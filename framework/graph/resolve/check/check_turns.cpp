@@ -40,7 +40,7 @@ Suspects check_turns(const Declared& declared, const FormattedGraph& graph, Susp
     PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
     for (const auto& [name, desc] : declared.input.graph.passes) check_repeat(desc, reporter);
     for (PassId id = 0; id < graph.passes.size(); ++id)
-        if (declared.expansion.passes[id].decl.turns > 0) check_outputs(declared, graph, id, report);
+        if (declared.expansion.passes[id].decl.frame_slices > 0) check_outputs(declared, graph, id, report);
     return suspects;
 }
 

@@ -19,7 +19,7 @@ struct Turn {
 
 Turn turn_of(const Declared& declared, PassId pass) {
     const PassDecl& decl = declared.expansion.passes[pass].decl;
-    return decl.turns > 1 ? Turn{decl.turns, decl.turn} : Turn{};
+    return decl.frame_slices > 1 ? Turn{decl.frame_slices, decl.frame_slice} : Turn{};
 }
 
 // Judges the reads of one cell. Any set of turns may run in a frame, so the rule does not depend on when a

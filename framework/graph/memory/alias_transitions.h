@@ -10,7 +10,7 @@ namespace weft {
 // For every placed transient the owners, byte range by byte range, that held its memory last before it; the
 // second of the two frames is what repeats, so that owners from the first are hand-overs across the frame
 // boundary.
-[[nodiscard]] std::vector<HandOver> hand_overs(const std::vector<Placement>& placements,
-                                               const Lifetimes& spans);
+[[nodiscard]] std::vector<AliasTransition> alias_transitions(const std::vector<Placement>& placements,
+                                                             const Lifetimes& spans);
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-#include "graph/memory/alias_hand_over.h"
+#include "graph/memory/alias_transitions.h"
 
 #include <algorithm>
 #include <iterator>
@@ -47,20 +47,21 @@ class OwnerMap {
     std::map<uint64_t, Range> ranges_;  // by begin
 };
 
-bool before(const HandOver& a, const HandOver& b) {
+bool before(const AliasTransition& a, const AliasTransition& b) {
     return std::tie(a.to, a.from, a.wrap) < std::tie(b.to, b.from, b.wrap);
 }
 
 }  // namespace
 
-std::vector<HandOver> hand_overs(const std::vector<Placement>& placements, const Lifetimes& spans) {
+std::vector<AliasTransition> alias_transitions(const std::vector<Placement>& placements,
+                                               const Lifetimes& spans) {
     std::vector<Placement> by_time = placements;
     std::sort(by_time.begin(), by_time.end(), [&](const Placement& a, const Placement& b) {
         return std::tie(spans.spans[a.resource].first, a.resource) <
                std::tie(spans.spans[b.resource].first, b.resource);
     });
     std::map<uint32_t, OwnerMap> heaps;
-    std::vector<HandOver> result;
+    std::vector<AliasTransition> result;
     std::vector<Owner> old_owners;
     for (uint32_t frame = 0; frame < 2; ++frame) {
         for (const Placement& p : by_time) {
