@@ -68,10 +68,9 @@ class ExecutorBlitVk : public ExecutorTest {
     static void add_blit(GraphBuilder& builder, ResourceId from, ResourceId to, SamplerFilter filter,
                          std::optional<SubresourceRange> from_part = {},
                          std::optional<SubresourceRange> to_part = {}, const std::string& name = "blit") {
-        PassDecl& blit = builder.pass(name, PassKind::copy,
+        PassDecl& blit = builder.pass(name, PassKind::blit,
                                       {{"src", from, Access::blit_read, from_part, kNoId},
                                        {"dst", to, Access::blit_write, to_part, kNoId}});
-        blit.type = "blit";
         blit.uses[0].sampler.filter = filter;
     }
 

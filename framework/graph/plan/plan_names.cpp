@@ -27,7 +27,8 @@ const char* enum_name(ImageKind value) {
 }
 
 const char* enum_name(PassKind value) {
-    return pick(value, std::array{"compute", "fullscreen", "raster", "clear", "copy", "readback", "custom"});
+    return pick(value,
+                std::array{"compute", "fullscreen", "raster", "clear", "copy", "readback", "custom", "blit"});
 }
 
 const char* enum_name(ParamCost value) {

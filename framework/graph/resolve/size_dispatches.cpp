@@ -212,7 +212,8 @@ Dispatches size_dispatches(const Declared& declared, const VersionedGraph& graph
             DispatchSizer(declared, graph, pass, dispatches, reporter).run();
         if (draft.decl.kind == PassKind::raster)
             find_draw_commands(declared, graph, pass, dispatches, report);
-        if (draft.decl.kind == PassKind::copy && !dispatches.suspects.passes[pass])
+        const bool copies = draft.decl.kind == PassKind::copy || draft.decl.kind == PassKind::blit;
+        if (copies && !dispatches.suspects.passes[pass])
             check_copy(declared, graph, pass, dispatches.suspects, report);
     }
     return dispatches;

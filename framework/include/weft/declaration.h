@@ -165,8 +165,8 @@ struct EdgeDecl {
     SourceLoc loc;
 };
 
-// `readback` copies a range to host memory; observing a resource adds such a pass.
-enum class PassKind : uint8_t { compute, fullscreen, raster, clear, copy, readback, custom };
+// `blit` is a copy with scaling. `readback` copies a range to host memory; observing a resource adds such a pass.
+enum class PassKind : uint8_t { compute, fullscreen, raster, clear, copy, readback, custom, blit };
 
 enum class CompareOp : uint8_t { never, less, equal, less_equal, greater, not_equal, greater_equal, always };
 enum class CullMode : uint8_t { none, front, back, material };
@@ -299,7 +299,7 @@ struct GraphParam {
 
 struct PassDecl {
     std::string name;
-    std::string type;  // "compute", "raster", … or the name of a C++ pass; "blit" is a copy with scaling
+    std::string type;  // "compute", "raster", … or the name of a C++ pass
     PassKind kind = PassKind::compute;
     QueueKind queue = QueueKind::graphics;  // a hint only
     std::vector<UseDecl> uses;              // inputs, then outputs, both sorted by name

@@ -48,7 +48,7 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
                 "its resources keep histories of so many lengths that they are back in their places only "
                 "after " +
                 std::to_string(rings.period(pass)) + " frames");
-        if (pass.kind == PassKind::copy && !copies_like_to_like(plan, pass))
+        if ((pass.kind == PassKind::copy || pass.kind == PassKind::blit) && !copies_like_to_like(plan, pass))
             fault("a copy needs one input and one output, both images or both buffers");
         if (is_resolved_elsewhere(device, pass)) {
             fault(

@@ -105,6 +105,7 @@ void record_pass(const RecordContext& context, uint32_t position) {
         case PassKind::clear:
             return record_clear(context, pass);
         case PassKind::copy:
+        case PassKind::blit:
             return record_copy(context, pass);
         case PassKind::readback:
             return objects.readbacks.record(context.device, context.commands, position, context.slot,

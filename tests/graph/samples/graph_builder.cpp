@@ -118,7 +118,7 @@ void sort_everything(ResolvedGraph& graph) {
 
 const char* type_name(PassKind kind) {
     constexpr const char* kNames[] = {"compute", "fullscreen", "raster", "clear",
-                                      "copy",    "readback",   "custom"};
+                                      "copy",    "readback",   "custom", "blit"};
     return kNames[static_cast<size_t>(kind)];
 }
 

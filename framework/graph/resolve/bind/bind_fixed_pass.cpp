@@ -24,6 +24,7 @@ void check_port_counts(PassBinding& pass) {
             }
             return;
         case PassKind::copy:
+        case PassKind::blit:
             if (ins != 1 || outs != 1) {
                 report_port_counts(pass, "one input and one output",
                                    "for example \"in\": { \"src\": \"a\" }, \"out\": { \"dst\": \"b\" }");
@@ -83,7 +84,7 @@ void report_missing_ports(PassBinding& pass) {
 void bind_fixed_ports(PassBinding& pass) {
     check_port_counts(pass);
     const PassDraft& draft = pass.draft;
-    const bool blit = draft.decl.type == "blit";
+    const bool blit = draft.decl.kind == PassKind::blit;
     const Access read = blit ? Access::blit_read : Access::copy_read;
     const Access written = draft.decl.kind == PassKind::clear ? Access::clear_write
                            : blit                             ? Access::blit_write

@@ -66,7 +66,7 @@ void check_copy(const Declared& declared, const VersionedGraph& graph, PassId pa
     const PassDecl& decl = declared.expansion.passes[pass].decl;
     const std::vector<UseDecl>& uses = graph.passes[pass].uses;
     if (uses.size() != 2) return;
-    if (decl.type == "blit") return check_blit(graph, decl, pass, suspects, report);
+    if (decl.kind == PassKind::blit) return check_blit(graph, decl, pass, suspects, report);
     const UseDecl& from = uses[0];
     const UseDecl& to = uses[1];
     if (suspects.shapes[from.resource] || suspects.shapes[to.resource]) return;

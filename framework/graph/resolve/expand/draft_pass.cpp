@@ -14,7 +14,7 @@ struct KindName {
     PassKind kind;
 };
 constexpr std::array kKinds{
-    KindName{"blit", PassKind::copy},
+    KindName{"blit", PassKind::blit},
     KindName{"clear", PassKind::clear},
     KindName{"compute", PassKind::compute},
     KindName{"copy", PassKind::copy},
