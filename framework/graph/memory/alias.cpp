@@ -100,7 +100,7 @@ void place_group(const std::vector<ResourceId>& group, const Schedule& order, co
     plan.heap_bytes += packing.height_bytes;
 }
 
-// What outlives the frame lies side by side: every byte has one owner for good.
+// Persistent resources lie side by side: no byte has two owners.
 void place_persistent(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
                       uint64_t granularity_bytes, MemoryPlan& plan) {
     std::map<HeapKey, uint32_t> heaps;

@@ -82,7 +82,8 @@ uint32_t peak_position(const std::vector<PackItem>& items) {
     return position;
 }
 
-// What lives at the peak has no room to spare and is placed first; then outwards from there.
+// Items that live at the peak have no room to spare and are placed first. The others follow by their distance
+// from it.
 std::vector<uint32_t> peak_first_order(const std::vector<PackItem>& items) {
     const uint32_t peak = peak_position(items);
     const auto distance = [&](uint32_t i) {
@@ -109,7 +110,7 @@ std::vector<uint32_t> area_descending_order(const std::vector<PackItem>& items) 
     return order;
 }
 
-// Whatever reached the top gets first choice in the next round.
+// The item that reached the top is placed first in the next round.
 Packing search(const std::vector<PackItem>& items, std::vector<uint32_t> order, Packing best,
                uint64_t lower_bound, Conflicts& conflicts) {
     const size_t rounds = std::min(kMaxSearchRounds, kSearchVisits / std::max<size_t>(conflicts.visits(), 1));

@@ -7,7 +7,7 @@ namespace {
 
 void add_program(HashVisitor& v, const ShaderProgram& program) {
     for (const ShaderModule& module : program.modules) v("stage", module.stage), v("words", module.spirv);
-    // What no word says: constants and vertex inputs go by name.
+    // The SPIR-V words do not contain these names: constants and vertex inputs are found by name.
     for (const SpecConstant& constant : program.interface.spec_constants)
         v("name", constant.name), v("id", constant.id);
     for (const StageVariable& input : program.interface.vertex_inputs)

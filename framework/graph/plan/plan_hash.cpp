@@ -1,4 +1,4 @@
-// What of a plan decides which hash.
+// The fields of a plan that count in each hash.
 #include <string>
 
 #include "graph/plan/field_hash.h"

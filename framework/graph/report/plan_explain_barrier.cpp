@@ -149,7 +149,7 @@ class BarrierAnswer {
                "give.\n";
     }
 
-    // What the barrier before the pass at `position` has to do with what the second pass needs.
+    // Explains how the barrier before the pass at `position` serves the second pass.
     std::string through_words(uint32_t position, const BarrierDecl& barrier, const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];
         const std::string waited =

@@ -53,7 +53,7 @@ class FieldFacts {
     std::string prefix_;
 };
 
-// What differs from a default.
+// Settings that differ from their defaults.
 template <class T>
 void add_fields(const std::string& prefix, const T& value, Facts& facts) {
     FieldFacts given(prefix), standard(prefix);

@@ -81,7 +81,7 @@ class PlanText {
         for (const BarrierDecl& b : p.after) barrier(b);
     }
 
-    // What the batch that begins with this position waits for.
+    // The waits of the batch that begins with this position.
     void waits(uint32_t position) {
         for (const Batch& batch : plan_.submissions.batches) {
             if (batch.positions.empty() || batch.positions.front() != position) continue;

@@ -20,8 +20,8 @@ struct IndexRows {
     [[nodiscard]] const uint32_t* end(uint32_t row) const { return items.data() + offsets[row + 1]; }
 };
 
-// What the candidates need to know of a graph. Culled passes stay as nodes without cost, so that orders which
-// only run through them ("a after b after c") still hold.
+// The part of a graph that the candidates need. Culled passes stay as nodes without cost, so that an order
+// which only runs through them ("a after b after c") still holds.
 struct ScheduleProblem {
     std::vector<uint8_t> live;           // by pass
     std::vector<uint32_t> rank;          // by pass: its place by (order_key, name)

@@ -1,5 +1,5 @@
-// Purpose: what the passes of a schedule do to every resource, in order: the raw material of dependencies,
-// lifetimes and barriers. Load and store operations count as accesses.
+// Purpose: the accesses of the passes of a schedule to every resource, in order. Dependencies and barriers
+// follow from them. Load and store operations count as accesses.
 #pragma once
 
 #include <vector>

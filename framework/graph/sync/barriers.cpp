@@ -1,7 +1,6 @@
-// Synchronisation, resource by resource. The frame repeats, so the memory that a transient takes over may
-// have been left by the frame before; what a resource leaves behind does not depend on what it found, so that
-// one walk over the frame serves both frames of the unroll: first every history, then the hand-overs between
-// them.
+// Records all barriers of a frame. The state in which a resource leaves a frame does not depend on the state
+// in which the frame found it, so one walk serves this frame and the one before it: the histories come first,
+// then the alias transitions between them.
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -39,10 +38,10 @@ struct AliasTransitionRows {
     }
 };
 
-// Whose last users a hand-over names besides those of the owners just before. Where an owner wrote only parts
-// of itself, what earlier owners did to the rest was waited for when it took over. That order is a chain
-// through barriers on other resources, which the validation layer of Vulkan 1.3.239 doesn't follow; nor does
-// it see that a buffer overwrites an image, or an image a buffer.
+// Earlier owners of these bytes that the alias barrier must also wait for. If an owner wrote only parts of
+// itself, the barrier of that owner waited for the earlier users of the other bytes. That order is a chain
+// through barriers on other resources, which the validation layer of Vulkan 1.3.239 does not follow. The
+// layer also does not see that a buffer overwrites an image, or an image a buffer.
 class EarlierOwners {
  public:
     EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const AliasTransitionRows& rows)
@@ -74,7 +73,7 @@ class EarlierOwners {
     std::vector<uint8_t> whole_;
 };
 
-// What an owner's last users on this queue did.
+// Adds the stages and writes of the last users of `owner` on this queue.
 void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) {
     for (const LastUse& last : owner.last_uses) {
         if (last.queue != queue) continue;
@@ -83,8 +82,8 @@ void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) 
     }
 }
 
-// Waits for whoever used the memory last: by a barrier on the same queue, by a semaphore on another. Within a
-// frame memory is shared only where the order of the queues is known already.
+// Waits for the last users of the memory: with a barrier on the same queue, with a semaphore on another
+// queue. Within a frame, memory is shared only if the order of the queues is already known.
 void take_over(const SyncTable& sync, const std::vector<AliasTransition>& owners, QueueIndex queue,
                PlacedBarrier& placed, std::vector<QueueDependency>& dependencies) {
     BarrierDecl& barrier = placed.barrier;

@@ -20,7 +20,7 @@ bool on_several_queues(std::span<const AccessEvent> group) {
                        [&](const AccessEvent& t) { return t.queue != group.front().queue; });
 }
 
-// What the group does on one queue.
+// The accesses of the group on one queue.
 AccessState state_on(std::span<const AccessEvent> group, QueueIndex queue) {
     AccessState state{stage::kNone, access::kNone, group.front().state.layout};
     for (const AccessEvent& event : group) {
@@ -89,14 +89,14 @@ bool MultiQueueTracker::merges_render_pass(const AccessEvent& event) const {
            source_->position == event.merged_position && readers_.empty() && layout_ == event.state.layout;
 }
 
-// The rasteriser keeps the order: whoever comes next waits for both, by waiting for the later one.
+// The rasteriser keeps the order, so the next user waits for both passes by waiting for the later one.
 void MultiQueueTracker::merge_drawing(const AccessEvent& event) {
     source_ = Past{event.position, event.queue, source_->stages | event.state.stages, event.pass, false};
     source_writes_ |= event.state.access & access::kAllWrites;
     unflushed_ |= source_writes_;
 }
 
-// One more reader of what is there already.
+// Adds a reader of the current content.
 void MultiQueueTracker::join(std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     if (source_ && source_->queue != event.queue) {

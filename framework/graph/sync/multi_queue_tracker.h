@@ -1,6 +1,6 @@
-// Purpose: what is known of one subresource that several queues use. Whoever runs on another queue is waited
-// for by a semaphore, which makes everything before it available and visible; what is left for barriers are
-// accesses of one's own queue, layouts, and the ownership of queue families.
+// Purpose: the state of one subresource that several queues use. A semaphore waits for the other queues and
+// makes all their writes available and visible. Barriers remain for accesses on the same queue, for layouts,
+// and for the ownership of queue families.
 #pragma once
 
 #include <optional>

@@ -6,7 +6,7 @@ namespace weft {
 namespace {
 
 bool draws(const PassDecl& pass) {
-    // What draws elsewhere every frame has no attachments that a plan could compare.
+    // A pass that does not run in every frame has attachments that a plan cannot compare.
     return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.frame_slices == 0;
 }
 
@@ -18,8 +18,8 @@ std::vector<const AttachmentDecl*> attachments_of(const PassDecl& pass) {
     return all;
 }
 
-// The second pass goes on where the first one left this attachment. What the first one writes, the last one
-// has to store.
+// True if the second pass continues with this attachment as the first pass left it. If the first pass writes
+// it, the last pass must store it.
 bool keeps_attachment(const PassDecl& first, const AttachmentDecl& a, const PassDecl& second,
                       const AttachmentDecl& b) {
     const UseDecl &before = first.uses[a.use], &after = second.uses[b.use];
@@ -34,7 +34,7 @@ bool is_attachment(const PassDecl& pass, uint32_t use) {
     return std::any_of(all.begin(), all.end(), [use](const AttachmentDecl* a) { return a->use == use; });
 }
 
-// Looks, other than by drawing, at what the scope draws to: only drawing is ordered inside a scope.
+// True if the pass accesses its own attachments in another way, too: only drawing is ordered inside a scope.
 bool uses_what_it_draws(const PassDecl& pass) {
     for (const AttachmentDecl* attachment : attachments_of(pass)) {
         const UseDecl& drawn = pass.uses[attachment->use];

@@ -114,7 +114,7 @@ void SingleQueueTracker::apply_event(const AccessEvent& event) {
     written_ = true;
 }
 
-// The rasteriser keeps the order: whoever comes next waits for both, by waiting for the later one.
+// The rasteriser keeps the order, so the next user waits for both passes by waiting for the later one.
 void SingleQueueTracker::merge_drawing(AccessEvent event) {
     event.state.stages |= writer_stages_;
     event.state.access |= unflushed_;

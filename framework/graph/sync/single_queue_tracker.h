@@ -1,6 +1,6 @@
-// Purpose: what is known of one subresource while a frame is trace on one queue: layout, unflushed writes,
-// who has to be waited for, and for each stage the accesses already made visible. A barrier is needed only
-// for a layout change, a pending write, an access not yet visible in its stage, or a write after anything.
+// Purpose: the state of one subresource while a frame is walked on one queue: its layout, unflushed writes,
+// the accesses to wait for, and for each stage the accesses already made visible. A barrier is needed only
+// for a layout change, a pending write, an access not yet visible in its stage, or a write after any access.
 // Source: the flush/invalidate model of Vulkan's memory model appendix, tracked as H.-K. Arntzen describes
 // for Granite
 // ("Render graphs and Vulkan – a deep dive", 2017), with visibility kept per stage.
@@ -17,7 +17,7 @@ namespace weft {
 
 inline constexpr uint32_t kEpiloguePosition = UINT32_MAX;
 
-// What one queue did last to a subresource: whoever comes next has to wait for it.
+// The last use of a subresource on one queue. The next user must wait for it.
 struct LastUse {
     QueueIndex queue = 0;
     uint32_t position = 0;
@@ -41,7 +41,7 @@ struct CellBarrier {
     AccessState pair_state;
 };
 
-// What walking one cell through a frame asks for.
+// The barriers and dependencies of one cell in one frame.
 struct CellSync {
     std::vector<CellBarrier> barriers;
     std::vector<QueueDependency> dependencies;
@@ -64,8 +64,8 @@ class SingleQueueTracker {
     // Adds the barrier that the first of `events` needs, if any. It also serves the reads that follow in the
     // same layout before the next write, so that they need none.
     void advance(std::span<const AccessEvent> events, CellSync& sync);
-    // An import's way back into its exit state: needed after writes, for another layout, and where whoever
-    // comes next may write what this frame has read.
+    // Returns an import to its exit state. A barrier is needed after writes, for another layout, and if the
+    // next user may write data that this frame has read.
     void release(const AccessState& exit, CellSync& sync);
     // From here on events belong to the next frame.
     void next_frame() { previous_frame_ = true; }

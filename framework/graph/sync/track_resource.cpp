@@ -116,7 +116,7 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses
     return usage;
 }
 
-// What one cell of all roles came to, in the settled frame.
+// The result of tracking one cell through all roles, in the settled frame.
 struct CellTrace {
     std::vector<CellSync> sync;                   // by role
     std::vector<Layout> entry;                    // by role

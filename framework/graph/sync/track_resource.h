@@ -1,6 +1,6 @@
-// Purpose: all barriers of one resource over one frame, from the events of its subresources alone, and what
-// queues have to wait for because of it. What happened to its memory before the first event of a transient is
-// filled in by barriers().
+// Purpose: all barriers of one resource in one frame, and the dependencies between queues, from the accesses
+// to its subresources alone. barriers() adds the earlier users of the memory to the first barrier of a
+// transient.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ void write_heading(const PlanPage& page, Markup& out);
 // The lines between columns, from `top_px` down.
 void write_guides(const PlanPage& page, int32_t top_px, int32_t bottom_px, Markup& out);
 
-// What labels say.
+// Texts of labels.
 [[nodiscard]] std::string barrier_label(const PlanPage& page, size_t barrier);
 [[nodiscard]] std::string edge_label(const PlanPage& page, size_t edge);
 [[nodiscard]] std::string wait_label(const PlanPage& page, size_t wait);

@@ -1,4 +1,4 @@
-// What the panels that share their columns have in common: the names above, the lines between.
+// The parts that panels with the same columns share: the names above and the lines between.
 #include <algorithm>
 
 #include "graph/report/html/html_sections.h"

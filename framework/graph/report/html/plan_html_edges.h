@@ -37,7 +37,7 @@ struct EdgeName {
     PointPx at;        // the middle of its base line
 };
 
-// What an edge would be called, the longest first.
+// The possible names of an edge, the longest first.
 using NameChoices = std::vector<std::string>;
 
 // By edge. Those that come first have the choice of place; a name lies on its own path, and touches no box,

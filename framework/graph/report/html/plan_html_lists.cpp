@@ -1,4 +1,4 @@
-// What the drawings don't show: resources that outlive the frame, and passes that don't run.
+// The lists below the drawings: resources that outlive the frame, and passes that do not run.
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
 #include "graph/report/html/html_sections.h"

@@ -1,4 +1,4 @@
-// Who lies where in the heaps of the transients, and when.
+// The place of each transient in its heap, and the time during which it is used.
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"
