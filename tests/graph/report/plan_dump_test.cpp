@@ -62,7 +62,7 @@ TEST(PlanDump, TextTellsTheWholeStory) {
                              "barrier color: color_output color_write color_attachment -> compute_shader "
                              "sampled_read shader_read_only  "
                              "[raw, after base]",
-                             " alias ", "of the frame before", "peak live", "candidates: program",
+                             "[alias from ", "of the frame before", "peak live", "candidates: program",
                              "culled\n    extra: nobody reads \"unused\""})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\nis missing in\n" << text;
 }
