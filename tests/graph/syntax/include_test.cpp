@@ -2,6 +2,7 @@
 // read.
 #include <map>
 
+#include "graph/syntax/read_graph.h"
 #include "tests/graph/report/marked_graph.h"
 
 namespace weft::test {
