@@ -49,7 +49,7 @@ BenchResult measure(const ResolvedGraph& graph, const CompileOptions& options) {
     return result;
 }
 
-Json to_json(const BenchOptions& options, const BenchResult& result) {
+Json bench_json(const BenchOptions& options, const BenchResult& result) {
     const FramePlan& plan = result.plan;
     Json candidates = Json::array();
     for (const ScheduleCandidate& c : plan.schedule.candidates)
@@ -109,7 +109,7 @@ ExitCode run_bench_compile(const BenchOptions& options) {
     profile.queue_families = {{QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
     compile_options.queues = logical_queues(profile, options.queues);
     const BenchResult result = measure(graph, compile_options);
-    return print_data(options.json ? to_json(options, result).dump(2) + "\n" : to_text(options, result));
+    return print_data(options.json ? bench_json(options, result).dump(2) + "\n" : to_text(options, result));
 }
 
 }  // namespace weft::viewer

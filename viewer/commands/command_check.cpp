@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const Diagnostic& d) {
+Json diagnostic_json(const Diagnostic& d) {
     Json notes = Json::array();
     for (const Note& note : d.notes)
         notes.push_back(
@@ -31,7 +31,7 @@ Json to_json(const Diagnostic& d) {
 
 std::string json_list(const Diagnostics& diagnostics) {
     Json list = Json::array();
-    for (const Diagnostic& d : diagnostics) list.push_back(to_json(d));
+    for (const Diagnostic& d : diagnostics) list.push_back(diagnostic_json(d));
     return list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

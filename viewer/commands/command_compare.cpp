@@ -108,7 +108,7 @@ std::string json_number(double value) {
     return std::isfinite(value) ? formatted("%.9g", value) : "null";
 }
 
-std::string to_json(const CompareOptions& options, const Comparison& comparison, bool good) {
+std::string comparison_json(const CompareOptions& options, const Comparison& comparison, bool good) {
     std::string text = "{\"metric\": \"" + options.metric +
                        "\", \"value\": " + json_number(comparison.value) + ", \"unit\": \"" +
                        comparison.unit + "\"";
@@ -160,8 +160,8 @@ ExitCode run_compare(const CompareOptions& options) {
         }
     const bool good = (!options.max || comparison.value <= *options.max) &&
                       (!options.min || comparison.value >= *options.min);
-    const ExitCode printed =
-        print_data(options.json ? to_json(options, comparison, good) : formatted("%.6g\n", comparison.value));
+    const ExitCode printed = print_data(options.json ? comparison_json(options, comparison, good)
+                                                     : formatted("%.6g\n", comparison.value));
     if (good || printed != ExitCode::ok) return printed;
     std::fprintf(stderr, "weft: %s is too far from %s: %.6g %s, where --%s is %g\n", options.test.c_str(),
                  options.reference.c_str(), comparison.value, comparison.unit, options.max ? "max" : "min",

@@ -16,7 +16,7 @@ namespace weft::viewer {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr uint32_t kPortSet = 1;
+constexpr uint32_t kBoundSet = 1;
 constexpr int kMostFolders = 3;        // depth below the graph's folder
 constexpr size_t kMostFiles = 10'000;  // limit on files examined, for graphs in large folders
 
@@ -110,7 +110,7 @@ class NameGatherer {
 
     static void add_interface(const ShaderInterface& interface, PassNames& pass) {
         for (const ShaderBinding& binding : interface.bindings) {
-            if (binding.set != kPortSet || binding.name == "Params") continue;
+            if (binding.set != kBoundSet || binding.name == "Params") continue;
             if (binding.reads) pass.in.insert(binding.name);
             if (binding.writes) pass.out.insert(binding.name);
         }

@@ -24,7 +24,7 @@ void read_view_shader(ParseContext& context, const JsonNode& node, DebugViewDesc
                       "remove one of the two");
 }
 
-void read_range(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
+void read_view_range(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
     if (!expect(context, node, JsonKind::array)) return;
     if (node.items.size() != 2)
         return context.error(node.loc, "W109",
@@ -41,7 +41,7 @@ void read_range(ParseContext& context, const JsonNode& node, DebugViewDesc& view
 
 constexpr std::array kViewKeys{
     KeyRule<DebugViewDesc>{"show", read_show}, KeyRule<DebugViewDesc>{"decode", read_decode},
-    KeyRule<DebugViewDesc>{"shader", read_view_shader}, KeyRule<DebugViewDesc>{"range", read_range}};
+    KeyRule<DebugViewDesc>{"shader", read_view_shader}, KeyRule<DebugViewDesc>{"range", read_view_range}};
 
 }  // namespace
 

@@ -14,7 +14,7 @@ void read_default(ParseContext& context, const JsonNode& node, ParamDesc& param)
     param.default_value = param.is_bool ? (node.boolean ? 1 : 0) : node.number;
 }
 
-void read_range(ParseContext& context, const JsonNode& node, ParamDesc& param) {
+void read_param_range(ParseContext& context, const JsonNode& node, ParamDesc& param) {
     std::array<double, 2> range{};
     if (!read_numbers(context, node, range)) return;
     if (range[0] > range[1])
@@ -39,7 +39,7 @@ void read_step(ParseContext& context, const JsonNode& node, ParamDesc& param) {
 
 constexpr std::array kParamKeys{
     KeyRule<ParamDesc>{"default", read_default},
-    KeyRule<ParamDesc>{"range", read_range},
+    KeyRule<ParamDesc>{"range", read_param_range},
     KeyRule<ParamDesc>{"enum", read_allowed},
     KeyRule<ParamDesc>{"step", read_step},
     KeyRule<ParamDesc>{"unit",

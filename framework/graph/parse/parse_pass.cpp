@@ -99,7 +99,7 @@ void read_threads(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_counts(context, node, pass.threads);
 }
 
-void read_clear(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+void read_pass_clear(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_color(context, node, pass.clear);
 }
 
@@ -155,7 +155,7 @@ constexpr std::array kPassKeys{
     PassKey{"groups", kCompute, read_groups},
     PassKey{"threads", kCompute, read_threads},
     PassKey{"state", kDrawing, parse_state},
-    PassKey{"clear", kDrawing | kClear, read_clear},
+    PassKey{"clear", kDrawing | kClear, read_pass_clear},
     PassKey{"covers", kDrawing, read_covers},
     PassKey{"partial", kShaded | kTransfer | kCustom, read_partial},
     PassKey{"after", kAll, read_after},

@@ -50,7 +50,7 @@ void read_sampler(ParseContext& context, const JsonNode& node, PortDraft& draft)
     read_object(context, node, "a sampler", kSamplerKeys, draft.port.sampler.emplace());
 }
 
-void read_clear(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+void read_port_clear(ParseContext& context, const JsonNode& node, PortDraft& draft) {
     read_color(context, node, draft.clear);
 }
 
@@ -58,7 +58,7 @@ constexpr std::array kInputKeys{KeyRule<PortDraft>{"ref", read_ref}, KeyRule<Por
                                 KeyRule<PortDraft>{"optional", read_optional},
                                 KeyRule<PortDraft>{"sampler", read_sampler}};
 constexpr std::array kOutputKeys{KeyRule<PortDraft>{"ref", read_ref},
-                                 KeyRule<PortDraft>{"clear", read_clear}};
+                                 KeyRule<PortDraft>{"clear", read_port_clear}};
 
 constexpr std::array kGroupsKeys{KeyRule<PortDraft>{"indirect", read_ref}};
 

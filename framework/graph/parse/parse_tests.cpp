@@ -111,7 +111,7 @@ void read_swap(ParseContext& context, const JsonNode& node, TestDraft& draft) {
                       "write [\"low\", \"high\", \"low\"]");
 }
 
-void read_count(ParseContext& context, const JsonNode& node, uint32_t& out) {
+void read_positive_count(ParseContext& context, const JsonNode& node, uint32_t& out) {
     int64_t count = 0;
     if (read_integer(context, node, 1, kMostFrames, count)) out = static_cast<uint32_t>(count);
 }
@@ -190,12 +190,12 @@ size_t stated_frames(const GraphTestDesc& test) {
 constexpr std::array kTestKeys{
     KeyRule<TestDraft>{"tiers", read_test_tiers},
     KeyRule<TestDraft>{"swap", read_swap},
-    KeyRule<TestDraft>{
-        "every", [](ParseContext& c, const JsonNode& n, TestDraft& d) { read_count(c, n, d.test.every); }},
+    KeyRule<TestDraft>{"every", [](ParseContext& c, const JsonNode& n,
+                                   TestDraft& d) { read_positive_count(c, n, d.test.every); }},
     KeyRule<TestDraft>{"scene", read_scene},
     KeyRule<TestDraft>{"size", read_test_size},
-    KeyRule<TestDraft>{
-        "frames", [](ParseContext& c, const JsonNode& n, TestDraft& d) { read_count(c, n, d.test.frames); }},
+    KeyRule<TestDraft>{"frames", [](ParseContext& c, const JsonNode& n,
+                                    TestDraft& d) { read_positive_count(c, n, d.test.frames); }},
     KeyRule<TestDraft>{"params", read_test_params},
     KeyRule<TestDraft>{"expect", read_expect}};
 

@@ -15,7 +15,7 @@ constexpr float kDadoLow = kFloor + 0.1f;
 constexpr float kDadoHigh = kDadoLow + 1.2f;
 
 // A closed path around the court; the court is on the right-hand side of the direction of travel.
-std::vector<glm::vec3> inward_loop(float half_x, float half_z) {
+std::vector<glm::vec3> inward_floor_loop(float half_x, float half_z) {
     return {{-half_x, 0, half_z}, {-half_x, 0, -half_z}, {half_x, 0, -half_z}, {half_x, 0, half_z}};
 }
 
@@ -69,14 +69,14 @@ void add_floors(Parts& parts) {
     add_frame(builder, court + 1.0f, court + 3.0f, kFloor, 1);
     place(parts, builder.finish("checker_floor"), m.checker);
 
-    builder.add_sweep({{0, 0}, {0, kFloor - kStepBevel}, {-kStepBevel, kFloor}}, inward_loop(kStepX, kStepZ),
-                      true);
+    builder.add_sweep({{0, 0}, {0, kFloor - kStepBevel}, {-kStepBevel, kFloor}},
+                      inward_floor_loop(kStepX, kStepZ), true);
     place(parts, builder.finish("step"), m.coping);
 }
 
 void add_outer_walls(Parts& parts) {
     const Materials& m = parts.materials;
-    const std::vector<glm::vec3> loop = inward_loop(kOuterX, kOuterZ);
+    const std::vector<glm::vec3> loop = inward_floor_loop(kOuterX, kOuterZ);
     MeshBuilder builder;
     builder.add_sweep({{0.05f, kFloor}, {0.05f, kDadoLow - 0.02f}, {0.03f, kDadoLow}, {0.02f, kDadoLow}},
                       loop, true);
@@ -103,7 +103,7 @@ void add_outer_walls(Parts& parts) {
 // The building as seen from outside: plain walls on a strip of earth.
 void add_outside(Parts& parts) {
     constexpr float kThick = 0.3f;
-    const std::vector<glm::vec3> inward = inward_loop(kOuterX + kThick, kOuterZ + kThick);
+    const std::vector<glm::vec3> inward = inward_floor_loop(kOuterX + kThick, kOuterZ + kThick);
     const std::vector<glm::vec3> outward(inward.rbegin(), inward.rend());
     MeshBuilder builder;
     builder.add_sweep({{0, -0.03f}, {0, kUpperFloor}, {-kThick, kUpperFloor}}, outward, true);

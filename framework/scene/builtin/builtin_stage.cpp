@@ -222,7 +222,7 @@ void add_leaf_spot(Scene& scene, uint32_t iron) {
 
 // Barn doors around a window of half size `half` (metres); each is rotated away from the axis by its own
 // angle.
-void add_doors(MeshBuilder& builder, const glm::mat4& axes, glm::vec2 half, const glm::vec4& doors) {
+void add_barn_doors(MeshBuilder& builder, const glm::mat4& axes, glm::vec2 half, const glm::vec4& doors) {
     constexpr float kLong_m = 0.3f;
     for (int i = 0; i < 4; ++i) {
         const bool upright = i < 2;
@@ -254,7 +254,7 @@ void add_soft_box(Scene& scene, uint32_t iron) {
     MeshBuilder housing;
     housing.set_transform(axes);
     housing.add_bevelled_box({-0.43f, -0.63f, 0.004f}, {0.43f, 0.63f, 0.2f}, 0.02f);
-    add_doors(housing, axes, {0.42f, 0.62f}, function.doors);
+    add_barn_doors(housing, axes, {0.42f, 0.62f}, function.doors);
     add(scene, housing, "soft box", iron);
 }
 

@@ -7,7 +7,7 @@ namespace weft::scene::gltf {
 namespace {
 
 template <class T>
-T load(const uint8_t* bytes) {
+T load_value(const uint8_t* bytes) {
     T value;
     std::memcpy(&value, bytes, sizeof value);
     return value;
@@ -15,8 +15,8 @@ T load(const uint8_t* bytes) {
 
 uint32_t load_index(const uint8_t* bytes, ComponentType type) {
     if (type == ComponentType::u8) return *bytes;
-    if (type == ComponentType::u16) return load<uint16_t>(bytes);
-    return load<uint32_t>(bytes);
+    if (type == ComponentType::u16) return load_value<uint16_t>(bytes);
+    return load_value<uint32_t>(bytes);
 }
 
 // The bytes of `count` elements, starting at `offset`; nullopt when they do not all lie inside the view.
@@ -112,21 +112,21 @@ float AccessorReader::component(uint64_t element, uint32_t component) const {
     const uint8_t* at = &bytes[uint64_t{component} * size_bytes(type_)];
     switch (type_) {
         case ComponentType::f32:
-            return load<float>(at);
+            return load_value<float>(at);
         case ComponentType::u8:
             return static_cast<float>(*at) / (normalized_ ? 255.0f : 1.0f);
         case ComponentType::u16:
-            return static_cast<float>(load<uint16_t>(at)) / (normalized_ ? 65535.0f : 1.0f);
+            return static_cast<float>(load_value<uint16_t>(at)) / (normalized_ ? 65535.0f : 1.0f);
         case ComponentType::i8: {
-            const auto value = static_cast<float>(load<int8_t>(at));
+            const auto value = static_cast<float>(load_value<int8_t>(at));
             return normalized_ ? std::max(value / 127.0f, -1.0f) : value;
         }
         case ComponentType::i16: {
-            const auto value = static_cast<float>(load<int16_t>(at));
+            const auto value = static_cast<float>(load_value<int16_t>(at));
             return normalized_ ? std::max(value / 32767.0f, -1.0f) : value;
         }
         case ComponentType::u32:
-            return static_cast<float>(load<uint32_t>(at));
+            return static_cast<float>(load_value<uint32_t>(at));
     }
     return 0;
 }

@@ -121,8 +121,8 @@ std::optional<gltf::CheckedJson> read_json(std::string_view json, const SceneLim
     return gltf::check_gltf(json, limits, report);
 }
 
-std::optional<Scene> load(const fs::path& file, const SceneLimits& limits, const LoadOptions& options,
-                          gltf::Report& report) {
+std::optional<Scene> load_scene(const fs::path& file, const SceneLimits& limits, const LoadOptions& options,
+                                gltf::Report& report) {
     MemoryBudget memory(limits.memory_bytes);
     FileBytes bytes = read_scene_file(file, limits, memory, report);
     if (report.failed()) return std::nullopt;
@@ -160,7 +160,7 @@ Result<Scene> load_gltf(const fs::path& file_or_folder, Diagnostics& warnings, c
     gltf::Report report(file.string());
     std::optional<Scene> scene;
     try {
-        scene = load(file, limits, options, report);
+        scene = load_scene(file, limits, options, report);
     } catch (const std::bad_alloc&) {
         report.error(
             "X571", {}, "memory ran out while the scene was loaded",

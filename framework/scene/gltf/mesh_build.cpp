@@ -14,7 +14,7 @@
 namespace weft::scene::gltf {
 namespace {
 
-bool is_usable(const glm::vec3& p) {
+bool is_usable_point(const glm::vec3& p) {
     return std::abs(p.x) <= kMaxCoordinateM && std::abs(p.y) <= kMaxCoordinateM &&
            std::abs(p.z) <= kMaxCoordinateM;
 }
@@ -214,7 +214,8 @@ class Builder {
         size_t kept = 0;
         for (size_t i = 0; i + 2 < indices.size(); i += 3) {
             bool usable = true;
-            for (size_t k = 0; k < 3; ++k) usable &= is_usable(positions.vector<glm::vec3>(indices[i + k]));
+            for (size_t k = 0; k < 3; ++k)
+                usable &= is_usable_point(positions.vector<glm::vec3>(indices[i + k]));
             if (!usable) continue;
             for (size_t k = 0; k < 3; ++k) indices[kept++] = indices[i + k];
         }

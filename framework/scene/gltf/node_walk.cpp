@@ -12,7 +12,7 @@ constexpr float kMaxEntry = 1e15f;
 // count twice because they grow.
 constexpr uint64_t kBytesPerInstance = 2 * sizeof(Instance) + 2 * 208 + 2 * 96 + 2 * 20;
 
-bool is_usable(const glm::mat4& m) {
+bool is_usable_transform(const glm::mat4& m) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             if (!(std::abs(m[column][row]) <= kMaxEntry)) return false;
@@ -120,7 +120,7 @@ void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t d
         stack.pop_back();
         const Node& node = document.nodes[visit.node];
         const glm::mat4 world = visit.parent * node.local;
-        if (!is_usable(world)) {
+        if (!is_usable_transform(world)) {
             report.warn("S152", "/nodes/" + std::to_string(visit.node),
                         label("node", visit.node, node.name) +
                             ": its transform leaves the range of numbers; it and its children are left out",

@@ -9,7 +9,6 @@
 namespace weft::scene {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr float kMostStored = 32768;  // largest value that glm stores in the shared-exponent format
 constexpr float kMostScale = 65536;   // multiplied with kMostStored: more than the luminance of the sun's
                                       // disc
@@ -46,7 +45,7 @@ PictureLevel half_of(uint32_t width_px, uint32_t height_px, std::span<const glm:
     half.texels.resize(size_t{half.width_px} * half.height_px);
     for (uint32_t y = 0; y < half.height_px; ++y) {
         const Cover rows = cover(y, height_px, half.height_px);
-        const auto height_at = [&](double row) { return std::cos(kPi * row / height_px); };
+        const auto height_at = [&](double row) { return std::cos(std::numbers::pi * row / height_px); };
         const double all = height_at(rows.begin) - height_at(rows.end);
         for (uint32_t x = 0; x < half.width_px; ++x) {
             const Cover columns = cover(x, width_px, half.width_px);
@@ -71,7 +70,7 @@ PictureLevel evened_towards_poles(const PictureLevel& level) {
     PictureLevel even = level;
     const int64_t width = level.width_px;
     for (uint32_t y = 0; y < level.height_px; ++y) {
-        const double sine = std::sin(kPi * (y + 0.5) / level.height_px);
+        const double sine = std::sin(std::numbers::pi * (y + 0.5) / level.height_px);
         const int64_t reach = std::min(width - 1, static_cast<int64_t>(std::llround(1 / sine)) - 1) / 2;
         if (reach == 0) continue;
         const auto at = [&](int64_t x) {
@@ -103,12 +102,12 @@ struct RowIntegrals {
 
 RowIntegrals integrate_row(std::span<const glm::vec3> row) {
     RowIntegrals sums;
-    const double step = 2 * kPi / double(row.size());
+    const double step = 2 * std::numbers::pi / double(row.size());
     // The mean of sin over a texel is the value at its middle times a factor; the same holds for the other
     // functions.
     const double once = 2 * std::sin(step / 2), twice = std::sin(step);
     for (size_t x = 0; x < row.size(); ++x) {
-        const double azimuth = (double(x) + 0.5) * step - kPi;
+        const double azimuth = (double(x) + 0.5) * step - std::numbers::pi;
         const glm::dvec3 radiance(row[x]);
         const double s = std::sin(azimuth), c = std::cos(azimuth);
         sums.one += radiance * step;
@@ -147,10 +146,11 @@ std::array<glm::vec3, 9> irradiance_over_pi(uint32_t width_px, uint32_t height_p
                                             std::span<const glm::vec3> texels) {
     std::array<glm::dvec3, 9> moments{};
     for (uint32_t y = 0; y < height_px; ++y)
-        add_row(moments, integrate_row(texels.subspan(size_t{y} * width_px, width_px)), kPi * y / height_px,
-                kPi * (y + 1) / height_px);
+        add_row(moments, integrate_row(texels.subspan(size_t{y} * width_px, width_px)),
+                std::numbers::pi * y / height_px, std::numbers::pi * (y + 1) / height_px);
     // The square of each harmonic's factor, times the factor of its order for a cosine lobe: 1, 2/3, 1/4.
-    constexpr double k0 = 1 / (4 * kPi), k1 = 3 / (4 * kPi) * 2 / 3, k2 = 15 / (4 * kPi) / 4;
+    constexpr double k0 = 1 / (4 * std::numbers::pi), k1 = 3 / (4 * std::numbers::pi) * 2 / 3,
+                     k2 = 15 / (4 * std::numbers::pi) / 4;
     constexpr std::array<double, 9> kFactors{k0, k1, k1, k1, k2, k2, k2, k2 / 12, k2 / 4};
     std::array<glm::vec3, 9> coefficients{};
     for (size_t i = 0; i < coefficients.size(); ++i) coefficients[i] = glm::vec3(moments[i] * kFactors[i]);
@@ -166,11 +166,12 @@ struct Beam {
 std::vector<Beam> beams_of(const PictureLevel& level) {
     std::vector<Beam> beams;
     for (uint32_t y = 0; y < level.height_px; ++y) {
-        const double top = kPi * y / level.height_px, bottom = kPi * (y + 1) / level.height_px;
+        const double top = std::numbers::pi * y / level.height_px,
+                     bottom = std::numbers::pi * (y + 1) / level.height_px;
         const double polar = (top + bottom) / 2;
-        const double angle = (std::cos(top) - std::cos(bottom)) * 2 * kPi / level.width_px;
+        const double angle = (std::cos(top) - std::cos(bottom)) * 2 * std::numbers::pi / level.width_px;
         for (uint32_t x = 0; x < level.width_px; ++x) {
-            const double azimuth = ((x + 0.5) / level.width_px - 0.5) * 2 * kPi;
+            const double azimuth = ((x + 0.5) / level.width_px - 0.5) * 2 * std::numbers::pi;
             beams.push_back(
                 {{std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)},
                  glm::dvec3(level.texels[size_t{y} * level.width_px + x]) * angle});
@@ -182,8 +183,8 @@ std::vector<Beam> beams_of(const PictureLevel& level) {
 constexpr int kSides = 128;
 glm::dvec3 side(int i) {
     constexpr int kColumns = 16;
-    const double polar = kPi * (i / kColumns + 0.5) * kColumns / kSides,
-                 azimuth = 2 * kPi * (i % kColumns) / kColumns;
+    const double polar = std::numbers::pi * (i / kColumns + 0.5) * kColumns / kSides,
+                 azimuth = 2 * std::numbers::pi * (i % kColumns) / kColumns;
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
 }
 
@@ -193,7 +194,7 @@ glm::dvec3 darkest_side(const std::vector<Beam>& beams) {
     for (int i = 0; i < kSides; ++i) {
         glm::dvec3 sent(0);
         for (const Beam& beam : beams) sent += beam.flux * std::max(0.0, glm::dot(side(i), beam.direction));
-        least = glm::min(least, sent / kPi);
+        least = glm::min(least, sent / std::numbers::pi);
     }
     return least;
 }

@@ -93,7 +93,7 @@ void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
 }
 
 // The header must have been read. Returns false after a fault, with its text in `error`.
-bool decode_rows(JpegReader& reader, uint64_t most_bytes) {
+bool decode_jpeg_rows(JpegReader& reader, uint64_t most_bytes) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
     jpeg_decompress_struct& info = reader.info;
     info.mem->max_memory_to_use = static_cast<long>(most_bytes);
@@ -161,7 +161,7 @@ DecodedImage decode_jpeg(std::span<const uint8_t> encoded) {
         std::vector<JSAMPLE> row(size_t{size.width_px} * 4);
         reader.get().rgba = rgba.data();
         reader.get().cmyk_row = row.data();
-        if (decode_rows(reader.get(), size.decoder_bytes)) {
+        if (decode_jpeg_rows(reader.get(), size.decoder_bytes)) {
             result.size = size;
             result.rgba = std::move(rgba);
             return result;

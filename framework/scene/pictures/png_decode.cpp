@@ -58,7 +58,8 @@ bool holds_more_than_its_size_needs(std::span<const uint8_t> encoded, const Imag
     return compressed_bytes(encoded) > 2 * inflated_bytes(encoded, size) + kLeastDataBytes;
 }
 
-// libpng reports an error with longjmp to decode_rows(), so the functions it leaves must not own resources.
+// libpng reports an error with longjmp to decode_png_rows(), so the functions it leaves must not own
+// resources.
 struct PngReader {
     std::span<const uint8_t> encoded;
     size_t at = 0;
@@ -104,7 +105,7 @@ void ask_for_rgba8(png_structp png) {
 
 // Returns false after a fault, with its text in `error`. `width` is the header's, for which the result was
 // allocated.
-bool decode_rows(PngReader& reader, uint32_t width, uint32_t height) {
+bool decode_png_rows(PngReader& reader, uint32_t width, uint32_t height) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng's way
     limit(reader.png);
     png_set_read_fn(reader.png, &reader, read_bytes);
@@ -162,7 +163,7 @@ DecodedImage decode_png(std::span<const uint8_t> encoded) {
     if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
     if (reader.info == nullptr) {
         result.error = "out of memory";
-    } else if (decode_rows(reader, size->width_px, size->height_px)) {
+    } else if (decode_png_rows(reader, size->width_px, size->height_px)) {
         result.size = *size;
         result.rgba = std::move(rgba);
     } else {

@@ -14,7 +14,7 @@ namespace weft::shader {
 namespace {
 
 constexpr int kGlslVersion = 460;
-constexpr const char* kPortSet = "1";
+constexpr const char* kPortSetText = "1";
 // Increase this number when a change of the options below changes the SPIR-V of the same text.
 constexpr int kOptionsRevision = 1;
 
@@ -80,7 +80,7 @@ void set_up(glslang::TShader& shader, EShLanguage language) {
     shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
-    shader.setResourceSetBinding({kPortSet});
+    shader.setResourceSetBinding({kPortSetText});
     shader.setAutoMapBindings(true);
     shader.setAutoMapLocations(true);
 }

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Names in unnamed namespaces are unique within a folder, and constants are not named like one of a header: the release
+build compiles the sources of a folder as one, so that such a name would silently replace another one.
+   folder_names.py SOURCE_ROOT      prints every breach and fails when there is one
+   folder_names.py --self-test      plants one breach of each kind and fails when one is missed"""
+import collections
+import pathlib
+import re
+import sys
+import tempfile
+
+FUNCTION = re.compile(r"^(?:\[\[nodiscard\]\] )?(?:constexpr |inline )*[\w:<>,&*\s]*[\w>][\s&*]+(\w+)\(")
+TYPE = re.compile(r"^(?:struct|class|enum class|enum) (\w+)")
+CONSTANT = re.compile(r"^(?:inline )?constexpr [^=({]*?\b(k[A-Z]\w*)\b")
+
+
+def unnamed_names(text):
+    inside = False
+    for line in text.splitlines():
+        if line == "namespace {":
+            inside = True
+        elif line == "}  // namespace" or line == "}" and not inside:
+            inside = False
+        elif inside and (line[:1].isalpha() or line[:1] == "[") and not line.startswith("using "):
+            for pattern in (TYPE, CONSTANT, FUNCTION):
+                found = pattern.match(line)
+                if found:
+                    yield found.group(1)
+                    break
+
+
+def namespaces(text):
+    """(line, its namespace) of each line"""
+    stack = []
+    for line in text.splitlines():
+        opened = re.match(r"^namespace ([\w:]+) \{$", line)
+        if opened:
+            stack.append(opened.group(1))
+        elif stack and line == "}  // namespace " + stack[-1]:
+            stack.pop()
+        yield line, "::".join(stack)
+
+
+def breaches(root):
+    in_headers = collections.defaultdict(dict)  # by name and namespace
+    files = [file for top in ("framework", "passes", "viewer") for file in sorted((root / top).rglob("*"))]
+    for file in files:
+        if file.suffix == ".h":
+            for line, namespace in namespaces(file.read_text()):
+                constant = CONSTANT.match(line)
+                if constant:
+                    in_headers[constant.group(1)][namespace] = file.relative_to(root).as_posix()
+    owners = collections.defaultdict(set)
+    hidden = []
+    for file in files:
+        if file.suffix == ".cpp":
+            text, source = file.read_text(), file.relative_to(root).as_posix()
+            own = max((namespace for _, namespace in namespaces(text)), key=len, default="")
+            for name in unnamed_names(text):
+                owners[file.parent, name].add(source)
+                for namespace, header in in_headers[name].items():
+                    if (own + "::").startswith(namespace + "::"):
+                        hidden.append(f"{name} in {source} is named like a constant of {header}")
+    found = hidden
+    for (_, name), sources in sorted(owners.items()):
+        if len(sources) > 1:
+            found.append(f"{name} is in unnamed namespaces of several sources of one folder: " + ", ".join(sorted(sources)))
+    return found
+
+
+def self_test():
+    planted = {
+        "a/one.cpp": "namespace weft::x {\nnamespace {\nint twice(int x) {\n}\nstruct Both {\n};\nconstexpr int kHidden = 1;\n}  // namespace\n}  // namespace weft::x\n",
+        "a/two.cpp": "namespace {\n[[nodiscard]] int twice(float x) {\n}\nclass Both {\n};\n}  // namespace\n",
+        "b/far.cpp": "namespace {\nint twice(int x) {\n}\n}  // namespace\nint open(int x) {\n}\n",
+        "b/near.cpp": "int open(float x) {\n}\n",
+        "b/names.h": "namespace weft {\ninline constexpr int kHidden = 2;\n}  // namespace weft\n",
+        "b/others.h": "namespace weft::y {\ninline constexpr int kHidden = 2;\n}  // namespace weft::y\n",
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for top in ("framework", "passes", "viewer"):
+            (root / top).mkdir()
+        for path, text in planted.items():
+            (root / "framework" / path).parent.mkdir(exist_ok=True)
+            (root / "framework" / path).write_text(text)
+        found = breaches(root)
+    if sorted(line.split()[0] for line in found) != ["Both", "kHidden", "twice"]:
+        sys.exit("\n".join(["three breaches were planted, and these were found:"] + found))
+
+
+if sys.argv[1:] == ["--self-test"]:
+    self_test()
+else:
+    lines = breaches(pathlib.Path(sys.argv[1]))
+    print("\n".join(lines) if lines else "names are unique within each folder")
+    sys.exit(1 if lines else 0)
