@@ -7,10 +7,10 @@
 namespace weft::scene::atrium {
 namespace {
 
-constexpr uint32_t kMetalTexture_px = 256;
+constexpr uint32_t kSmallTextureSize = 256;
 
 Surface bronze(const NoiseBank& bank) {
-    return make_surface(kMetalTexture_px, 1, [&](uint32_t x, uint32_t y) {
+    return make_surface(kTextureSize, 1, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
         const float patina = smooth_step(0.52f, 0.70f, n.coarse(1) + 0.4f * (n.medium(2) - 0.5f));
         Texel texel;
@@ -24,8 +24,8 @@ Surface bronze(const NoiseBank& bank) {
 }
 
 Surface gold(const NoiseBank& bank) {
-    return make_surface(kMetalTexture_px, 1, [&](uint32_t x, uint32_t y) {
-        const NoiseAt n = noise_at(bank, x, y, kMetalTexture_px);
+    return make_surface(kSmallTextureSize, 1, [&](uint32_t x, uint32_t y) {
+        const NoiseAt n = noise_at(bank, x, y, kSmallTextureSize);
         Texel texel;
         texel.color_srgb = rgb(0xf6cf7d) * (0.94f + 0.08f * n.medium());
         texel.height_m = 0.0005f * n.medium(1);
@@ -37,7 +37,7 @@ Surface gold(const NoiseBank& bank) {
 
 // The scratches run along u.
 Surface brushed_steel(const NoiseBank& bank) {
-    return make_surface(kMetalTexture_px, 0.5f, [&](uint32_t x, uint32_t y) {
+    return make_surface(kTextureSize, 0.5f, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
         const float scratch = n.grain(1);
         Texel texel;
@@ -50,8 +50,8 @@ Surface brushed_steel(const NoiseBank& bank) {
 }
 
 Surface iron(const NoiseBank& bank) {
-    return make_surface(kMetalTexture_px, 0.5f, [&](uint32_t x, uint32_t y) {
-        const NoiseAt n = noise_at(bank, x, y, kMetalTexture_px);
+    return make_surface(kSmallTextureSize, 0.5f, [&](uint32_t x, uint32_t y) {
+        const NoiseAt n = noise_at(bank, x, y, kSmallTextureSize);
         const float rust = smooth_step(0.58f, 0.75f, n.medium(2));
         Texel texel;
         texel.color_srgb = mix3(rgb(0x4b4a4c), rgb(0x6d3f26), rust) * (0.85f + 0.3f * n.fine());
@@ -77,8 +77,8 @@ uint32_t glow_texture(Parts& parts) {
 }
 
 Surface glass(const NoiseBank& bank) {
-    return make_surface(kMetalTexture_px, 1, [&](uint32_t x, uint32_t y) {
-        const NoiseAt n = noise_at(bank, x, y, kMetalTexture_px);
+    return make_surface(kSmallTextureSize, 1, [&](uint32_t x, uint32_t y) {
+        const NoiseAt n = noise_at(bank, x, y, kSmallTextureSize);
         Texel texel;
         texel.color_srgb = rgb(0x8a5a24);
         texel.height_m = 0.004f * n.medium(1);
@@ -88,10 +88,10 @@ Surface glass(const NoiseBank& bank) {
 }
 
 Surface bulb(const NoiseBank& bank) {
-    return make_surface(kMetalTexture_px, 1, [&](uint32_t x, uint32_t y) {
+    return make_surface(kSmallTextureSize, 1, [&](uint32_t x, uint32_t y) {
         Texel texel;
         texel.color_srgb = rgb(0xe9d9b8);
-        texel.height_m = 0.0005f * noise_at(bank, x, y, kMetalTexture_px).medium(1);
+        texel.height_m = 0.0005f * noise_at(bank, x, y, kSmallTextureSize).medium(1);
         texel.roughness = 0.12f;
         return texel;
     });
