@@ -20,7 +20,7 @@ namespace {
 // Not IN_MODIFY: a file that is still being written is not worth reading.
 constexpr uint32_t kMask =
     IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO | IN_ATTRIB | IN_ONLYDIR;
-// Whoever changes files without pause is not waited for longer than this.
+// The longest wait for a pause while files keep changing.
 constexpr auto kMostPatience = std::chrono::seconds(1);
 
 bool is_of_a_folder_itself(const inotify_event& event) {

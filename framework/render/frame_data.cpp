@@ -12,10 +12,10 @@ static_assert(sizeof(shared::FrameConstants) == 224 && sizeof(shared::ViewConsta
 static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64 &&
               sizeof(shared::Material) == 288 && sizeof(shared::Instance) == 208);
 
-// What the ground below the horizon sends up: daylight on something of a quarter's albedo.
+// The ground below the horizon reflects daylight with this albedo.
 constexpr float kGroundAlbedo = 0.25f;
 
-// Doors that are opened further might as well be absent.
+// Doors that are opened further than this have no visible effect.
 constexpr float kSteepest_rad = 1.5533f;
 
 shared::TextureTransform uv_of(const scene::TextureSlot& slot) {

@@ -47,7 +47,8 @@ std::array<uint16_t, 4> unorm16(const glm::vec4& v) {
     return out;
 }
 
-// What leads from the vertices' indices to the stream of a mesh that starts at `vertex_offset`.
+// The offset that, added to a vertex index, gives the element of the stream. The mesh starts at
+// `vertex_offset`.
 int32_t stream_offset(bool present, size_t begins, int32_t vertex_offset) {
     return present ? static_cast<int32_t>(begins) - vertex_offset : shared::kNoStream;
 }

@@ -13,7 +13,7 @@
 namespace weft::render {
 namespace {
 
-// What goes over something else comes after it.
+// This list is drawn from back to front.
 constexpr std::string_view kSortedList = "transparent";
 
 constexpr uint32_t kCommandBytes = sizeof(VkDrawIndexedIndirectCommand);

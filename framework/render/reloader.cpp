@@ -44,8 +44,8 @@ Reloader::~Reloader() {
     thread_.join();
 }
 
-// What is read before its folder is watched may change in between, so then it is read again; what is made
-// already is found again.
+// A file that is read before its folder is watched may change in between, so the files are read again.
+// Results that are still valid are reused.
 PrepareResult Reloader::prepare_and_watch(const Selection& selection) {
     constexpr int kMostRounds = 4;
     PrepareResult made = session_.prepare(selection);

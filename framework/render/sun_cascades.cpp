@@ -124,8 +124,8 @@ shared::ViewConstants view_of(const SunCascade& cascade, const MapMatrices& matr
     return view;
 }
 
-// What bounds the parts: the camera's slices, or the scene where that is less. The last one holds the whole
-// scene, unless that is larger than shadows reach: then it ends with the reach.
+// The bounds of each cascade: a slice of the camera's view, or the scene if that is smaller. The last cascade
+// contains the whole scene; if the scene is larger than the shadow range, it ends at the shadow range.
 class Parts {
  public:
     Parts(const scene::Camera& camera, double aspect, const scene::Bounds& bounds, uint32_t count)

@@ -92,7 +92,7 @@ class StageTest : public ::testing::Test {
         return {shapes.resources, bound, {}, std::move(all)};
     }
 
-    // What the stage reported: "W104 W110".
+    // The codes of the faults that the stage reported, for example "W104 W110".
     std::string codes() {
         errors = reporter.finish();
         std::string text;

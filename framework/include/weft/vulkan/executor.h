@@ -31,7 +31,8 @@ struct PipelineCounts {
     uint32_t made = 0;
 };
 
-// What alias() needs to know about memory, from the device itself. Creates nothing that outlives the call.
+// Asks the device for the memory requirements that alias() needs. All objects created here are destroyed
+// before it returns.
 [[nodiscard]] MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph);
 
 // The program's objects for a graph's imports.
