@@ -68,7 +68,7 @@ std::vector<GoodEdit> good_edits() {
          in("live.json", "\"FLIPPED\": 0", "\"FLIPPED\": 1"),
          {4, 0, 4, 1, false, true}},
         {"a pass more", change_passes, plan},
-        {"a comment", in("live.json", "// What", "// This is what"), {4, 0, 0, 0, false, false}},
+        {"a comment", in("live.json", "// The reload tests", "// All reload tests"), {4, 0, 0, 0, false, false}},
         {"an include within an include", in("paint.comp", "\"tint.glsl\"", "\"nested.glsl\""), shaders(1, 1)},
     };
 }

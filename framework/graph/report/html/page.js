@@ -1,5 +1,5 @@
-// What is pointed at or focused is explained; what is selected stays explained, and what it has to do with stays bright.
-// The page is complete without this script: every item links to its explanation.
+// Shows the explanation of the item under the pointer or the keyboard focus. A selected item keeps its explanation on
+// screen, and only the items related to it stay bright. The page is complete without this script: every item links to its explanation.
 "use strict";
 (() => {
   const root = document.body;
