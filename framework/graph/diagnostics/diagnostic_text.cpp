@@ -13,8 +13,8 @@ std::string place(const std::string& file, uint32_t line, uint32_t column) {
     return file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
 }
 
-// Control characters, and characters that reverse the direction of the following text (Boucher and Anderson,
-// "Trojan Source", 2021).
+// Returns true for characters that could mislead a reader of the terminal: control characters, and characters
+// that reverse the direction of the following text (Boucher and Anderson, "Trojan Source", 2021).
 bool steers_a_terminal(uint32_t c) {
     return (c < 0x20 && c != '\n') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E || c == 0x200F ||
            (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
@@ -25,7 +25,8 @@ void add_excerpt(const Diagnostic& d, std::vector<TextPiece>& pieces) {
     const std::string number = std::to_string(d.line);
     const std::string gutter(number.size(), ' ');
     const size_t column = d.column > 0 ? d.column - 1 : 0;
-    // Of a very long line only the part around the fault is shown.
+    // At most 120 bytes of the source line are shown, around the column of the error, because a minified file
+    // can be one very long line.
     constexpr size_t kWidth = 120;
     const size_t start = column > kWidth ? column - kWidth / 2 : 0;
     std::string shown = d.source_line.substr(std::min(start, d.source_line.size()), kWidth);

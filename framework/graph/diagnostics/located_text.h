@@ -1,4 +1,4 @@
-// Purpose: a string value with the places of its characters in a file, so that a fault inside an expression
+// Purpose: a string value of a graph file together with its location, so that an error inside an expression
 // or a reference is reported at its exact column.
 #pragma once
 
@@ -10,11 +10,15 @@
 namespace weft {
 
 struct LocatedText {
-    std::string_view text;  // without quotes, escapes decoded
-    SourceLoc literal;      // location of the whole token, including quotes; default: not from a file
+    // The value of the string, without quotes and with escapes decoded.
+    std::string_view text;
+    // Location of the whole token in the file, including its quotes. The default value means that the text
+    // does not come from a file.
+    SourceLoc literal;
 
-    // The place of text[offset, offset + length). An offset at the end is the closing quote. In a literal
-    // with escapes, columns cannot be computed, so the place of the whole literal is returned.
+    // Returns the location of text[offset, offset + length) in the file. An `offset` equal to the size of the
+    // text means the closing quote. If the string contains escapes, columns cannot be computed, so the
+    // location of the whole token is returned.
     [[nodiscard]] SourceLoc at(size_t offset, size_t length) const {
         const bool quoted = literal.length == text.size() + 2;
         const bool bare = literal.length == text.size();

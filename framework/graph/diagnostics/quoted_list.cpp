@@ -3,7 +3,8 @@
 namespace weft {
 namespace {
 
-// A longer list of names would not help the reader.
+// A list in a message shows at most this many names, because a longer list would not help the reader of the
+// message.
 constexpr size_t kMostListed = 64;
 
 }  // namespace

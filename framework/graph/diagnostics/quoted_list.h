@@ -1,4 +1,4 @@
-// Purpose: lists of names in messages.
+// Purpose: formats lists of names for messages.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace weft {
 
-// For example `"a", "b" and "c"`; a long list is shortened.
+// Returns the names in quotes, for example `"a", "b" and "c"`. Of a long list only the first names are shown,
+// followed by the number of omitted names.
 [[nodiscard]] std::string quoted_list(const std::vector<std::string>& names);
 
 }  // namespace weft

@@ -8,15 +8,16 @@
 namespace weft {
 namespace {
 
-// Longer names are not compared: a misspelt name is rarely so long.
+// For a name longer than this, did_you_mean() suggests nothing, because misspelt names are rarely so long.
 constexpr size_t kMostNameBytes = 64;
-// Limit on the cost of one search for similar names: the search ends after comparing this many pairs of
+// Limits the cost of one search for similar names: the search stops after it has compared this many pairs of
 // letters.
 constexpr size_t kMostLetterPairs = 1u << 21;
 
-// Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours cost 1
-// each. Only the diagonal band that can contain a distance up to `most` is computed (Ukkonen 1985). When a
-// whole row exceeds `most`, the result is most + 1. Adds the number of compared pairs to `pairs`.
+// Returns the optimal string alignment distance of two names: each insertion, deletion, substitution and swap
+// of neighbouring letters costs 1. Computes only the diagonal band of the table that can contain a distance
+// up to `most` (Ukkonen 1985). Returns most + 1 for any greater distance. Adds the number of compared pairs
+// of letters to `pairs`.
 size_t edit_distance(std::string_view a, std::string_view b, size_t most, size_t& pairs) {
     const size_t far = most + 1;
     if (a.size() > b.size() + most || b.size() > a.size() + most) return far;

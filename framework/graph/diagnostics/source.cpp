@@ -21,11 +21,12 @@ std::vector<uint32_t> count_newlines(std::string_view text) {
     return before;
 }
 
-// Offset of the first byte of a line; npos if the line does not exist.
+// Returns the offset of the first byte of a line, or npos if the text has fewer lines.
 size_t offset_of_line(const SourceFile& file, uint32_t line) {
     if (line <= 1) return 0;
     const uint32_t newlines = line - 1;
-    // The block that contains the newline before the line.
+    // `block` is the first block that has at least `newlines` newlines before it. So the newline that ends
+    // the previous line lies in the block before `block`, and the search starts there.
     const auto block = std::ranges::lower_bound(file.newlines_before, newlines);
     const auto blocks_before = block - file.newlines_before.begin();
     size_t at = blocks_before > 0 ? static_cast<size_t>(blocks_before - 1) * kBlockBytes : 0;
@@ -42,7 +43,8 @@ size_t offset_of_line(const SourceFile& file, uint32_t line) {
 std::string line_of(const SourceFile& file, uint32_t line) {
     const size_t start = offset_of_line(file, line);
     if (start == std::string::npos) return "";
-    // A minified file is a single line; without this limit every diagnostic would copy the whole file.
+    // Without this limit each diagnostic of a minified file, which is a single line, would copy the whole
+    // file.
     const std::string_view text = std::string_view(file.text).substr(start, kMaxExcerptBytes + 1);
     const size_t length = std::min(text.find('\n'), text.size());
     if (length > kMaxExcerptBytes) return "";
@@ -60,7 +62,8 @@ Note note_at(const SourceMap& sources, const SourceLoc& loc, std::string message
     return {sources.files[loc.file].path, loc.line, loc.column, std::move(message)};
 }
 
-// Tokens do not overlap: only the last token that begins at or before `loc` can contain it.
+// If the value at `loc` replaced another value during merging, adds a note with the place of the replaced
+// value. Tokens do not overlap, so only the last token that begins at or before `loc` can contain `loc`.
 void add_replaced(const SourceMap& sources, const SourceLoc& loc, std::vector<Note>& notes) {
     const auto behind = sources.replacements.upper_bound({loc.file, loc.line, loc.column});
     if (behind == sources.replacements.begin()) return;

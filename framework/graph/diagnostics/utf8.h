@@ -1,5 +1,5 @@
-// Purpose: iterates over the code points of a text. File names and broken files may contain bytes that are
-// not UTF-8.
+// Purpose: reads a text one code point at a time. File names and broken files can contain bytes that are not
+// UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,15 @@
 
 namespace weft {
 
-// `length` in bytes; 0 if there is no valid code point.
+// A decoded code point. `length` is the number of bytes that encode it, or 0 if the bytes are not valid
+// UTF-8.
 struct Utf8 {
     size_t length = 0;
     uint32_t code_point = 0;
 };
 
-// The UTF-8 sequence at the start of `text`, which must not be empty. Overlong sequences and surrogates are
-// invalid.
+// Decodes the UTF-8 sequence at the start of `text`, which must not be empty. Overlong sequences and
+// surrogates are invalid.
 [[nodiscard]] Utf8 first_code_point(std::string_view text);
 
 }  // namespace weft

@@ -1,5 +1,5 @@
-// Purpose: converts untrusted numbers to an integer or a float. In C++ a conversion that does not fit is
-// undefined behaviour, so all such conversions use these functions.
+// Purpose: converts untrusted numbers to an integer or a float. In C++ a conversion is undefined behaviour if
+// the value does not fit the target type, so all such conversions use these functions.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace weft {
 
-// True for a number in Int's range after dropping the fraction. The bounds are powers of two, so they are
-// exact as doubles.
+// Returns true if `number` without its fraction fits into Int. The upper bound `end` is a power of two, which
+// a double represents exactly; the largest value of Int may have no exact double.
 template <class Int>
 [[nodiscard]] bool fits_into(double number) {
     static_assert(std::numeric_limits<Int>::is_integer);
@@ -17,14 +17,15 @@ template <class Int>
     return number > (std::numeric_limits<Int>::is_signed ? -end - 1 : -1) && number < end;
 }
 
-// nullopt for fractions, values outside Int's range, and NaN.
+// Converts a number to Int. Returns nullopt for NaN, for numbers with a fraction, and for values outside the
+// range of Int.
 template <class Int>
 [[nodiscard]] std::optional<Int> whole_number(double number) {
     if (number != std::floor(number) || !fits_into<Int>(number)) return std::nullopt;
     return static_cast<Int>(number);
 }
 
-// The nearest value in Int's range, without its fraction; 0 for NaN.
+// Removes the fraction of a number and clamps the number to the range of Int. Returns 0 for NaN.
 template <class Int>
 [[nodiscard]] Int saturated(double number) {
     if (std::isnan(number)) return 0;
@@ -36,7 +37,8 @@ template <class Int>
     return std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max());
 }
 
-// Values that are too large become the largest float instead of infinity; NaN stays NaN.
+// Converts a double to a float. Values beyond the range of float become the largest float with the same sign
+// instead of infinity; NaN stays NaN.
 [[nodiscard]] inline float saturated_float(double number) {
     if (std::isnan(number) || fits_into_float(number)) return static_cast<float>(number);
     return std::copysign(std::numeric_limits<float>::max(), number < 0 ? -1.0f : 1.0f);

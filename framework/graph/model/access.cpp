@@ -18,7 +18,8 @@ StageMask shader_stage_mask(ShaderStageMask stages) {
 constexpr StageMask kDepthStages = stage::kEarlyFragmentTests | stage::kLateFragmentTests;
 constexpr AccessMask kDepthAccess = access::kDepthStencilRead | access::kDepthStencilWrite;
 
-// Layouts apply to images; access_state() removes them for buffers.
+// Returns the pipeline stages, accesses and layout for an access to an image. For buffers, access_state()
+// sets the layout to undefined afterwards.
 AccessState image_state(Access a, StageMask shaders, bool is_depth) {
     const Layout sampled = is_depth ? Layout::depth_read_only : Layout::shader_read_only;
     switch (a) {
@@ -106,7 +107,8 @@ AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask asp
     if (aspects == aspect::kNone) {
         state.layout = Layout::undefined;
         if (a == Access::sampled_read) state.access = access::kStorageRead;
-        // Validation layers and drivers disagree on whether filling a buffer is a clear or a copy.
+        // Filling a buffer waits and signals in both stages, clear and copy, because validation layers and
+        // drivers disagree on which of the two stages vkCmdFillBuffer belongs to.
         if (a == Access::clear_write) state.stages |= stage::kCopy;
     }
     return state;

@@ -91,7 +91,8 @@ constexpr std::array kSampleCounts{
 };
 constexpr uint32_t kMostSamples = 64;
 
-// A profile file may omit these limits; the defaults are the same for every profile.
+// Alignments that a profile file may omit. The default of DeviceProfile then applies; it is the same for
+// every profile.
 constexpr std::array kMemoryLimits{
     WideLimit{"imageAlignmentBytes", &DeviceProfile::image_alignment_bytes},
     WideLimit{"bufferAlignmentBytes", &DeviceProfile::buffer_alignment_bytes},
@@ -116,7 +117,8 @@ Json features_to_json(FormatFeatureMask mask) {
     return names;
 }
 
-// Collects the faults of a profile; positions inside it are JSON pointers.
+// Reads the values of a profile file into a DeviceProfile and collects the errors. The position of an error
+// is a JSON pointer, such as "/memoryTypes", because the JSON parser keeps no lines and columns.
 struct ProfileReader {
     const std::string& file;
     Diagnostics faults;
@@ -237,7 +239,8 @@ struct ProfileReader {
                                             item.value("lazilyAllocated", false), contents(item)});
     }
 
-    // Checks that need the whole file.
+    // Checks values that depend on each other or that the file may omit, such as the heap index of each
+    // memory type. So this check runs after all keys have been read.
     void check_memory(const DeviceProfile& profile) {
         if (profile.memory_types.size() > 32)
             fault("/memoryTypes", std::to_string(profile.memory_types.size()) + " types of memory",

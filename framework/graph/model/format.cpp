@@ -8,7 +8,7 @@ namespace {
 
 using enum NumericClass;
 
-// In the order of enum Format.
+// One row per format in the order of enum Format, so that the value of the enum is the index of its row.
 constexpr std::array kFormats{
     FormatInfo{Format::undefined, "undefined", 0, 0, float_like},
     FormatInfo{Format::r8, "r8", 1, 1, float_like},

@@ -1,4 +1,5 @@
-// Memory requirements of resources on a device of which only the profile is known.
+// Computes size, alignment and memory types of each resource from a device profile, so that a graph can be
+// compiled without the device.
 #include <algorithm>
 
 #include "weft/compile.h"
@@ -27,15 +28,17 @@ MemoryContentMask content_of(const ResourceDecl& resource) {
                                                     : memory_content::kDepthImages;
 }
 
-// True if only attachments use the resource, so that its content can stay in on-chip memory.
+// Returns true if the resource is transient and only used as an attachment. The content of such an image can
+// stay in on-chip memory, so lazily allocated memory is possible.
 bool attachment_only(const ResourceDecl& resource) {
     constexpr UsageMask kAttachment = usage::kColorAttachment | usage::kDepthAttachment;
     return resource.kind == ResourceKind::image && resource.lifetime == ResourceLifetime::transient &&
            resource.usage != 0 && (resource.usage & ~kAttachment) == 0;
 }
 
-// Lazily allocated memory where the resource allows it; else device-local memory; else any type that fits its
-// kind.
+// Returns a bit mask of the memory types that the resource may use. Attachment-only images get lazily
+// allocated types if the device has any. Other resources get device-local types, or any fitting type if no
+// device-local type fits.
 uint32_t type_bits(const ResourceDecl& resource, const DeviceProfile& profile) {
     if (profile.memory_types.empty()) return UINT32_MAX;
     uint32_t lazy = 0, local = 0, any = 0;

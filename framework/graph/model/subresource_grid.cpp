@@ -14,7 +14,7 @@ uint32_t index_of(const std::vector<uint32_t>& cuts, uint32_t value) {
     return static_cast<uint32_t>(std::lower_bound(cuts.begin(), cuts.end(), value) - cuts.begin());
 }
 
-// A run of cells in one row of layers: [first, last) along mips.
+// A rectangle of grid cells: layers [layer, layer_end) and mips [mip, mip_end), both counted in cells.
 struct Run {
     uint32_t layer = 0;
     uint32_t layer_end = 0;

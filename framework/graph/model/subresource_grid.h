@@ -1,6 +1,7 @@
-// Purpose: divides an image into the coarsest boxes of mips × layers such that every range used in a frame is
-// a union of boxes, so that each box has one history; and merges boxes with equal results again. Aspects are
-// not divided: depth and stencil of one image always change together.
+// Purpose: divides an image into boxes of mips × layers, called cells. The cells are as large as possible,
+// but each range that a pass uses in the frame is a union of whole cells. So the state of an image is tracked
+// per cell, and cells with equal results are merged into ranges again. Aspects are not divided, because depth
+// and stencil of an image always change together.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +16,19 @@ class SubresourceGrid {
     SubresourceGrid(const ResourceDecl& resource, const std::vector<SubresourceRange>& ranges);
 
     [[nodiscard]] uint32_t cell_count() const { return mip_count() * layer_count(); }
-    // The cells of a range, in ascending order.
+    // Returns the indices of the cells that make up a range, in ascending order.
     [[nodiscard]] std::vector<uint32_t> cells_of(const SubresourceRange& range) const;
-    // Merges cells into few boxes: first into runs along mips, then along layers. `cells` must ascend.
+    // Merges cells into few ranges: first neighbouring mips of a layer, then neighbouring layers with the
+    // same mips. The indices in `cells` must ascend.
     [[nodiscard]] std::vector<SubresourceRange> merge(const std::vector<uint32_t>& cells) const;
 
  private:
     [[nodiscard]] uint32_t mip_count() const { return static_cast<uint32_t>(mip_cuts_.size()) - 1; }
     [[nodiscard]] uint32_t layer_count() const { return static_cast<uint32_t>(layer_cuts_.size()) - 1; }
 
-    std::vector<uint32_t> mip_cuts_;  // in ascending order, from 0 to the number of mips
+    // Mips at which cells begin, in ascending order; the first is 0 and the last is the number of mips of the
+    // image.
+    std::vector<uint32_t> mip_cuts_;
     std::vector<uint32_t> layer_cuts_;
     AspectMask aspects_;
 };

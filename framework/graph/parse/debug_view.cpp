@@ -10,7 +10,8 @@
 namespace weft {
 namespace {
 
-// In the order of the decoder numbers in shaders/debug/.
+// The ways to turn the values of a resource into colours. The order is that of the decoder numbers in the
+// shaders of shaders/debug/, because those shaders get the number as their constant DECODE.
 enum class Decoder : uint8_t {
     color,
     display,
@@ -30,16 +31,17 @@ constexpr std::array<const char*, 13> kNames{"color", "display", "squared", "oct
                                              "depth", "vector",  "red",     "green",      "blue",
                                              "alpha", "heat",    "index"};
 
-// Properties of the resource that are known before the graph is resolved.
+// The properties of the shown resource that select its decoder. They are known before the graph is resolved.
 struct Shown {
     bool is_buffer = false;
     bool layered = false;
-    bool needs_own_shader = false;  // true for 3D and multisampled images
+    // True for 3D and multisampled images, which the built-in debug shaders cannot show.
+    bool needs_own_shader = false;
     bool float_buffer = false;
     const FormatInfo* format = nullptr;
 };
 
-// True for depth too, which is sampled as a float.
+// Returns true if shaders sample the format as floats. Depth formats are sampled as floats too.
 bool is_float(NumericClass numeric) {
     return numeric == NumericClass::float_like || numeric == NumericClass::depth;
 }
@@ -102,8 +104,9 @@ bool is_plain_depth(const GraphDesc& graph, const std::string& name) {
     return depth.image_kind == ImageKind::d2 && depth.samples.empty() && depth.layers.empty() && !depth.clear;
 }
 
-// The depth attachment drawn together with an image; depth is 0 where nothing was drawn. Only for an image
-// that exactly one pass writes, a raster pass.
+// Returns a reference to the depth attachment that was drawn together with the shown image, so that the view
+// can tell the background, where depth is 0, from drawn surfaces. Returns nullopt unless exactly one pass
+// writes the image and that pass is a raster pass.
 std::optional<RefDesc> drawn_depth(const GraphDesc& graph, const RefDesc& shown) {
     if (shown.history > 0 || shown.mip_first || shown.layer_first) return std::nullopt;
     std::optional<RefDesc> depth;

@@ -1,6 +1,7 @@
-// Purpose: displays a resource with an additional pass and image, which are added to the graph before it is
-// resolved, and observed. The graph's own output does not change. Errors: W103 neither a view nor a resource
-// has that name, W109 the graph already uses one of the added names.
+// Purpose: displays any resource of a graph for debugging. A pass and an image are added to the graph before
+// the graph is resolved, and the added image is observed; the output image of the graph does not change.
+// Errors: W103 no debug view and no resource has the given name, W109 the graph already uses a name that
+// would be added.
 #pragma once
 
 #include <string>
@@ -11,16 +12,17 @@
 
 namespace weft {
 
-// The image and the pass that a view adds.
+// The name of both the image and the pass that are added to the graph to display a resource.
 inline constexpr const char* kDebugView = "debugView";
 
-// The supported decodings of a resource: "color", "octahedral", "depth", …
+// Returns the names of all ways to decode a resource for display: "color", "octahedral", "depth" and others.
 [[nodiscard]] std::vector<std::string> debug_decoders();
 
-// W103: views of resources that do not exist in the graph.
+// Returns an error W103 for each debug view whose resource does not exist in the graph.
 [[nodiscard]] Diagnostics debug_view_faults(const GraphDesc& graph);
 
-// `name`: a view in the graph's "debug" section, or a reference to any resource.
+// Adds the pass and the image that display a resource to `graph`. `name` is the name of a view in the graph's
+// "debug" section, or a reference to any resource.
 [[nodiscard]] Status add_debug_view(GraphDesc& graph, const ImportCatalog& imports, const std::string& name);
 
 }  // namespace weft

@@ -6,7 +6,8 @@
 namespace weft {
 namespace {
 
-// The result of an operation: a value, or the fault in its operands.
+// The result of one operation of an expression: its value, or a message about its operands, such as "division
+// by zero".
 struct Outcome {
     ExprValue value;
     const char* fault = nullptr;

@@ -34,7 +34,8 @@ bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-// Recursive descent that emits postfix code. Parsing ends at the first fault.
+// Parses an expression by recursive descent and emits postfix code: operands first, then their operator.
+// Stops at the first error.
 class ExpressionParser {
  public:
     ExpressionParser(const LocatedText& text, size_t position, const SourceMap& sources)
@@ -126,7 +127,9 @@ class ExpressionParser {
 
     bool selection() {
         if (!primary()) return false;
-        while (peek() == '.' && peek(1) != '.') {  // the second "." of ".." belongs to a range
+        // A "." that another "." follows belongs to a range such as "0..3", not to a selection such as
+        // "size.x".
+        while (peek() == '.' && peek(1) != '.') {
             const size_t at = position_++;
             const char c = peek();
             if ((c != 'x' && c != 'y') || is_name_char(peek(1)))

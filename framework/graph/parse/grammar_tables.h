@@ -1,6 +1,6 @@
-// Purpose: lists the keys and words of the graph format for each place in the grammar, from the parser's own
-// tables, so that tests can compare the schema and the reference with them. A place has the name of its
-// definition in the schema; the file itself is "graph".
+// Purpose: lists the keys and words of the graph format for each place in the grammar. The lists come from
+// the parser's own tables, so that tests can compare the JSON schema and the reference documentation with the
+// parser. A place has the name of its definition in the schema; the place of a whole graph file is "graph".
 #pragma once
 
 #include <string>
@@ -9,15 +9,22 @@
 namespace weft {
 
 struct GrammarTable {
-    std::string place;      // "resource", "computePass", "cull", …
-    bool are_keys = false;  // true: keys of an object; false: allowed strings
+    // Name of the place in the grammar, such as "resource", "computePass" or "cull".
+    std::string place;
+    // True if `words` are the keys of an object, false if `words` are the strings that are allowed as a
+    // value.
+    bool are_keys = false;
     std::vector<std::string> words;
-    std::vector<std::string> required = {};  // for the keys of a kind of pass or resource
-    std::string kind_of = {};                // the place with the keys of all kinds
+    // Keys that must be present. Only filled for the keys of one kind of pass or resource.
+    std::vector<std::string> required = {};
+    // For the keys of one kind of pass or resource: the place that lists the keys of all kinds, such as
+    // "anyPass". Otherwise empty.
+    std::string kind_of = {};
 };
 
 [[nodiscard]] std::vector<GrammarTable> grammar_tables();
-// Element types of a buffer, besides the structs that the program shares.
+// Returns the built-in element types of buffers. A buffer can also have elements of a struct type that the
+// program shares with the shaders.
 [[nodiscard]] std::vector<std::string> plain_elements();
 
 }  // namespace weft

@@ -76,13 +76,16 @@ void read_text(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_string(context, node, graph.name);
 }
 
-// A patch may change every section except those that describe the file itself.
+// Checks only that a section of a tier's patch is an object. The content of the section is parsed later,
+// after the patch has been merged into the graph.
 void skip_object(ParseContext& context, const JsonNode& node, TierDesc&) {
     expect(context, node, JsonKind::object);
 }
 
 void skip_value(ParseContext&, const JsonNode&, TierDesc&) {}
 
+// The sections that the patch of a tier may change. Sections that describe the file itself, such as "name"
+// and "version", are not among them.
 constexpr std::array kPatchKeys{
     KeyRule<TierDesc>{"imports", skip_object},   KeyRule<TierDesc>{"consts", skip_object},
     KeyRule<TierDesc>{"params", skip_object},    KeyRule<TierDesc>{"sizes", skip_object},
@@ -90,7 +93,8 @@ constexpr std::array kPatchKeys{
     KeyRule<TierDesc>{"debug", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
     KeyRule<TierDesc>{"frames", skip_value}};
 
-// The sections of a patch are parsed after merging, in the tier's own graph.
+// Checks only the names of the sections in the patch of a tier. The content of the sections is parsed after
+// merging, as part of the tier's own graph.
 void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {
     read_object(context, node, "a patch", kPatchKeys, tier);
 }
@@ -106,13 +110,14 @@ void read_tiers(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     });
 }
 
-// read_graph() has already processed the includes.
+// Skips the key "include", because read_graph() has already read the included files.
 void skip_include(ParseContext&, const JsonNode&, GraphDesc&) {}
 
-// Tests refer to names of other sections, so they are parsed last.
+// Skips the section "tests", because tests refer to names of other sections. parse() reads "tests" after all
+// other sections.
 void skip_tests(ParseContext&, const JsonNode&, GraphDesc&) {}
 
-// For editors only; any string is accepted.
+// Accepts any string for the key "$schema", which only text editors use.
 void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
     expect(context, node, JsonKind::string);
 }
@@ -128,7 +133,8 @@ constexpr std::array kTopKeys{
     KeyRule<GraphDesc>{"jitter", read_jitter},
 };
 
-// Names of these sections are used in the same places, so each must be unique among all of them.
+// Checks that no name occurs twice in `sections` together. References and expressions use the names of all
+// these sections in the same places, so equal names would be ambiguous.
 void check_shared_names(ParseContext& context, const JsonNode& root,
                         std::span<const std::string_view> sections, bool in_expressions) {
     std::map<std::string, SourceLoc> first;
@@ -152,7 +158,7 @@ void check_shared_names(ParseContext& context, const JsonNode& root,
     }
 }
 
-// "graphs/deferred.json" → "deferred"
+// Returns the name of a file without its folder and extension: "deferred" for "graphs/deferred.json".
 std::string stem(const std::string& path) {
     const size_t slash = path.find_last_of('/');
     const std::string file = slash == std::string::npos ? path : path.substr(slash + 1);

@@ -1,4 +1,5 @@
-// Purpose: parses JSON into a GraphDesc, the description written by the author.
+// Purpose: parses the JSON of a graph file into a GraphDesc, which describes the graph as its author wrote
+// it.
 #pragma once
 
 #include "weft/graph_desc.h"

@@ -36,7 +36,8 @@ constexpr BlendState blend_state(bool enabled, Equation color, Equation alpha) {
     return {enabled, color.src, color.dst, color.op, alpha.src, alpha.dst, alpha.op, kAllChannels};
 }
 
-// Source of the two kinds of "over": T. Porter and T. Duff, "Compositing Digital Images", 1984.
+// The blend equations of the presets below. kOver and kStraightOver are the operator "over" for premultiplied
+// and for straight alpha (T. Porter and T. Duff, "Compositing Digital Images", 1984).
 constexpr Equation kReplace{BlendFactor::one, BlendOp::add, BlendFactor::zero};
 constexpr Equation kAdd{BlendFactor::one, BlendOp::add, BlendFactor::one};
 constexpr Equation kOver{BlendFactor::one, BlendOp::add, BlendFactor::one_minus_src_alpha};
@@ -75,7 +76,8 @@ constexpr std::array kBlendKeys{
         "alpha", [](ParseContext& c, const JsonNode& n, BlendDraft& d) { read_equation(c, n, d.alpha); }},
 };
 
-// An object with an array under "color" or "alpha" is an equation; otherwise it maps outputs to blends.
+// Returns true if an object is one blend equation, with an array under "color" or "alpha". Any other object
+// maps the names of outputs to their blends.
 bool is_equation(const JsonNode& node) {
     for (const std::string_view key : {"color", "alpha"}) {
         const JsonNode* part = node.find(key);
@@ -96,7 +98,8 @@ void read_blend(ParseContext& context, const JsonNode& node, BlendState& out) {
     out = blend_state(true, color, draft.alpha.value_or(draft.color ? color : kReplace));
 }
 
-// "rgb": the channels to write, each once; "none": no channel.
+// Reads the write mask of an output: a string such as "rgb" with each written channel once, or "none" for no
+// channel.
 void read_mask(ParseContext& context, const JsonNode& node, uint8_t& out) {
     if (!expect(context, node, JsonKind::string)) return;
     uint8_t mask = 0;
@@ -129,7 +132,8 @@ void check_output(ParseContext& context, const JsonMember& member, const PassDes
                                            : "outputs are " + quoted_list(outputs));
 }
 
-// One value for all outputs (stored under ""), or one value per named output.
+// Reads a value that is either the same for all outputs of the pass (stored under the empty name) or an
+// object with one value per output (stored under the name of the output).
 template <class T, class IsMap, class Read>
 std::map<std::string, T> read_by_output(ParseContext& context, const JsonNode* node, std::string_view key,
                                         const PassDesc& pass, T initial, IsMap is_map, Read read) {

@@ -67,7 +67,7 @@ Diagnostics ParseContext::take_errors() {
     return std::move(errors_);
 }
 
-// A JSON pointer, RFC 6901.
+// Returns the JSON pointer (RFC 6901) of the value that is being parsed, for error messages.
 std::string ParseContext::pointer() const {
     std::string text;
     for (const std::string& key : path_) {
@@ -191,7 +191,7 @@ bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
 
 namespace {
 
-// A constant channel must be a value that a colour channel can hold.
+// Reads one channel of a colour. A literal number must fit into a float, because colour channels are floats.
 bool read_channel(ParseContext& context, const JsonNode& node, Expr& out) {
     float number = 0;
     if (node.kind == JsonKind::number && !read_float(context, node, number)) return false;

@@ -1,7 +1,7 @@
-// Purpose: state shared by all parts of the parser: the list of errors, and readers for single values.
-// Internal to weft_graph. A reader that finds an invalid value reports it and leaves its target unchanged, so
-// that parsing can continue and find other faults. Errors: W101 unknown key, W102 wrong type, W108 missing
-// key, W109 bad value.
+// Purpose: the state that all parts of the parser share: the list of errors, and readers for single values.
+// Internal to weft_graph. A reader that finds an invalid value reports an error and leaves its target
+// unchanged, so that parsing continues and finds further errors. Errors: W101 unknown key, W102 wrong type,
+// W108 missing key, W109 bad value.
 #pragma once
 
 #include <array>
@@ -28,24 +28,28 @@ class ParseContext {
     explicit ParseContext(const SourceMap& sources, const GraphLimits& limits = {})
         : sources_(sources), limits_(limits) {}
 
-    // The reference is valid until the next error. Errors beyond a limit are dropped.
+    // Adds an error and returns it. The reference is valid until the next error is added. When is_full() is
+    // true, the error is dropped.
     Diagnostic& error(SourceLoc loc, std::string code, std::string message);
     void error(SourceLoc loc, std::string code, std::string message, std::string help);
     void add(Diagnostics errors);
     [[nodiscard]] const SourceMap& sources() const { return sources_; }
     [[nodiscard]] const GraphLimits& limits() const { return limits_; }
-    // Returns false, reports W125 and ends parsing if `count` exceeds `limit`. `what` names the counted
-    // things: "tiers".
+    // Checks that `count` is at most `limit`. If not, reports W125, ends parsing and returns false. `what`
+    // names the counted things in the message, for example "tiers".
     bool within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what, const char* limit_name,
                 const std::string& help);
-    // Counts the parts of a parsed expression or reference; returns false and reports an error over the
-    // limit.
+    // Adds the parts of a parsed expression or reference to the total of the graph. If the total exceeds the
+    // limit graph.expressionParts, reports an error and returns false.
     bool count_parts(const Expr& expression);
     bool count_parts(const RefDesc& ref);
-    // True after so many faults or so much data that further parsing would only cost time.
+    // Returns true if parsing should stop: kMaxErrors errors were reported, or the graph has exceeded a limit
+    // on its amount of data.
     [[nodiscard]] bool is_full() const { return is_over_limit_ || errors_.size() >= kMaxErrors; }
     [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
-    [[nodiscard]] Diagnostics take_errors();  // in the order of places in the file
+    // Returns the errors, sorted by file, line and column. Errors of the main file come before those of
+    // included files.
+    [[nodiscard]] Diagnostics take_errors();
 
     void push(std::string_view key) { path_.emplace_back(key); }
     void pop() { path_.pop_back(); }
@@ -62,7 +66,7 @@ class ParseContext {
     std::vector<std::string> path_;
 };
 
-// Adds one level to the JSON pointer during its lifetime.
+// Appends a key to the JSON pointer of reported errors while this object exists.
 class PointerScope {
  public:
     PointerScope(ParseContext& context, std::string_view key) : context_(context) { context_.push(key); }
@@ -85,8 +89,8 @@ struct Choice {
     E value;
 };
 
-// --- single values
-// ---------------------------------------------------------------------------------------------
+// Readers for single JSON values. A reader that finds an invalid value reports an error and, if it returns a
+// bool, returns false.
 void wrong_type(ParseContext& context, const JsonNode& node, std::string_view wanted);
 bool expect(ParseContext& context, const JsonNode& node, JsonKind wanted);
 bool read_string(ParseContext& context, const JsonNode& node, std::string& out);
@@ -94,21 +98,22 @@ bool read_bool(ParseContext& context, const JsonNode& node, bool& out);
 bool read_number(ParseContext& context, const JsonNode& node, double& out);
 bool read_float(ParseContext& context, const JsonNode& node, float& out);
 bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int64_t max, int64_t& out);
-// An array of `count` numbers.
+// Reads an array of exactly out.size() numbers.
 bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out);
-// A number or an expression in a string.
+// Reads an expression: a number, or a string that contains an expression.
 bool read_expression(ParseContext& context, const JsonNode& node, Expr& out);
-// One number for all four channels, or an array of four.
+// Reads a colour: one number for all four channels, or an array of four numbers. Strings with expressions are
+// allowed as numbers.
 void read_color(ParseContext& context, const JsonNode& node, std::optional<ColorDesc>& out);
-// Like read_expression(), but also accepts true and false for 1 and 0.
+// Reads an expression as read_expression() does, but also accepts true as 1 and false as 0.
 bool read_switch(ParseContext& context, const JsonNode& node, Expr& out);
-// A size or number: an expression, a number, or [width, height] of them.
+// Reads a size or a number: a number, an expression in a string, or an array [width, height] of both kinds.
 bool read_size(ParseContext& context, const JsonNode& node, Expr& out);
-// An array of names, with the place of each.
+// Reads an array of names and records the source location of each name.
 void read_names(ParseContext& context, const JsonNode& node, std::vector<std::string>& names,
                 std::vector<SourceLoc>& locs);
 bool check_identifier(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc);
-// A reference in a string.
+// Reads a string that contains a reference to a resource, such as "hiz.mip(0)".
 bool read_reference(ParseContext& context, const JsonNode& node, RefDesc& out);
 
 void unknown_key(ParseContext& context, const JsonMember& member, std::string_view what,
@@ -118,8 +123,7 @@ void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, st
 void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
                 const std::vector<std::string>& allowed);
 
-// --- composed values
-// -------------------------------------------------------------------------------------------
+// Readers for values from a table of allowed words. Returns false if `choices` has no entry with this name.
 template <class E>
 bool find_choice(std::span<const Choice<E>> choices, std::string_view name, E& out) {
     for (const Choice<E>& choice : choices) {
@@ -147,8 +151,8 @@ bool read_choice(ParseContext& context, const JsonNode& node, const std::array<C
     return false;
 }
 
-// Reads the keys of an object as listed in a table; other keys are errors. `what` names the object: "a
-// resource".
+// Reads an object whose allowed keys are the rows of a table, and calls the reader of each key that is
+// present. Reports other keys as errors. `what` names the object in messages, for example "a resource".
 template <class T, size_t N>
 bool read_object(ParseContext& context, const JsonNode& node, std::string_view what,
                  const std::array<KeyRule<T>, N>& rules, T& out) {
@@ -170,7 +174,7 @@ bool read_object(ParseContext& context, const JsonNode& node, std::string_view w
     return true;
 }
 
-// The keys of a table, for grammar_tables().
+// Adds the keys of a table of rules to the lists that grammar_tables() returns.
 template <class T, size_t N>
 void list_keys(std::vector<GrammarTable>& lists, std::string place, const std::array<KeyRule<T>, N>& rules) {
     GrammarTable& list = lists.emplace_back(GrammarTable{std::move(place), true, {}});
@@ -183,7 +187,7 @@ void list_choices(std::vector<GrammarTable>& lists, std::string place,
     lists.push_back({std::move(place), false, choice_names(std::span<const Choice<E>>(choices))});
 }
 
-// Calls read(member) for each entry of an object that maps names to values.
+// Reads an object that maps names to values: checks each name, then calls read(member).
 template <class F>
 void read_named(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
     if (!expect(context, node, JsonKind::object)) return;
@@ -194,11 +198,11 @@ void read_named(ParseContext& context, const JsonNode& node, std::string_view wh
     }
 }
 
-// --- the parts of a graph
-// --------------------------------------------------------------------------------------
+// Parsers for the sections of a graph and of a pass. Each parses one JSON value into the description.
 void parse_params(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph);
-// Reads graph.tiers, graph.params, graph.imports and graph.resources.
+// Parses the section "tests". Must run after the sections "tiers", "params", "imports" and "resources",
+// because tests refer to their names.
 void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph);
@@ -211,17 +215,19 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
-// Returns false and reports an error if there are more constants, parameters and sizes than the limit allows.
+// Checks that one more constant, parameter or size does not exceed the limit graph.constants. Otherwise
+// reports an error and returns false.
 bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc);
-// Checks the index names of repeats against each other and against all other names in expressions.
+// Reports each index of a repeat that has the name of a constant, parameter or size, or a word of the
+// expression language.
 void check_indices(ParseContext& context, const GraphDesc& graph);
 void parse_pass_params(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass);
-// Blending and write masks of the colour attachments; either may be absent. Reads pass.out.
+// Parses blending and write masks of the colour attachments. `blend` and `write_mask` may be null. The
+// outputs in pass.out must already be parsed.
 void parse_blend(ParseContext& context, const JsonNode* blend, const JsonNode* write_mask, PassDesc& pass);
 
-// --- the words of each part
-// -------------------------------------------------------------------------------------
+// Functions that append the keys and words of one part of the grammar to the lists of grammar_tables().
 void list_graph_words(std::vector<GrammarTable>& lists);
 void list_param_words(std::vector<GrammarTable>& lists);
 void list_resource_words(std::vector<GrammarTable>& lists);

@@ -1,4 +1,5 @@
-// Parses debug views such as "Normals": { "show": "normal", "decode": "octahedral" }.
+// Parses the section "debug" with its debug views, such as "Normals": { "show": "normal", "decode":
+// "octahedral" }.
 #include <algorithm>
 
 #include "graph/parse/debug_view.h"

@@ -6,7 +6,8 @@
 namespace weft {
 namespace {
 
-// The set of pass types that accept a key.
+// A set of pass types, one bit per type. A row of the tables below uses a set for the types that accept a
+// key.
 using TypeMask = uint32_t;
 constexpr TypeMask kCompute = 1;
 constexpr TypeMask kFullscreen = 2;
@@ -14,7 +15,8 @@ constexpr TypeMask kRaster = 4;
 constexpr TypeMask kClear = 8;
 constexpr TypeMask kCopy = 16;
 constexpr TypeMask kReadback = 32;
-constexpr TypeMask kCustom = 64;  // pass types implemented in C++
+// Bit of all pass types that are implemented in C++, whatever their names.
+constexpr TypeMask kCustom = 64;
 constexpr TypeMask kBlit = 128;
 constexpr TypeMask kTransfer = kCopy | kBlit;
 constexpr TypeMask kAll = 255;
@@ -56,7 +58,8 @@ void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.draws, pass.draw_locs);
 }
 
-// "camera", or a name with a number in brackets: "sun(i)".
+// Reads the view that a pass is drawn from: "camera", or a name with a number in parentheses, such as
+// "sun(i)".
 void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.view_loc = node.loc;
     if (!read_string(context, node, pass.view)) return;
@@ -74,7 +77,8 @@ void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.view_number = std::move(*number);
 }
 
-// One expression (a size sets x and y), or an array of two or three.
+// Reads up to three counts for x, y and z: one expression, whose value may be a size that sets x and y, or an
+// array of expressions.
 void read_counts(ParseContext& context, const JsonNode& node, std::vector<Expr>& out) {
     if (node.kind != JsonKind::array) {
         read_expression(context, node, out.emplace_back());
@@ -136,7 +140,8 @@ struct PassKey {
     TypeMask types;
     void (*read)(ParseContext&, const JsonNode&, PassDesc&);
 };
-// Ports come first, because the state refers to outputs.
+// The keys of a pass and the pass types that accept them. The keys are read in this order: "out" comes before
+// "state", because the state refers to outputs.
 constexpr std::array kPassKeys{
     PassKey{"type", kAll, read_type},
     PassKey{"queue", kAll, read_queue},
@@ -191,7 +196,8 @@ const PassKey* find_key(std::string_view key) {
     return it == kPassKeys.end() ? nullptr : it;
 }
 
-// A misspelt pass name in a tier or an including file creates a new pass without a type.
+// Reports that a pass has no type. A common cause is a misspelt pass name in a tier or an including file,
+// which creates a new pass; so the help suggests similar names.
 void missing_type(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
     std::vector<std::string> others;
     for (const JsonMember& other : passes.members)
@@ -201,7 +207,8 @@ void missing_type(ParseContext& context, const JsonMember& member, const JsonNod
                 near.empty() ? "types are " + types_text(kAll) + ", or one written in C++" : std::move(near));
 }
 
-// The pass's type; if it is unknown or absent, all types, so that no key is reported as misplaced.
+// Returns the bit of the pass's type. If the type is unknown or absent, returns all types, so that no key of
+// the pass is reported as misplaced.
 TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
     const JsonNode* type = member.value.find("type");
     if (type == nullptr) {
@@ -211,8 +218,8 @@ TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNo
     if (type->kind != JsonKind::string || type->string.empty()) return kAll;
     TypeMask mask = kCustom;
     if (find_choice(std::span<const Choice<TypeMask>>(kBuiltinTypes), type->string, mask)) return mask;
-    // A type that is not built in may be implemented in C++; resolve() checks this. Such passes have no keys
-    // for shaders.
+    // The type is not built in, so it may be implemented in C++, which resolve() checks later. A C++ pass has
+    // no keys for shaders: if the pass has such a key, the type is reported as unknown.
     for (const JsonMember& entry : member.value.members) {
         const PassKey* key = find_key(entry.key);
         if (key == nullptr || (key->types & kCustom) != 0) continue;
@@ -248,7 +255,8 @@ void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, cons
     }
 }
 
-// If a misspelt key was already reported as unknown, the correct key is not reported as missing.
+// Returns true if the pass contains a misspelling of `key`. The misspelt key has already been reported as
+// unknown, so the correct key is not reported as missing.
 bool is_misspelt(const JsonNode& pass, std::string_view key) {
     return std::any_of(pass.members.begin(), pass.members.end(), [&](const JsonMember& member) {
         return find_key(member.key) == nullptr && !did_you_mean(member.key, {std::string(key)}).empty();
@@ -271,7 +279,8 @@ void check_dispatch(ParseContext& context, const JsonNode& node) {
                   "remove one of the two");
 }
 
-// A pass with geometry and a depth attachment but no depth test gets the default test (reversed Z).
+// Gives a raster pass with a depth attachment but no depth test the default test for reversed Z: "greater",
+// with depth writes. Reports a depth test without a depth attachment.
 void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& pass) {
     const JsonNode* state = member.value.find("state");
     const JsonNode* depth = state == nullptr ? nullptr : state->find("depth");

@@ -96,8 +96,8 @@ PortDraft read_port(ParseContext& context, const JsonNode& node, std::string nam
     return draft;
 }
 
-// A plain reference that is not a valid reference is not a valid port name either; only one fault is
-// reported.
+// Returns true if `node` is an object of ports. Reports other values as errors: valid lists of references
+// have become objects in merge(), so a list here contains a value that is not a string.
 bool is_port_map(ParseContext& context, const JsonNode& node) {
     if (node.kind == JsonKind::object) return true;
     if (node.kind != JsonKind::array) {
@@ -111,12 +111,15 @@ bool is_port_map(ParseContext& context, const JsonNode& node) {
     return false;
 }
 
-// Inputs, outputs and resolve targets are limited separately.
+// Checks the number of ports of one kind against the limit graph.passPorts. Inputs, outputs and resolve
+// targets of a pass are counted separately.
 bool check_port_count(ParseContext& context, size_t count, SourceLoc loc) {
     return context.within(count, context.limits().pass_ports, loc, "ports of one kind in a pass",
                           "graph.passPorts", "let one image with layers serve for many");
 }
 
+// Returns true if the port has its name from its own reference, as in the shorthand ["hdr"]. Such a name is
+// not checked: if it is invalid, the reference is invalid too, and one error is enough.
 bool named_by_reference(const JsonMember& member) {
     const JsonNode* ref = member.value.find("ref");
     return ref != nullptr && ref->loc.line == member.key_loc.line && ref->loc.column == member.key_loc.column;
@@ -166,7 +169,8 @@ void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass) 
     });
 }
 
-// {"hdr": "hdrMs"}: the multisampled output hdrMs is averaged into hdr.
+// Parses "resolve". For example, {"hdr": "hdrMs"} means: at the end of the pass, the samples of the
+// multisampled output "hdrMs" are averaged into the image "hdr".
 void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (!expect(context, node, JsonKind::object)) return;
     std::vector<std::string> outputs;
@@ -199,7 +203,8 @@ void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass)
     }
 }
 
-// For example {"indirect": "args"}.
+// Parses the group count of an indirect dispatch, for example {"indirect": "args"}: the buffer "args"
+// contains the count.
 void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     PortDraft draft;
     draft.port.port = "indirect";
@@ -211,7 +216,8 @@ void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass)
     pass.indirect = std::move(draft.port);
 }
 
-// For example {"list": "opaque", "indirect": "commands"}.
+// Parses indirect draws of a draw list, for example {"list": "opaque", "indirect": "commands"}: the buffer
+// "commands" contains the draw commands.
 void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     DrawsDraft draft;
     draft.commands.port.port = "indirect";
@@ -220,8 +226,8 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
     for (const auto& [key, help] :
          {std::pair{"list", "name the draw list: { \"list\": \"opaque\", \"indirect\": \"commands\" }"},
           std::pair{"indirect", "name the buffer of draw commands, or write \"draws\": [\"opaque\"]"}})
-        if (node.find(key) == nullptr && node.members.size() < 2)  // with more members, a key is probably
-                                                                   // misspelt
+        // With two members, a key that is not found is probably misspelt and already reported as unknown.
+        if (node.find(key) == nullptr && node.members.size() < 2)
             missing_key(context, node.loc, "a list drawn indirectly", key, help);
     if (!draft.list.empty()) {
         pass.draws.push_back(std::move(draft.list));
@@ -230,12 +236,14 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
     if (draft.commands.has_ref) pass.indirect = std::move(draft.commands.port);
 }
 
-// For example {"vertices": 36, "instances": "maxLights"}.
+// Parses draws without a draw list, for example {"vertices": 36, "instances": "maxLights"}. The shader
+// computes the vertices.
 void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     constexpr std::string_view kWhat = "draws without a list";
     if (!read_object(context, node, kWhat, kVerticesKeys, pass)) return;
     const auto is_known = [](const JsonMember& member) { return member.key == "instances"; };
-    if (std::ranges::all_of(node.members, is_known))  // otherwise the missing key is misspelt or present
+    // Any key except "instances" is either "vertices" or a misspelling that was already reported.
+    if (std::ranges::all_of(node.members, is_known))
         missing_key(context, node.loc, kWhat, "vertices", "give the number: { \"vertices\": 3 }");
 }
 

@@ -1,4 +1,5 @@
-// "repeat": { "i": "1..mips(hiz)-1", "j": "3..0 by -1" }: the outermost index first.
+// Parses "repeat": { "i": "1..mips(hiz)-1", "j": "3..0 by -1" }, which repeats a pass for all values of its
+// indices. The index that is written first changes slowest.
 #include "graph/parse/expression.h"
 #include "graph/parse/parse_context.h"
 

@@ -8,7 +8,8 @@
 namespace weft {
 namespace {
 
-// "normal: rg16_snorm|rgba16f": the first format that the device supports is used.
+// Reads the format of an image. In "rg16_snorm|rgba16f", the formats are alternatives: the first format that
+// the device supports is used.
 void read_formats(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
     std::string text;
     if (!read_string(context, node, text)) return;
@@ -41,12 +42,14 @@ void read_kind(ParseContext& context, const JsonNode& node, ResourceDesc& resour
     read_choice(context, node, kKinds, resource.image_kind);
 }
 
-// Six square faces; `size` is the side of a face.
+// Reads "cube", which makes the resource a cube image of six square faces. The value is the side of a face in
+// pixels.
 void read_cube(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
     if (read_expression(context, node, resource.size)) resource.image_kind = ImageKind::cube;
 }
 
-// Checks a literal whole number; resolve() checks the results of expressions.
+// Reads a count. A literal number must be whole and in the allowed range; the result of an expression is
+// checked in resolve().
 bool read_count(ParseContext& context, const JsonNode& node, int64_t least, int64_t most, Expr& out) {
     int64_t number = 0;
     if (node.kind == JsonKind::number && !read_integer(context, node, least, most, number)) return false;
@@ -159,7 +162,7 @@ const char* help_for_layers(ImageKind kind) {
     return "write \"kind\": \"array\", or leave the kind out";
 }
 
-// Checks that the keys are allowed for this kind of image.
+// Sets the kind of an image from its keys, and checks that all keys are allowed for this kind.
 void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
     const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
         const PointerScope scope(context, key);
@@ -186,7 +189,7 @@ void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& reso
                  "remove \"mips\", or resolve into an image with mips");
 }
 
-// Checks the keys for content that later frames use.
+// Checks the keys of resources whose content later frames use ("history" or "keep"), such as "firstFrame".
 void check_persistence(ParseContext& context, const JsonNode& node, const ResourceDesc& resource) {
     const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
         const PointerScope scope(context, key);

@@ -49,7 +49,8 @@ std::vector<std::string> depth_choices() {
     return choices;
 }
 
-// "none", "greater" (test only) or "greater_write".
+// Reads the depth test: "none", a comparison such as "greater" (test without writing depth), or the same with
+// writing, such as "greater_write".
 void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     RasterState& state = pass.state;
     if (!expect(context, node, JsonKind::string)) return;
@@ -65,7 +66,8 @@ void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     bad_choice(context, node, node.string, depth_choices());
 }
 
-// A number of the state: a literal is checked here, an expression in resolve().
+// The allowed range of a number in the state of a pass. A literal number is checked when it is parsed, and
+// the result of an expression in resolve().
 struct NumberRule {
     double least, most;
     bool whole;
@@ -109,7 +111,8 @@ void read_bias(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_object(context, node, "a depth bias", kBiasKeys, pass);
 }
 
-// The faces that a stencil state applies to.
+// The pass that is being parsed, and the triangle faces (front, back or both) that the stencil state applies
+// to.
 struct FaceDraft {
     PassDesc& pass;
     std::vector<StencilFaceState RasterState::*> faces;
@@ -152,7 +155,7 @@ constexpr std::array kFacesKeys{
                           read_face(c, n, {p, {&RasterState::stencil_back}});
                       }}};
 
-// {"front": {…}, "back": {…}}, or one state for both faces.
+// Reads the stencil state: an object {"front": {…}, "back": {…}}, or one state for both faces.
 void read_stencil(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.state.stencil_test = true;
     if (node.find("front") != nullptr || node.find("back") != nullptr) {
@@ -182,7 +185,8 @@ void read_rect(ParseContext& context, const JsonNode& node, const NumberRule& pl
     }
 }
 
-// A scissor cannot begin at negative coordinates, but a viewport can.
+// Reads the scissor rectangle. In Vulkan a viewport may begin at negative coordinates, but a scissor
+// rectangle must not.
 void read_scissor(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_rect<&RasterState::scissor>(context, node, kInsidePlace, pass);
 }
@@ -191,7 +195,8 @@ void read_viewport(ParseContext& context, const JsonNode& node, PassDesc& pass) 
     read_rect<&RasterState::viewport>(context, node, kPlace, pass);
 }
 
-// parse_blend() reads blending separately, because it belongs to the outputs.
+// Skips the keys "blend" and "writeMask". parse_state() calls parse_blend() for them after all other keys,
+// because blending belongs to the outputs.
 void skip_blend(ParseContext&, const JsonNode&, PassDesc&) {}
 
 constexpr std::array kStateKeys{

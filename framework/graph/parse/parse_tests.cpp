@@ -1,4 +1,4 @@
-// A graph's own tests: the runs to render, and the expected results.
+// Parses a graph's own tests, which say what to render and which results to expect.
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"
@@ -14,12 +14,15 @@ constexpr int64_t kMostSide_px = 16'384;
 struct TestDraft {
     const GraphDesc& graph;
     GraphTestDesc test;
-    std::vector<std::string> names, swaps;  // names of tiers
+    // Names of tiers: `names` are tiers that each get a separate run, and `swaps` are the tiers that one run
+    // switches between.
+    std::vector<std::string> names, swaps;
     std::vector<SourceLoc> name_locs, swap_locs;
     bool all_tiers = false;
 };
 
-// Checks a reference such as "hdr" or "bloom.mip(1)"; returns false after reporting a fault.
+// Checks that a reference such as "hdr" or "bloom.mip(1)" is valid and that its resource exists. If not,
+// reports an error and returns false.
 bool check_ref(ParseContext& context, const TestDraft& draft, const std::string& text, SourceLoc loc) {
     Result<RefDesc> ref = parse_reference({text, loc}, context.sources());
     if (!ref) {
@@ -125,7 +128,8 @@ void read_test_size(ParseContext& context, const JsonNode& node, TestDraft& draf
     std::array<int64_t, 2> size{};
     for (size_t i = 0; i < size.size(); ++i)
         if (!read_integer(context, node.items[i], 1, kMostSide_px, size[i])) return;
-    // The picture, and its copy in readback memory.
+    // Bytes per texel that a test needs: 4 for the picture and 4 for the copy of the picture in readback
+    // memory.
     constexpr uint64_t kBytesPerTexel = 8;
     const auto bytes = static_cast<uint64_t>(size[0] * size[1]) * kBytesPerTexel;
     if (bytes > context.limits().test_bytes)
@@ -181,7 +185,8 @@ GraphTestDesc finished(ParseContext& context, TestDraft draft) {
     return std::move(draft.test);
 }
 
-// Total of all runs of a test. A run without a number of frames uses the graph's, which may be an expression.
+// Returns the number of frames of all runs of a test together. A run without a given number of frames counts
+// as one frame, because the graph's number of frames may be an expression without a value yet.
 size_t stated_frames(const GraphTestDesc& test) {
     return test.swap.empty() ? test.tiers.size() * std::max(1u, test.frames)
                              : test.swap.size() * size_t{test.every};

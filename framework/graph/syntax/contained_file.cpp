@@ -28,7 +28,8 @@ class OpenFile {
     int descriptor_;
 };
 
-// Number of bytes read up to the end of the file; nullopt if reading fails.
+// Reads a file into `room` until the end of the file or of `room`. Returns the number of bytes read, or
+// nullopt if reading fails.
 std::optional<uint64_t> read_all(int descriptor, std::span<std::byte> room) {
     size_t have = 0;
     while (have < room.size()) {
@@ -84,7 +85,8 @@ PlainRead read_plain_file(const fs::path& path, uint64_t most_bytes, LastLink li
     if ((follows ? stat(path.c_str(), &status) : lstat(path.c_str(), &status)) != 0)
         return {0, FileFault::missing};
     if (!S_ISREG(status.st_mode)) return {0, FileFault::not_plain};
-    // Another file may have replaced this one in between, so only the open descriptor is examined.
+    // Another file may take this path between stat() and open(), so the file type and size are checked again,
+    // with fstat() on the open descriptor.
     const OpenFile file(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY | (follows ? 0 : O_NOFOLLOW));
     if (file.get() < 0 || fstat(file.get(), &status) != 0) return {0, FileFault::unreadable};
     if (!S_ISREG(status.st_mode)) return {0, FileFault::not_plain};
@@ -101,7 +103,7 @@ FileContent read_plain_file(const fs::path& path, uint64_t most_bytes, LastLink 
         return std::as_writable_bytes(std::span(content.bytes));
     });
     content.fault = read.fault;
-    // The file may have become shorter since its size was read.
+    // The file may have become shorter between reading its size and reading its content.
     content.bytes.resize(read.fault == FileFault::none ? read.size_bytes : 0);
     return content;
 }

@@ -1,6 +1,7 @@
-// Purpose: finds and reads files below a folder. All code that opens files named in other files uses this:
-// includes of graphs and shaders, buffers and images of scenes. A symbolic link may lead to any place inside
-// the folders, but not out of them. Paths called real contain no links.
+// Purpose: finds and reads files below a folder. All code that opens a file named in another file uses these
+// functions: for includes of graphs and shaders, and for buffers and images of scenes. Symbolic links may
+// lead to any place inside the allowed folders, but not out of them. A "real path" is a path in which all
+// symbolic links are resolved.
 #pragma once
 
 #include <cstddef>
@@ -14,33 +15,39 @@ namespace weft {
 
 enum class FileFault : uint8_t { none, missing, not_plain, too_large, unreadable };
 
-// The folder's real path; empty if the folder does not exist.
+// Returns the path of the folder with all symbolic links resolved, or an empty path if the folder does not
+// exist.
 [[nodiscard]] std::filesystem::path real_folder(const std::filesystem::path& folder);
 
-// True if the path is absolute, or if ".." leads above its starting folder.
+// Returns true if the path is absolute, or if its ".." parts lead above the folder where it starts.
 [[nodiscard]] bool climbs_out(const std::filesystem::path& relative);
 
-// Both are real paths. A folder is not below itself.
+// Returns true if the file is somewhere below the folder. Both paths must have no symbolic links. A folder is
+// not below itself.
 [[nodiscard]] bool lies_below(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 struct RealFile {
-    std::filesystem::path path;  // real path; empty: no such file exists
-    bool is_inside = false;      // below one of the folders
+    // The path with all symbolic links resolved; empty if no such file exists.
+    std::filesystem::path path;
+    // True if the file lies below one of the allowed folders.
+    bool is_inside = false;
 };
-// Resolves the links of a path without opening a file. `folders` are real paths.
+// Resolves the symbolic links of a path without opening the file. The paths in `folders` must have no
+// symbolic links.
 [[nodiscard]] RealFile find_real_file(const std::filesystem::path& path,
                                       std::span<const std::filesystem::path> folders);
 
-// Whether the last part of a path may be a link. A path that was already resolved has none; a link there now
-// was created afterwards.
+// Says whether the last part of a path may be a symbolic link. Callers pass `refused` for a path whose links
+// were already resolved: a link found there was created afterwards, perhaps to lead out of the folder.
 enum class LastLink : uint8_t { followed, refused };
 
 struct PlainRead {
-    uint64_t size_bytes = 0;  // number of bytes read; if the file is too large, its size
+    // Number of bytes read. If the file is too large to be read, the size of the file.
+    uint64_t size_bytes = 0;
     FileFault fault = FileFault::none;
 };
-// Reads a regular file into the memory that `room` returns for its size. Pipes and devices are not opened,
-// because they may block.
+// Reads a regular file. Calls `room` with the size of the file in bytes and reads into the memory that `room`
+// returns. Does not open pipes and devices, because opening them may block.
 [[nodiscard]] PlainRead read_plain_file(const std::filesystem::path& path, uint64_t most_bytes, LastLink link,
                                         const std::function<std::span<std::byte>(uint64_t)>& room);
 

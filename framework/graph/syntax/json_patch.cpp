@@ -19,14 +19,15 @@ class Patcher {
     }
 
  private:
-    // True inside "/tiers/NAME/patch/…".
+    // Returns true while the current path is inside "/tiers/NAME/patch" and nulls must be kept there as
+    // values.
     [[nodiscard]] bool keeps_nulls() const {
         return nulls_ == NullMeaning::remove_outside_tiers && path_.size() >= 3 && path_[0] == "tiers" &&
                path_[2] == "patch";
     }
 
     void apply_members(JsonNode& target, JsonNode patch) {
-        // A file may contain very many keys, so they are looked up by hash.
+        // Members are looked up by hash, because a file may contain very many keys.
         std::unordered_map<std::string_view, size_t> index;
         for (size_t i = 0; i < target.members.size(); ++i) index.emplace(target.members[i].key, i);
         std::vector<bool> removed(target.members.size(), false);
@@ -49,7 +50,8 @@ class Patcher {
         std::ranges::move(added, std::back_inserter(target.members));
     }
 
-    // Reports nulls in newly added values, which have no member to remove.
+    // Reports each null inside a value that is added or that replaces another value. A null removes a member
+    // of the target, but here the target has no such member.
     void check_nulls(JsonNode& node) {
         if (keeps_nulls()) return;
         if (node.kind == JsonKind::null) {

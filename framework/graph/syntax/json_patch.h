@@ -1,5 +1,5 @@
 // Purpose: applies one JSON document to another as a JSON merge patch (RFC 7396): objects are merged member
-// by member, null removes a member, and any other value replaces the old one. Internal to weft_graph.
+// by member, null removes a member, and any other value replaces the old value. Internal to weft_graph.
 #pragma once
 
 #include "weft/result.h"
@@ -7,13 +7,17 @@
 
 namespace weft {
 
-// Side results of a merge: faults, and which value replaced which (SourceMap::replacements).
+// Collects the results of a merge besides the merged document: errors, and for each replaced value the value
+// that replaced it (in SourceMap::replacements).
 struct PatchLog {
     SourceMap& sources;
-    Diagnostics errors;  // W128: null for a member that does not exist
+    // Errors with code W128: a null in the patch is to remove a member that does not exist.
+    Diagnostics errors;
 };
 
-// remove_outside_tiers: when files are merged, the patch of a tier is kept as it is, including its nulls.
+// Says what null means in a patch. `remove`: null removes the member of this name. `remove_outside_tiers`:
+// used when files are merged; a null in the patch of a tier ("/tiers/NAME/patch") is kept as a value, because
+// that patch is applied later.
 enum class NullMeaning : uint8_t { remove, remove_outside_tiers };
 
 void apply_patch(JsonNode& target, JsonNode patch, NullMeaning nulls, PatchLog& log);

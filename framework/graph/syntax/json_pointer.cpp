@@ -13,7 +13,9 @@ std::string escaped(const std::string& key) {
     return text;
 }
 
-// Appends to `pointer` the path of the outermost value or key at that place. The reader limits the depth.
+// Searches the value or key whose token covers the given line and column, and appends its JSON pointer to
+// `pointer`. Returns false if there is none. The recursion is not too deep, because the JSON reader limits
+// the nesting.
 bool find_at(const JsonNode& node, uint32_t line, uint32_t column, std::string& pointer) {
     if (covers(node.loc, line, column)) return true;
     const size_t length = pointer.size();

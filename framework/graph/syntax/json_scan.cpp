@@ -36,7 +36,8 @@ void append_utf8(uint32_t code, std::string& out) {
     }
 }
 
-// Reads four hexadecimal digits after "\u"; the cursor does not move.
+// Reads the four hexadecimal digits after "\u" and returns their value, or nullopt if they are not four
+// digits. Does not move the cursor.
 std::optional<uint32_t> hex4(const JsonCursor& cursor, size_t ahead) {
     uint32_t code = 0;
     for (size_t i = 0; i < 4; ++i) {
@@ -50,7 +51,8 @@ std::optional<uint32_t> hex4(const JsonCursor& cursor, size_t ahead) {
     return code;
 }
 
-// Starts at the backslash of \uXXXX; surrogates must come in pairs.
+// Decodes an escape \uXXXX, with the cursor at its backslash. A character beyond U+FFFF is written as two
+// escapes, a surrogate pair; half of a pair is an error.
 std::optional<JsonFault> scan_unicode_escape(JsonCursor& cursor, std::string& out) {
     const SourceLoc loc = cursor.here(2);
     std::optional<uint32_t> code = hex4(cursor, 2);
@@ -85,7 +87,8 @@ std::optional<JsonFault> scan_escape(JsonCursor& cursor, std::string& out) {
     return std::nullopt;
 }
 
-// Checks the form -? int frac? exp? only. Returns the fault, or null.
+// Checks the spelling of a JSON number: optional minus, digits, optional fraction, optional exponent. Returns
+// a help text for the first error, or nullptr if the spelling is right.
 const char* number_fault(std::string_view s) {
     size_t i = 0;
     const auto digits = [&] {
@@ -111,7 +114,8 @@ const char* number_fault(std::string_view s) {
     return i == s.size() ? nullptr : "numbers are decimal; put text in quotes";
 }
 
-// Length of the well-formed sequence at text[i], or 0 (Unicode 15, table 3-7).
+// Returns the length in bytes of the well-formed UTF-8 sequence at text[i], or 0 if the bytes there are not
+// well-formed (Unicode 15, table 3-7).
 size_t utf8_length(std::string_view text, size_t i) {
     const auto byte = [&](size_t k) -> uint32_t {
         return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0;

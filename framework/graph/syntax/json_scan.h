@@ -1,5 +1,5 @@
-// Purpose: the lexer of the JSON reader: whitespace and comments, strings, numbers, UTF-8. It tracks its
-// position, so that every fault has an exact line and column.
+// Purpose: the lexer of the JSON reader. Skips whitespace and comments, reads strings and numbers, and checks
+// UTF-8. Tracks the line and column, so that every error has an exact place.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct JsonFault {
 
 class JsonCursor {
  public:
-    // `file`: index into SourceMap::files, used in reported places.
+    // `file` is the index into SourceMap::files for the places that the cursor reports.
     explicit JsonCursor(std::string_view text, uint32_t file = 0) : text_(text), file_(file) {}
 
     [[nodiscard]] bool at_end() const { return position_ >= text_.size(); }
@@ -48,15 +48,17 @@ class JsonCursor {
     uint32_t file_ = 0;
 };
 
-// Each function returns the fault that stopped it, or nullopt.
+// Skips whitespace and comments. Returns the error if a comment is not closed, otherwise nullopt.
 [[nodiscard]] std::optional<JsonFault> skip_blank(JsonCursor& cursor);
-// Starts at the opening quote and ends after the closing one.
+// Reads a string into `out`. The cursor must be at the opening quote and ends after the closing quote.
+// Returns the error that stopped reading, or nullopt.
 [[nodiscard]] std::optional<JsonFault> scan_string(JsonCursor& cursor, std::string& out);
-// Starts at the first character of a possible number.
+// Reads a number, with the cursor at its first character. Returns the value and also the spelling in the
+// file, or the error if the text is not a number.
 [[nodiscard]] std::optional<JsonFault> scan_number(JsonCursor& cursor, double& number, std::string& spelling);
 [[nodiscard]] std::optional<JsonFault> check_utf8(std::string_view text);
 
-// The character in quotes, or its byte value if it is not printable.
+// Returns the character itself, or its byte value such as "0x07" if the character is not printable ASCII.
 [[nodiscard]] std::string printable(char c);
 
 }  // namespace weft

@@ -12,7 +12,8 @@ namespace {
 
 constexpr uint64_t kMostBytes = 1ull << 40;
 constexpr uint64_t kMostItems = 1ull << 24;
-constexpr uint64_t kMostDepth = 512;  // maximum nesting for recursive readers
+// Largest nesting depth that a user may allow: recursive readers would overflow the stack at a greater depth.
+constexpr uint64_t kMostDepth = 512;
 constexpr uint64_t kMostSide_px = 1ull << 16;
 constexpr uint64_t kMostTime_ms = 3'600'000;
 

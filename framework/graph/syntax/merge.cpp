@@ -1,5 +1,5 @@
-// Expands shorthand to objects, then merges files and the tier. Values of an unexpected kind are left
-// unchanged: parse() reports them.
+// Expands shorthand notation to objects, then merges the included files and the tier into one document.
+// Leaves values of an unexpected kind unchanged, because parse() reports such values later.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -18,7 +18,7 @@ JsonNode* find(JsonNode& node, std::string_view key) {
     return it == node.members.end() ? nullptr : &it->value;
 }
 
-// Replaces value by {key: value}, at the same source location.
+// Replaces `node` by an object {key: node} at the same source location.
 void wrap(JsonNode& node, std::string_view key) {
     JsonNode object;
     object.kind = JsonKind::object;
@@ -48,8 +48,8 @@ Diagnostic duplicate_port(const JsonMember& port, SourceLoc first, const SourceM
     return error;
 }
 
-// ["a", "b.mip(0)"] → {"a": "a", "b": "b.mip(0)"}: a port written as a plain reference gets the name of its
-// resource.
+// Converts a list of references to an object with one named port per reference: ["a", "b.mip(0)"] becomes
+// {"a": "a", "b": "b.mip(0)"}. The port gets the name of the resource in the reference.
 void name_ports(JsonNode& list, const SourceMap& sources, Diagnostics& errors) {
     const auto is_string = [](const JsonNode& item) { return item.kind == JsonKind::string; };
     if (!std::all_of(list.items.begin(), list.items.end(), is_string)) return;
@@ -68,7 +68,7 @@ void name_ports(JsonNode& list, const SourceMap& sources, Diagnostics& errors) {
     list = std::move(object);
 }
 
-// The ports of one pass.
+// Expands the shorthand notation in the ports and the depth attachment of one pass.
 void expand_pass(JsonNode& pass, const SourceMap& sources, Diagnostics& errors) {
     for (const std::string_view side : {"in", "out"}) {
         JsonNode* ports = find(pass, side);
@@ -97,7 +97,8 @@ void expand(JsonNode& root, const SourceMap& sources, Diagnostics& errors) {
         if (JsonNode* patch = find(tier.value, "patch")) expand_sections(*patch, sources, errors);
 }
 
-// Removes the keys that describe a file itself; the including file does not inherit them.
+// Removes the keys that describe only the file itself, such as "name", because the including file does not
+// inherit them.
 JsonNode without_own_keys(JsonNode root) {
     std::erase_if(root.members, [](const JsonMember& member) {
         return member.key == "name" || member.key == "$schema" || member.key == "include";
@@ -130,7 +131,7 @@ Diagnostic unknown_tier(const JsonDoc& document, const std::string& name) {
     return d;
 }
 
-// "set": changes a parameter's default in this tier.
+// Applies the "set" of a tier, which changes the default values of parameters.
 void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
     JsonNode* params = find(root, "params");
     for (const JsonMember& value : values.members) {
@@ -153,7 +154,8 @@ void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
     }
 }
 
-// Keeps only known sections. parse() reports the others where they are written.
+// Keeps only the sections of a tier's patch that a tier may change. parse() reports any other section at its
+// place in the file.
 JsonNode known_sections(JsonNode patch) {
     static constexpr std::array<std::string_view, 9> kSections{
         "imports", "consts", "params", "sizes", "resources", "passes", "debug", "frames", "jitter"};
@@ -191,7 +193,7 @@ std::vector<std::string> tier_names(const JsonDoc& document) {
     };
     for (const IncludedJson& included : document.included) gather(included.root);
     gather(document.root);
-    // Tiers that an including file removes are not listed.
+    // Leaves out each tier that the including file removes with null.
     const JsonNode* last = document.root.find("tiers");
     std::erase_if(names, [&](const std::string& name) {
         const JsonNode* tier = last != nullptr ? last->find(name) : nullptr;

@@ -1,4 +1,4 @@
-// Purpose: merges the JSON of included files and of one tier.
+// Purpose: merges the JSON of a graph file, of its included files and of one tier.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@
 
 namespace weft {
 
-// Expands shorthand to objects, so that a patch adds to an object instead of replacing it. Then, as in RFC
-// 7396, each file is applied to the files that it includes, and the tier to the result: null removes, objects
-// are merged, any other value replaces. Errors: W128 null for a member that does not exist, W129 no such
-// tier, W131 a tier sets no parameter.
+// Merges a graph file with its included files and one tier. First expands shorthand notation to objects, so
+// that a patch adds to an object instead of replacing a plain value. Then applies each file as a merge patch
+// (RFC 7396) to the files that it includes, and at last the tier: null removes a member, objects are merged,
+// and any other value replaces. Errors: W128 null for a member that does not exist, W129 unknown tier, W131
+// the tier sets a name that is not a parameter.
 [[nodiscard]] Result<JsonDoc> merge(JsonDoc document, const std::string& tier = {});
-// The names of the tiers, in the order written; empty if the file declares no tiers.
+// Returns the names of the tiers in the order of the files. The list is empty if no file declares tiers.
 [[nodiscard]] std::vector<std::string> tier_names(const JsonDoc& document);
 
 }  // namespace weft

@@ -1,5 +1,5 @@
-// Reads a graph's file and all files that it includes, depth first, each of them once. In the merge, earlier
-// included files have lower priority.
+// Reads a graph file and all files that it includes, depth first and each file once. When the files are
+// merged, files included later override files included earlier.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -13,7 +13,8 @@
 namespace weft {
 namespace {
 
-// Number of values in a tree. The reader limits its depth.
+// Returns the number of JSON values in a tree. The recursion is not too deep, because the JSON reader limits
+// the nesting.
 uint64_t count_values(const JsonNode& node) {
     uint64_t count = 1;
     for (const JsonMember& member : node.members) count += count_values(member.value);
@@ -47,7 +48,8 @@ class IncludeReader {
         }
     }
 
-    // Each tier is merged and parsed separately, so the number of values counts once per tier.
+    // Checks the number of tiers, and the limit graph.jsonValues with the number of values counted once per
+    // tier and once for the graph without a tier, because each tier is merged and parsed separately.
     void check_tiers() {
         std::set<std::string_view> names;
         for (const IncludedJson& included : doc_.included) check_tiers(included.root, names);
@@ -97,7 +99,8 @@ class IncludeReader {
         return false;
     }
 
-    // Candidate paths: beside the including file, then among the shipped graphs.
+    // Returns the paths at which an included file may be, in the order of the search: beside the including
+    // file, then in the folder of shipped graphs.
     [[nodiscard]] std::vector<std::string> candidates(const std::string& name) const {
         const std::filesystem::path includer(doc_.sources.files[open_.back()].path);
         std::vector<std::string> paths{(includer.parent_path() / name).lexically_normal().generic_string()};
@@ -113,7 +116,8 @@ class IncludeReader {
         for (const std::string& path : paths) {
             const auto known = std::ranges::find(files, path, &SourceFile::path);
             if (known != files.end()) return check_circle(item, static_cast<uint32_t>(known - files.begin()));
-            // `reader` may also provide a file that does not exist on disk.
+            // The path may name no file on disk: `reader` can also provide files from memory. So only
+            // existing files are checked for links.
             const RealFile real = find_real_file(path, folders_);
             if (!real.path.empty() && !real.is_inside)
                 return fail(item.loc, "W126",
@@ -130,7 +134,9 @@ class IncludeReader {
 
     void check_circle(const JsonNode& item, uint32_t file) {
         const auto first = std::ranges::find(open_, file);
-        if (first == open_.end()) return;  // this file was already included by another file
+        // The file is not in the chain of open includes, so it was only included before by another file,
+        // which is allowed.
+        if (first == open_.end()) return;
         std::string chain;
         for (auto it = first; it != open_.end(); ++it) chain += doc_.sources.files[*it].path + " -> ";
         fail(item.loc, "W127", "files include each other: " + chain + doc_.sources.files[file].path,
@@ -148,8 +154,8 @@ class IncludeReader {
             return fail(item.loc, "W004",
                         "the files have more than " + limit_bytes_text(limits.json_bytes) + " together",
                         "check that \"" + path + "\" is a graph, " + raise_limit_text("graph.jsonBytes"));
-        const auto file = static_cast<uint32_t>(doc_.sources.files.size());  // the index that
-                                                                             // read_json_file() will assign
+        // read_json_file() appends the file to the list of files, so the file gets this index.
+        const auto file = static_cast<uint32_t>(doc_.sources.files.size());
         Result<JsonNode> root = read_json_file(doc_.sources, path, std::move(text), limits, item.loc);
         if (!root) {
             const Diagnostics& faults = root.errors();
@@ -170,9 +176,13 @@ class IncludeReader {
     JsonDoc& doc_;
     const FileReader& reader_;
     const GraphReading& reading_;
-    std::vector<uint32_t> open_;                    // the chain of including files
-    std::array<std::filesystem::path, 2> folders_;  // links must not lead out of these folders
-    uint64_t bytes_ = 0;                            // total of all files
+    // Indices into SourceMap::files of the files that are being read: each file includes the next one.
+    std::vector<uint32_t> open_;
+    // Folders that included files must lie in, after resolving symbolic links: the graph's folder and the
+    // include root.
+    std::array<std::filesystem::path, 2> folders_;
+    // Total size in bytes of all files read so far.
+    uint64_t bytes_ = 0;
     uint64_t values_ = 0;
     Diagnostics errors_;
 };

@@ -10,11 +10,13 @@
 namespace weft {
 
 struct GraphReading {
-    std::string include_root = {};  // second folder in which included files are searched; empty: none
+    // A second folder in which included files are searched, after the folder of the including file. Empty: no
+    // second folder.
+    std::string include_root = {};
     GraphLimits limits = {};
 };
-// Errors: those of read_json(); W126 an included file that is missing or lies outside the folder, W127 files
-// that include each other.
+// Reads a graph file and the files that it includes. Errors: those of read_json(); W126 an included file is
+// missing or lies outside the folders; W127 files include each other.
 [[nodiscard]] Result<JsonDoc> read_graph(const std::string& path, const FileReader& reader,
                                          const GraphReading& reading = {});
 

@@ -20,7 +20,8 @@ bool begins_value(char c) {
     return c == '"' || c == '{' || c == '[' || begins_number(c) || begins_word(c);
 }
 
-// Recursive descent, so the depth is limited. A syntax fault ends parsing; duplicate keys are collected.
+// Parses JSON by recursive descent, so the nesting depth is limited. A syntax error stops the parser;
+// duplicate keys do not stop the parser, and all of them are collected.
 class JsonReader {
  public:
     JsonReader(std::string_view text, uint32_t file, const GraphLimits& limits)
@@ -159,7 +160,8 @@ class JsonReader {
         return value(entry.value);
     }
 
-    // Expects a comma between two values; a trailing comma is allowed.
+    // Expects a comma between two values, or the closing bracket. A comma before the closing bracket is
+    // allowed.
     bool separator(const JsonNode& node, char close) {
         const SourceLoc end_of_value = cursor_.here();
         if (!blank()) return false;

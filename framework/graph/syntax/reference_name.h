@@ -1,4 +1,5 @@
-// Purpose: the name at the beginning of a reference, for shorthand that is expanded before references are parsed.
+// Purpose: finds the name at the beginning of a reference, to expand shorthand notation before the references
+// are parsed.
 #pragma once
 
 #include <string>
@@ -6,7 +7,7 @@
 
 namespace weft {
 
-// "hiz" for "hiz@build.mip(0)".
+// Returns the name of the resource in a reference, for example "hiz" for "hiz@build.mip(0)".
 [[nodiscard]] inline std::string reference_name(std::string_view text) {
     return std::string(text.substr(0, text.find_first_of("@[.")));
 }
