@@ -1,5 +1,5 @@
-// Purpose: the default scene, "atrium", generated without any file, with the light of a chosen hour of the
-// day.
+// Purpose: "atrium", the default scene: a court with an arcade around it. It is generated without any file
+// and lit as at a chosen hour of the day.
 #pragma once
 
 #include "weft/scene/scene.h"

@@ -1,4 +1,5 @@
-// The arcade around the court: arches, the wall above them, and the columns and corner piers below.
+// Purpose: adds the arcade around the atrium's court: arches, the wall above the arches, columns' medallions,
+// the cornice and the corner piers.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,13 +13,13 @@ namespace {
 constexpr uint32_t kArchSegments = 14;
 constexpr float kPierHalf = 0.36f;
 
-// Converts the frame of a turned shape (axis up) to that of an arch: axis from front to back, angle 0 at the
-// crown.
+// Returns the matrix that turns a lathe shape (axis upwards) into an arch: the axis runs from front to back,
+// and angle 0 is the top of the arch.
 glm::mat4 arch_frame(glm::vec3 center) {
     return glm::translate(glm::mat4(1), center) * glm::rotate(glm::mat4(1), -0.5f * kPi, glm::vec3(1, 0, 0));
 }
 
-// The ring of wedge stones. It protrudes from the wall on both sides.
+// Adds the ring of wedge stones around an arch. The ring protrudes from the wall on both sides.
 void add_arch_ring(MeshBuilder& builder, glm::vec3 center) {
     constexpr float kFront = -kWallHalf - 0.05f;
     constexpr float kBack = kWallHalf + 0.03f;
@@ -27,7 +28,9 @@ void add_arch_ring(MeshBuilder& builder, glm::vec3 center) {
     shape.segments = kArchSegments;
     shape.from_rad = -0.5f * kPi;
     shape.to_rad = 0.5f * kPi;
-    shape.u_span_m = 15 * 1.1f / 4;  // fifteen wedges of the voussoir texture
+    // Length of the texture around the arch: it has fifteen wedges, and four wedges of the texture are 1.1 m
+    // long.
+    shape.u_span_m = 15 * 1.1f / 4;
     builder.set_transform(arch_frame(center));
     builder.set_uv_offset({0.1375f, 0});
     builder.add_lathe({{kArchOuter, kWallHalf},
@@ -41,7 +44,8 @@ void add_arch_ring(MeshBuilder& builder, glm::vec3 center) {
     builder.set_uv_offset({0, 0});
 }
 
-// One face of the wall above an arch, between the ring and the bay's rectangle.
+// Adds the wall above one arch, on one side of the wall: the area between the ring of stones and the
+// rectangle that is as wide as one bay.
 void add_spandrel(MeshBuilder& builder, float center_x, float z, float facing) {
     const float height = kWallTop - kSpring;
     const float half = 0.5f * kBay;
@@ -62,14 +66,14 @@ void add_spandrel(MeshBuilder& builder, float center_x, float z, float facing) {
         inner.push_back({center_x + d.x * ring, kSpring + d.y * ring, z});
         outer.push_back({center_x + d.x * reach, kSpring + d.y * reach, z});
     }
-    if (facing > 0) {  // left to right as seen from the front
+    if (facing > 0) {  // The points must run from left to right, seen from the front of the wall.
         std::reverse(inner.begin(), inner.end());
         std::reverse(outer.begin(), outer.end());
     }
     builder.add_strip(inner, outer, {facing, 0, 0}, {0, 1, 0});
 }
 
-// A tile medallion over each column.
+// Adds a round ornament of tiles above each column.
 void add_medallions(Parts& parts, int bays, const glm::mat4& to_world, uint32_t rim, uint32_t disc) {
     for (int i = 1; i < bays; ++i) {
         const float x = (static_cast<float>(i) - 0.5f * static_cast<float>(bays)) * kBay;
@@ -106,7 +110,7 @@ std::vector<glm::vec3> inward_loop(float half_x, float half_z, float y) {
     return {{-half_x, y, half_z}, {-half_x, y, -half_z}, {half_x, y, -half_z}, {half_x, y, half_z}};
 }
 
-// The cornice: a band of stone between the two storeys.
+// Adds the cornice: a band of stone between the lower and the upper storey.
 void add_cornice(Parts& parts) {
     MeshBuilder builder;
     builder.add_sweep({{0, -0.06f},

@@ -1,4 +1,4 @@
-// Adds meshes, instances and materials to the atrium's scene.
+// Purpose: adds meshes, instances and materials to the scene of the atrium.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,8 +12,8 @@ namespace {
 constexpr float kPlanHalfX = kCourtHalfX + kWalkDepth;
 constexpr float kPlanHalfZ = kCourtHalfZ + kWalkDepth;
 
-// Fraction of the sky visible from the floor, ignoring objects on the floor: the court is open, the walkway
-// is covered.
+// Returns the visible fraction of the sky for a point on the floor, without the shadows of objects on the
+// floor. The court is open to the sky, the walkway around it is covered.
 float open_sky(glm::vec2 p) {
     const float inside = std::min(kCourtHalfX - std::abs(p.x), kCourtHalfZ - std::abs(p.y));
     if (inside > 0) return 0.62f + 0.38f * smooth_step(0.3f, 2.8f, inside);
@@ -86,8 +86,9 @@ uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface&
     material.name = name;
     material.alpha_mode = AlphaMode::mask;
     material.double_sided = true;
-    material.specular = 0.45f;  // leaves are waxy, but scattered specular light without shadows would turn
-                                // backlit leaves white
+    // Leaves are waxy and so would need a higher value. But scattered specular light without shadows would
+    // turn backlit leaves white.
+    material.specular = 0.45f;
     material.base_color_texture.texture = textures.color;
     material.metallic_roughness_texture.texture = textures.metallic_roughness;
     material.normal_texture.texture = textures.normal;
@@ -102,7 +103,8 @@ uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface&
 
 void shade_by_height(Parts& parts, uint32_t material, const std::vector<float>& values, float low_m,
                      float high_m) {
-    // Row 0 of the picture is the top, so the highest value comes first.
+    // Row 0 of the texture is its top, so row 0 gets the last of `values`, which is the one for the greatest
+    // height.
     constexpr uint32_t kRows = 64;
     std::vector<float> ramp(4 * static_cast<size_t>(kRows));
     for (uint32_t row = 0; row < kRows; ++row) {
@@ -119,7 +121,9 @@ void shade_by_height(Parts& parts, uint32_t material, const std::vector<float>& 
     slot.wrap_u = Wrap::clamp_to_edge;
     slot.wrap_v = Wrap::clamp_to_edge;
     const float span = high_m - low_m;
-    slot.transform = glm::mat3x2(1, 0, 0, 1 / span, 0, high_m / span);  // v = -height: top at 0, bottom at 1
+    // The mesh has v = -height. The transform maps `high_m` to 0 (top of the texture) and `low_m` to 1
+    // (bottom).
+    slot.transform = glm::mat3x2(1, 0, 0, 1 / span, 0, high_m / span);
     parts.scene.materials[material].occlusion_texture = slot;
 }
 

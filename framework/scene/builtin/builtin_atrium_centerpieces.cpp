@@ -1,4 +1,5 @@
-// Two groups of objects: a laid table in the walkway and an armillary sphere in the court.
+// Purpose: adds two groups of objects to the atrium: a laid table in the walkway and an armillary sphere in
+// the court.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/builtin/builtin_atrium_parts.h"
@@ -13,7 +14,8 @@ glm::mat4 at_point(glm::vec3 point) {
     return glm::translate(glm::mat4(1), point);
 }
 
-// Boards run along x. The legs are built lying down, so that their wood grain runs along them.
+// Makes a wooden table. The grain of the texture runs along x. So the legs are built lying along x and then
+// rotated upright: their grain runs along the legs.
 Mesh table() {
     MeshBuilder wood;
     wood.add_bevelled_box({-0.8f, 0.74f, -0.36f}, {0.8f, kTableTop, 0.36f}, 0.01f);
@@ -28,7 +30,7 @@ Mesh table() {
     return wood.finish("table");
 }
 
-// A bowl and a pitcher.
+// Makes the steel objects on the table: a bowl and a pitcher.
 Mesh steel_ware() {
     MeshBuilder steel;
     steel.set_transform(at_point({-0.3f, kTableTop, 0.02f}));
@@ -98,7 +100,8 @@ Mesh armillary_stand() {
     return stone.finish("armillary_stand");
 }
 
-// Meridian, equinoctial colure, and a tilted equator around the axis.
+// Makes the rings of the armillary sphere: the meridian, the equinoctial colure, and a tilted equator around
+// the axis.
 Mesh armillary_rings(glm::vec3 center) {
     const glm::mat4 middle = at_point(center);
     const glm::vec3 x{1, 0, 0};

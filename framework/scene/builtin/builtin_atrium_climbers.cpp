@@ -1,4 +1,4 @@
-// The atrium's climbing plants: ivy on columns and parapets, bougainvillea over an arch.
+// Purpose: adds the atrium's climbing plants: ivy on columns and parapets, bougainvillea over an arch.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -30,12 +30,13 @@ Card facing_card(glm::vec3 center, glm::vec3 facing, float roll_rad, float half_
 
 namespace {
 
-// A point and normal on the surface that the plant climbs.
+// A point on the surface that a plant climbs, with the surface's normal.
 struct Hold {
     glm::vec3 position;
     glm::vec3 outward;
 };
-using Carrier = std::function<Hold(float, float)>;  // maps two numbers in 0..1 to a point on that surface
+// A function that maps two numbers in 0..1 to a point on the surface that a plant climbs.
+using Carrier = std::function<Hold(float, float)>;
 
 Mesh climber(uint32_t count, float half_m, uint32_t seed, const Carrier& carrier) {
     Random random(seed);
@@ -56,7 +57,8 @@ Mesh climber(uint32_t count, float half_m, uint32_t seed, const Carrier& carrier
     return builder.finish("climber");
 }
 
-// A path that winds around a column; the plant is thick at the foot and thinner above.
+// Maps (a, b) to a point on a column, for a plant that winds around the column: b = 0 is the foot, b = 1 the
+// top. The plant is wide at the foot and narrow at the top.
 Hold around_column(float a, float b) {
     const float y = kFloor + 0.1f + 2.75f * (0.4f * b * b + 0.6f * b);
     const float turn = a * 2 * kPi * (1 - 0.55f * b) + 4.0f * b;
@@ -64,7 +66,8 @@ Hold around_column(float a, float b) {
     return {outward * 0.255f + glm::vec3(0, y, 0), outward};
 }
 
-// A surface that hangs over the gallery's parapet: wide above, pointed below. In the coordinates of one side.
+// Maps (a, b) to a point on ivy that hangs over the gallery's parapet: wide at the top (b = 0), pointed at
+// the bottom (b = 1). The point is in the local coordinates of one side of the court.
 Hold over_parapet(float a, float b) {
     const float drop = 1.35f * b;
     const float x = (a - 0.5f) * 1.5f * (1 - 0.6f * b) + 0.1f * std::sin(5 * b);
@@ -72,7 +75,8 @@ Hold over_parapet(float a, float b) {
     return {{x, 6.14f - drop, out}, glm::normalize(glm::vec3(0, 0.6f * (1 - b), 1))};
 }
 
-// A path up a corner pier for the first part of `a`, then in a curve over the neighbouring arch.
+// Maps (a, b) to a point on a plant. For `a` below 0.45 the plant grows up a corner pier. For larger `a` it
+// follows a curve over the neighbouring arch.
 Hold over_arch(float a, float b) {
     constexpr float kUpright = 0.45f;
     const float side = (b - 0.5f) * 2;
@@ -86,7 +90,7 @@ Hold over_arch(float a, float b) {
             {0, 0, 1}};
 }
 
-// The woody stems that carry the leaves. Each vine is a list of points from root to tip.
+// Makes the woody stems that bear the leaves. Each vine is a list of points from the root to the tip.
 Mesh stems(const std::vector<std::vector<Hold>>& vines, float radius_m) {
     MeshBuilder builder;
     for (const std::vector<Hold>& vine : vines) {
@@ -116,7 +120,7 @@ std::vector<std::vector<Hold>> arch_vines() {
     return vines;
 }
 
-// The trough on top of the parapet, in which the hanging ivy grows.
+// Makes the trough on top of the parapet. The hanging ivy grows in the trough.
 Mesh trough() {
     MeshBuilder builder;
     builder.add_box({-0.58f, 5.98f, -0.1f}, {0.58f, 6.16f, 0.16f});
@@ -137,7 +141,7 @@ void add_climbers(Parts& parts) {
     const glm::mat4 right = moved({0, 0, 0}, -0.5f * kPi);
     const uint32_t hanging = add_mesh(parts, stems(hanging_vines(), 0.014f));
     const uint32_t box = add_mesh(parts, trough());
-    // Between two of the gallery's posts, which stand 1.5 m apart.
+    // The troughs with ivy stand between two posts of the gallery. The posts are 1.5 m apart.
     for (const glm::mat4& at :
          {left * moved({3.75f, 0, -kCourtHalfX}), right * moved({-2.25f, 0, -kCourtHalfX}),
           right * moved({3.75f, 0, -kCourtHalfX})}) {

@@ -1,4 +1,4 @@
-// The atrium's banners and curtains, hung from iron rods.
+// Purpose: adds the atrium's banners and curtains, which hang from iron rods.
 #include <algorithm>
 #include <cmath>
 
@@ -8,10 +8,12 @@
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kBannerWidth = 1.2f;  // one repeat of the cloth's pattern
+// Width of a banner in metres. The pattern of the cloth repeats after the same length.
+constexpr float kBannerWidth = 1.2f;
 constexpr float kRodRadius = 0.018f;
 
-// Hangs from y = 0 in the plane z = 0 and faces +z. The hem is pointed and the folds get deeper downwards.
+// Makes a banner that hangs down from y = 0 in the plane z = 0 and faces +z. Its lower edge is pointed, and
+// the folds get deeper downwards.
 Mesh banner(float length, uint32_t seed) {
     constexpr uint32_t kCols = 17;
     constexpr uint32_t kRows = 9;
@@ -34,7 +36,7 @@ Mesh banner(float length, uint32_t seed) {
     return builder.finish("banner");
 }
 
-// Half of a pair of curtains, pulled aside to x = -1.05 · side and tied at the fraction `tie` of its length.
+// Makes one curtain of a pair. It is pulled aside to x = -1.05 · side and tied there at 0.56 of its length.
 Mesh curtain(float side, float length) {
     constexpr uint32_t kCols = 21;
     constexpr uint32_t kRows = 8;
@@ -42,7 +44,8 @@ Mesh curtain(float side, float length) {
     MeshBuilder builder;
     builder.add_grid(kCols, kRows, [&](uint32_t i, uint32_t j) {
         const float across = static_cast<float>(i) / (kCols - 1);
-        const float u = side > 0 ? across : 1 - across;  // 0 at the side of the column
+        // Position across the curtain: 0 at the edge next to the column, 1 at the edge in the opening.
+        const float u = side > 0 ? across : 1 - across;
         const float t = 1 - static_cast<float>(j) / (kRows - 1);
         const float above = std::clamp(t / kTie, 0.0f, 1.0f);
         const float below = std::clamp((t - kTie) / (1 - kTie), 0.0f, 1.0f);
@@ -72,7 +75,8 @@ Mesh rod(float half_length, bool brackets) {
 }
 
 struct Hanging {
-    float along;  // position along the side, from its middle
+    // Position of the banner along the side of the court, in metres from the middle of the side.
+    float along;
     uint32_t cloth;
 };
 

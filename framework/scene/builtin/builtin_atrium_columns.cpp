@@ -1,4 +1,4 @@
-// The arcade's columns: Attic base, tapering shaft, leafy capital.
+// Purpose: adds the arcade's columns: an Attic base, a tapering shaft and a capital with leaves.
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_parts.h"
@@ -8,7 +8,7 @@ namespace weft::scene::atrium {
 namespace {
 
 constexpr uint32_t kSegments = 16;
-constexpr float kShaftLow = 0.34f;  // height above the floor
+constexpr float kShaftLow = 0.34f;  // Height of the shaft's lower end above the floor, in metres.
 constexpr float kShaftHigh = 2.42f;
 constexpr float kCapitalHigh = kSpring - kFloor - 0.12f;
 
@@ -17,7 +17,7 @@ Profile base_profile() {
             {0.328f, 0.29f}, {0.29f, 0.322f}, {0.267f, kShaftLow}};
 }
 
-// One leaf of the capital: rises along the bell, then curls outwards.
+// Adds one leaf of the capital. The leaf rises along the bell-shaped body and curls outwards at its tip.
 void add_capital_leaf(MeshBuilder& builder, float angle, float low, float high, float width) {
     constexpr uint32_t kCols = 3;
     constexpr uint32_t kRows = 3;

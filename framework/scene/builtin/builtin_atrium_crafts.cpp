@@ -1,4 +1,4 @@
-// The atrium's wood, clay and cloth.
+// Purpose: makes the atrium's materials of wood, clay and cloth.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 struct WoodColors {
     glm::vec3 dark;
     glm::vec3 light;
-    uint32_t boards;  // number of boards across the surface; the grain runs along u
+    uint32_t boards;  // Number of boards across the texture. The wood grain runs along u.
     float gap_m;
 };
 
@@ -53,7 +53,7 @@ Surface clay(const NoiseBank& bank) {
     });
 }
 
-// Each roof tile has its own colour and is 0.25 m wide and long.
+// Makes the texture of the roof: tiles that are 0.25 m wide and 0.33 m long, each in its own tone.
 Surface roof_tiles(const NoiseBank& bank) {
     return make_surface(kTextureSize, 2, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
@@ -77,7 +77,8 @@ struct ClothColors {
     glm::vec3 border;
 };
 
-// The thread looks metallic only because it is bright: the cloth is a dielectric.
+// Makes the texture of a patterned cloth. The thread of the pattern looks metallic only because it is bright:
+// the material is a dielectric.
 Surface cloth(const NoiseBank& bank, const ClothColors& colors) {
     constexpr float kPeriod = 1.2f;
     return make_surface(kTextureSize, kPeriod, [&](uint32_t x, uint32_t y) {

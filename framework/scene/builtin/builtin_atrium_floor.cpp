@@ -1,4 +1,4 @@
-// The atrium's ground floor: court, walkway, outer walls and ceiling.
+// Purpose: adds the atrium's ground floor: court, walkway, outer walls and ceiling.
 #include <array>
 
 #include "scene/builtin/builtin_atrium_parts.h"
@@ -14,12 +14,14 @@ constexpr float kStepBevel = 0.025f;
 constexpr float kDadoLow = kFloor + 0.1f;
 constexpr float kDadoHigh = kDadoLow + 1.2f;
 
-// A closed path around the court; the court is on the right-hand side of the direction of travel.
+// Returns a closed path around the court. The court is on the right-hand side of the direction of travel,
+// because a swept profile is offset to the right.
 std::vector<glm::vec3> inward_floor_loop(float half_x, float half_z) {
     return {{-half_x, 0, half_z}, {-half_x, 0, -half_z}, {half_x, 0, -half_z}, {half_x, 0, half_z}};
 }
 
-// A frame of floor between two rectangles around the court; `up` is +1 for floors, -1 for ceilings.
+// Adds the floor between two rectangles around the court, `inner` and `outer`. `up` is +1 for a floor and -1
+// for a ceiling.
 void add_frame(MeshBuilder& builder, glm::vec2 inner, glm::vec2 outer, float y, float up) {
     const glm::vec2 depth = outer - inner;
     const std::array<glm::vec4, 4> pieces{{{-outer.x, -outer.y, depth.x, 2 * outer.y},
@@ -32,7 +34,8 @@ void add_frame(MeshBuilder& builder, glm::vec2 inner, glm::vec2 outer, float y, 
     }
 }
 
-// A mitred frame whose texture runs along it, v from the outer edge inwards.
+// Adds a floor border between two rectangles, with mitred corners. The texture's u runs along the border, v
+// from the outer edge inwards.
 void add_border(MeshBuilder& builder, glm::vec2 inner, glm::vec2 outer, float y) {
     for (uint32_t side = 0; side < 4; ++side) {
         const bool along_x = side & 1U;
@@ -100,7 +103,7 @@ void add_outer_walls(Parts& parts) {
     place(parts, builder.finish("walkway_walls"), m.plaster_red);
 }
 
-// The building as seen from outside: plain walls on a strip of earth.
+// Adds the outside of the building: plain walls on a strip of earth.
 void add_outside(Parts& parts) {
     constexpr float kThick = 0.3f;
     const std::vector<glm::vec3> inward = inward_floor_loop(kOuterX + kThick, kOuterZ + kThick);
@@ -112,7 +115,8 @@ void add_outside(Parts& parts) {
     place(parts, builder.finish("outside_ground"), parts.materials.soil);
 }
 
-// Boards over beams. Each beam is built along x, which is the direction of its grain.
+// Adds the ceiling: boards on top of beams. Each beam is built along x, because the grain of the wood texture
+// runs along x.
 void add_ceiling(Parts& parts) {
     const Materials& m = parts.materials;
     MeshBuilder builder;
@@ -137,7 +141,7 @@ void add_ceiling(Parts& parts) {
     }
 }
 
-// Flat piers on the outer walls, opposite the columns.
+// Adds flat piers to the outer walls, opposite the columns of the arcade.
 void add_pilasters(Parts& parts) {
     MeshBuilder builder;
     builder.add_box({-0.24f, kFloor, 0}, {0.24f, kFloor + 0.22f, 0.17f});
@@ -160,8 +164,8 @@ void add_pilasters(Parts& parts) {
     }
 }
 
-// Double doors made of boards in a stone frame. Boards run along x in the texture, so each leaf is built
-// lying down.
+// Adds double doors in stone frames. The wood texture's boards run along x, but a door needs upright boards.
+// So each half of a door is built lying along x and then rotated.
 void add_doors(Parts& parts) {
     const Materials& m = parts.materials;
     MeshBuilder stone;

@@ -1,4 +1,5 @@
-// The atrium's leaf textures. Each material shows one card of leaves, drawn leaf by leaf.
+// Purpose: makes the atrium's leaf textures. Each texture shows a spray of leaves on one card and is drawn
+// leaf by leaf.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +14,7 @@ glm::vec3 varied(Random& random, glm::vec3 a, glm::vec3 b) {
     return hue * random.range(0.85f, 1.1f);
 }
 
-// A side twig with leaves on alternating sides and one at its end.
+// Draws a side twig: leaves on alternating sides of a stalk, and one leaf at its end.
 void draw_twig(Surface& surface, Random& random, glm::vec2 from, float angle, float length) {
     const glm::vec2 along{std::cos(angle), std::sin(angle)};
     draw_stalk(surface, from, from + along * length, 5, rgb(0x5d5a2c));
@@ -30,7 +31,7 @@ void draw_twig(Surface& surface, Random& random, glm::vec2 from, float angle, fl
     }
 }
 
-// A branch of glossy leaves that starts at the bottom middle.
+// Makes the texture of a branch of glossy leaves. The branch starts at the middle of the lower edge.
 Surface citrus_twig() {
     Random random(101);
     Surface surface = blank_leaf_surface(kTextureSize, 0.5f, rgb(0x3f6a2a));
@@ -45,7 +46,7 @@ Surface citrus_twig() {
     return surface;
 }
 
-// A vine that winds up the card, with leaves on both sides.
+// Makes the texture of a vine that winds upwards, with leaves on both sides.
 Surface ivy_sprig() {
     Random random(202);
     Surface surface = blank_leaf_surface(kTextureSize, 0.5f, rgb(0x35592a));
@@ -70,7 +71,7 @@ Surface ivy_sprig() {
     return surface;
 }
 
-// One curved frond: small leaves along a rib that runs up the card.
+// Makes the texture of one fern frond: small leaves on both sides of a rib that runs upwards.
 Surface fern_frond() {
     Random random(303);
     Surface surface = blank_leaf_surface(kTextureSize, 0.7f, rgb(0x4a7a30));
@@ -91,7 +92,7 @@ Surface fern_frond() {
     return surface;
 }
 
-// Bougainvillea: thin coloured bracts in groups of three above a few leaves.
+// Makes the texture of bougainvillea: thin coloured bracts in groups of three above a few green leaves.
 Surface blossom_sprig() {
     Random random(404);
     Surface surface = blank_leaf_surface(kTextureSize, 0.5f, rgb(0x9c2f6a));
@@ -125,7 +126,7 @@ Surface blossom_sprig() {
     return surface;
 }
 
-// Dense, upright shoots with scale-like leaves.
+// Makes the texture of a cypress: dense, upright shoots with scale-like leaves.
 Surface cypress_spray() {
     Random random(505);
     Surface surface = blank_leaf_surface(kTextureSize, 0.8f, rgb(0x2a4426));
@@ -145,7 +146,7 @@ Surface cypress_spray() {
     return surface;
 }
 
-// Round floating leaves with a notch, and one flower.
+// Makes the texture of a water lily: one round floating leaf with a notch.
 Surface lily_pad() {
     constexpr uint32_t kSize = 256;
     Random random(606);
@@ -173,7 +174,8 @@ Surface lily_pad() {
 Surface bark(const NoiseBank& bank) {
     constexpr uint32_t kSize = 256;
     return make_surface(kSize, 0.5f, [&](uint32_t x, uint32_t y) {
-        const NoiseAt n = noise_at(bank, y, x, kSize);  // the grain runs up the trunk
+        // x and y are swapped, because the noise is stretched along x and the grain shall run up the trunk.
+        const NoiseAt n = noise_at(bank, y, x, kSize);
         const float ridge = n.grain(2);
         Texel texel;
         texel.color_srgb = mix3(rgb(0x4a3826), rgb(0x8d7a60), ridge) * (0.8f + 0.4f * n.medium(1));

@@ -1,4 +1,4 @@
-// Furniture of the atrium: benches, crates, barrels and vases.
+// Purpose: adds the atrium's furniture: benches, crates, barrels and vases.
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -30,7 +30,7 @@ void add_benches(Parts& parts) {
     parts.footprints.push_back({{3.5f, -0.7f}, {0.18f, 0.8f}, false, 0.45f, 0.85f});
 }
 
-// A box of boards with corner battens and a frame around each face.
+// Makes a wooden crate: a box of boards with battens along all edges.
 Mesh crate(float half) {
     MeshBuilder builder;
     builder.add_box({-half + 0.02f, 0.02f, -half + 0.02f}, {half - 0.02f, 2 * half - 0.02f, half - 0.02f});

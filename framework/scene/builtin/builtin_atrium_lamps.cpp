@@ -1,5 +1,5 @@
-// The atrium's small lamps, which are on at night: strings of bulbs over the court, and candles around the
-// pool.
+// Purpose: adds the atrium's small lamps: strings of bulbs over the court, and candles around the pool. They
+// are on at night.
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_parts.h"
@@ -14,7 +14,8 @@ constexpr uint32_t kWireParts = 10;
 constexpr float kBulbRadius = 0.045f;
 constexpr uint32_t kCandlesAlongSide = 8, kCandlesAcross = 4;
 
-// A point on the wire between two hooks; `share` runs from 0 to 1.
+// Returns a point on the wire that hangs between two hooks. `share` is 0 at the first hook and 1 at the
+// second.
 glm::vec3 on_wire(float z, float share) {
     const float from_middle = 2 * share - 1;
     return {from_middle * kCourtHalfX, kHookY - kSag * (1 - from_middle * from_middle), z};

@@ -6,11 +6,11 @@
 
 namespace weft::scene::atrium {
 
-// A uniformly distributed direction.
+// Returns a random direction; all directions are equally probable.
 [[nodiscard]] glm::vec3 on_sphere(Random& random);
 
-// A card whose front faces `facing`, rotated around that direction by `roll_rad`. `half` is half of its side
-// length.
+// Returns a square leaf card whose front faces the direction `facing`. The card is rotated around this
+// direction by `roll_rad`. `half_m` is half of its side length.
 [[nodiscard]] Card facing_card(glm::vec3 center, glm::vec3 facing, float roll_rad, float half_m);
 
 }  // namespace weft::scene::atrium

@@ -1,4 +1,4 @@
-// The atrium's lanterns, lights, sky and cameras.
+// Purpose: adds the atrium's lanterns, lights, sky and cameras.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -8,11 +8,13 @@
 namespace weft::scene::atrium {
 namespace {
 
-constexpr float kLanternY = 3.05f;  // height of the middle of the glass
+constexpr float kLanternY = 3.05f;  // Height of the middle of the lantern's glass, in metres.
 constexpr float kLanternAcross =
-    2.35f;  // behind the arcade's centre line, near enough to the wall to light it
+    // Distance from the arcade's centre line to a lantern in the walkway, in metres. The lantern is near
+    // enough to the wall to light it.
+    2.35f;
 
-// Six panes in an iron cage under a pointed hood, on a chain from the ceiling.
+// Makes the iron frame of a lantern: a cage for six panes, a pointed hood, and a chain up to the ceiling.
 Mesh lantern_frame() {
     MeshBuilder builder;
     constexpr float kHalf = 0.17f;
@@ -30,7 +32,7 @@ Mesh lantern_frame() {
     return builder.finish("lantern_frame");
 }
 
-// Each pane shows the whole glow texture.
+// Makes the six panes of a lantern. Each pane shows the whole glow texture once.
 Mesh lantern_glass() {
     MeshBuilder builder;
     constexpr float kHalf = 0.16f;

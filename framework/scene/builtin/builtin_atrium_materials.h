@@ -1,4 +1,4 @@
-// Purpose: turns the surfaces of the atrium's material files into materials.
+// Purpose: functions that make materials from textures, used by all files that define the atrium's materials.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace weft::scene::atrium {
 
 inline constexpr uint32_t kTextureSize = 512;
 
-// Reads the noise bank, made for 512 texels, at a texel of a surface of `size` texels; the result still
-// tiles.
+// Reads the shared noise, which has 512 × 512 values, for one texel of a texture. For a smaller texture,
+// noise_at() skips values evenly, so the noise still repeats at the texture's edges.
 struct NoiseAt {
     const NoiseBank& bank;
     uint32_t x;
@@ -36,12 +36,13 @@ struct NoiseAt {
     return {bank, x * stride, y * stride};
 }
 
-// An opaque material; the surface's three textures repeat every `period_m`.
+// Adds an opaque material. Its three textures repeat every `surface.period_m` metres. Returns its index.
 uint32_t add_material(Parts& parts, const std::string& name, const Surface& surface);
-// The same for leaves: alpha-masked, double-sided, textures clamped because they cover one card.
+// Adds a material for leaves: alpha-masked and double-sided. Its textures are clamped, because each texture
+// covers exactly one leaf card. Returns its index.
 uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface& surface);
-// Fraction of the sky's light that reaches a surface, by height: `values` are spread evenly from `low_m` to
-// `high_m`. For meshes whose v is the negated height.
+// Sets how much of the sky's light reaches a material's surface, as a function of height. `values` are
+// fractions at heights spread evenly from `low_m` to `high_m`. The meshes must have v = -height.
 void shade_by_height(Parts& parts, uint32_t material, const std::vector<float>& values, float low_m,
                      float high_m);
 

@@ -1,4 +1,4 @@
-// The atrium's metals and the lanterns' glass.
+// Purpose: makes the atrium's metals and the glass of the lanterns.
 #include <algorithm>
 #include <cmath>
 
@@ -35,7 +35,7 @@ Surface gold(const NoiseBank& bank) {
     });
 }
 
-// The scratches run along u.
+// Makes the texture of brushed steel. The scratches run along u.
 Surface brushed_steel(const NoiseBank& bank) {
     return make_surface(kTextureSize, 0.5f, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
@@ -62,7 +62,8 @@ Surface iron(const NoiseBank& bank) {
     });
 }
 
-// A flame seen through old glass: brightest in the middle. Clamped: each pane shows the picture once.
+// Makes the picture of a flame seen through old glass, brightest in the middle. Each pane of a lantern shows
+// the picture once.
 uint32_t glow_texture(Parts& parts) {
     constexpr uint32_t kPane = 64;
     std::vector<glm::vec3> glow(kPane * kPane);

@@ -1,7 +1,8 @@
 // Purpose: data that the files that build the atrium share: dimensions, materials, and the unfinished scene.
-// Axes: y up, the court's long side along z, its middle at the origin. Units: metres. Layout: the court is
-// open to the sky; a walkway runs around it behind an arcade. The long sides (x = ±6) have an upper gallery
-// with a tiled roof, the short sides (z = ±9) a terrace with a balustrade.
+// Axes: y is up, the long side of the court runs along z, and the origin is in the middle of the court.
+// Units: metres. Layout: the court is open to the sky; a walkway runs around it behind an arcade. The long
+// sides (x = ±6) have an upper gallery with a tiled roof, the short sides (z = ±9) a terrace with a
+// balustrade.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,20 +16,24 @@
 
 namespace weft::scene::atrium {
 
-inline constexpr float kCourtHalfX = 6;  // from the origin to the centre line of the arcade
+// Distance from the origin to the centre line of the arcade on a long side, in metres.
+inline constexpr float kCourtHalfX = 6;
 inline constexpr float kCourtHalfZ = 9;
 inline constexpr float kBay = 3;
-inline constexpr float kWalkDepth = 3.2f;  // from the arcade's centre line to the outer wall
-inline constexpr float kFloor = 0.16f;     // the walkway lies one step above the court
-inline constexpr float kSpring = 3.06f;    // height at which the arches start
+// Width of the walkway in metres, from the centre line of the arcade to the outer wall.
+inline constexpr float kWalkDepth = 3.2f;
+// Height of the walkway's floor in metres. It lies one step above the court, whose floor has height 0.
+inline constexpr float kFloor = 0.16f;
+inline constexpr float kSpring = 3.06f;  // Height at which the arches start on top of the columns, in metres.
 inline constexpr float kArchRadius = 1.2f;
 inline constexpr float kArchOuter = 1.43f;
-inline constexpr float kWallHalf = 0.28f;  // half thickness of the arcade's wall
+inline constexpr float kWallHalf = 0.28f;  // Half of the thickness of the arcade's wall, in metres.
 inline constexpr float kWallTop = 4.62f;
 inline constexpr float kUpperFloor = 5.0f;
 inline constexpr float kCeiling = 4.56f;
 inline constexpr float kEaves = 7.9f;
-inline constexpr float kPoolHalfX = 1.75f;  // from the origin to the outside of the rim
+// Distance from the origin to the outside of the pool's rim along x, in metres.
+inline constexpr float kPoolHalfX = 1.75f;
 inline constexpr float kPoolHalfZ = 4.0f;
 inline constexpr float kPoolRim = 0.42f;
 
@@ -41,12 +46,14 @@ struct Materials {
     uint32_t bark, soil, citrus, ivy, fern, blossom, cypress, lily, orange;
 };
 
-// An object on the floor that blocks sky light for the floor around it.
+// The outline of an object on the floor. The object blocks light from the sky, so it darkens the floor around
+// it.
 struct Footprint {
-    glm::vec2 center{0};   // x, z
-    glm::vec2 half{0.2f};  // half extents
+    glm::vec2 center{0};   // Centre of the object as (x, z) in metres.
+    // Half of the object's extent along x and z, in metres. For a round object, half.x is the radius.
+    glm::vec2 half{0.2f};
     bool round = true;
-    float reach_m = 0.35f;  // distance over which the darkening fades out
+    float reach_m = 0.35f;  // Distance from the object at which its darkening of the floor ends, in metres.
     float strength = 0.6f;
 };
 
@@ -58,14 +65,14 @@ struct Parts {
     std::vector<Footprint> footprints;
 };
 
-// Textures and materials, in groups.
+// Functions that make the textures and materials of the atrium, one function per group of materials.
 void make_stone_materials(Parts& parts);
 void make_tile_materials(Parts& parts);
 void make_craft_materials(Parts& parts);
 void make_metal_materials(Parts& parts);
 void make_foliage_materials(Parts& parts);
 
-// Geometry, in groups.
+// Functions that add the geometry of the atrium, one function per part of the building or group of objects.
 void add_ground_floor(Parts& parts);
 void add_arcades(Parts& parts);
 void add_columns(Parts& parts);
@@ -86,21 +93,22 @@ void add_candles(Parts& parts);
 void add_cameras(Parts& parts);
 void bake_floor_occlusion(Parts& parts);
 
-// Adds the mesh and one instance of it.
+// Adds the mesh and one instance of the mesh. Returns the index of the mesh.
 uint32_t place(Parts& parts, Mesh mesh, uint32_t material);
 uint32_t add_mesh(Parts& parts, Mesh mesh);
 void place_copy(Parts& parts, uint32_t mesh, uint32_t material, const glm::mat4& transform);
 
-// Intensity (cd or cd/m²) that looks like `displayed` at the hour's exposure, so lamps look the same by day
-// and night.
+// Returns the intensity (cd or cd/m²) of a lamp that shall appear as bright as `displayed`. The intensity is
+// divided by the exposure of the hour, so that lamps look the same by day and by night.
 [[nodiscard]] float lamp_intensity(const Parts& parts, float displayed);
 
-// A beam along x without its top face: two sides, the underside and both ends.
+// Adds a beam along x without its top face: two sides, the underside and both ends.
 void add_beam(MeshBuilder& builder, glm::vec3 low, glm::vec3 high);
 
 [[nodiscard]] glm::mat4 moved(glm::vec3 to, float turn_y_rad = 0, float scale = 1);
 
-// A texture slot that repeats every `period_m` metres of mesh coordinates.
+// Returns a texture slot whose texture repeats every `period_m` metres. The mesh's texture coordinates are in
+// metres.
 [[nodiscard]] TextureSlot repeating(uint32_t texture, float period_m);
 
 }  // namespace weft::scene::atrium

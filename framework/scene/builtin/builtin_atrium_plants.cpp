@@ -1,5 +1,5 @@
-// The atrium's plants: citrus trees and ferns in clay pots, ivy and bougainvillea on the walls, cypresses
-// behind them.
+// Purpose: adds the atrium's plants: citrus trees and ferns in clay pots, climbing plants on the walls, and
+// cypresses behind the building.
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_leaves.h"
@@ -62,7 +62,8 @@ Mesh citrus_trunk() {
     return wood.finish("citrus_trunk");
 }
 
-// A round crown of twigs on a short trunk, with a few oranges, in a pot of scale 1.3.
+// Adds citrus trees: each has a round crown of twigs, a short trunk, a few oranges, and a pot of 1.3 times
+// the usual size.
 void add_citrus_trees(Parts& parts, const PotMeshes& pots) {
     const Materials& m = parts.materials;
     Random random(31);
@@ -85,7 +86,7 @@ void add_citrus_trees(Parts& parts, const PotMeshes& pots) {
     }
 }
 
-// A tuft of curved fronds. Each frond is a strip that rises, bends over and hangs.
+// Makes a fern: a tuft of curved fronds. Each frond is a strip that rises, bends over and hangs down.
 Mesh fern_tuft(uint32_t count, float length, uint32_t seed) {
     Random random(seed);
     MeshBuilder builder;
@@ -127,7 +128,7 @@ void add_ferns(Parts& parts, const PotMeshes& pots) {
                    moved(place.at + glm::vec3(0, 0.46f * place.scale, 0), turn, 1.05f * place.scale));
         turn += 1.1f;
     }
-    for (const float end : {-1.0f, 1.0f}) {  // on the terrace's pedestals
+    for (const float end : {-1.0f, 1.0f}) {  // Small ferns in pots stand on the pedestals of both terraces.
         for (int i = -1; i <= 1; ++i) {
             const glm::vec3 at{static_cast<float>(i) * kBay, 5.98f, end * kCourtHalfZ};
             place_copy(parts, pots.pot, m.clay, moved(at, turn, 0.62f));
@@ -143,7 +144,7 @@ void add_cypresses(Parts& parts) {
     constexpr uint32_t kCards = 105;
     constexpr float kHeight = 9.6f;
     for (uint32_t i = 0; i < kCards; ++i) {
-        // Denser towards the top, because only the top is visible above the roofs.
+        // The twigs are denser towards the top of the tree, because only the top is visible above the roofs.
         const float t = 0.03f + 0.97f * std::pow((static_cast<float>(i) + random.unit()) / kCards, 1.25f);
         const float y = kHeight * (1 - t);
         const float turn = static_cast<float>(i) * 2.39996f;
@@ -173,7 +174,7 @@ void add_plants(Parts& parts) {
     add_ferns(parts, pots);
     add_cypresses(parts);
     for (const glm::vec3& at : {glm::vec3(8.6f, kFloor, 4.2f), glm::vec3(8.75f, kFloor, 4.85f)}) {
-        place_pot(parts, pots, at, at.z, 0.9f);  // a pot without a plant
+        place_pot(parts, pots, at, at.z, 0.9f);  // Places an empty pot without a plant.
     }
 }
 

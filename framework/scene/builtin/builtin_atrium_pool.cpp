@@ -1,4 +1,4 @@
-// The pool in the court's middle and the fountain in it.
+// Purpose: adds the pool in the middle of the court, and the fountain in the pool.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr float kWaterLevel = 0.3f;
 constexpr float kPoolFloor = 0.04f;
 constexpr float kPadRadius = 0.2f;
 
-// Two groups of floating leaves that do not overlap. Returns x, z and radius of each leaf.
+// Distributes floating leaves in two groups with little overlap. Returns x, z and the radius of each leaf.
 std::vector<glm::vec3> scatter_pads(Random& random) {
     std::vector<glm::vec3> pads;
     for (int attempt = 0; attempt < 400 && pads.size() < 12; ++attempt) {
@@ -32,7 +32,8 @@ std::vector<glm::vec3> scatter_pads(Random& random) {
     return pads;
 }
 
-// A shallow dish with a raised rim; the texture's alpha mask cuts the round outline and the notch.
+// Adds a floating leaf: a shallow dish with a raised rim. The alpha mask of the texture cuts out the round
+// outline and the notch of the leaf.
 void add_pad(MeshBuilder& builder) {
     constexpr uint32_t kSides = 10;
     constexpr std::array<glm::vec2, 3> kProfile{{{0.015f, 0}, {0.145f, 0.002f}, {kPadRadius, 0.02f}}};
@@ -56,7 +57,7 @@ void add_lilies(Parts& parts) {
     }
 }
 
-// A foot, a stem and two bowls, listed from the pool's floor upwards.
+// Makes the stone parts of the fountain, from the floor of the pool upwards: a foot, a stem and two bowls.
 Mesh fountain_stone() {
     MeshBuilder builder;
     builder.add_lathe({{0.36f, kPoolFloor},
@@ -99,7 +100,8 @@ void add_pool(Parts& parts) {
     const Materials& m = parts.materials;
     const float x = kPoolHalfX;
     const float z = kPoolHalfZ;
-    // The outside is to the right of this loop.
+    // The outside of the pool is on the right-hand side of this path, because a swept profile is offset to
+    // the right.
     const std::vector<glm::vec3> loop{{x, 0, z}, {x, 0, -z}, {-x, 0, -z}, {-x, 0, z}};
     MeshBuilder builder;
     builder.add_sweep({{0.07f, 0}, {0.07f, 0.06f}, {0.05f, 0.08f}, {0.01f, 0.08f}}, loop, true);

@@ -1,4 +1,4 @@
-// The atrium's stones and plasters.
+// Purpose: makes the atrium's materials of stone and plaster.
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +28,7 @@ Surface ashlar(const NoiseBank& bank) {
     });
 }
 
-// Cut stone at a point that lies `joint_m` from the nearest joint.
+// Returns the texel of a cut stone surface at a point that lies `joint_m` metres from the nearest joint.
 Texel dressed_stone(const NoiseAt& n, float joint_m) {
     const float bed = n.grain(2);
     const float face = smooth_step(0.002f, 0.007f, joint_m);
@@ -48,7 +48,7 @@ Surface trim_stone(const NoiseBank& bank) {
                         [&](uint32_t x, uint32_t y) { return dressed_stone(noise_at(bank, x, y), 1); });
 }
 
-// Long stones laid end to end along u; each has its own brightness.
+// Makes the texture of long stones in a row along u. The stones differ in brightness.
 Surface coping_stone(const NoiseBank& bank) {
     return make_surface(kTextureSize, 1.5f, [&](uint32_t x, uint32_t y) {
         const Block block = block_at({2, 1, 0}, x, y, kTextureSize, 1.5f);
@@ -59,18 +59,19 @@ Surface coping_stone(const NoiseBank& bank) {
     });
 }
 
-// Slabs of the same stone as a floor.
+// Makes the texture of floor slabs, from the same limestone as the building's trim.
 Surface slab_stone(const NoiseBank& bank) {
     return make_surface(kTextureSize, 2, [&](uint32_t x, uint32_t y) {
         const Block block = block_at({2, 2, 0.5f}, x, y, kTextureSize, 2);
         Texel texel = dressed_stone(noise_at(bank, x + block.id % 391, y + block.id % 277), block.edge_m);
         texel.color_srgb *= 0.9f + 0.1f * hash_unit(block.id, 12, 5);
-        texel.roughness *= 0.7f;  // smoothed by footsteps
+        texel.roughness *= 0.7f;  // Footsteps have made the floor smoother than the same stone in a wall.
         return texel;
     });
 }
 
-// Alternating cream and rose wedges; u runs around the arch, four blocks to a repeat.
+// Makes the texture of the stones of an arch: cream and rose wedges in turn. u runs around the arch, and the
+// texture has four wedges.
 Surface voussoirs(const NoiseBank& bank) {
     constexpr float kPeriod = 1.1f;
     return make_surface(kTextureSize, kPeriod, [&](uint32_t x, uint32_t y) {
@@ -108,7 +109,7 @@ Surface column_marble(const NoiseBank& bank) {
     });
 }
 
-// Worn slabs with moss in the joints.
+// Makes the texture of the court's floor: worn slabs with moss in the joints.
 Surface court_flags(const NoiseBank& bank) {
     constexpr float kPeriod = 2.4f;
     return make_surface(kTextureSize, kPeriod, [&](uint32_t x, uint32_t y) {
@@ -175,7 +176,8 @@ void make_stone_materials(Parts& parts) {
     m.ashlar = add_material(parts, "limestone_ashlar", ashlar(bank));
     shade_by_height(parts, m.ashlar, {0.7f, 0.9f, 1, 1, 1, 1, 1, 0.95f, 0.5f}, 0, kWallTop);
     m.trim = add_material(parts, "limestone_trim", trim_stone(bank));
-    // The same stone on faces towards the walkway, which see little sky, and on floors.
+    // Limestone for surfaces that face the walkway and so see little of the sky. It is a copy of the trim's
+    // material with a darker occlusion.
     m.trim_shaded = copy_material(parts, m.trim, "limestone_trim_shaded");
     shade_by_height(parts, m.trim_shaded, {0.42f, 0.42f}, 0, 1);
     m.trim_floor = add_material(parts, "limestone_slabs", slab_stone(bank));

@@ -1,4 +1,4 @@
-// The atrium's marble floors, glazed tiles, and the water above some of them.
+// Purpose: makes the atrium's marble floors, glazed tiles, and the water of the pool.
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +28,7 @@ Surface checker_floor(const NoiseBank& bank) {
     });
 }
 
-// A border pattern: light diamonds on red between dark bands; v runs across the strip.
+// Makes the texture of a floor border: light diamonds on red between dark bands. v runs across the border.
 Surface inlay_border(const NoiseBank& bank) {
     constexpr uint32_t kSize = 256;
     return make_surface(kSize, 0.5f, [&](uint32_t x, uint32_t y) {
@@ -115,14 +115,14 @@ Surface zellige(const NoiseBank& bank) {
     });
 }
 
-// Caustics: the bright net of light that ripples cast on a pool's floor.
+// Returns the brightness of caustics, the net of bright lines that ripples cast on the floor of a pool.
 float caustic(glm::vec2 uv, uint32_t cells, uint32_t seed) {
     const Cell cell = worley(uv * static_cast<float>(cells), cells, cells, seed);
     return 1 - smooth_step(0.02f, 0.22f, cell.second - cell.nearest);
 }
 
-// The water's texture shows the floor tiles faintly, distorted by the ripples of its normal map. The real
-// floor is also visible through the water.
+// Makes the texture of the water's surface. It shows the floor tiles faintly and distorted, as ripples would
+// show them. The real floor is also visible, because the water is transparent.
 Surface water(const NoiseBank& bank) {
     constexpr float kPeriod = 4;
     return make_surface(kTextureSize, kPeriod, [&](uint32_t x, uint32_t y) {
@@ -151,7 +151,8 @@ void make_tile_materials(Parts& parts) {
     const NoiseBank& bank = parts.noise;
     m.checker = add_material(parts, "checker_marble", checker_floor(bank));
     m.inlay = add_material(parts, "inlaid_border", inlay_border(bank));
-    shade_by_height(parts, m.inlay, {0.5f, 0.5f}, 0, 1);  // a roof covers half of the sky above it
+    // A roof covers half of the sky above the border, so only half of the sky's light reaches it.
+    shade_by_height(parts, m.inlay, {0.5f, 0.5f}, 0, 1);
     m.azulejo = add_material(parts, "azulejo_tiles", azulejos(bank));
 
     shade_by_height(parts, m.azulejo, {0.25f, 0.38f, 0.42f, 0.42f}, kFloor, kFloor + 1.2f);

@@ -1,4 +1,5 @@
-// The upper storey: galleries under tiled roofs on the long sides, terraces on the short sides.
+// Purpose: adds the upper storey of the atrium: galleries under tiled roofs on the long sides, terraces on
+// the short sides.
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_parts.h"
@@ -11,11 +12,12 @@ constexpr float kParapetTop = 5.98f;
 constexpr float kLintelLow = 7.32f;
 constexpr float kLintelHigh = 7.56f;
 constexpr float kBackWallX = 8.5f;
-constexpr float kEndZ = kCourtHalfZ - kWallHalf;  // where the gallery meets its closed ends
+// Distance from the middle of the gallery to the closed room at each of its ends, in metres.
+constexpr float kEndZ = kCourtHalfZ - kWallHalf;
 constexpr float kRoofEndZ = kCourtHalfZ + kWalkDepth + 0.35f;
 
-// All functions below build one side in local coordinates: the court lies towards +z, x runs along the side,
-// and z = 0 is its centre line.
+// Adds the gallery's parapet. The functions in this file build one side of the court in local coordinates:
+// the court lies towards +z, x runs along the side, and z = 0 is the centre line of the arcade.
 void add_parapet(Parts& parts, const std::vector<glm::mat4>& sides) {
     const Materials& m = parts.materials;
     const std::vector<glm::vec3> path{{-kEndZ, 0, 0}, {kEndZ, 0, 0}};
@@ -33,7 +35,8 @@ void add_parapet(Parts& parts, const std::vector<glm::mat4>& sides) {
                     {-0.18f, kParapetTop},
                     {-0.18f, kParapetTop - 0.1f}},
                    path, false);
-    for (int i = -5; i <= 5; ++i) {  // piers between the panels, below the posts
+    // Adds the piers between the panels of the parapet. The posts of the gallery stand on the piers.
+    for (int i = -5; i <= 5; ++i) {
         const float x = static_cast<float>(i) * 1.5f;
         trim.add_box({x - 0.16f, kUpperFloor + 0.1f, 0.02f}, {x + 0.16f, kParapetTop - 0.08f, 0.17f});
     }
@@ -71,7 +74,7 @@ float roof_height(float z) {
     return 8.95f - (z + 3.2f) * 0.36f;
 }
 
-// Half-round tiles side by side; u runs along the eaves.
+// Makes a roof of half-round tiles side by side. u runs along the lower edge of the roof.
 Mesh tiled_roof() {
     constexpr uint32_t kStepsPerTile = 3;
     constexpr float kTile = 0.25f;
@@ -98,7 +101,7 @@ void add_roof(Parts& parts, const std::vector<glm::mat4>& sides) {
     wood.add_rectangle({-kRoofEndZ, roof_height(-3.4f) - 0.01f, -3.4f}, {2 * kRoofEndZ, 0, 0},
                        {0, roof_height(0.95f) - roof_height(-3.4f), 4.35f});
     const uint32_t wood_mesh = add_mesh(parts, wood.finish("roof_timber"));
-    // A rafter built along x, then rotated to follow the roof's slope.
+    // A rafter of the roof is built along x and then rotated to the slope of the roof.
     add_beam(wood, {-0.85f, -0.06f, -0.05f}, {0.6f, 0.06f, 0.05f});
     const uint32_t rafter = add_mesh(parts, wood.finish("rafter"));
     const uint32_t tiles = add_mesh(parts, tiled_roof());
@@ -115,7 +118,8 @@ void add_roof(Parts& parts, const std::vector<glm::mat4>& sides) {
     }
 }
 
-// Walls behind the gallery and the closed rooms at its ends, with shuttered doors and windows.
+// Adds the walls behind the gallery and around the closed rooms at its ends, with shuttered doors and
+// windows.
 void add_upper_walls(Parts& parts, const std::vector<glm::mat4>& sides) {
     const Materials& m = parts.materials;
     constexpr float kFront = kWallHalf;
@@ -151,7 +155,7 @@ void add_upper_walls(Parts& parts, const std::vector<glm::mat4>& sides) {
     }
 }
 
-// Plinth, handrail and pedestals of a terrace's balustrade.
+// Makes the plinth, the handrail and the pedestals of a terrace's balustrade.
 Mesh terrace_rails() {
     constexpr float kHalf = kCourtHalfX - kWallHalf;
     const std::vector<glm::vec3> path{{-kHalf, 0, 0}, {kHalf, 0, 0}};

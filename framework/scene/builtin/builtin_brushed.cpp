@@ -22,7 +22,8 @@ struct Metal {
     float anisotropy;
 };
 
-// The tangent runs along the grain; the specular lobe is wide across the grain.
+// Adds a brushed metal. The tangents of the meshes run along the grain of the metal. The rotation by 90°
+// makes the specular highlight wide across the grain.
 uint32_t add_metal(Scene& scene, const Metal& metal) {
     Material material;
     material.name = metal.name;
@@ -44,7 +45,7 @@ void add_table_and_wall(Scene& scene) {
     place(scene, wall.finish("wall"), add_matt(scene, "plaster", {0.34f, 0.36f, 0.37f}, 0.9f));
 }
 
-// A pot with its lid. It is turned on a lathe, so the grain runs around it.
+// Adds a metal pot with its lid. The shape is made like on a lathe, so the grain runs around the axis.
 void add_pot(Scene& scene) {
     const uint32_t steel = add_metal(scene, {"turned steel", {0.62f, 0.63f, 0.65f}, 0.34f, 0.9f});
     MeshBuilder builder;
@@ -60,7 +61,7 @@ void add_pot(Scene& scene) {
     place(scene, knob.finish("knob"), brass, glm::translate(glm::mat4(1), glm::vec3(-1.35f, 0, -0.35f)));
 }
 
-// Balls that differ only in their anisotropy.
+// Adds copper balls that differ only in the strength of their anisotropy.
 void add_balls(Scene& scene) {
     const std::array<float, 3> strengths{0.0f, 0.6f, 0.95f};
     for (size_t i = 0; i < strengths.size(); ++i) {
@@ -73,7 +74,8 @@ void add_balls(Scene& scene) {
     }
 }
 
-// A texture of grain directions: a star of eight sectors, each brushed along its own centre line.
+// Adds a texture of grain directions. It shows a star of eight sectors; each sector is brushed along its own
+// centre line.
 uint32_t add_star_of_grains(Scene& scene) {
     constexpr uint32_t kSize = 128;
     constexpr float kSector = 2 * kQuarterTurn / 4;
@@ -106,7 +108,7 @@ void add_plates(Scene& scene) {
     grains.texture = add_star_of_grains(scene);
     grains.mag = grains.min = Filter::nearest;
     grains.mipmapped = false;
-    // Texture coordinates are in metres.
+    // The mesh's texture coordinates are in metres, so the slot's transform maps the square plate to 0..1.
     constexpr float kSide = 1.25f, kLeft = 0.15f;
     grains.transform = glm::mat3x2{1 / kSide, 0, 0, 1 / kSide, -kLeft / kSide, 1};
     MeshBuilder square;

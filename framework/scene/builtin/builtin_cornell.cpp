@@ -11,7 +11,7 @@
 namespace weft::scene {
 namespace {
 
-// The published corners are in units of 1 cm.
+// Length of one unit of the published data in metres: the corners are given in centimetres.
 constexpr float kUnit_m = 0.01f;
 
 Mesh wall(const char* name, glm::vec3 origin, glm::vec3 right, glm::vec3 up) {
@@ -20,7 +20,8 @@ Mesh wall(const char* name, glm::vec3 origin, glm::vec3 right, glm::vec3 up) {
     return builder.finish(name);
 }
 
-// A block on the floor. The four corners (x, z) are in counter-clockwise order, seen from above.
+// Makes a block that stands on the floor. The four corners (x, z) are in counter-clockwise order, seen from
+// above.
 Mesh block(const char* name, const std::array<glm::vec2, 4>& corners, float height) {
     MeshBuilder builder;
     const auto at = [](glm::vec2 corner, float y) { return glm::vec3(corner.x, y, corner.y) * kUnit_m; };
@@ -58,7 +59,8 @@ void add_ceiling_lamp(Scene& scene) {
     light.intensity = 900;
     light.position = glm::vec3(278, 540, 279.5f) * kUnit_m;
     light.direction = {0, -1, 0};
-    // Like a flat lamp, the light is weaker in directions close to the ceiling.
+    // A flat lamp emits less light in directions close to the ceiling. The wide falloff between the two cones
+    // imitates this.
     light.inner_cone_rad = glm::radians(25.0f);
     light.outer_cone_rad = glm::radians(89.0f);
     scene.lights.push_back(light);
@@ -78,12 +80,13 @@ void finish(Scene& scene) {
     scene.bounds_max = bounds.max;
 }
 
-// Objects around the middle of the floor: the floor reflects each of them, and some reflect each other.
+// Adds objects around the middle of the floor. The floor reflects each object, and some objects reflect each
+// other.
 void add_mirror_things(Scene& scene) {
     struct Thing {
         const char* name;
         glm::vec3 color;
-        float turn_rad;  // rotation about the middle, seen from the camera
+        float turn_rad;  // Angle of the object around the middle of the floor, measured from +z, in radians.
     };
     const std::array<Thing, 6> things{{{"coral", {0.80f, 0.22f, 0.15f}, 0.75f},
                                        {"saffron", {0.85f, 0.55f, 0.08f}, 1.75f},
@@ -116,10 +119,10 @@ Scene make_cornell() {
     scene.name = "cornell";
     add_box_walls(scene);
     add_ceiling_lamp(scene);
-    // The field of view of a 35 mm lens with a 25 mm film.
+    // The field of view is that of a 35 mm lens with a film of 25 mm.
     scene.cameras.push_back(front_camera(glm::vec3(278, 273, -800) * kUnit_m,
                                          glm::vec3(278, 273, 0) * kUnit_m, 2 * std::atan(0.0125f / 0.035f)));
-    // Replaces the indirect light between the walls.
+    // A constant ambient light that stands in for the indirect light between the walls.
     scene.sky_zenith = scene.sky_horizon = glm::vec3(2.6f, 2.2f, 1.8f);
     scene.exposure_ev = -4.2f;
     finish(scene);

@@ -27,7 +27,7 @@ uint32_t add_material(Scene& scene, const char* name, glm::vec3 color, float rou
     return static_cast<uint32_t>(scene.materials.size() - 1);
 }
 
-// An emissive material with the luminance of the lamp's light.
+// Adds an emissive material. A lamp's visible surface uses it, with the luminance of the lamp's light.
 uint32_t add_glow(Scene& scene, const char* name, glm::vec3 luminance) {
     const uint32_t material = add_material(scene, name, glm::vec3(0), 1);
     scene.materials[material].emissive = luminance;
@@ -39,7 +39,7 @@ void add(Scene& scene, MeshBuilder& builder, const char* name, uint32_t material
     scene.instances.push_back({name, static_cast<uint32_t>(scene.meshes.size() - 1), material, glm::mat4(1)});
 }
 
-// The local axes of a lamp: x along its width, y up, facing −z.
+// Returns the local axes of a lamp: x is along its width, y is up, and the lamp faces −z.
 glm::mat4 lamp_axes(glm::vec3 at, glm::vec3 target) {
     return glm::inverse(glm::lookAt(at, target, glm::vec3(0, 1, 0)));
 }
@@ -80,7 +80,7 @@ void add_room(Scene& scene) {
     add(scene, walls, "back wall", add_material(scene, "plaster", {0.34f, 0.33f, 0.35f}, 0.85f));
 }
 
-// A curtain with folds; `from` is the upper left corner, seen from the front.
+// Adds a curtain with folds. `from` is its upper left corner, seen from the front.
 void add_curtain(Scene& scene, const char* name, glm::vec3 from, float width_m, float height_m,
                  uint32_t material) {
     constexpr uint32_t kColumns = 96;
@@ -136,7 +136,7 @@ struct Leaf {
     float length = 0.1f;
 };
 
-// Twigs that grow across the picture, with leaves on both sides.
+// Generates the leaves for a projected picture: leaves on both sides of twigs that grow across the picture.
 std::vector<Leaf> grow_leaves() {
     Random random(5);
     std::vector<Leaf> leaves;
@@ -155,8 +155,8 @@ std::vector<Leaf> grow_leaves() {
     return leaves;
 }
 
-// Distance from `at` to the edge of a leaf, positive inside, in units of the picture. Two arcs that meet at
-// the tips bound a leaf.
+// Returns the distance from `at` to the edge of a leaf, positive inside the leaf. The picture has the width
+// 1. Two arcs that meet at the tips are the outline of a leaf.
 float inside_leaf(const Leaf& leaf, glm::vec2 at) {
     const glm::vec2 way = at - leaf.at;
     const float half = leaf.length * 0.5f, width = half * 0.42f;
@@ -165,7 +165,7 @@ float inside_leaf(const Leaf& leaf, glm::vec2 at) {
     return radius - glm::length(place + glm::vec2(0, radius - width));
 }
 
-// The shadow of leaves in front of a lamp with a round window.
+// Adds the picture that a spot projects: the shadow of leaves in front of a round window.
 uint32_t add_foliage_picture(Scene& scene) {
     const std::vector<Leaf> leaves = grow_leaves();
     std::vector<glm::vec3> texels;
@@ -181,7 +181,8 @@ uint32_t add_foliage_picture(Scene& scene) {
     return add_color_texture(scene, "foliage", kPictureSize_px, texels);
 }
 
-// Rows of round holes; every second row is shifted. Rows near the poles have fewer holes.
+// Adds the picture of a lantern's cage: rows of round holes, every second row shifted. The picture is wrapped
+// around a sphere, so rows near the poles have fewer holes.
 uint32_t add_lantern_picture(Scene& scene) {
     constexpr float kRows = 10;
     std::vector<glm::vec3> texels;
@@ -220,8 +221,8 @@ void add_leaf_spot(Scene& scene, uint32_t iron) {
     add(scene, housing, "leaf spot", iron);
 }
 
-// Barn doors around a window of half size `half` (metres); each is rotated away from the axis by its own
-// angle.
+// Adds four barn doors (movable flaps) at the edges of a lamp's rectangular window. `half` is half of the
+// window's size in metres. `doors` are the angles by which the doors are opened.
 void add_barn_doors(MeshBuilder& builder, const glm::mat4& axes, glm::vec2 half, const glm::vec4& doors) {
     constexpr float kLong_m = 0.3f;
     for (int i = 0; i < 4; ++i) {
@@ -286,7 +287,8 @@ void add_lantern(Scene& scene, uint32_t iron) {
     LightFunction function;
     function.name = "lantern";
     function.picture = add_lantern_picture(scene);
-    // Weaker than the inverse square near the light, and zero from 3.4 m on.
+    // The curve multiplies the inverse-square falloff. So the light is weaker near the lantern than the
+    // inverse square, and zero from 3.4 m on.
     function.curve = {0.1f, 0.7f, 1.6f, 0};
     function.reach_m = 3.4f;
     light.function = add_function(scene, function);

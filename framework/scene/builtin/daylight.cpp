@@ -10,11 +10,13 @@ namespace weft::scene {
 namespace {
 
 constexpr float kSunrise = 6, kSunset = 19;
-// The moon is the light source before dawn and after dusk.
+// Hours at which the light source changes: before dawn and after dusk the moon is the light source, between
+// them the sun.
 constexpr float kDawn = 6.2f, kDusk = 19.3f;
-constexpr float kHighestSine = 0.785f;  // sine of the sun's highest elevation
+constexpr float kHighestSine = 0.785f;  // Sine of the sun's elevation at its highest point.
 constexpr float kEvening = 17;
-constexpr float kEveningAzimuth = -0.770f;  // angle from +z towards +x
+// Azimuth of the sun at the hour kEvening: the angle from +z towards +x, in radians.
+constexpr float kEveningAzimuth = -0.770f;
 
 struct Key {
     float hour;

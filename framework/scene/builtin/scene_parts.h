@@ -7,9 +7,9 @@
 
 namespace weft::scene {
 
-// A material of one colour that is no metal. Returns its index.
+// Adds a material of one colour that is not a metal. Returns the index of the material.
 uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughness = 1);
-// Adds the mesh and one instance of it, which has the mesh's name.
+// Adds the mesh and one instance of the mesh. The instance gets the name of the mesh.
 void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transform = glm::mat4(1));
 
 }  // namespace weft::scene

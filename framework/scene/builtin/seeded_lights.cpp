@@ -9,12 +9,13 @@ namespace weft::scene {
 namespace {
 
 constexpr float kTau = 6.283185307f;
-// Mean number of lights that reach a point.
+// Mean number of lights whose range contains a point of the scene.
 constexpr float kOverlap = 24;
-// Moving lights are used without other lights, so they can be brighter.
+// Factor for the intensity of moving lights. They are used without other lights, so they can be brighter.
 constexpr float kNightGain = 6;
 
-// std::uniform_real_distribution differs between standard libraries; the engine does not.
+// Random numbers that are the same on every machine. std::uniform_real_distribution gives different numbers
+// in different standard libraries; std::mt19937 does not.
 class LightRandom {
  public:
     explicit LightRandom(uint32_t seed) : engine_(seed) {}
@@ -28,13 +29,14 @@ class LightRandom {
     std::mt19937 engine_;
 };
 
-// A colour by hue, `turn` in [0, 1). Each channel has a minimum, so that no colour looks black.
+// Returns a colour of the hue `turn` in [0, 1). Each channel is at least 0.1, so that no colour looks black.
 glm::vec3 hue(float turn) {
     const glm::vec3 phase = kTau * (glm::vec3(turn) + glm::vec3(0, 1, 2) / 3.0f);
     return 0.55f + 0.45f * glm::vec3(std::cos(phase.x), std::cos(phase.y), std::cos(phase.z));
 }
 
-// Radius of a sphere that contains on average kOverlap of `count` lights in a box of this size.
+// Returns the radius of a sphere that contains kOverlap lights on average, if `count` lights are distributed
+// over a box of this size.
 float range_for(glm::vec3 size, uint32_t count) {
     const float volume = std::max(size.x * size.y * size.z, 1e-3f);
     const float share = volume * kOverlap / static_cast<float>(count);
@@ -47,7 +49,8 @@ std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t se
     LightRandom random(seed);
     const glm::vec3 size = scene.bounds_max - scene.bounds_min;
     const float range_m = range_for(size, count);
-    // At a quarter of its range, a light shows a surface of 50 % albedo as middle grey (0.18).
+    // Illuminance of a light at a quarter of its range, in lux. There a surface with an albedo of 50 %
+    // appears as middle grey (0.18).
     const float illuminance_lx = 0.18f * kTau * std::exp2(-scene.exposure_ev);
     std::vector<Light> lights(count);
     for (uint32_t i = 0; i < count; ++i) {
@@ -74,7 +77,8 @@ std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t se
         const glm::vec3 room = glm::min(light.position - scene.bounds_min, scene.bounds_max - light.position);
         const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();
         const float x = nearest * random.unit(), z = nearest * random.unit();
-        // Both axes are at most the distance to the nearest wall, for every rotation.
+        // The path is an ellipse along the x and z axes. Both of its half axes are at most the distance to
+        // the nearest wall, so the light never leaves the bounds of the scene.
         light.path.across = {x * std::cos(turn), 0, z * std::sin(turn)};
         light.path.along = {-x * std::sin(turn), 0, z * std::cos(turn)};
         light.path.turns_per_s = (random.unit() < 0.5f ? -1.0f : 1.0f) / (4 + 8 * random.unit());

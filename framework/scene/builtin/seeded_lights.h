@@ -9,12 +9,12 @@
 
 namespace weft::scene {
 
-// Every second light is a spot. At `scene.exposure_ev` each light visibly lights its surroundings. Ranges are
-// limited so that a few tens of lights reach any point.
+// Makes point lights and spots in turn. Each light visibly lights its surroundings at `scene.exposure_ev`.
+// The ranges are limited, so that only a few tens of lights reach any point.
 [[nodiscard]] std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t seed);
 
-// The same, but each light moves on its own horizontal ellipse within the bounds, once around in 4 to 12
-// seconds.
+// Makes the same lights as seeded_lights(), brighter, but each light moves on its own horizontal ellipse
+// within the bounds of the scene. One turn takes 4 to 12 seconds.
 [[nodiscard]] std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t seed);
 
 }  // namespace weft::scene

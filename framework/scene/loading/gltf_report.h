@@ -1,5 +1,6 @@
 // Purpose: collects all faults of one glTF file, so that they can be reported together. After a maximum
-// number of entries it only counts, so a hostile file cannot make it grow without limit.
+// number of entries the report only counts further faults. So a hostile file cannot make the report grow
+// without limit.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +11,17 @@
 
 namespace weft::scene::gltf {
 
-// A name from the file, shortened for messages: at most 64 bytes, never cut inside a character.
+// Returns a name from the file, shortened for messages: at most 64 bytes, never cut inside a UTF-8 character.
 [[nodiscard]] std::string shortened(const std::string& name);
-// Text such as `mesh "Body"`, or `mesh 3` for a mesh without a name.
+// Returns a text such as `mesh "Body"`, or `mesh 3` for a mesh without a name.
 [[nodiscard]] std::string label(const char* kind, size_t index, const std::string& name);
 
 class Report {
  public:
     explicit Report(std::string file) : file_(std::move(file)) {}
 
-    // `pointer` is a JSON pointer, empty for the whole file.
+    // Adds an error. `pointer` is a JSON pointer to the faulty value, empty if the error concerns the whole
+    // file.
     void error(const char* code, std::string pointer, std::string message, std::string help);
     void warn(const char* code, std::string pointer, std::string message, std::string help);
     void error_at(const char* code, uint32_t line, uint32_t column, std::string message, std::string help);

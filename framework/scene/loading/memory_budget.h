@@ -15,7 +15,7 @@ class MemoryBudget {
  public:
     explicit MemoryBudget(uint64_t limit_bytes) : limit_bytes_(limit_bytes) {}
 
-    // Returns false and takes nothing when fewer than `bytes` remain.
+    // Takes `bytes` from the budget. Returns false and takes nothing when fewer than `bytes` remain.
     [[nodiscard]] bool take(uint64_t bytes) {
         if (bytes > left_bytes()) return false;
         taken_bytes_ += bytes;
@@ -32,7 +32,8 @@ class MemoryBudget {
     uint64_t taken_bytes_ = 0;
 };
 
-// Sums and products that stop at the largest number instead of overflowing.
+// Returns the sum. If the sum would overflow, the result is the largest 64-bit number. saturating_mul() does
+// the same for products.
 [[nodiscard]] constexpr uint64_t saturating_add(uint64_t a, uint64_t b) {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
 }
@@ -42,7 +43,8 @@ class MemoryBudget {
 
 namespace gltf {
 
-// A request with its texts: `what` is the subject of the message ("the mesh"), `remedy` is the help.
+// A request for memory with the texts of its error message: `what` is the subject of the message ("the
+// mesh"), `remedy` is the help.
 struct MemoryRequest {
     uint64_t bytes = 0;
     const char* code = "S107";
@@ -50,7 +52,7 @@ struct MemoryRequest {
     std::string what;
     std::string remedy = "simplify the scene or split it";
 };
-// False after an error was reported.
+// Takes the requested bytes from the budget. If too few bytes remain, reports an error and returns false.
 [[nodiscard]] bool take_memory(MemoryBudget& budget, const MemoryRequest& request, Report& report);
 
 }  // namespace gltf

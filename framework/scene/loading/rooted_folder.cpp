@@ -23,7 +23,8 @@ FileBytes read_file(const fs::path& file, uint64_t max_bytes, LastLink link) {
     });
     switch (read.fault) {
         case FileFault::none:
-            // If the file became shorter after its size was read, the bytes must not end in zeros.
+            // The file may have become shorter after its size was read. Then the bytes at the end of the
+            // result would be zeros that are not in the file, so the file counts as unreadable.
             if (read.size_bytes == result.bytes.size()) return result;
             [[fallthrough]];
         case FileFault::unreadable:

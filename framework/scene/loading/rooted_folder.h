@@ -1,7 +1,7 @@
-// Purpose: reads files below one folder only. Absolute paths, URI schemes, and `..` or symbolic links that
-// lead out of the folder are refused. Files that are not regular are refused too: reading a pipe would block,
-// reading a device might never end. Errors: a `ReadFault` with a text; the caller adds the JSON value that
-// requested the file.
+// Purpose: reads files below one folder only. Absolute paths and URI schemes are refused, and so are `..` and
+// symbolic links that lead out of the folder. Files that are not regular are refused too: reading a pipe
+// would block, and reading a device might never end. Errors: a `ReadFault` with a text. The caller adds the
+// place of the JSON value that names the file.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,29 @@ enum class ReadFault : uint8_t { escapes, missing, unreadable, too_large };
 struct FileBytes {
     std::vector<uint8_t> bytes;
     std::optional<ReadFault> fault;
-    std::string message;  // the reason, when there is a fault
+    std::string message;  // Text that explains the fault; empty when the file was read.
 };
 
 class RootedFolder {
  public:
     explicit RootedFolder(const std::filesystem::path& folder);
 
-    // `uri` is a relative reference in the sense of RFC 3986, percent-encoded.
+    // Reads the file that `uri` names. `uri` is a relative reference in the sense of RFC 3986,
+    // percent-encoded.
     [[nodiscard]] FileBytes read(std::string_view uri, uint64_t max_bytes) const;
 
  private:
-    std::filesystem::path root_;  // canonical; empty when the folder does not exist
+    std::filesystem::path root_;  // Canonical path of the folder; empty when the folder does not exist.
 };
 
 [[nodiscard]] FileBytes read_plain_file(const std::filesystem::path& file, uint64_t max_bytes);
 
-// nullopt when an escape is malformed or encodes a NUL.
+// Decodes percent escapes ("%20" is a space). Returns nullopt when an escape is malformed or encodes a NUL
+// byte.
 [[nodiscard]] std::optional<std::string> percent_decode(std::string_view uri);
 
-// The bytes of a base64 `data:` URI; nullopt when it is malformed.
+// is_data_uri() says whether `uri` is a `data:` URI. decode_data_uri() returns the bytes of a base64 `data:`
+// URI, or nullopt when the URI is malformed.
 [[nodiscard]] bool is_data_uri(std::string_view uri);
 [[nodiscard]] std::optional<std::vector<uint8_t>> decode_data_uri(std::string_view uri);
 

@@ -19,7 +19,7 @@ void run_on_threads(size_t count, uint32_t threads, const std::function<void(siz
         try {
             others.emplace_back(work);
         } catch (const std::system_error&) {
-            break;  // no more threads can be created: the existing ones do the remaining jobs
+            break;  // The system cannot create more threads: the existing threads do the remaining jobs.
         }
     }
     work();

@@ -10,12 +10,12 @@
 
 namespace weft::scene {
 
-// Runs job(0) to job(count - 1) in parallel, starting them in this order, on `threads` threads including the
-// caller's; 0: one thread per processor. Returns when all jobs are done. Jobs must not throw.
+// Runs job(0) to job(count - 1) in parallel and starts them in this order. Uses `threads` threads, including
+// the caller's thread; 0 means one thread per processor. Returns when all jobs are done. Jobs must not throw.
 void run_on_threads(size_t count, uint32_t threads, const std::function<void(size_t)>& job);
 
-// A limit on the temporary memory of all jobs. A job takes bytes before it works and gives them back
-// afterwards. A job that would exceed the limit waits, unless no other job holds any bytes.
+// A limit on the temporary memory of all jobs together. A job takes bytes before it works and returns them
+// afterwards. A job that would exceed the limit waits, unless no other job has taken any bytes.
 class ByteBudget {
  public:
     explicit ByteBudget(uint64_t limit_bytes) : limit_bytes_(limit_bytes) {}

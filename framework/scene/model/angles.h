@@ -1,4 +1,4 @@
-// Purpose: angles for scenes that are made in code. Units: radians.
+// Purpose: the constant π for angles in radians, used by scenes that are made in code.
 #pragma once
 
 #include <numbers>

@@ -7,7 +7,8 @@
 namespace weft::scene {
 namespace {
 
-constexpr float kMaxIntensity = 1e12f;  // for comparison: the sun's disc has 1.6e9 cd/m²
+// Upper limit for the intensity of a light. For comparison: the sun's disc has a luminance of 1.6e9 cd/m².
+constexpr float kMaxIntensity = 1e12f;
 constexpr float kMaxLength_m = 1e9f;
 constexpr float kMinHalfSize_m = 1e-4f;
 constexpr float kMaxHalfSize_m = 1e6f;
@@ -19,7 +20,8 @@ constexpr size_t kMaxNamed = 8;
 class Faults {
  public:
     void add(const char* what) { text_ += (text_.empty() ? "" : ", ") + std::string(what); }
-    // Returns true if the value was changed.
+    // Clamps `value` to the range from `low` to `high`; NaN becomes `low`. If this changes the value, the
+    // text `what` is added to the list of faults.
     void clamp(float& value, float low, float high, const char* what) {
         const float within = std::isnan(value) ? low : std::clamp(value, low, high);
         if (within == value) return;
@@ -40,7 +42,8 @@ bool within_world(const glm::vec3& v) {
     return finite(v) && std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= kMaxLength_m;
 }
 
-// A unit vector perpendicular to a unit vector; horizontal where possible.
+// Returns a unit vector perpendicular to the unit vector `direction`. The result is horizontal (y = 0); for
+// an almost vertical direction the result is +x.
 glm::vec3 across(const glm::vec3& direction) {
     const glm::vec3 level(-direction.z, 0, direction.x);
     const float length = glm::length(level);
@@ -107,7 +110,8 @@ Diagnostic warning(std::string message, std::string help) {
     return diagnostic;
 }
 
-// `pictures` holds the pictures of the functions before this one; this function's picture is added.
+// Returns a text if the picture of `function` cannot be used, otherwise an empty text. `pictures` is the set
+// of pictures that earlier functions use; picture_fault() adds the picture of `function` to this set.
 std::string picture_fault(const LightFunction& function, const Scene& scene, std::set<uint32_t>& pictures) {
     if (function.picture == kNone) return {};
     if (function.picture >= scene.textures.size()) return "its picture is none of the scene's textures";

@@ -1,5 +1,6 @@
-// Purpose: clamps the numbers of a light, which a file or a program may set to anything: finite values within
-// the ranges below, cones of at most 90°, unit vectors. Units: as in scene.h.
+// Purpose: clamps the numbers of a light, because a file or a program may set them to any value. After
+// clamping, all values are finite and within limits, cone angles are at most 90° and directions are unit
+// vectors. Units: as in scene.h.
 #pragma once
 
 #include <span>
@@ -13,12 +14,14 @@ namespace weft::scene {
 inline constexpr uint32_t kMaxLights = 65'536;
 inline constexpr uint32_t kMaxLightPictures = 64;
 
-// Returns a text for users that lists the faults ("its range was negative"); empty when there were none. A
-// light that cannot be corrected gets an intensity of 0.
+// Clamps the light. Returns a text for users that lists the corrected faults (such as "its range was out of
+// range"); the text is empty if there were no faults. A light that cannot be corrected gets an intensity of
+// 0.
 [[nodiscard]] std::string clamp_light(Light& light);
 [[nodiscard]] std::string clamp_light_function(LightFunction& function);
 
-// S158 for each light and function of the scene with a fault. The first few are named, the rest is counted.
+// Returns warning S158 for each light and each light function of the scene that has a fault. The first few
+// are named one by one; for the others there is only their number.
 [[nodiscard]] Diagnostics light_warnings(const Scene& scene);
 
 }  // namespace weft::scene

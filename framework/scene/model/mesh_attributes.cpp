@@ -8,8 +8,8 @@
 namespace weft::scene {
 namespace {
 
-// Divides by the largest component first, so that the squares of tiny and huge vectors stay within float's
-// range.
+// Returns `v` with length 1, or `fallback` if `v` has no direction. The vector is first divided by its
+// largest component, so that the squares of tiny and huge components stay within the range of float.
 glm::vec3 normalized_or(const glm::vec3& v, const glm::vec3& fallback) {
     const float largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (!(largest > 0) || !std::isfinite(largest)) return fallback;
@@ -18,8 +18,9 @@ glm::vec3 normalized_or(const glm::vec3& v, const glm::vec3& fallback) {
     return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
 
-// Chooses the axis with the smallest component. Unlike Frisvad's branchless basis, this needs no special case
-// near -z.
+// Returns a unit vector perpendicular to `n`: the cross product of `n` and the coordinate axis along which
+// `n` has its smallest component. Unlike Frisvad's branchless basis, this method needs no special case near
+// -z.
 glm::vec3 any_orthogonal(const glm::vec3& n) {
     const glm::vec3 a = glm::abs(n);
     const glm::vec3 axis = a.x <= a.y && a.x <= a.z ? glm::vec3(1, 0, 0)
@@ -28,9 +29,9 @@ glm::vec3 any_orthogonal(const glm::vec3& n) {
     return normalized_or(glm::cross(n, axis), glm::vec3(1, 0, 0));
 }
 
-// The uv frame of one triangle, used for its three corners.
+// The directions of the uv coordinates on one triangle. All three corners of the triangle use them.
 struct UvFrame {
-    glm::vec3 tangent{0};  // direction of increasing u; zero when the uvs are degenerate
+    glm::vec3 tangent{0};  // Direction of increasing u on the triangle; zero when the uvs are degenerate.
     bool mirrored = false;
 };
 
@@ -56,15 +57,17 @@ float corner_angle(const Mesh& mesh, const uint32_t* corner, int k) {
     return std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f));
 }
 
-// Appends a copy of `stream[from]`, unless the stream is empty.
+// Appends a copy of `stream[from]` to the stream. Does nothing if the stream is empty.
 template <class T>
 void append_copy(std::vector<T>& stream, size_t from) {
     if (stream.empty()) return;
-    const T copy = stream[from];  // a copy, not a reference: emplace_back may reallocate the vector
+    // `copy` is not a reference to an element, because push_back may reallocate the vector.
+    const T copy = stream[from];
     stream.push_back(copy);
 }
 
-// Tangents are not copied: they do not exist yet at this point.
+// Appends a copy of the vertex to all streams of the mesh except the tangents. generate_tangents() fills the
+// tangents only after the vertices are split.
 uint32_t duplicate_vertex(Mesh& mesh, uint32_t vertex) {
     append_copy(mesh.positions, vertex);
     append_copy(mesh.normals, vertex);
@@ -74,8 +77,9 @@ uint32_t duplicate_vertex(Mesh& mesh, uint32_t vertex) {
     return static_cast<uint32_t>(mesh.positions.size() - 1);
 }
 
-// Splits vertices so that each belongs to triangles of one uv orientation. Returns for each vertex: true if
-// mirrored in glTF's sense, where v increases along cross(normal, tangent).
+// Splits vertices so that each vertex belongs only to triangles of one uv orientation. Returns one value per
+// vertex: true if the uvs of its triangles are mirrored. In glTF's sense, uvs are mirrored if v increases
+// along cross(normal, tangent).
 std::vector<uint8_t> split_mirrored(Mesh& mesh, const std::vector<UvFrame>& frames) {
     enum : uint8_t { unseen, upright, mirrored };
     std::vector<uint8_t> side(mesh.positions.size(), unseen);
@@ -100,7 +104,7 @@ std::vector<uint8_t> split_mirrored(Mesh& mesh, const std::vector<UvFrame>& fram
     return side;
 }
 
-// The element of `stream` at each index; empty when the stream is empty.
+// Returns the element of `stream` at each index. The result is empty when the stream is empty.
 template <class T>
 std::vector<T> picked(const std::vector<T>& stream, const std::vector<uint32_t>& indices) {
     std::vector<T> out;
@@ -117,7 +121,8 @@ void generate_normals(Mesh& mesh) {
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const uint32_t* corner = &mesh.indices[i];
         const glm::vec3 p0 = mesh.positions[corner[0]];
-        // The cross product's length is twice the area, so no extra weight is needed.
+        // The length of the cross product is twice the triangle's area, so the sum of these vectors is
+        // already weighted by area.
         const glm::vec3 area = glm::cross(mesh.positions[corner[1]] - p0, mesh.positions[corner[2]] - p0);
         for (int k = 0; k < 3; ++k) mesh.normals[corner[k]] += area;
     }
@@ -140,7 +145,8 @@ void make_flat(Mesh& mesh) {
 glm::vec3 orthonormal_tangent(const glm::vec3& normal, const glm::vec3& tangent) {
     const glm::vec3 unit = normalized_or(tangent, glm::vec3(0));
     const glm::vec3 projected = unit - normal * glm::dot(normal, unit);
-    // A shorter vector is only rounding noise and has no useful direction.
+    // A shorter vector is only floating-point noise without a useful direction, so any perpendicular vector
+    // is returned instead.
     if (!(glm::dot(projected, projected) > 1e-8f)) return any_orthogonal(normal);
     return normalized_or(projected, glm::vec3(1, 0, 0));
 }

@@ -9,18 +9,20 @@
 
 namespace weft::scene {
 
-// Smooth, area-weighted normals for every vertex; a vertex without area gets +y.
+// Computes a smooth, area-weighted normal for every vertex. A vertex whose triangles have no area gets +y.
 void generate_normals(Mesh& mesh);
 
-// Gives every triangle its own three vertices and its face normal, as glTF requires when normals are absent.
+// Gives every triangle three vertices of its own and its face normal. glTF requires flat normals for a mesh
+// that has no normals.
 void make_flat(Mesh& mesh);
 
-// Requires normals. A vertex shared by triangles of mirrored and unmirrored uvs is split in two. Without uvs,
-// any orthonormal tangent is used. `uv_set` 1 uses second_uvs if the mesh has them.
+// Computes the tangents; the mesh must already have normals. A vertex that belongs to triangles with mirrored
+// and with unmirrored uvs is split in two. Without uvs, each vertex gets any tangent that is perpendicular to
+// its normal. `uv_set` 1 uses second_uvs if the mesh has them.
 void generate_tangents(Mesh& mesh, uint32_t uv_set = 0);
 
-// The unit tangent orthogonal to the unit vector `normal` that is nearest to `tangent`; any orthogonal vector
-// when `tangent` is parallel to `normal`.
+// Returns the unit vector that is perpendicular to the unit vector `normal` and nearest to `tangent`. If
+// `tangent` is parallel to `normal`, the result is any perpendicular unit vector.
 [[nodiscard]] glm::vec3 orthonormal_tangent(const glm::vec3& normal, const glm::vec3& tangent);
 
 void compute_bounds(Mesh& mesh);

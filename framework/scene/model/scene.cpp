@@ -16,9 +16,11 @@ glm::vec3 position_at(const Light& light, double time_s) {
 }
 namespace {
 
-constexpr float kFramingDistance = 1.9f;  // distance of the camera, in bounding radii
+// Distance of the default camera from the centre of the scene, in radii of the scene's bounding sphere.
+constexpr float kFramingDistance = 1.9f;
 
-// With more transformed vertices than this, the corners of each mesh's box are used instead of its vertices.
+// If the instances of a scene have more vertices than this limit, its bounds are computed from the corners of
+// each mesh's bounding box instead of from all vertices. This saves time.
 constexpr uint64_t kMaxExactVertices = 100'000'000;
 
 uint64_t instanced_vertices(const Scene& scene) {
@@ -69,13 +71,16 @@ Camera framing_camera(const Scene& scene, float aspect) {
     camera.transform =
         glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0), glm::vec4(back, 0),
                   glm::vec4(centre + back * (kFramingDistance * radius), 1));
-    constexpr float kHalfHorizontal = 0.39269908170f;  // 22.5°
-    // For a portrait picture the horizontal field of view must contain the bounding sphere, whose edge
-    // appears at asin(1 / 1.9).
+    // Half of the horizontal field of view for a landscape picture: 22.5° in radians.
+    constexpr float kHalfHorizontal = 0.39269908170f;
+    // In a portrait picture the width limits the view: the horizontal field of view must contain the scene's
+    // bounding sphere. From a distance of 1.9 radii, half of the sphere appears under the angle asin(1 /
+    // 1.9).
     static const float kHalfSphere = std::asin(1 / kFramingDistance);
     const float half_horizontal = aspect < 1 ? kHalfSphere : kHalfHorizontal;
     camera.fov_y_rad = 2 * std::atan(std::tan(half_horizontal) / std::max(aspect, 1e-6f));
-    // The nearest point of the bounding sphere is 0.9 radii away.
+    // The nearest point of the scene's bounding sphere is 0.9 radii away, so a near plane at 0.01 radii cuts
+    // nothing off.
     camera.near_m = radius * 0.01f;
     return camera;
 }

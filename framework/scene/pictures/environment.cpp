@@ -9,9 +9,11 @@
 namespace weft::scene {
 namespace {
 
-constexpr float kMostStored = 32768;  // largest value that glm stores in the shared-exponent format
-constexpr float kMostScale = 65536;   // multiplied with kMostStored: more than the luminance of the sun's
-                                      // disc
+// Largest value that glm stores in the shared-exponent format (VK_FORMAT_E5B9G9R9).
+constexpr float kMostStored = 32768;
+// Largest factor for stored texels. kMostStored times this factor is more than the luminance of the sun's
+// disc.
+constexpr float kMostScale = 65536;
 
 constexpr uint32_t kBeamColumns = 32;
 
@@ -21,11 +23,11 @@ struct PictureLevel {
     std::vector<glm::vec3> texels;
 };
 
-// The range of source texels that one texel of a shorter row or column covers, and where the range begins and
-// ends, in source texels.
+// The range of source texels that one texel of a shorter row or column covers. `begin` and `end` are the
+// exact limits of the range as fractional positions, measured in source texels.
 struct Cover {
     uint32_t first = 0;
-    uint32_t last = 0;  // inclusive
+    uint32_t last = 0;  // Index of the last source texel in the range, inclusive.
     double begin = 0;
     double end = 0;
 
@@ -39,7 +41,7 @@ Cover cover(uint32_t index, uint32_t from, uint32_t to) {
             end};
 }
 
-// Rows are weighted by the solid angle that they cover.
+// Makes the next smaller mip level. Each source row is weighted by the solid angle that its texels cover.
 PictureLevel half_of(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> texels) {
     PictureLevel half{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};
     half.texels.resize(size_t{half.width_px} * half.height_px);
@@ -64,8 +66,9 @@ PictureLevel half_of(uint32_t width_px, uint32_t height_px, std::span<const glm:
     return half;
 }
 
-// Near the poles texels become narrow, which would show as a star in blurred reflections. Each texel becomes
-// the mean of as many texels of its row as cover a square texel at the equator.
+// Smooths the rows near the poles. There the texels cover narrow areas, which would show as a star in blurred
+// reflections. Each texel becomes the mean of its neighbours in the row; they cover together about the width
+// of a texel at the equator.
 PictureLevel evened_towards_poles(const PictureLevel& level) {
     PictureLevel even = level;
     const int64_t width = level.width_px;
@@ -94,17 +97,19 @@ std::vector<uint32_t> packed(std::span<const glm::vec3> texels, float scale) {
     return words;
 }
 
-// The integral of each basis function over a texel is a product of an integral along the row and one down the
-// column.
+// The integrals of one row of texels along the azimuth. The integral of a basis function over a texel is a
+// product: an integral along the row times an integral down the column.
 struct RowIntegrals {
-    glm::dvec3 one{0}, sine{0}, cosine{0}, sine_twice{0}, cosine_twice{0};  // sums of radiance × f(azimuth)
+    // Each vector is the sum of radiance × f(azimuth) over the row, for f = 1, sin a, cos a, sin 2a and cos
+    // 2a.
+    glm::dvec3 one{0}, sine{0}, cosine{0}, sine_twice{0}, cosine_twice{0};
 };
 
 RowIntegrals integrate_row(std::span<const glm::vec3> row) {
     RowIntegrals sums;
     const double step = 2 * std::numbers::pi / double(row.size());
-    // The mean of sin over a texel is the value at its middle times a factor; the same holds for the other
-    // functions.
+    // The integral of sin(a) over a texel of width `step` is sin(a) at the middle of the texel times 2
+    // sin(step / 2). The same holds for cos(a); for sin(2a) and cos(2a) the factor is sin(step).
     const double once = 2 * std::sin(step / 2), twice = std::sin(step);
     for (size_t x = 0; x < row.size(); ++x) {
         const double azimuth = (double(x) + 0.5) * step - std::numbers::pi;
@@ -119,7 +124,8 @@ RowIntegrals integrate_row(std::span<const glm::vec3> row) {
     return sums;
 }
 
-// x = sin θ · sin a, y = cos θ, z = −sin θ · cos a, for azimuth a and polar angle θ.
+// Adds one row of texels to the moments. A direction has x = sin θ · sin a, y = cos θ, z = −sin θ · cos a,
+// for the azimuth a and the polar angle θ.
 void add_row(std::array<glm::dvec3, 9>& moments, const RowIntegrals& row, double begin_rad, double end_rad) {
     const auto between = [&](auto antiderivative) {
         return antiderivative(std::cos(end_rad), std::sin(end_rad), end_rad) -
@@ -148,7 +154,8 @@ std::array<glm::vec3, 9> irradiance_over_pi(uint32_t width_px, uint32_t height_p
     for (uint32_t y = 0; y < height_px; ++y)
         add_row(moments, integrate_row(texels.subspan(size_t{y} * width_px, width_px)),
                 std::numbers::pi * y / height_px, std::numbers::pi * (y + 1) / height_px);
-    // The square of each harmonic's factor, times the factor of its order for a cosine lobe: 1, 2/3, 1/4.
+    // Each factor is the square of the harmonic's normalisation factor, times the factor of a cosine lobe for
+    // the order of the harmonic: 1, 2/3 and 1/4 for the orders 0, 1 and 2.
     constexpr double k0 = 1 / (4 * std::numbers::pi), k1 = 3 / (4 * std::numbers::pi) * 2 / 3,
                      k2 = 15 / (4 * std::numbers::pi) / 4;
     constexpr std::array<double, 9> kFactors{k0, k1, k1, k1, k2, k2, k2, k2 / 12, k2 / 4};
@@ -159,10 +166,11 @@ std::array<glm::vec3, 9> irradiance_over_pi(uint32_t width_px, uint32_t height_p
 
 struct Beam {
     glm::dvec3 direction{0};
-    glm::dvec3 flux{0};  // radiance × solid angle
+    glm::dvec3 flux{0};  // Radiance of one texel times the solid angle of the texel.
 };
 
-// Converts a level of the mip chain to beams, with just enough texels to show the directions of the light.
+// Converts a mip level to beams, one per texel. The level is small: it has just enough texels to show the
+// directions of the light.
 std::vector<Beam> beams_of(const PictureLevel& level) {
     std::vector<Beam> beams;
     for (uint32_t y = 0; y < level.height_px; ++y) {
@@ -188,7 +196,7 @@ glm::dvec3 side(int i) {
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
 }
 
-// The smallest irradiance / π over all directions.
+// Returns the smallest value of irradiance / π over 128 directions, separately for each colour channel.
 glm::dvec3 darkest_side(const std::vector<Beam>& beams) {
     glm::dvec3 least(std::numeric_limits<double>::max());
     for (int i = 0; i < kSides; ++i) {
@@ -209,9 +217,10 @@ bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec
     return true;
 }
 
-// With three orders, harmonics become negative around a small bright sun; clamped to zero, the side away from
-// the sun would then have only the colour of the sky. The coefficients get a window that reduces the higher
-// orders only as much as needed: P.-P. Sloan, "Deringing Spherical Harmonics", 2017.
+// Harmonics of three orders become negative around a small bright sun. If these values were clamped to zero,
+// the side away from the sun would have only the colour of the sky. So the coefficients are multiplied by a
+// window that reduces the higher orders only as much as needed: P.-P. Sloan, "Deringing Spherical Harmonics",
+// 2017.
 std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients,
                                          const PictureLevel& level) {
     constexpr double kMostOfIt = 0.7;

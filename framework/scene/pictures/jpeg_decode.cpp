@@ -4,21 +4,23 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
-// jpeglib.h uses FILE and size_t without including their headers.
+// The standard headers must come before jpeglib.h, which uses FILE and size_t without including their
+// headers.
 #include <jerror.h>
 #include <jpeglib.h>
 
 namespace weft::scene {
 namespace {
 
-// Memory of libjpeg's pools and tables, in addition to rows and coefficients.
+// Memory of libjpeg's pools and tables in bytes, in addition to the memory for rows and coefficients.
 constexpr uint64_t kJpegLibraryBytes = 1 << 20;
-// Each scan of a progressive picture processes the whole picture, so many scans cost much time. Encoders
-// write about ten. Even 64 coefficients of three channels in separate scans, which no encoder writes, would
-// be fewer than 200.
+// Upper limit for the scans of a progressive picture. Each scan processes the whole picture, so many scans
+// cost much time. Encoders write about ten scans. Even 64 coefficients of three channels in separate scans,
+// which no encoder writes, would be fewer than 200.
 constexpr int kMostScans = 100;
 
-// libjpeg reports an error with longjmp, so the functions it leaves must not own resources.
+// State of the decoder. libjpeg reports an error with longjmp, which calls no destructors. So the functions
+// that longjmp leaves must not own resources.
 struct JpegReader {
     jpeg_decompress_struct info{};
     jpeg_error_mgr errors{};
@@ -45,8 +47,8 @@ JpegReader& reader_of(j_common_ptr common) {
     std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg's way
 }
 
-// Negative levels are warnings. libjpeg invents data after the end of the file, so this warning becomes an
-// error.
+// Receives libjpeg's messages; a negative `level` is a warning. libjpeg invents data after the end of a file
+// that is cut off and only warns about the missing data. Here this warning becomes an error.
 void hear(j_common_ptr common, int level) {
     if (level < 0 && common->err->msg_code == JWRN_JPEG_EOF)
         fail_with(reader_of(common), "the file ends before the picture does");
@@ -61,7 +63,8 @@ uint64_t padded(uint32_t side_px) {
     return (uint64_t{side_px} + 63) / 64 * 64;
 }
 
-// Memory of rows for colour conversion, and of coefficients if the picture has several scans.
+// Memory in bytes that the decoder needs for rows during colour conversion, and for the coefficients if the
+// picture has several scans.
 uint64_t decoder_bytes(jpeg_decompress_struct& info) {
     const auto channels = static_cast<uint64_t>(info.num_components);
     const uint64_t row_bytes = padded(info.image_width) * channels;
@@ -76,7 +79,8 @@ void begin(JpegReader& reader) {
     jpeg_read_header(&reader.info, TRUE);
 }
 
-// Returns false after a fault, with its text in `error`.
+// Reads the size of the picture into `size`. Returns false after a fault and stores the text in
+// `reader.error`.
 bool read_header(JpegReader& reader, ImageSize& size) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
     begin(reader);
@@ -84,7 +88,8 @@ bool read_header(JpegReader& reader, ImageSize& size) {
     return true;
 }
 
-// Files hold inverted CMYK, as Adobe's programs write it: 255 means no ink.
+// Converts one row from CMYK to RGBA. The file's CMYK values are inverted, as Adobe's programs write them:
+// 255 means no ink.
 void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
     for (uint32_t x = 0; x < width_px; ++x, cmyk += 4, rgba += 4) {
         for (int c = 0; c < 3; ++c) rgba[c] = static_cast<uint8_t>((cmyk[c] * cmyk[3] + 127) / 255);
@@ -92,7 +97,8 @@ void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
     }
 }
 
-// The header must have been read. Returns false after a fault, with its text in `error`.
+// Decodes all rows; read_header() must have been called before. Returns false after a fault and stores the
+// text in `reader.error`.
 bool decode_jpeg_rows(JpegReader& reader, uint64_t most_bytes) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
     jpeg_decompress_struct& info = reader.info;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t kSize = kLightPictureSize_px;
 
-// The smallest mip that is at least as large as a layer.
+// Returns the index of the smallest mip level that is at least as large as a layer of the array texture.
 uint32_t source_mip(const Texture& texture) {
     uint32_t mip = 0;
     while (mip + 1 < texture.mips.size() &&
@@ -22,7 +22,7 @@ uint32_t source_mip(const Texture& texture) {
     return mip;
 }
 
-// Bilinear interpolation of the four texels around (x, y), in linear light.
+// Returns the colour at (u, v) as sRGB bytes: a bilinear interpolation of four texels in linear light.
 std::array<uint8_t, 4> sampled(const Texture& texture, uint32_t mip, float u, float v) {
     const int width = static_cast<int>(std::max(1u, texture.width_px >> mip)),
               height = static_cast<int>(std::max(1u, texture.height_px >> mip));

@@ -11,11 +11,12 @@ namespace weft::scene {
 inline constexpr uint32_t kLightPictureSize_px = 256;
 
 struct LightPictures {
-    std::vector<std::vector<uint8_t>> mips;  // for each mip level the sRGB texels of all layers, one layer
-                                             // after another; full mip chain
-    std::vector<uint32_t> layer_of;          // for each of Scene::light_functions its layer; kNone: it has no
-                                             // picture
-    uint32_t layers = 0;  // at most kMaxLightPictures; light_warnings() reports the pictures that are ignored
+    // For each mip level, the sRGB texels of all layers, one layer after another. The mip chain is complete.
+    std::vector<std::vector<uint8_t>> mips;
+    // For each of Scene::light_functions, the index of its layer; kNone if the function has no picture.
+    std::vector<uint32_t> layer_of;
+    // Number of layers, at most kMaxLightPictures. light_warnings() reports the pictures that do not fit.
+    uint32_t layers = 0;
 };
 
 [[nodiscard]] LightPictures light_pictures(const Scene& scene);

@@ -9,9 +9,9 @@
 namespace weft::scene {
 namespace {
 
-// Bytes per texel at the peak: the picture as three floats, the float levels while the mips are made (a
-// quarter, twice), and the mips at four bytes per texel. The picture is freed before the mips are copied to
-// staging and to the GPU.
+// Memory per texel at the peak of loading, in bytes: 12 for the picture as three floats, 6 for two float
+// levels of a quarter of the size while the mips are made, and 6 for the mips at four bytes per texel. The
+// picture is freed before the mips are copied to staging memory and to the GPU.
 constexpr uint64_t kBytesPerTexel = sizeof(glm::vec3) + 2 * sizeof(glm::vec3) / 4 + 6;
 
 Diagnostic fault(const char* code, const std::filesystem::path& file, std::string message, std::string help) {

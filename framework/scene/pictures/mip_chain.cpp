@@ -9,14 +9,14 @@
 namespace weft::scene {
 namespace {
 
-// A mip level in the space in which it is filtered: linear light for colours, [-1, 1] for normals.
+// A mip level in the space in which texels are filtered: linear light for colours, [-1, 1] for normals.
 struct MipLevel {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
     std::vector<glm::vec4> texels;
 };
 
-// Up to three source texels that one destination texel covers along an axis.
+// The source texels that one destination texel covers along one axis: one to three texels and their weights.
 struct Taps {
     uint32_t first = 0;
     uint32_t count = 1;
@@ -76,7 +76,8 @@ void encode(const glm::vec4& value, TexelMeaning meaning, float alpha_scale, uin
     texel[3] = to_byte(value.a * alpha_scale);
 }
 
-// `fetch(x, y)` gives a source texel in filtering space.
+// Makes a mip level of half the size. `fetch(x, y)` returns a source texel in the space in which texels are
+// filtered.
 template <class Fetch>
 MipLevel halve(uint32_t width_px, uint32_t height_px, const Fetch& fetch) {
     MipLevel out{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};
@@ -111,7 +112,8 @@ double coverage(const std::vector<uint8_t>& rgba, float cutoff) {
     return static_cast<double>(passing) / (static_cast<double>(rgba.size()) / 4);
 }
 
-// The factor for alpha with which as many texels pass the cutoff as in mip 0.
+// Returns the factor for the alpha values of a mip level. With this factor the same share of texels passes
+// the cutoff as in mip 0 (`wanted`).
 float alpha_scale_for(const MipLevel& level, float cutoff, double wanted) {
     float low = 0;
     float high = 8;
@@ -143,7 +145,8 @@ std::vector<std::vector<uint8_t>> build_mip_chain(uint32_t width_px, uint32_t he
     MipLevel level{width_px, height_px, {}};
     while (level.width_px > 1 || level.height_px > 1) {
         if (mips.size() == 1) {
-            // Mip 0 stays in bytes: as floats it would need four times the memory of the largest image.
+            // Mip 0 is decoded texel by texel and stays in bytes. As floats it would need four times the
+            // memory of the largest image.
             level = halve(width_px, height_px, [&](uint32_t x, uint32_t y) {
                 return decoder.decode(&mips[0][(size_t{y} * width_px + x) * 4]);
             });

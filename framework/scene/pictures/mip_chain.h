@@ -13,7 +13,9 @@ enum class TexelMeaning : uint8_t { srgb_color, linear_data, normal };
 
 struct MipOptions {
     TexelMeaning meaning = TexelMeaning::linear_data;
-    float alpha_cutoff = -1;  // in [0, 1] for a mask whose coverage all mips shall keep; negative otherwise
+    // Cutoff in [0, 1] for an alpha mask, so that all mips keep the coverage of mip 0; negative if there is
+    // no mask.
+    float alpha_cutoff = -1;
 };
 
 [[nodiscard]] std::vector<std::vector<uint8_t>> build_mip_chain(uint32_t width_px, uint32_t height_px,

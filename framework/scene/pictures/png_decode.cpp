@@ -13,18 +13,19 @@ namespace weft::scene {
 namespace {
 
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
-// Offsets in the file: width and height follow the signature and the length and name of IHDR.
+// Byte offsets of fields in the file. The width and the height are the first fields of the IHDR chunk. They
+// follow the signature (8 bytes) and the length and name of the chunk (8 bytes).
 constexpr size_t kWidthAt = 16, kHeightAt = 20, kDepthAt = 24, kColorTypeAt = 25;
-constexpr size_t kAroundChunkBytes = 12;  // length, name and checksum of a chunk
+constexpr size_t kAroundChunkBytes = 12;  // Size of the length, the name and the checksum of a chunk.
 constexpr uint32_t kMaxSide_px = 0x7FFFFFFF;
-// Memory of libpng's structures and of zlib's window and tables.
+// Memory in bytes of libpng's structures and of zlib's window and tables.
 constexpr uint64_t kPngLibraryBytes = 256 << 10;
-// The most memory that libpng may allocate for one chunk. The chunks that are read (PLTE, tRNS) have at most
-// 768 bytes.
+// Upper limit in bytes for the memory that libpng may allocate for one chunk. The chunks that the decoder
+// reads (PLTE, tRNS) have at most 768 bytes.
 constexpr png_alloc_size_t kChunkBytes = 64 << 10;
 
-// Files with less compressed data than this are always accepted: in a short stream, tables are larger than
-// the data.
+// A file with less compressed data than this number of bytes is always accepted. In a short stream, the
+// tables of the compression may be larger than the data.
 constexpr uint64_t kLeastDataBytes = 512;
 
 uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
@@ -32,8 +33,8 @@ uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
            uint32_t{encoded[at + 3]};
 }
 
-// Size of the inflated picture: each row has one extra byte for its filter. Interlaced pictures have more,
-// shorter rows.
+// Returns the size of the inflated picture in bytes: each row has one extra byte for its filter. The function
+// adds five bytes per row instead of one, because an interlaced picture has more and shorter rows.
 uint64_t inflated_bytes(std::span<const uint8_t> encoded, const ImageSize& size) {
     constexpr std::array<uint64_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};
     const uint8_t color_type = encoded[kColorTypeAt];
@@ -53,13 +54,14 @@ uint64_t compressed_bytes(std::span<const uint8_t> encoded) {
     return sum_bytes;
 }
 
-// libpng inflates all data, even after the last row, and compressed data can expand a thousandfold.
+// Detects a file that would cost much time to decode: libpng inflates all data, even after the last row, and
+// compressed data can expand a thousandfold.
 bool holds_more_than_its_size_needs(std::span<const uint8_t> encoded, const ImageSize& size) {
     return compressed_bytes(encoded) > 2 * inflated_bytes(encoded, size) + kLeastDataBytes;
 }
 
-// libpng reports an error with longjmp to decode_png_rows(), so the functions it leaves must not own
-// resources.
+// State of the decoder. libpng reports an error with longjmp to decode_png_rows(), which calls no
+// destructors. So the functions that longjmp leaves must not own resources.
 struct PngReader {
     std::span<const uint8_t> encoded;
     size_t at = 0;
@@ -92,7 +94,7 @@ void read_bytes(png_structp png, png_bytep out, size_t bytes) {
 void limit(png_structp png) {
     png_set_user_limits(png, kMaxSide_px, kMaxSide_px);
     png_set_chunk_malloc_max(png, kChunkBytes);
-    // A negative count means all chunks that the decoder does not need.
+    // The count -1 means: discard all chunks that the decoder does not need.
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
 }
 
@@ -103,8 +105,8 @@ void ask_for_rgba8(png_structp png) {
     png_set_add_alpha(png, 0xFF, PNG_FILLER_AFTER);
 }
 
-// Returns false after a fault, with its text in `error`. `width` is the header's, for which the result was
-// allocated.
+// Returns false after a fault and stores the text in `reader.error`. `width` is the width from the header,
+// for which the caller has allocated the result.
 bool decode_png_rows(PngReader& reader, uint32_t width, uint32_t height) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng's way
     limit(reader.png);
@@ -139,7 +141,8 @@ std::optional<ImageSize> read_png_size(std::span<const uint8_t> encoded) {
     if (size.width_px == 0 || size.height_px == 0 || size.width_px > kMaxSide_px ||
         size.height_px > kMaxSide_px)
         return std::nullopt;
-    // Two rows of four channels with two bytes each: the current and the previous row.
+    // The decoder keeps the current and the previous row, each with four channels of two bytes: 16 bytes per
+    // column.
     size.decoder_bytes = kPngLibraryBytes + uint64_t{size.width_px} * 16;
     return size;
 }

@@ -10,8 +10,8 @@
 namespace weft::scene {
 namespace {
 
-constexpr uint32_t kShortestCoded = 8, kLongestCoded = 32767;  // range of row lengths that may be run-length
-                                                               // encoded
+// Only rows with a number of texels from kShortestCoded to kLongestCoded may be run-length encoded.
+constexpr uint32_t kShortestCoded = 8, kLongestCoded = 32767;
 constexpr size_t kMaxHeaderBytes = 65536;
 constexpr float kMostExposure = 1e8f;
 
@@ -19,7 +19,7 @@ class Lines {
  public:
     explicit Lines(std::string_view text) : text_(text) {}
 
-    // The next line; nullopt when the text ends before the line does.
+    // Returns the next line of the text, or nullopt if the text ends before the end of a line.
     std::optional<std::string_view> next() {
         const size_t end = text_.find('\n', at_);
         if (end == std::string_view::npos) return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<Number> leading_number(std::string_view& text) {
     return value;
 }
 
-// The resolution line has the form "-Y height +X width".
+// Reads the resolution line, which has the form "-Y height +X width".
 bool read_resolution(std::string_view line, RadianceHeader& header) {
     if (!line.starts_with("-Y ")) return false;
     line.remove_prefix(3);
@@ -81,7 +81,7 @@ std::string read_variables(Lines& lines, RadianceHeader& header) {
     return "its header is cut short";
 }
 
-// Reads bytes in order and records whether it reached the end too early.
+// Reads bytes in order. ended() says whether a byte was requested after the end of the data.
 class Source {
  public:
     Source(std::span<const uint8_t> bytes, size_t begin) : bytes_(bytes), at_(begin) {}
@@ -104,8 +104,9 @@ class Source {
 
 using Rgbe = std::array<uint8_t, 4>;
 
-// Each channel is stored separately: a count above 128 repeats one byte, other counts precede that many
-// bytes.
+// Reads a run-length encoded row. The row stores each channel separately, as runs. A run begins with a count:
+// if the count is above 128, one byte follows, which is repeated count - 128 times. Otherwise `count` bytes
+// follow.
 bool read_coded_row(Source& source, std::vector<Rgbe>& row) {
     for (int i = 0; i < 4; ++i) source.next();
     for (size_t channel = 0; channel < 4; ++channel) {

@@ -1,8 +1,9 @@
-// Purpose: decodes Radiance pictures ("#?RADIANCE", 32-bit_rle_rgbe), flat or run-length encoded, to linear
-// RGB. stb also reads this format, but does not return when a file ends early. Shapes: row 0 on top; only "-Y
-// height +X width", which is the form that programs write. Texels are divided by the factor that EXPOSURE
-// lines of the header give. Errors: `error` has the reason, and there are no texels. The format cannot hold
-// NaN or infinity. Source: G. Ward, "Real Pixels", in "Graphics Gems II", 1991.
+// Purpose: decodes Radiance pictures ("#?RADIANCE", 32-bit_rle_rgbe) to linear RGB; rows may be flat or
+// run-length encoded. The library stb also reads this format, but its decoder does not return when a file
+// ends early. Shapes: row 0 is the top row. Only the orientation "-Y height +X width" is accepted, because
+// other programs write only this one. Texels are divided by the factors of the EXPOSURE lines in the header.
+// Errors: `error` contains the reason, and there are no texels. The format cannot store NaN or infinity.
+// Source: G. Ward, "Real Pixels", in "Graphics Gems II", 1991.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ struct RadianceHeader {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
     float exposure = 1;
-    size_t data_begin = 0;  // offset in bytes
+    size_t data_begin = 0;  // Offset of the first texel's data from the beginning of the file, in bytes.
     std::string error;
 };
 [[nodiscard]] RadianceHeader read_radiance_header(std::span<const uint8_t> encoded);

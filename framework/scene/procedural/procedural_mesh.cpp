@@ -9,9 +9,10 @@
 namespace weft::scene {
 namespace {
 
-constexpr float kCreaseCosine = 0.82f;  // about 35°
+// Cosine of the largest angle (about 35°) between two profile segments that are shaded as one smooth surface.
+constexpr float kCreaseCosine = 0.82f;
 
-// A part of a profile without sharp corners, with its normals.
+// A part of a profile without sharp corners, with one normal per point.
 struct ProfileRun {
     Profile points;
     std::vector<glm::vec2> normals;
@@ -69,8 +70,8 @@ glm::vec3 any_perpendicular(glm::vec3 direction) {
     return glm::normalize(glm::cross(axis, direction));
 }
 
-// Offset directions at both ends of each path segment, lengthened so that neighbouring segments meet at the
-// corner.
+// Returns the direction in which a point of the profile is offset at a corner of the path. The vector is
+// longer than 1, so that the surfaces of both path segments meet at the corner.
 glm::vec3 mitre(glm::vec3 before, glm::vec3 after) {
     const glm::vec3 up{0, 1, 0};
     const glm::vec3 a = glm::cross(before, up);
@@ -91,7 +92,8 @@ uint32_t MeshBuilder::add_vertex(glm::vec3 position, glm::vec3 normal, glm::vec2
 void MeshBuilder::add_triangle(uint32_t a, uint32_t b, uint32_t c) {
     const glm::vec3 p = mesh_.positions[a];
     const glm::vec3 area = glm::cross(mesh_.positions[b] - p, mesh_.positions[c] - p);
-    if (glm::dot(area, area) < 1e-16f) return;  // triangles without area, at the poles of turned shapes
+    // Skips triangles without area. They occur where a turned shape touches its axis.
+    if (glm::dot(area, area) < 1e-16f) return;
     mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
 }
 

@@ -17,7 +17,8 @@
 
 namespace weft::scene {
 
-using Profile = std::vector<glm::vec2>;  // (radius or outward offset, height)
+// Points of a profile: x is the radius or the outward offset, y is the height.
+using Profile = std::vector<glm::vec2>;
 
 struct GridPoint {
     glm::vec3 position{0};
@@ -28,9 +29,12 @@ struct LatheShape {
     uint32_t segments = 20;
     float from_rad = 0;
     float to_rad = 6.283185307f;
-    float period_m = 1;  // period of the texture: a full turn has a whole number of repeats, so that no seam
-                         // is visible
-    float u_span_m = 0;  // 0: the mean circumference
+    // Length in metres after which the texture repeats. A full turn around the shape has a whole number of
+    // repeats, so that no seam is visible.
+    float period_m = 1;
+    // Length of the texture around the shape in metres; 0 selects the mean circumference of the shape,
+    // rounded to whole repeats.
+    float u_span_m = 0;
 };
 
 struct TubeShape {
@@ -41,9 +45,11 @@ struct TubeShape {
 
 struct Card {
     glm::vec3 center{0};
-    glm::vec3 right{1, 0, 0};  // half extents
+    // Half of the card's extent to the right: the card reaches from center - right to center + right.
+    glm::vec3 right{1, 0, 0};
     glm::vec3 up{0, 1, 0};
-    glm::vec3 normal_center{0};  // if `soft_normals`, normals point away from this point
+    // If `soft_normals` is set, the normals of the card point away from this point.
+    glm::vec3 normal_center{0};
     bool soft_normals = false;
     glm::vec2 uv_min{0};
     glm::vec2 uv_max{1};
@@ -51,23 +57,26 @@ struct Card {
 
 class MeshBuilder {
  public:
-    // Applies to every shape added afterwards. Rotation, translation and uniform scale only, no mirroring.
+    // Sets the transform of every shape that is added afterwards. Only rotation, translation and uniform
+    // scale are allowed, no mirroring.
     void set_transform(const glm::mat4& transform) { transform_ = transform; }
-    // Added to every texture coordinate, so that similar shapes show different parts of the texture.
+    // Sets an offset that is added to every texture coordinate, so that similar shapes show different parts
+    // of the texture.
     void set_uv_offset(glm::vec2 offset) { uv_offset_ = offset; }
 
-    // `origin` is the lower left corner seen from the front; the normal is cross(right, up). Texture
-    // coordinates are positions along the two edges, so neighbouring rectangles join.
+    // Adds a rectangle. `origin` is its lower left corner seen from the front, and the normal is cross(right,
+    // up). The texture coordinates are positions along the two edges, so the texture continues on a
+    // neighbouring rectangle.
     void add_rectangle(glm::vec3 origin, glm::vec3 right, glm::vec3 up);
-    // A flat strip between two rows of points of equal length, `low` and `high`, both from left to right seen
-    // from the front.
+    // Adds a flat strip between the two rows of points `low` and `high`. Both rows have the same number of
+    // points and run from left to right, seen from the front.
     void add_strip(const std::vector<glm::vec3>& low, const std::vector<glm::vec3>& high, glm::vec3 right,
                    glm::vec3 up);
-    // Smooth surface over cols × rows points; its front faces cross(d/dcol, d/drow).
+    // Adds a smooth surface through cols × rows points. Its front side faces cross(d/dcol, d/drow).
     void add_grid(uint32_t cols, uint32_t rows, const std::function<GridPoint(uint32_t, uint32_t)>& point);
     void add_lathe(const Profile& profile, const LatheShape& shape);
-    // Sweeps a profile along a horizontal path of at least two points. Offsets point to the path's right
-    // (cross(direction, up)); corners are mitred.
+    // Sweeps a profile along a horizontal path of at least two points. The profile's offsets point to the
+    // right of the path: cross(direction, up). Corners of the path are mitred.
     void add_sweep(const Profile& profile, const std::vector<glm::vec3>& path, bool closed);
     void add_box(glm::vec3 low, glm::vec3 high);
     void add_bevelled_box(glm::vec3 low, glm::vec3 high, float bevel_m);
@@ -82,7 +91,7 @@ class MeshBuilder {
     struct BoxExtent {
         glm::vec3 center;
         glm::vec3 half;
-        glm::vec3 inner;  // half extents minus the bevel
+        glm::vec3 inner;  // Half of the box's extents minus the width of the bevel.
     };
 
     uint32_t add_vertex(glm::vec3 position, glm::vec3 normal, glm::vec2 uv);

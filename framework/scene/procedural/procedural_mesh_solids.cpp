@@ -1,4 +1,4 @@
-// Boxes, spheres, tori, cards, and the conversion of a builder's triangles to a finished mesh.
+// Purpose: adds boxes, spheres, tori and cards to a MeshBuilder, and makes the finished mesh.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -9,7 +9,7 @@
 namespace weft::scene {
 namespace {
 
-// The right and up edges of the six faces of a box, seen from outside.
+// The edges of a box face that point right and up, seen from outside the box.
 struct FaceAxes {
     glm::vec3 right;
     glm::vec3 up;
@@ -56,7 +56,8 @@ void MeshBuilder::add_bevelled_box(glm::vec3 low, glm::vec3 high, float bevel_m)
         add_box_face(center + normal * half, face.right * inner, face.up * inner);
     }
     if (bevel_m <= 0) return;
-    // Bevels use the normals of the adjacent faces, so that they shade as round edges.
+    // The vertices of a bevel get the normals of the two adjacent faces, so that the bevel is shaded like a
+    // round edge.
     for (uint32_t edge = 0; edge < 12; ++edge) {
         const uint32_t first = edge / 4;
         glm::vec3 a{0};
@@ -116,8 +117,8 @@ void MeshBuilder::add_card(const Card& card) {
         const glm::vec3 position = card.center + card.right * x + card.up * y;
         glm::vec3 normal = flat;
         if (card.soft_normals) {
-            // Mostly the direction away from the plant's middle, so that a crown shades like one round body.
-            // The normal must stay on the front side of the card.
+            // The normal mostly points away from the middle of the plant, so that all cards of a crown
+            // together are shaded like one round body. The normal must stay on the front side of the card.
             const glm::vec3 away = glm::normalize(position - card.normal_center);
             normal = glm::normalize(flat * 0.6f + away);
             if (glm::dot(normal, flat) < 0.15f)

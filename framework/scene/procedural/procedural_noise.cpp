@@ -10,7 +10,7 @@ float fade(float t) {
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-// Adds one octave to `out`, with weight `amplitude`.
+// Adds one octave of gradient noise to `out`, multiplied by `amplitude`.
 void add_gradient_octave(Field& out, uint32_t cells_x, uint32_t cells_y, float amplitude, uint32_t seed) {
     std::vector<glm::vec2> gradients(static_cast<size_t>(cells_x) * cells_y);
     for (uint32_t y = 0; y < cells_y; ++y) {
@@ -74,7 +74,9 @@ Field fractal_noise(uint32_t size, const FractalShape& shape, uint32_t seed) {
     float total = 0;
     float amplitude = 1;
     for (uint32_t octave = 0; octave < shape.octaves; ++octave, amplitude *= shape.gain) total += amplitude;
-    amplitude = 0.9f / total;  // gradient noise rarely exceeds ±0.55 of its weight
+    // Each octave rarely exceeds ±0.55 of its amplitude. So with a total amplitude of 0.9 the sum stays in
+    // about 0.5 ± 0.5.
+    amplitude = 0.9f / total;
     for (uint32_t octave = 0; octave < shape.octaves; ++octave, amplitude *= shape.gain) {
         add_gradient_octave(field, std::min(shape.cells_x << octave, size),
                             std::min(shape.cells_y << octave, size), amplitude, seed * 31 + octave);

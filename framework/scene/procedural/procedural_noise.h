@@ -13,15 +13,16 @@
 namespace weft::scene {
 
 [[nodiscard]] uint32_t hash_u32(uint32_t x);
-// Uniform in [0, 1) from two coordinates and a seed.
+// Returns a number in [0, 1) that depends only on two coordinates and a seed. The numbers are distributed
+// uniformly.
 [[nodiscard]] float hash_unit(uint32_t a, uint32_t b, uint32_t seed);
 
-// A short, copyable sequence of uniform numbers.
+// Generates a sequence of uniformly distributed random numbers. A copy continues the sequence independently.
 class Random {
  public:
     explicit Random(uint32_t seed) : state_(hash_u32(seed + 0x9e3779b9U)) {}
-    [[nodiscard]] float unit();                        // [0, 1)
-    [[nodiscard]] float range(float low, float high);  // [low, high)
+    [[nodiscard]] float unit();                        // Returns a number in [0, 1).
+    [[nodiscard]] float range(float low, float high);  // Returns a number in [low, high).
 
  private:
     uint32_t state_;
@@ -29,16 +30,16 @@ class Random {
 
 struct Field {
     uint32_t size = 0;
-    std::vector<float> values;  // row by row
+    std::vector<float> values;  // The size × size values of the field, row by row.
 
-    // Coordinates wrap; size is a power of two.
+    // Returns the value at (x, y). Coordinates wrap at the edges; `size` must be a power of two.
     [[nodiscard]] float at(uint32_t x, uint32_t y) const {
         return values[(y & (size - 1)) * size + (x & (size - 1))];
     }
 };
 
-// Parameters of fractal gradient noise: the first octave has `cells` lattice cells per side; each next octave
-// doubles them.
+// Parameters of fractal gradient noise. The first octave has cells_x × cells_y lattice cells; each further
+// octave has twice as many cells along each side, and its amplitude is multiplied by `gain`.
 struct FractalShape {
     uint32_t cells_x = 4;
     uint32_t cells_y = 4;
@@ -47,8 +48,8 @@ struct FractalShape {
 };
 [[nodiscard]] Field fractal_noise(uint32_t size, const FractalShape& shape, uint32_t seed);
 
-// Cell noise with one jittered point per cell: distance to the nearest and second nearest point, in cells,
-// and the nearest point's id.
+// Result of cell noise, which has one randomly placed point per cell: the distances to the nearest and the
+// second nearest point, in cells, and the id of the nearest point.
 struct Cell {
     float nearest = 0;
     float second = 0;
@@ -56,12 +57,14 @@ struct Cell {
 };
 [[nodiscard]] Cell worley(glm::vec2 position, uint32_t cells_x, uint32_t cells_y, uint32_t seed);
 
-// Noise fields that all materials share at different offsets, so that a scene computes them only once.
+// Noise fields that all materials read at different offsets, so that a scene computes the fields only once.
 struct NoiseBank {
-    Field coarse;  // 3 cells across
-    Field medium;  // 12 cells
-    Field fine;    // 64 cells
-    Field grain;   // 12 × 128 cells: stretched along x, for wood and brushed metal
+    Field coarse;  // Noise with 3 cells per side in the first octave.
+    Field medium;  // Noise with 12 cells per side in the first octave.
+    Field fine;    // Noise with 64 cells per side in the first octave.
+    // Noise with 6 × 96 cells in the first octave. The noise is stretched along x, for wood and brushed
+    // metal.
+    Field grain;
 };
 [[nodiscard]] NoiseBank make_noise_bank(uint32_t size);
 

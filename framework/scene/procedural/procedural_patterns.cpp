@@ -6,7 +6,8 @@
 namespace weft::scene {
 namespace {
 
-// Half width of a leaf at `t` along the midrib (0 at the stalk, 1 at the tip), as a fraction of its width.
+// Returns half the width of a leaf as a fraction of its full width. `t` is the position along the midrib: 0
+// at the stalk, 1 at the tip.
 float leaf_half_width(LeafShape shape, float t) {
     if (t <= 0 || t >= 1) return 0;
     const float bulge = std::sin(3.14159265f * std::pow(t, 0.75f));
@@ -23,7 +24,8 @@ float leaf_half_width(LeafShape shape, float t) {
     return 0;
 }
 
-// Five lobes around the leaf's middle; positive inside. `along` is in 0..1, `across` in -0.5..0.5.
+// Outline of an ivy leaf: five lobes around a point near the stalk. The result is positive inside the leaf.
+// `along` is in 0..1, `across` in -0.5..0.5.
 float ivy_inside(float along, float across) {
     const glm::vec2 p{along - 0.32f, across};
     const float angle = std::atan2(p.y, p.x);
@@ -33,8 +35,10 @@ float ivy_inside(float along, float across) {
 }
 
 struct LeafSample {
-    float inside = -1;  // distance to the leaf's edge in texels, positive inside
-    float rib = 0;      // 1 on the midrib or a side vein
+    float inside = -1;  // Distance to the edge of the leaf in texels; positive inside the leaf.
+    // Strength of the midrib or a side vein at the sample: 1 in the middle of the midrib, 0 between the
+    // veins.
+    float rib = 0;
 };
 
 LeafSample sample_leaf(const LeafStroke& leaf, float along_px, float across_px) {
@@ -107,7 +111,8 @@ float diamond_distance(glm::vec2 p, float radius) {
 void draw_leaf(Surface& surface, const LeafStroke& leaf) {
     const glm::vec2 along{std::cos(leaf.angle), std::sin(leaf.angle)};
     const glm::vec2 across{-along.y, along.x};
-    // The lobes of ivy extend behind the joint of the stalk and beyond the nominal width.
+    // The lobes of an ivy leaf extend behind the joint with the stalk and beyond the nominal width, so a
+    // larger area is searched for texels of the leaf.
     const float spill = leaf.shape == LeafShape::ivy ? 0.45f : 0.05f;
     const glm::vec2 middle = leaf.base + along * (leaf.length * 0.5f);
     const glm::vec2 half{leaf.length * (0.5f + spill) + 1, leaf.width * (0.5f + spill) + 1};
@@ -126,7 +131,8 @@ void draw_leaf(Surface& surface, const LeafStroke& leaf) {
             texel.alpha = std::max(texel.alpha, std::clamp(0.5f + sample.inside * 0.5f, 0.0f, 1.0f));
             if (sample.inside < 0) continue;
             const float rim = smooth_step(0.0f, leaf.width * 0.2f, sample.inside);
-            const float side = s > 0 ? 1.04f : 0.94f;  // the two halves differ in brightness
+            // The two halves of a leaf, left and right of the midrib, differ in brightness.
+            const float side = s > 0 ? 1.04f : 0.94f;
             texel.color_srgb = leaf.color_srgb * (side * (0.8f + 0.2f * rim) * (1 + 0.28f * sample.rib));
             const float fold = std::abs(s) / leaf.width;
             texel.height_m = leaf.depth_m + (fold * 0.010f - sample.rib * 0.002f) + 0.002f * rim;

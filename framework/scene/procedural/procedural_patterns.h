@@ -12,16 +12,16 @@
 
 namespace weft::scene {
 
-// Rows of equal blocks; each row is shifted by `shift` of a block against the previous one. The pattern
-// wraps.
+// A pattern of equal blocks in rows. Each row is shifted against the previous row by `shift` times the width
+// of a block. The pattern repeats at the edges of the texture.
 struct BlockLayout {
     uint32_t columns = 3;
     uint32_t rows = 6;
     float shift = 0.5f;
 };
 struct Block {
-    glm::vec2 local{0};  // 0..1 inside the block
-    float edge_m = 0;    // distance to the nearest joint's centre
+    glm::vec2 local{0};  // Position inside the block; both coordinates go from 0 to 1.
+    float edge_m = 0;    // Distance to the centre line of the nearest joint between blocks, in metres.
     uint32_t id = 0;
     uint32_t column = 0;
     uint32_t row = 0;
@@ -29,32 +29,36 @@ struct Block {
 [[nodiscard]] Block block_at(const BlockLayout& layout, uint32_t x, uint32_t y, uint32_t size,
                              float period_m);
 
-// Thin dark veins, 0 (none) to 1 (on a vein), warped by coarse noise; `offset` picks another part of the
-// stone.
+// Returns the strength of marble's thin dark veins at a texel: 0 is no vein, 1 is the middle of a vein. Noise
+// distorts the veins. `offset` selects another part of the stone.
 [[nodiscard]] float marble_vein(const NoiseBank& bank, uint32_t x, uint32_t y, uint32_t offset);
 
-// Height (0..1) of a plain weave at a texel; the surface has `threads` threads per side.
+// Returns the height (0..1) of a plain weave at a texel. The surface has `threads` threads per side.
 [[nodiscard]] float weave_height(uint32_t x, uint32_t y, uint32_t size, uint32_t threads);
 
-// Signed distance to an eight-pointed star made of two squares, and to a diamond; in the unit of `p`.
+// Returns the signed distance from `p` to the outline of an eight-pointed star made of two squares, in the
+// unit of `p`; negative inside. diamond_distance() does the same for a diamond.
 [[nodiscard]] float star_distance(glm::vec2 p, float radius);
 [[nodiscard]] float diamond_distance(glm::vec2 p, float radius);
 
-// Leaves are drawn on top of each other into a surface whose alpha starts at 0. Lengths in texels, angles in
-// radians.
+// Shapes of leaves. draw_leaf() draws leaves on top of each other into a surface whose alpha starts at 0.
+// Lengths are in texels, angles in radians.
 enum class LeafShape : uint8_t { pointed, round, ivy, needle };
 struct LeafStroke {
-    glm::vec2 base{0};  // the joint with the stalk
-    float angle = 0;    // direction of the midrib; 0 points right, π/2 down
+    glm::vec2 base{0};  // Position of the joint between leaf and stalk, in texels.
+    float angle = 0;    // Direction of the midrib: 0 points right, π/2 points down.
     float length = 100;
     float width = 40;
     LeafShape shape = LeafShape::pointed;
     glm::vec3 color_srgb{0.3f, 0.5f, 0.2f};
-    float depth_m = 0;  // a leaf drawn later covers earlier ones if it is higher
+    // Height of the leaf above the surface. It affects only the normal map: a leaf that is drawn later always
+    // covers the leaves before it.
+    float depth_m = 0;
 };
 void draw_leaf(Surface& surface, const LeafStroke& leaf);
 void draw_stalk(Surface& surface, glm::vec2 from, glm::vec2 to, float width, glm::vec3 color_srgb);
-// A surface with the leaves' colour in its transparent texels, so that filtering causes no dark edges.
+// Makes a transparent surface whose texels have the colour of the leaves. So filtering at the edges of leaves
+// causes no dark rims.
 [[nodiscard]] Surface blank_leaf_surface(uint32_t size_px, float period_m, glm::vec3 color_srgb);
 
 }  // namespace weft::scene

@@ -23,7 +23,7 @@ struct Texel {
     float alpha = 1;
 };
 
-// A square texture that repeats every `period_m`.
+// A square texture that covers `period_m` metres per side and then repeats.
 struct Surface {
     uint32_t size_px = 0;
     float period_m = 1;
@@ -36,28 +36,29 @@ struct Surface {
 [[nodiscard]] Surface make_surface(uint32_t size_px, float period_m,
                                    const std::function<Texel(uint32_t x, uint32_t y)>& recipe);
 
-// Indices into Scene::textures.
+// The textures of one material, as indices into Scene::textures.
 struct SurfaceTextures {
     uint32_t color = kNone;
     uint32_t metallic_roughness = kNone;
     uint32_t normal = kNone;
 };
 
-// Adds the three textures. `keep_coverage` rescales alpha in the lower mips so that masked leaves keep their
-// coverage at a distance (Castaño, "Computing Alpha Mipmaps", 2010), for a cutoff of 0.5.
+// Adds the three textures of a material to the scene. `keep_coverage` rescales alpha in the smaller mips, for
+// a cutoff of 0.5: so masked leaves keep their coverage at a distance (Castaño, "Computing Alpha Mipmaps",
+// 2010).
 [[nodiscard]] SurfaceTextures add_surface(Scene& scene, const std::string& name, const Surface& surface,
                                           bool keep_coverage = false);
 
-// Adds a one-channel picture with values in 0..1 as a linear texture (occlusion).
+// Adds a one-channel picture with values in 0..1 as a linear texture, for example for occlusion.
 [[nodiscard]] uint32_t add_gray_texture(Scene& scene, const std::string& name, uint32_t width_px,
                                         uint32_t height_px, const std::vector<float>& values);
 
-// Adds a display-encoded colour picture with values in 0..1 (emission).
+// Adds a display-encoded colour picture with values in 0..1, for example for emission.
 [[nodiscard]] uint32_t add_color_texture(Scene& scene, const std::string& name, uint32_t size_px,
                                          const std::vector<glm::vec3>& srgb);
 
-// Linear interpolation and smoothstep, for floats and vectors.
+// Smoothstep: 0 below `low`, 1 above `high`, smooth between them.
 [[nodiscard]] float smooth_step(float low, float high, float x);
-[[nodiscard]] glm::vec3 rgb(uint32_t hex);  // converts 0xRRGGBB to 0..1
+[[nodiscard]] glm::vec3 rgb(uint32_t hex);  // Converts a colour 0xRRGGBB to three values in 0..1.
 
 }  // namespace weft::scene
