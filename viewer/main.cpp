@@ -1,4 +1,4 @@
-// The command line. It only fills the options of a command and returns the command's exit code.
+// Parses the command line into the options of a command, runs the command and returns its exit code.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -31,14 +31,14 @@ std::string folder_of(const std::string& file) {
     return file.empty() ? std::string() : std::filesystem::absolute(file).parent_path().string();
 }
 
-// The folder that loading the scene may read: that of the file, or the scene itself; built-in scenes read
-// nothing.
+// Returns the folder that the loader of the scene must be able to read: the folder of the scene file, or the
+// scene itself if it is a folder. Built-in scenes read no files.
 std::string folder_of_scene(const std::string& scene) {
     if (scene.starts_with("builtin:")) return {};
     return std::filesystem::is_directory(scene) ? scene : folder_of(scene);
 }
 
-// The parsed command line.
+// The declared commands and the options that parsing the command line fills.
 struct CommandLine {
     CLI::App app{"weft compiles a render graph written as JSON, checks the plan, and runs it on Vulkan.",
                  "weft"};
@@ -73,7 +73,9 @@ struct CommandLine {
 
 CommandLine::CommandLine() {
     app.set_version_flag("--version", "weft 0.1.0");
-    app.require_subcommand(0, 1);  // no command is accepted here, so that a misspelt one is reported by name
+    // CLI11 also accepts zero commands here. With a minimum of one, CLI11 would not name a misspelt command
+    // in its error.
+    app.require_subcommand(0, 1);
     add_render(*render, render_options, raw);
     add_view(*view, view_options, raw);
     add_check(*check, check_options, raw);
@@ -86,7 +88,8 @@ CommandLine::CommandLine() {
     add_bench(app, bench, raw);
 }
 
-// Runs after parsing: reads values from texts, and copies options that several commands share.
+// Completes the options after parsing: converts texts such as "1280x720" to values, and copies options that
+// several commands share.
 void CommandLine::finish(const Limits& limits) {
     render_options.limits = compare_options.limits = schema_options.limits = limits;
     bench.frame_options.limits = view_options.render.limits = limits;
@@ -104,7 +107,8 @@ void CommandLine::finish(const Limits& limits) {
     }
 }
 
-// nullopt: the command continues, in a sandbox if requested. Otherwise the exit code.
+// Enters the sandbox if the command has --sandbox. Returns nullopt if the command must continue in this
+// process, or otherwise the exit code of the process.
 std::optional<ExitCode> CommandLine::enter_sandbox() {
     SandboxNeeds needs;
     if (render->parsed() && render_options.sandbox) {
@@ -153,9 +157,9 @@ ExitCode CommandLine::run_command() {
     return ExitCode::usage;
 }
 
-// Converts CLI11's exit codes to that of a usage error.
+// Prints the error of CLI11, and converts the exit code of CLI11 to the exit code of Weft for wrong usage.
 int usage_exit(const CLI::App& app, const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help, --version
+    if (error.get_exit_code() == 0) {  // CLI11 also reports --help and --version in this way.
         std::ostringstream text;
         app.exit(error, text, text);
         return exit_with(print_data(text.str()));

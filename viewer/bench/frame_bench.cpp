@@ -9,7 +9,8 @@
 namespace weft::viewer {
 namespace {
 
-// The properties of a pass that must be equal for two passes to count as the same: program, reads and writes.
+// Returns the properties of a pass as one text: name, type, shader, ports and resources. Two passes of
+// different graphs count as the same pass if their texts are equal.
 std::string key_of(const ResolvedGraph& graph, const PassDecl& pass) {
     std::string key = pass.name + " " + pass.type + " " + pass.shader;
     for (const UseDecl& use : pass.uses) key += " " + use.port + "=" + graph.resources[use.resource].name;
@@ -26,7 +27,9 @@ double median_ratio(const std::vector<double>& above, const std::vector<double>&
     return median_of(std::move(ratios));
 }
 
-// The zero of the line through two measured differences; both axes are logarithmic, as in the plot.
+// Returns the number of lights at which the difference of two frame times is zero. The function draws a
+// straight line through the differences `before` (measured at `from` lights) and `after` (measured at `to`
+// lights). The axis of the lights is logarithmic, as in the plot.
 double crossing_at(double from, double to, double before, double after) {
     const double part = before / (before - after);
     return std::exp(std::log(from) + part * (std::log(to) - std::log(from)));
@@ -47,7 +50,7 @@ Spread spread_of(std::vector<double> values) {
 }
 
 double Yardsticks::limit_ms(double bytes, double flops) const {
-    constexpr double kDispatchMs = 0.003;  // lower bound of the time of a pass
+    constexpr double kDispatchMs = 0.003;  // A pass cannot take less time than this (ms).
     return std::max({bytes / bytes_per_s * 1e3, flops / flops_per_s * 1e3, kDispatchMs});
 }
 

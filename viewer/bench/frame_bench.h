@@ -1,5 +1,6 @@
-// Purpose: the measurement of `weft bench frame`: frame times of graphs for several numbers of lights,
-// together with reference measurements of the same run. Units: device times in ms; others as the names say.
+// Purpose: the results of `weft bench frame`. The command measures the frame times of graphs for several
+// numbers of lights, and reference times of trivial passes in the same run. Times on the device are in ms;
+// other units are part of the names.
 #pragma once
 
 #include <array>
@@ -13,49 +14,57 @@
 
 namespace weft::viewer {
 
-// Statistics of a number that was measured in each round.
+// Minimum, quartiles, median and 99th percentile of a value that was measured once per round. In one round,
+// every graph renders one frame.
 struct Spread {
     double min = 0, quarter = 0, median = 0, three_quarters = 0, p99 = 0;
 };
 [[nodiscard]] Spread spread_of(std::vector<double> values);
 
-// Reference measurements: the speed of the device and the cost of a nearly empty pass; medians over all
-// rounds.
+// Reference measurements of the device: the time of a nearly empty pass, the speed of copying and of
+// arithmetic. Each value is the median over all rounds.
 struct Yardsticks {
     double trivial_ms = 0;
     double bytes_per_s = 0;
     double flops_per_s = 0;
 
-    // Lower bound for the time of a pass with this many bytes and operations.
+    // Returns a lower bound (ms) for the time of a pass that transfers `bytes` and does `flops` operations.
     [[nodiscard]] double limit_ms(double bytes, double flops) const;
 };
 
 struct PassResult {
     std::string name;
     uint32_t queue = 0;
-    std::string key;         // passes with equal keys do the same work in all graphs
-    std::vector<double> ms;  // index: round
-    uint64_t bytes = 0;      // bytes of its ports
-    double flops = 0;        // as declared; 0: not declared
-    bool common = false;     // true if all graphs have this pass
+    // Describes the work of the pass. Passes of different graphs with equal keys do the same work.
+    std::string key;
+    std::vector<double> ms;  // Time of the pass on the device in each round.
+    uint64_t bytes = 0;      // Number of bytes that the pass reads and writes through its ports.
+    // Number of floating-point operations that the graph file declares for the pass; 0 if the file declares
+    // none.
+    double flops = 0;
+    bool common = false;  // True if all measured graphs have this pass.
 };
 
-// One graph with one number of lights.
+// The measured times of one graph, rendered with one number of lights.
 struct GraphResult {
     std::string graph;
     uint32_t lights = 0;
-    std::vector<PassResult> passes;  // in the order of the plan
-    std::vector<double> trivial_ms;  // time of the trivial pass, by round
+    std::vector<PassResult> passes;  // The passes in the order in which the plan runs them.
+    std::vector<double> trivial_ms;  // Time of the trivial reference pass in each round.
 
-    // By round. Without the common passes, only the passes in which the graphs differ are counted.
+    // Returns the frame time of each round, as the sum of the times of the passes. If `with_common` is false,
+    // the sum leaves out the passes that all graphs have.
     [[nodiscard]] std::vector<double> frame_ms(bool with_common) const;
 };
 
-// The number of lights at which one graph becomes faster than another, computed from the medians without
-// common passes.
+// The number of lights at which one graph becomes faster than another one. The number is computed from the
+// median times without the common passes.
 struct Crossing {
-    std::string slower, faster;  // which graph is slower or faster above `lights`
-    double lights = 0;           // interpolated between two measured numbers, on logarithmic scales
+    // Names of the graph that is slower, and of the graph that is faster, with more than `lights` lights.
+    std::string slower, faster;
+    // The number of lights at the crossing: interpolated between the two measured numbers in `between`, on
+    // logarithmic scales.
+    double lights = 0;
     std::array<uint32_t, 2> between{};
 };
 
@@ -66,24 +75,27 @@ struct FrameBench {
     std::vector<std::string> graphs;
     std::vector<uint32_t> lights;
     Yardsticks yardsticks;
-    std::vector<GraphResult> results;  // ordered by lights, then graphs
+    // Results of all graphs with the first number of lights, then with the second, and so on.
+    std::vector<GraphResult> results;
 
     [[nodiscard]] const GraphResult& at(size_t light, size_t graph) const {
         return results[light * graphs.size() + graph];
     }
-    // The median over the rounds of this graph's time divided by the first graph's time in the same round.
+    // Divides the time of this graph in each round by the time of the first graph in the same round. Returns
+    // the median of these ratios.
     [[nodiscard]] double ratio_to_first(size_t light, size_t graph, bool with_common) const;
     [[nodiscard]] double ratio_to_trivial(size_t light, size_t graph, bool with_common) const;
     [[nodiscard]] std::vector<Crossing> crossings() const;
 };
 
 [[nodiscard]] std::vector<PassResult> pass_results(const FramePlan& plan);
-// Sets `common` for the passes that all graphs with the same number of lights have.
+// Sets `common` to true for each pass that all graphs have (with the same number of lights).
 void find_common(FrameBench& bench);
 
 [[nodiscard]] std::string bench_text(const FrameBench& bench);
 [[nodiscard]] std::string bench_json(const FrameBench& bench);
-// Both axes are logarithmic: a time proportional to the number of lights is a line of slope 1.
+// Returns the plot as SVG. Both axes are logarithmic: if the time is proportional to the number of lights,
+// the curve is a line of slope 1.
 [[nodiscard]] std::string bench_svg(const FrameBench& bench);
 
 }  // namespace weft::viewer

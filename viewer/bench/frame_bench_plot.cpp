@@ -1,4 +1,5 @@
-// The plot of `weft bench frame`: frame times without the common passes, against the number of lights.
+// Draws the plot of `weft bench frame`: the frame times over the number of lights, without the passes that
+// all graphs have in common.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +11,8 @@ namespace weft::viewer {
 namespace {
 
 constexpr double kWidth = 720, kHeight = 440, kLeft = 60, kRight = 160, kTop = 30, kBottom = 45;
-// Colours that colour-blind readers can distinguish: Okabe and Ito 2008, "Color Universal Design".
+// Colours of the curves, which colour-blind readers can distinguish. Source: Okabe and Ito 2008, "Color
+// Universal Design".
 constexpr std::array kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
 
 std::string number(double value) {
@@ -35,7 +37,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-// Maps values to positions in the picture.
+// Converts a number of lights and a time in ms into a position in the picture.
 class Axes {
  public:
     explicit Axes(const FrameBench& bench) : bench_(bench), least_ms_(1e30) {
@@ -74,7 +76,7 @@ class Axes {
     }
 
  private:
-    // Steps of the axis: 1, 2, 5, 10, 20, …
+    // Returns the next larger mark of the axis after `step`. The marks are 1, 2, 5, 10, 20, 50 and so on.
     static double next(double step) {
         const double first = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
         return step * (first > 1.5 && first < 3 ? 2.5 : 2);

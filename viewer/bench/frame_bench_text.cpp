@@ -1,4 +1,4 @@
-// The tables of `weft bench frame`.
+// Prints the results of `weft bench frame` as text tables.
 #include <cmath>
 #include <cstdio>
 

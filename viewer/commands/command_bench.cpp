@@ -1,4 +1,5 @@
-// `weft bench compile`: measures the compiler's total time, the time of its stages, and the cost of its plan.
+// `weft bench compile`: measures the total time of the graph compiler, the time of its stages, and the
+// quality of the plan (memory, barriers).
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -24,7 +25,7 @@ double us_since(Clock::time_point start) {
 
 struct BenchResult {
     double cold_us = 0, warm_min_us = 0, warm_median_us = 0;
-    std::vector<StageTime> stages;  // times of the fastest warm run
+    std::vector<StageTime> stages;  // Times of the compiler's stages in the fastest run after the first.
     FramePlan plan;
 };
 
@@ -99,7 +100,8 @@ std::string to_text(const BenchOptions& options, const BenchResult& result) {
 
 ExitCode run_bench_compile(const BenchOptions& options) {
     ResolvedGraph graph = make_bench_graph({options.passes, *bench_shape(options.shape), options.seed});
-    // Every third pass gets an asynchronous queue hint, so that several queues are used.
+    // Every third pass gets the hint to run on the asynchronous compute queue. Otherwise, the plan would use
+    // only one queue.
     for (PassId id = 0; options.queues > 1 && id < graph.passes.size(); id += 3)
         graph.passes[id].queue = QueueKind::compute;
     CompileOptions compile_options;

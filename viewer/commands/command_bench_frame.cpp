@@ -1,5 +1,5 @@
-// `weft bench frame`: all graphs of a run and the reference passes render in turn, one frame each, so that
-// other load on the machine affects all of them equally.
+// `weft bench frame`: measures the frame times of several graphs. The graphs and the reference passes take
+// turns, one frame each, so that other load on the machine slows all of them down equally.
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,10 +21,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr uint32_t kWarmFrames = 2;  // enough that every frame in flight has been rendered once
+constexpr uint32_t kWarmFrames = 2;  // Number of unmeasured frames; afterwards each frame slot was used once.
 constexpr const char* kLightsParam = "maxLights";
 
-// One of the programs that render in turn.
+// One of the sessions that take turns: a measured graph, or the graph of the reference passes.
 struct Contestant {
     std::unique_ptr<render::Session> session;
     render::FrameInput frame;
@@ -43,7 +43,7 @@ Diagnostic no_timestamps() {
     return d;
 }
 
-// Returns false if the device has no timestamps.
+// Appends the times of one frame to the results of its passes. Returns false if the device has no timestamps.
 bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
     for (PassResult& pass : passes) {
         const auto timed = std::ranges::find(timing.passes, pass.name, &vk::PassTiming::pass);
@@ -53,7 +53,7 @@ bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
     return true;
 }
 
-// One run of the command.
+// Runs the command once: it renders the rounds for every number of lights and collects the results.
 class Run {
  public:
     explicit Run(const FrameBenchOptions& options)
@@ -151,7 +151,8 @@ class Run {
             if (!contestant) return contestant.take_errors();
             contestants.push_back(std::move(*contestant));
         }
-        // Each round starts with a different graph, so that no graph benefits from the order.
+        // Each round starts with the next graph in the list, so that no graph benefits from always being
+        // first or last.
         for (uint32_t round = 0; round < options_.rounds; ++round)
             for (size_t i = 0; i < contestants.size(); ++i)
                 if (Status s = draw(contestants[(i + round) % contestants.size()], lights); !s) return s;
@@ -194,7 +195,8 @@ ExitCode run_bench_frame(const FrameBenchOptions& options) {
     Run run(options);
     const Result<FrameBench> bench = run.measure();
     if (!bench) return fail_on_device(bench.errors());
-    // If one output cannot be written, the other one still is.
+    // If one of the two outputs (standard output, plot) cannot be written, the command still writes the other
+    // one.
     const ExitCode printed = print_data(options.json ? bench_json(*bench) : bench_text(*bench));
     const ExitCode plotted =
         options.plot.empty() ? ExitCode::ok : output_data(options.plot, bench_svg(*bench));

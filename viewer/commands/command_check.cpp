@@ -48,14 +48,16 @@ void say_ok(const std::string& file, const CheckedGraph& checked) {
 ExitCode run_check(const CheckOptions& options) {
     const bool prints_data = options.json || options.sarif;
     Diagnostics all;
-    // A missing profile is reported only once.
+    // If the device profile cannot be loaded, the error is reported once and no file is checked. Otherwise,
+    // the same error would appear for each file.
     const Result<DeviceProfile> profile = load_profile(options.offline.profile);
     if (!profile) {
         all = profile.errors();
         if (!prints_data) report(all);
     }
     for (const std::string& file : profile ? options.files : std::vector<std::string>{}) {
-        // A shell pattern for graphs also matches the schema file in the same folder.
+        // Skip the schema file: a shell pattern such as graphs/*.json matches the schema in the same folder,
+        // too.
         if (file.ends_with(".schema.json")) continue;
         CheckedGraph checked = check_tiers(file, options.offline);
         if (options.run && !has_errors(checked.found)) {

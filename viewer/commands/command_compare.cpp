@@ -24,7 +24,8 @@ struct Comparison {
     double value = 0;
     const char* unit = "";
     image::Plane map;
-    bool has_summary = false;  // true if the values of `map` are those of the metric
+    // True if `map` contains the values of the metric, so that its mean and maximum can be printed.
+    bool has_summary = false;
 };
 
 bool is_flip(const CompareOptions& options) {
@@ -35,7 +36,8 @@ bool is_psnr(const CompareOptions& options) {
     return options.metric == "psnr";
 }
 
-// The fault in a combination of options; empty if there is none.
+// Returns a message if the options contradict each other, such as --max with --metric psnr. Returns an empty
+// text if the options are valid.
 std::string usage_fault(const CompareOptions& options) {
     if (options.max && is_psnr(options)) return "--max: a higher PSNR is a better one: --min limits it";
     if (options.min && !is_psnr(options)) return "--min: it limits --metric psnr, --max the others";
@@ -57,7 +59,8 @@ Diagnostic sizes_differ(const CompareOptions& options, const Image& a, const Ima
     return d;
 }
 
-// NaN cannot be converted to a display value.
+// Adds an error if a texel of the picture is NaN. NaN cannot be converted to a display value, so most metrics
+// cannot compare such a picture.
 void require_numbers(const Image& picture, const std::string& file, Diagnostics& errors) {
     const auto it = std::find_if(picture.texels.begin(), picture.texels.end(),
                                  [](const glm::vec3& t) { return glm::any(glm::isnan(t)); });
@@ -72,7 +75,7 @@ void require_numbers(const Image& picture, const std::string& file, Diagnostics&
     errors.push_back(std::move(d));
 }
 
-// All reasons why the two pictures cannot be compared.
+// Returns all reasons why the two pictures cannot be compared.
 Diagnostics faults(const CompareOptions& options, const Image& a, const Image& b) {
     Diagnostics errors;
     if (!image::same_size(a, b)) errors.push_back(sizes_differ(options, a, b));
@@ -103,7 +106,8 @@ Comparison compare(const CompareOptions& options, const Image& a, const Image& b
     return result;
 }
 
-// JSON cannot represent infinity.
+// Returns the number as JSON text. JSON cannot represent infinity (the PSNR of equal pictures), so infinity
+// and NaN become null.
 std::string json_number(double value) {
     return std::isfinite(value) ? formatted("%.9g", value) : "null";
 }

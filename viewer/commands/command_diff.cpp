@@ -1,4 +1,4 @@
-// `weft diff`: the differences between the plans of two graph files.
+// `weft diff`: prints the differences between the plans of two graph files.
 #include <filesystem>
 
 #include "viewer/commands/commands.h"
@@ -10,7 +10,8 @@
 namespace weft::viewer {
 namespace {
 
-// FILE or FILE:TIER. If a file with the whole name exists, it is used.
+// Compiles one of the two arguments of `weft diff`. The argument is FILE or FILE:TIER. If a file with the
+// whole name exists (including the colon), the whole argument is the file name.
 Result<OfflinePlan> compile_side(const std::string& side, OfflineOptions options, Diagnostics& warnings) {
     std::error_code error;
     const size_t colon = side.rfind(':');
@@ -24,7 +25,7 @@ Result<OfflinePlan> compile_side(const std::string& side, OfflineOptions options
 }  // namespace
 
 ExitCode run_diff(const DiffOptions& options) {
-    Diagnostics warnings;  // not printed here: `weft check` prints warnings
+    Diagnostics warnings;  // The command does not print warnings of the graphs; `weft check` prints them.
     Result<OfflinePlan> from = compile_side(options.from, options.offline, warnings);
     Result<OfflinePlan> to = compile_side(options.to, options.offline, warnings);
     Diagnostics errors;

@@ -42,7 +42,8 @@ ExitCode run_doctor(const DoctorOptions& options) {
         if (!machine) return fail(machine.errors());
         if (const ExitCode code = print_data(machine_text(*machine)); code != ExitCode::ok) return code;
     }
-    // Creating a device finds more faults than listing it, such as missing features.
+    // Create the device although it is not used: this finds faults that listing the devices does not find,
+    // such as missing features.
     vk::DeviceOptions device_options;
     device_options.device = options.device;
     const Result<std::unique_ptr<vk::Device>> device = vk::Device::create(device_options);

@@ -1,4 +1,4 @@
-// `weft explain`: answers one question about a plan.
+// `weft explain`: answers one question about a plan, such as "why was this pass culled?".
 #include <array>
 #include <cstdio>
 
@@ -44,7 +44,7 @@ ExitCode run_explain(const ExplainOptions& options) {
             stderr);
         return ExitCode::usage;
     }
-    Diagnostics warnings;  // not printed here: `weft check` prints warnings
+    Diagnostics warnings;  // The command does not print warnings of the graph; `weft check` prints them.
     const Result<OfflinePlan> made = compile_offline(options.file, options.offline, warnings);
     if (!made) {
         report(made.errors());

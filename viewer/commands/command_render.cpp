@@ -22,15 +22,15 @@
 namespace weft::viewer {
 namespace {
 
-// Results that remain after the last frame.
+// The results of a run: the picture, the times of the frames, and the last resource that was read back.
 struct RunOutcome {
     vk::ReadbackData output;
     std::vector<vk::FrameTiming> timings;
     std::optional<vk::ReadbackData> last_readback;
 };
 
-// Prints progress on stderr if rendering takes longer than a moment. The device is some frames behind the
-// printed number.
+// Prints the number of rendered frames to stderr if rendering takes longer than a moment. The number can be
+// too high by the frames in flight, which the device has not yet finished.
 class RenderProgress {
  public:
     RenderProgress(const RenderOptions& options, uint32_t frames)
@@ -51,8 +51,8 @@ class RenderProgress {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// Collects results after each frame, because they would otherwise pile up over many frames. Of readbacks only
-// the last is kept; times are kept only if requested.
+// Collects the results after each frame; otherwise they would use more and more memory in a run of many
+// frames. Only the last readback is kept. Times are kept only if the user asks for statistics.
 void collect(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
     std::vector<vk::FrameTiming> timings = session.take_timings();
     if (!options.stats.empty()) std::ranges::move(timings, std::back_inserter(outcome.timings));
@@ -70,7 +70,8 @@ Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, u
         frame.time_s = i * options.fixed_dt_s;
         if (Status s = session.render_frame(frame); !s) return s.take_errors();
         collect(session, options, outcome);
-        // The last frames submitted may still be running.
+        // The last submitted frames may still be running on the device, so the progress does not count these
+        // frames.
         progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
     }
     if (Status s = session.finish(); !s) return s.take_errors();
@@ -84,7 +85,8 @@ Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, u
     return outcome;
 }
 
-// Writes the picture for --output: the graph's output, or the resource of --resource.
+// Writes the picture for --output: the output of the graph or, with --resource, the contents of that
+// resource.
 Status write_picture(const RenderOptions& options, const render::Session& session,
                      const RunOutcome& outcome) {
     const bool is_output = options.resource.empty() && options.request.debug.empty();
@@ -99,13 +101,14 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     if (data.format == Format::undefined)
         return write_file(options.output,
                           {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
-    // Both are already display-encoded.
+    // The output of the graph and the debug views are already encoded for display (sRGB), so no conversion is
+    // needed.
     if (is_output || !options.request.debug.empty()) return write_output_picture(options.output, data);
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind) return kind.errors();
     std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
-    // Raw values are stored in the resource's own units. A PNG is meant for viewing, so it keeps the
-    // exposure.
+    // The pass stored the values with the pre-exposure factor. A raw file (EXR, PFM) must contain the values
+    // in physical units, so the factor is divided out. A PNG is for viewing, so it keeps the factor.
     if (*kind != ImageFileKind::png && is_pre_exposed(session.plan(), options.resource)) {
         for (glm::vec4& texel : texels) texel = glm::vec4(glm::vec3(texel) / session.pre_exposure(), texel.a);
     }
@@ -130,8 +133,9 @@ bool report_messages(const std::vector<vk::Message>& messages) {
     return !messages.empty();
 }
 
-// After a time-out the device may still use the process's memory. Exiting is safe, but destroying objects or
-// unloading the driver is not.
+// Reports the errors and returns the exit code. After a time-out, the device may still use the memory of the
+// process. Then the function ends the process at once, because destroying Vulkan objects or unloading the
+// driver is not safe.
 ExitCode fail_on_device(const Diagnostics& errors) {
     report(errors);
     const ExitCode code = exit_code_for(errors);
@@ -140,7 +144,8 @@ ExitCode fail_on_device(const Diagnostics& errors) {
 }
 
 ExitCode run_render(const RenderOptions& options) {
-    // Only after the graph is compiled is it known whether the resource is an image.
+    // An unknown file extension is an error only for images, not for buffers. With --resource, the kind of
+    // the resource is not known before the graph is compiled, so that check follows later.
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind && options.resource.empty()) {
         report(kind.errors());
@@ -174,7 +179,7 @@ ExitCode run_render(const RenderOptions& options) {
     }
     const std::string& name = options.named_output.empty() ? options.output : options.named_output;
     std::fprintf(stderr, "weft: wrote %s\n", name.c_str());
-    // Destroying the device reports objects that were not freed, so the session is destroyed first.
+    // Destroying the device reports Vulkan objects that still exist, so the session is destroyed first.
     open->session.reset();
     return report_messages(vk::destroy_device(std::move(open->device))) ? ExitCode::validation : ExitCode::ok;
 }

@@ -24,10 +24,12 @@ struct ViewCounts {
     uint32_t reloads = 0;
     uint32_t failed_reloads = 0;
     double longest_swap_ms = 0;
-    uint64_t pictured = 0;  // number of frames up to the last written picture; 0: no picture was written
+    // Number of rendered frames when the last picture was written; 0 if none was written.
+    uint64_t pictured = 0;
 };
 
-// Prints the messages of a reload. After an error, the previous graph keeps running.
+// Prints the messages of a reload of the graph. If the edited file has an error, the previous graph keeps
+// running.
 void tell(const render::Reload& reload, ViewCounts& counts) {
     report(reload.warnings);
     if (!reload.good()) {
@@ -50,8 +52,8 @@ Status write_last_frame(const std::string& path, render::Session& session) {
     return Unit{};
 }
 
-// The frame loop. A program with a window would display each frame and handle window events; this one only
-// waits for the next frame.
+// Renders frames until the end is requested. A program with a window would display each frame here and handle
+// the events of the window; this loop only waits until the next frame is due.
 Result<ViewCounts> draw_frames(const ViewOptions& options, OpenSession& open, render::Reloader& reloader,
                                EndSignals& end) {
     render::Session& session = *open.session;
@@ -62,7 +64,7 @@ Result<ViewCounts> draw_frames(const ViewOptions& options, OpenSession& open, re
     while (options.render.frames == 0 || counts.frames < options.render.frames) {
         const Clock::time_point due = begin + counts.frames * kFrameTime;
         const bool over = end.within(options.fixed_dt ? std::chrono::nanoseconds(0) : due - Clock::now());
-        // At least one frame is rendered, so that a requested picture always exists.
+        // The loop renders at least one frame before it ends, so that the requested picture always exists.
         if (over && counts.frames > 0) break;
         if (const std::optional<render::Reload> reload = reloader.update()) {
             tell(*reload, counts);
@@ -74,11 +76,13 @@ Result<ViewCounts> draw_frames(const ViewOptions& options, OpenSession& open, re
         frame.delta_time_s = options.fixed_dt ? dt_s : now_s - frame.time_s;
         frame.time_s = now_s;
         if (Status s = session.render_frame(frame); !s) return s.take_errors();
-        // Nothing here uses the timings, and they would otherwise pile up.
+        // Discard the timings and readbacks: nothing in this loop uses them, and otherwise they would fill
+        // the memory.
         static_cast<void>(session.take_timings());
         static_cast<void>(session.take_readbacks());
         ++counts.frames;
-        // If a picture cannot be written, rendering continues: only the last write determines the exit code.
+        // If a picture cannot be written, rendering continues. Only the write after the last frame decides
+        // the exit code.
         if (is_picture_due && !options.render.output.empty()) {
             const Status written = write_last_frame(options.render.output, session);
             if (written) counts.pictured = counts.frames;
@@ -116,12 +120,14 @@ ExitCode run_view(const ViewOptions& options) {
             check_outputs({options.render.output, options.render.stats}, inputs_of(options.render));
         code != ExitCode::ok)
         return code;
-    // Block the signals before other threads exist, which could otherwise receive them and end the program.
+    // Block the signals before other threads are created. Otherwise, another thread could receive the signal
+    // and end the program.
     EndSignals end(options.render.frames == 0);
     RenderOptions untimed = options.render;
-    untimed.stats.clear();  // timing adds barriers, which would change what the user views
-    // With a number of frames the run belongs to a script, so a fault is reported instead of waiting for an
-    // edit.
+    // Timing adds barriers to the plan, so it would change the frame that the user looks at.
+    untimed.stats.clear();
+    // With a number of frames, a script probably started the program. Then an error in the graph ends the
+    // program; without a number, the program waits until the user corrects the file.
     Result<std::optional<OpenSession>> opened = open_when_good(untimed, options.render.frames == 0, end);
     if (!opened) return fail_on_device(opened.errors());
     if (!*opened) return ExitCode::invalid_input;

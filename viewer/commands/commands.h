@@ -1,4 +1,5 @@
-// Purpose: the commands of the `weft` program. Each function returns the exit code of the process.
+// Purpose: the commands of the `weft` program. Each function runs one command and returns the exit code of
+// the process.
 #pragma once
 
 #include "viewer/options/options.h"

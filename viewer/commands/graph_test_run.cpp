@@ -19,11 +19,14 @@ namespace {
 
 constexpr double kFrame_s = 1.0 / 60.0;
 
-// Data collected during a run.
+// Results collected while the frames of one test are rendered.
 struct Measured {
-    std::map<std::string, vk::ReadbackData> resources;  // the last content of each resource, by reference
+    // Last contents of each resource that the test reads back. The key is the reference to the resource in
+    // the test.
+    std::map<std::string, vk::ReadbackData> resources;
     size_t black_frames = 0;
-    std::set<std::string> lost;  // persistent resources whose content a tier change did not keep
+    // Names of persistent resources whose contents a change of tier did not keep.
+    std::set<std::string> lost;
 };
 
 bool is_black(const vk::ReadbackData& output) {
@@ -72,7 +75,8 @@ class TestRun {
     }
 
  private:
-    // A test may use less memory than a frame of other commands, so the limit in the messages is the test's.
+    // Adds a hint to errors about too much memory: a test of a graph may use less memory than a frame of
+    // other commands, so the hint names the limit of the test.
     Diagnostics of_a_test(Diagnostics faults) const {
         for (Diagnostic& fault : faults)
             if (fault.code == "W143" || fault.code == "W125")
@@ -82,7 +86,8 @@ class TestRun {
         return faults;
     }
 
-    // Checks the memory of readbacks, which this program keeps too. Returns false after reporting a fault.
+    // Checks that the resources that the test reads back fit into the limit for memory, because this program
+    // stores their contents. If they do not fit, the function adds an error and returns false.
     bool check_readbacks(const FramePlan& plan) {
         const uint64_t most = options_.limits.graph.test_bytes;
         uint64_t bytes = 0;
@@ -100,8 +105,9 @@ class TestRun {
         return false;
     }
 
-    // Returns false after reporting a fault. The parser has counted the frames that tests state; the graph's
-    // own number is known only here.
+    // Subtracts the frames of a run from the frames that all tests together may render. If too few are left,
+    // the function adds an error and returns false. The parser already checked the frame counts that are
+    // written in tests; a test without one uses the frame count of the graph, which is known only here.
     bool take_frames(uint64_t frames) {
         if (frames <= frames_left_) {
             frames_left_ -= frames;
@@ -125,7 +131,8 @@ class TestRun {
         return Unit{};
     }
 
-    // Prepares the next tier on another thread while frames run, as a program would.
+    // Renders frames in one tier after the other. A second thread prepares the next tier while frames are
+    // rendered, as a real program would do.
     Status draw_swapping(render::Session& session) {
         if (!take_frames(test_.swap.size() * uint64_t{test_.every})) return Unit{};
         for (size_t i = 0; i < test_.swap.size(); ++i) {
@@ -159,8 +166,8 @@ class TestRun {
         for (ResourceId id = 0; id < to.graph.resources.size(); ++id) {
             const ResourceDecl& resource = to.graph.resources[id];
             if (resource.ring != id) continue;
-            // For a resource with history, only the copies of earlier frames count; the current frame's copy
-            // is rewritten.
+            // A resource with history has several copies. Only the copies of earlier frames must be kept,
+            // because the current frame overwrites its own copy.
             const bool carried = std::ranges::any_of(
                 between.carried, [&](const CarryOver& c) { return to.graph.resources[c.to].ring == id; });
             if (!carried) measured_.lost.insert(resource.name);
@@ -218,8 +225,9 @@ class TestRun {
         }
     }
 
-    // Calls visit(values, index of the first) piece by piece, because decoded texels may need sixteen times
-    // their memory. Words of buffers are interpreted as floats. Ends when visit() returns false.
+    // Decodes the data in pieces and calls visit(values, index of the first value) for each piece. Pieces are
+    // necessary because decoded texels may need sixteen times the memory of the data. Words of a buffer are
+    // interpreted as floats. The function returns when visit() returns false.
     template <class F>
     static void visit_values(const vk::ReadbackData& data, F visit) {
         constexpr size_t kTexelsAtOnce = 1u << 16;
@@ -291,7 +299,7 @@ class TestRun {
     const GraphDesc& graph_;
     const GraphTestDesc& test_;
     std::string tier_;
-    uint64_t& frames_left_;  // remaining frames of all runs
+    uint64_t& frames_left_;  // Number of frames that all remaining test runs together may render.
     uint64_t frame_ = 0;
     render::FrameInput input_;
     Measured measured_;

@@ -1,4 +1,5 @@
-// Purpose: the shipped graphs and shaders, as every command loads them.
+// Purpose: the settings with which every command loads graphs and shaders: the folders of the shipped files,
+// the shader cache and the limits.
 #pragma once
 
 #include "weft/limits.h"

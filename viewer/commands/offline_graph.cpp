@@ -56,8 +56,8 @@ Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOption
     OfflinePlan made{compile(loaded->graph, profile_needs(loaded->graph, *profile), compile_options),
                      std::move(*profile),
                      {}};
-    // A graph without an output is meant to be included by others, which may declare the resources that its
-    // views show.
+    // Check the debug views only if the graph has an output. A graph without an output is a module that other
+    // graphs include, and those graphs may declare the resources that the views show.
     if (loaded->graph.output != kNoId)
         made.view_faults = of_tier(debug_view_faults(loaded->desc), options.request.tier);
     for (Diagnostic& d : made.view_faults) d.pointer = pointer_at(document, d.file, d.line, d.column);

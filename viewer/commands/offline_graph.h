@@ -1,7 +1,7 @@
-// Purpose: compiles and checks a graph without a device, for commands that do not need one. A profile
+// Purpose: compiles and checks a graph without a device. A device profile (properties of a device as data)
 // replaces the device and gives the memory requirements of resources. Errors: those of the graph, of the
-// profile (W140, W141) and of the checker. Warning W142: the plan needs more memory than the profile's device
-// has.
+// profile (W140, W141) and of the plan checker. Warning W142: the plan needs more memory than the device of
+// the profile has.
 #pragma once
 
 #include <optional>
@@ -20,11 +20,13 @@ namespace weft::viewer {
 struct OfflinePlan {
     FramePlan plan;
     DeviceProfile profile;
-    Diagnostics view_faults;  // faults in the "debug" section; a view may show a resource that only another
-                              // tier has
+    // Errors in the "debug" section. They are separate, because a view may show a resource that only another
+    // tier has.
+    Diagnostics view_faults;
 };
 
-// Data that all tiers of one document share; the first compilation fills it.
+// Data that all tiers of one document share, so that they are computed once. The first compilation fills the
+// fields.
 struct SharedByTiers {
     ShaderMemory shaders;
     std::optional<SkippedFormats> formats;

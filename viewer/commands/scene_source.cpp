@@ -24,15 +24,17 @@ namespace {
 
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
-// In a portrait picture, the first camera of a built-in scene keeps the horizontal view of a picture of this
-// aspect.
+// The aspect ratio (width / height) for which the cameras of the built-in scenes were placed. In a portrait
+// picture, the default camera shows as much to the left and right as in a picture of this aspect ratio.
 constexpr float kShownAspect = 4.0f / 3.0f;
 
-// The range of coordinates in --camera. Single precision is too coarse for scenes that are farther away.
+// Allowed coordinates of --camera. Single precision is too coarse for places that are farther from the
+// origin.
 constexpr NumberRange kPlace{-1e9, 1e9, "m"};
 constexpr NumberRange kFieldOfView{0.01, 179, "degrees"};
 
-// Luminances near 1, so that lights of a few candela or lux in a file are visible at exposure 0.
+// Luminance of the default sky. The values are near 1, so that lights of a few candela or lux in a scene file
+// are visible beside the sky at exposure 0.
 constexpr glm::vec3 kPlainSkyZenith{0.28f, 0.42f, 0.70f};
 constexpr glm::vec3 kPlainSkyHorizon{0.75f, 0.82f, 0.90f};
 
@@ -63,7 +65,7 @@ Status apply_environment(scene::Scene& scene, const std::string& env, const Scen
     return Unit{};
 }
 
-// Empty if one of them is not a finite number.
+// Parses numbers separated by commas. Returns an empty list if one of them is not a finite number.
 std::vector<double> numbers(const std::string& text) {
     std::vector<double> values;
     for (size_t at = 0; at <= text.size();) {
@@ -131,7 +133,7 @@ scene::Camera default_camera(const scene::Scene& scene, const CameraChoice& choi
     return camera;
 }
 
-// Loads the file and prints progress on stderr.
+// Loads a glTF file and prints the progress to stderr.
 Result<scene::Scene> load_file(const std::string& name, const SceneLimits& limits, Diagnostics& warnings) {
     const auto begin = std::chrono::steady_clock::now();
     ProgressText text("loading " + std::filesystem::path(name).filename().string(),
@@ -169,7 +171,8 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& li
     Result<scene::Scene> scene =
         builtin ? scene::make_builtin(name, options) : load_file(name, limits, warnings);
     if (!scene) return scene;
-    SceneLimits rest = limits;  // the environment uses the same memory budget as the scene
+    // The environment picture may use the part of the memory limit that the scene leaves.
+    SceneLimits rest = limits;
     rest.memory_bytes -= std::min(rest.memory_bytes, scene->memory_bytes);
     if (Status applied = apply_environment(*scene, choice.env, rest); !applied) return applied.take_errors();
     const bool has_seeded_lights = builtin && name == "lights";

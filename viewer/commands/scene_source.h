@@ -1,6 +1,6 @@
-// Purpose: opens the scene and camera for the command line's SCENE, --camera, --env, --time and --lights.
-// Errors: S… of the loaders; S130 unknown camera, X520 malformed camera, X521 a scene without time of day,
-// X522 a graph in place of a scene.
+// Purpose: opens the scene and chooses the camera for the arguments SCENE, --camera, --env, --time and
+// --lights. Errors: S... from the loaders, S130 unknown camera, X520 malformed camera, X521 the scene has no
+// time of day, X522 the file is a graph and not a scene.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,19 @@ namespace weft::viewer {
 struct SceneChoice {
     std::string name;
     std::string env = "sky";
-    std::optional<float> hour;       // time of day, for a built-in scene that supports it
-    std::optional<uint32_t> lights;  // number of seeded lights
+    std::optional<float> hour;       // Hour of the day, 0 to 24, for a built-in scene that has a time of day.
+    std::optional<uint32_t> lights;  // Number of generated lights that replace the lights of the scene.
     uint32_t seed = 1;
 };
 
-// `scene` is a .gltf or .glb, a folder that contains one, or "builtin:NAME". `env` is "sky", "none" or a
-// Radiance picture. With a sky, a scene without any light gets a sun, so that it is visible. Seeded lights
-// replace the scene's own lights; those of builtin:lights move.
+// Opens a scene. The name is a .gltf or .glb file, a folder that contains such a file, or "builtin:NAME". The
+// environment `env` is "sky", "none" or a Radiance picture. With "sky", a scene without any light gets a sun,
+// because it would be dark otherwise. If `lights` is set, generated lights replace the lights of the scene.
+// In builtin:lights the generated lights move.
 [[nodiscard]] Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits,
                                               Diagnostics& warnings);
 
-// X522 if `name` is a graph, given as the scene by mistake.
+// Returns the error X522 if the file `name` is a graph, which the user gave as the scene by mistake.
 [[nodiscard]] Status expect_scene(const std::string& name);
 
 [[nodiscard]] inline float aspect_of(Extent3D size) {
@@ -35,14 +36,15 @@ struct SceneChoice {
 }
 
 struct CameraChoice {
-    std::string scene;   // same value as in SceneChoice
-    std::string camera;  // a name, seven numbers EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, or empty
-    float aspect = 1;    // width / height of the picture
+    std::string scene;  // Name of the scene, with the same value as SceneChoice::name.
+    // Name of a camera in the scene, or seven numbers EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, or empty.
+    std::string camera;
+    float aspect = 1;  // Width divided by height of the picture.
 };
 
-// An empty choice selects the scene's first camera, or a camera that shows the whole scene. For a portrait
-// picture, the first camera of a built-in scene keeps the horizontal view of a 4:3 picture, unless the camera
-// is inside the scene.
+// Returns the chosen camera. If `choice.camera` is empty, this is the first camera of the scene. If the scene
+// has none, it is a camera that shows the whole scene. In a portrait picture, the first camera of a built-in
+// scene keeps the horizontal field of view of a 4:3 picture, unless the camera is inside the scene.
 [[nodiscard]] Result<scene::Camera> choose_camera(const scene::Scene& scene, const CameraChoice& choice);
 
 }  // namespace weft::viewer

@@ -16,7 +16,8 @@
 namespace weft::viewer {
 namespace {
 
-// The environment is in cd/m²; the exposure determines the luminance of a white pixel.
+// Warns if the environment picture is more than 6 stops too dark or too bright for the exposure. Texels of
+// the picture are luminances in cd/m².
 void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
     constexpr float kMiddleGrey = 0.18f, kMostStops = 6;
     const float mean = mean_luminance(scene.environment);
@@ -74,7 +75,8 @@ SessionOpener::SessionOpener(const RenderOptions& options, Attempts attempts)
       passes_(registered_passes()),
       input_(session_input(options, passes_)) {}
 
-// Called before the slow work of loading a scene and creating a device.
+// Parses and checks the graph file. open() calls this function first, because an error in the file should
+// appear before the slow work of loading a scene and creating a device.
 Result<ParsedGraph> SessionOpener::parse_checked() {
     Result<ParsedGraph> parsed = parse_graph(input_.request, input_.load, &files_);
     if (!parsed) return parsed;

@@ -1,5 +1,6 @@
-// Purpose: opens a session step by step: graph, scene, camera, device, session. After a fault in the graph's
-// files the scene and the device are kept, so that trying again is cheap. Errors: as open_session().
+// Purpose: opens a session in steps: graph, scene, camera, device, session. If the files of the graph contain
+// an error, the loaded scene and the device are kept, so that the next attempt is fast. Errors: those of
+// open_session().
 #pragma once
 
 #include <cstdint>
@@ -15,19 +16,21 @@ namespace weft::viewer {
 
 class SessionOpener {
  public:
-    // With one attempt the session takes ownership of the scene, which needs less memory.
+    // If open() is called only once (`one`), the session takes ownership of the scene instead of a copy. This
+    // needs less memory.
     enum class Attempts : uint8_t { one, many };
-    // `options` must outlive it.
+    // `options` must exist as long as the SessionOpener, which stores a reference.
     SessionOpener(const RenderOptions& options, Attempts attempts);
 
-    // Warnings are printed on stderr. With many attempts it may be called again after an error, but not after
-    // a success.
+    // Opens the session and prints warnings to stderr. With Attempts::many, the function may be called again
+    // after an error, but not after a success.
     [[nodiscard]] Result<OpenSession> open();
 
-    // After an error: true if an edit of files() may correct it.
+    // Returns true if the last open() failed because of the files of the graph, so that an edit of files()
+    // may correct the error.
     [[nodiscard]] bool is_fixable() const { return is_fixable_; }
-    // The files of the graph, its includes and its shaders that were searched, existing or not. Absolute
-    // paths.
+    // Returns the absolute paths of the graph, its includes and its shaders. Paths that were searched but do
+    // not exist are in the list, too, because the user may create these files.
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
 
  private:

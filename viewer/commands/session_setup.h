@@ -1,5 +1,5 @@
-// Purpose: makes a session from the command line, for commands that render. Errors: those of scenes (S…),
-// devices (V…) and Session::create().
+// Purpose: opens a session with the options of the command line, for commands that render. Errors: those of
+// scenes (S...), devices (V...) and Session::create().
 #pragma once
 
 #include <memory>
@@ -13,24 +13,29 @@ namespace weft::viewer {
 
 struct OpenSession {
     std::unique_ptr<vk::Device> device;
-    render::FrameInput frame;                  // with the camera and the exposure; the caller sets the times
-    std::unique_ptr<render::Session> session;  // last: destroyed first
+    // Input of each frame: the camera and the exposure are set, and the caller sets the times.
+    render::FrameInput frame;
+    // Last member, because the session must be destroyed before the device.
+    std::unique_ptr<render::Session> session;
 };
 
-// The session's input for these options.
+// Converts the options of the command line to the input of a session.
 [[nodiscard]] render::SessionInput session_input(const RenderOptions& options, const PassCatalog& passes);
-// The camera's view of the scene, at the exposure of the options, or else the scene's exposure.
+// Returns the input of a frame: the camera, and the exposure of the options. Without --exposure, the exposure
+// of the scene is used.
 [[nodiscard]] render::FrameInput frame_input(const RenderOptions& options, const scene::Scene& scene,
                                              const scene::Camera& camera);
 [[nodiscard]] Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options);
-// Warnings are printed on stderr.
+// Opens the graph, the scene, the device and the session. Warnings are printed to stderr.
 [[nodiscard]] Result<OpenSession> open_session(const RenderOptions& options);
-// For the graph's output or a debug view, which are display-encoded: a PNG stores their bytes unchanged.
+// Writes the output of the graph or a debug view as a picture. Both are already encoded for display, so a PNG
+// contains their bytes unchanged.
 [[nodiscard]] Status write_output_picture(const std::string& path, const vk::ReadbackData& data);
-// Prints the messages of the validation layers, by pass. True if there were any.
+// Prints the messages of the validation layers with the name of the pass. Returns true if there were any
+// messages.
 bool report_messages(const std::vector<vk::Message>& messages);
-// Prints the errors and returns their exit code. After a time-out it exits at once, without destroying
-// objects that the device may still use.
+// Prints the errors and returns the exit code for them. After a time-out of the device, the function ends the
+// process at once, because the device may still use objects that would be destroyed.
 [[nodiscard]] ExitCode fail_on_device(const Diagnostics& errors);
 
 }  // namespace weft::viewer

@@ -10,7 +10,8 @@
 namespace weft::viewer {
 namespace {
 
-// One tier may use something that another does not, so these warnings need a comparison of all tiers.
+// Codes of warnings that something is unused, such as a resource. Another tier may use it, so such a warning
+// counts only if all tiers report it.
 constexpr std::array kUnusedCodes{"W130", "W132", "W133", "W134", "W135", "W136"};
 
 class Findings {
@@ -20,7 +21,7 @@ class Findings {
         for (Diagnostic& d : found) {
             const auto [it, is_new] = seen_.try_emplace(std::tuple(d.code, d.file, d.line, d.column),
                                                         Seen{all_.size(), variants_, variants_, 1});
-            // Two different messages of one tier about the same place are both kept.
+            // If one tier reports two messages at the same place, both are kept.
             if (is_new || it->second.first == variants_) {
                 all_.push_back(std::move(d));
             } else if (it->second.last != variants_) {
@@ -30,7 +31,8 @@ class Findings {
         }
     }
 
-    // Returns the messages that all variants have.
+    // Returns the messages that all variants of the file have. A variant is the file with one tier, or
+    // without a tier.
     Diagnostics take_common() {
         Diagnostics kept;
         for (const auto& [place, seen] : seen_)
@@ -38,7 +40,8 @@ class Findings {
         return kept;
     }
 
-    // A warning about something unused is kept only if all tiers give it.
+    // Returns all messages. A warning that something is unused is left out if it is not reported for all
+    // variants.
     Diagnostics take() {
         std::vector<bool> used(all_.size(), false);
         for (const auto& [place, seen] : seen_) {
@@ -55,9 +58,10 @@ class Findings {
  private:
     struct Seen {
         size_t index;
-        size_t first;     // first variant with this message
-        size_t last;      // last variant with this message
-        size_t variants;  // number of variants with this message
+        // Number of the first variant (file with one tier, or without a tier) that has the message.
+        size_t first;
+        size_t last;      // Number of the last variant that has the message.
+        size_t variants;  // Number of variants that have the message.
     };
     Diagnostics all_;
     std::map<std::tuple<std::string, std::string, uint32_t, uint32_t>, Seen> seen_;
@@ -92,8 +96,8 @@ CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options)
         findings.add(std::move(found));
     }
     checked.found = findings.take();
-    // A view of a resource that only some tiers have is not a fault: the other tiers list the view as
-    // unavailable.
+    // Report a fault in a debug view only if all tiers have the fault. A view may show a resource that only
+    // some tiers have; in the other tiers the view is listed as unavailable.
     for (Diagnostic& d : views.take_common()) checked.found.push_back(std::move(d));
     return checked;
 }

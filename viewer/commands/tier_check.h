@@ -1,4 +1,5 @@
-// Purpose: checks a graph file without a tier and with each of its tiers, and reports each cause once.
+// Purpose: checks a graph file without a tier and with each of its tiers. The same message in several tiers
+// is reported only once.
 #pragma once
 
 #include <optional>
@@ -9,13 +10,15 @@
 namespace weft::viewer {
 
 struct CheckedGraph {
-    Diagnostics found;              // messages of all tiers; Diagnostic::tier is the first tier with the
-                                    // message
-    size_t tiers = 0;               // number of tiers, not counting the file without a tier
-    std::optional<FramePlan> plan;  // plan of the requested tier, or of the file without a tier
+    // Messages of all tiers. In each message, Diagnostic::tier names the first tier that has the message.
+    Diagnostics found;
+    // Number of tiers in the file. The file without a tier is also checked, but not counted.
+    size_t tiers = 0;
+    // Plan of the requested tier. If no tier was requested, the plan of the file without a tier.
+    std::optional<FramePlan> plan;
 };
 
-// Checks all tiers, or only the one in `options`.
+// Checks the graph file with all tiers. If `options` names a tier, only this tier is checked.
 [[nodiscard]] CheckedGraph check_tiers(const std::string& file, const OfflineOptions& options);
 
 }  // namespace weft::viewer

@@ -13,7 +13,7 @@
 namespace weft::viewer {
 namespace {
 
-// Returns false if the command was told to end first.
+// Waits until a watched file changes. Returns false if the user ended the command before.
 bool wait_for_change(render::FileWatch& watch, EndSignals& end) {
     std::atomic<bool> is_over = false, has_changed = false;
     std::thread waiter([&] {
@@ -25,7 +25,8 @@ bool wait_for_change(render::FileWatch& watch, EndSignals& end) {
     return has_changed;
 }
 
-// If the file does not exist, its name is probably misspelt, so waiting for an edit is useless.
+// Returns false if the graph file does not exist. Then its name is probably misspelt, so waiting for an edit
+// is useless.
 bool is_there(const std::string& graph) {
     std::error_code error;
     return graph.empty() || std::filesystem::is_regular_file(graph, error);
@@ -41,7 +42,8 @@ Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, 
         Result<OpenSession> open = opener.open();
         if (open) return std::optional(std::move(*open));
         if (!waits || !opener.is_fixable() || !is_there(options.request.path)) return open.take_errors();
-        // Edits before this point were not watched, so try again.
+        // The files were not watched before this call, and may have been edited since they were read. So open
+        // them once more.
         if ((*watch)->watch(opener.files())) continue;
         report(open.errors());
         std::fprintf(stderr, "weft: waiting for the graph to be mended\n");

@@ -1,4 +1,5 @@
-// Purpose: the start of `weft view`: opens a session, or waits until the graph is free of faults.
+// Purpose: the start of `weft view`: opens a session. If the graph has an error, the command waits until the
+// user corrects the file.
 #pragma once
 
 #include <optional>
@@ -8,9 +9,10 @@
 
 namespace weft::viewer {
 
-// Opens the session. If `waits`, faults in the graph or its shaders are printed, and each change of one of
-// their files leads to another attempt. nullopt: the command was told to end before a session was open.
-// Errors: those of open_session(); if `waits`, only errors that an edit of these files cannot correct.
+// Opens the session. If `waits` is true, errors in the graph or its shaders are printed, and each change of
+// these files leads to a new attempt. Returns nullopt if the user ended the command before a session was
+// open. Errors: those of open_session(). If `waits` is true, only errors that an edit of these files cannot
+// correct are returned.
 [[nodiscard]] Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, bool waits,
                                                                 EndSignals& end);
 

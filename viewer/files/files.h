@@ -1,5 +1,5 @@
-// Purpose: finds the files that are part of Weft (graphs, shaders, profiles) wherever the program is
-// installed, and reads regular files.
+// Purpose: finds the files that are part of Weft (graphs, shaders, profiles), wherever the program is
+// installed. Also reads regular files up to a size limit.
 #pragma once
 
 #include <filesystem>
@@ -13,21 +13,24 @@
 
 namespace weft::viewer {
 
-// The folder that contains graphs/ and shaders/: ../share/weft beside the installed program, or else a folder
-// above the program.
+// Returns the folder that contains graphs/ and shaders/. If the program is installed in bin/, this is
+// ../share/weft; otherwise it is a folder above the program.
 [[nodiscard]] std::filesystem::path shipped_root();
-// The folder of the shader cache: $XDG_CACHE_HOME/weft or ~/.cache/weft; empty when neither variable is set.
+// Returns the folder of the shader cache: $XDG_CACHE_HOME/weft/shaders or ~/.cache/weft/shaders. Returns an
+// empty path if neither XDG_CACHE_HOME nor HOME is set.
 [[nodiscard]] std::filesystem::path shader_cache();
 
-// Reads at most `most_bytes` + 1 bytes, so that the caller can detect a file over the limit.
+// Returns the contents of a file, or nullopt if the file cannot be read. If the file is larger than
+// `most_bytes`, the returned text has `most_bytes` + 1 bytes, so that the caller detects the excess.
 [[nodiscard]] std::optional<std::string> read_file(const std::string& path, uint64_t most_bytes);
 [[nodiscard]] FileReader reader_up_to(uint64_t most_bytes);
 
-// Reads a --limits file; returns the defaults when `file` is empty. Errors: X560, W001 to W005.
+// Reads the file of the option --limits. Returns the default limits if `file` is empty. Errors: X560, W001 to
+// W005.
 [[nodiscard]] Result<Limits> load_limits(const std::string& file);
 
-// Reads a profile file, or one of the shipped profiles by its name ("tiler"); empty: lavapipe. Errors: W140,
-// W141.
+// Reads a device profile from a file, or one of the shipped profiles by its name, such as "tiler". An empty
+// text selects the profile "lavapipe". Errors: W140, W141.
 [[nodiscard]] Result<DeviceProfile> load_profile(const std::string& file_or_name);
 
 }  // namespace weft::viewer

@@ -12,9 +12,10 @@ namespace weft::viewer {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr size_t kMostFiles = 4096;  // largest number of files read from a folder
+// At most this number of files in a folder are compared with the misspelt name.
+constexpr size_t kMostFiles = 4096;
 
-// Names in `folder`, in the form of a path that starts with the folder.
+// Returns the names of the files in `folder`, without the folder.
 std::vector<std::string> names_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code error;
@@ -35,7 +36,8 @@ void add(std::vector<std::string>& all, std::string text) {
     if (std::ranges::find(all, text) == all.end()) all.push_back(std::move(text));
 }
 
-// Matches the whole path, or the name without folder and extension: "deferred" for "graphs/deferred.json".
+// Adds shipped graphs with a similar name. Only the name without folder and extension is compared, so that
+// "deferred" finds "graphs/deferred.json".
 void add_shipped_graphs(const fs::path& path, std::vector<std::string>& near) {
     const fs::path folder = shipped_root() / "graphs";
     std::vector<std::string> stems;

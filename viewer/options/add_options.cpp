@@ -14,7 +14,7 @@ void add_sandbox(CLI::App& command, bool& sandbox) {
                      "for untrusted files: run in a process that can open no other files");
 }
 
-// Options for compilation without a device.
+// Adds the options of commands that compile a graph without a device.
 void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     command.add_option("--profile", o.profile,
                        "a device profile: a file, or the name of a shipped one [lavapipe]");

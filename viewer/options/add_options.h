@@ -1,5 +1,5 @@
-// Purpose: declares the flags and arguments of each command. Parsing writes their values to the options of
-// the command, and texts that need further parsing to RawTexts.
+// Purpose: declares the flags and arguments of each command. Parsing stores the values in the options of the
+// command. Texts that need further conversion go to RawTexts.
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@ class App;
 
 namespace weft::viewer {
 
-// Texts that are parsed further after the command line.
+// Texts of options such as --size 1280x720, which are converted to values after the whole command line is
+// parsed.
 struct RawTexts {
     std::string size = "1280x720";
     std::string bench_size = "640x360";
@@ -33,7 +34,7 @@ void add_compare(CLI::App& command, CompareOptions& options, RawTexts& raw);
 void add_doctor(CLI::App& command, DoctorOptions& options);
 void add_limits(CLI::App& command, RawTexts& raw);
 
-// The commands `bench compile` and `bench frame`.
+// The CLI11 objects and the options of the commands `bench compile` and `bench frame`.
 struct BenchCommands {
     CLI::App* app = nullptr;
     CLI::App* compile = nullptr;

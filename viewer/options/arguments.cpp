@@ -28,7 +28,7 @@ constexpr std::array kFutureViewFlags{
 constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
                                   FutureFlags{"view", kFutureViewFlags}};
 
-// Shaders get parameters as 32-bit floats.
+// Range of values of --param. Shaders get parameters as 32-bit floats.
 constexpr NumberRange kParam{-3.4e38, 3.4e38, ""};
 constexpr uint64_t kMostSide_px = 16'384;
 
@@ -36,7 +36,7 @@ bool is_truth(const std::string& text) {
     return text == "true" || text == "false";
 }
 
-// The text ": did you mean …?", or an empty text.
+// Returns ": did you mean ...?" with the most similar known word, or an empty text if no word is similar.
 std::string with_guess(const std::string& text, const std::vector<std::string>& known) {
     const std::string guess = did_you_mean_text(text, known);
     return guess.empty() ? "" : ": " + guess;

@@ -1,4 +1,5 @@
-// Purpose: notations of the command line (sizes, parameters), and names that are reserved for later versions.
+// Purpose: parses texts of the command line (sizes, parameters), and lists names that are reserved for later
+// versions.
 #pragma once
 
 #include <map>
@@ -9,25 +10,30 @@
 
 namespace weft::viewer {
 
-// The fault in a size such as "1280x720"; empty if it is valid.
+// Returns a message if `text` is not a valid size such as "1280x720". Returns an empty text if the size is
+// valid.
 [[nodiscard]] std::string size_fault(const std::string& text);
 [[nodiscard]] Extent3D parse_size(const std::string& text);
 
-// The fault in a value of --env, as far as it can be found without opening a file; empty if there is none.
+// Returns a message if `text` is not a valid value of --env. Only the text is checked, because no file is
+// opened here. Returns an empty text if the value is valid.
 [[nodiscard]] std::string env_fault(const std::string& text);
 
-// The fault in NAME=VALUE, where VALUE must be a number, true or false; empty if it is valid.
+// Returns a message if `text` is not NAME=VALUE, where VALUE must be a number, true or false. Returns an
+// empty text if the parameter is valid.
 [[nodiscard]] std::string param_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, double> parse_params(const std::vector<std::string>& texts);
 
-// The fault in a word that is not one of the choices; empty if it is one.
+// Returns a message if `text` is none of the choices. Returns an empty text if it is one of them.
 [[nodiscard]] std::string choice_fault(const std::string& text, const std::vector<std::string>& choices);
 
-// The fault in the file name of a plot; empty if it is valid.
+// Returns a message if the file name of a plot does not end with .svg. Returns an empty text if the name is
+// valid.
 [[nodiscard]] std::string plot_fault(const std::string& text);
 
-// A message for a flag or command that is reserved for a later version; empty if the arguments contain none.
-// It is reported before any other fault, and its values are not checked.
+// Returns a message if the arguments contain a flag or command that is reserved for a later version;
+// otherwise an empty text. This check runs before all others, so that the user does not get a confusing
+// message about the values of the flag.
 [[nodiscard]] std::string future_fault(const std::vector<std::string>& arguments);
 
 }  // namespace weft::viewer

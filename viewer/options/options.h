@@ -1,4 +1,5 @@
-// Purpose: the options of each command as a struct. add_options.h fills them, the commands read them.
+// Purpose: the options of each command as a struct. The functions in add_options.h fill the structs, and the
+// commands read them.
 #pragma once
 
 #include <cstdint>
@@ -15,44 +16,50 @@ namespace weft::viewer {
 struct RenderOptions {
     std::string scene = "builtin:atrium";
     std::string output = "frame.png";
-    GraphRequest request;  // an empty path: the shipped graphs/deferred.json
-    uint32_t frames = 0;   // 0: the number in the graph
+    GraphRequest request;  // The graph; an empty path means the shipped graphs/deferred.json.
+    uint32_t frames = 0;   // Number of frames to render; 0 means the number that the graph declares.
     double fixed_dt_s = 1.0 / 60.0;
     std::string camera;
     std::string env = "sky";
     std::optional<float> hour;
-    std::optional<uint32_t> lights;  // number of seeded lights that replace the scene's lights
+    std::optional<uint32_t> lights;  // Number of generated lights that replace the lights of the scene.
     uint32_t seed = 1;
     std::optional<float> exposure_ev;
-    std::string resource;  // reference to a resource that is written instead of the output
+    // The resource that is written instead of the output, such as "normal" or "hdr@sky".
+    std::string resource;
     bool validate = false;
-    bool quiet = false;  // do not repeat warnings that were already printed
+    bool quiet = false;  // If true, warnings are not printed, because they were already printed.
     std::string stats;
     std::string device;
     double timeout_s = 60;
     uint32_t queues = 1;
-    std::string drop_barriers_before;  // for tests only
+    // Pass without barriers before it. Only tests use this, to check that errors are detected.
+    std::string drop_barriers_before;
     bool sandbox = false;
-    std::string named_output;  // name of the output in messages; empty: the output's path
+    std::string named_output;  // Name of the output file in messages; if empty, the path in `output` is used.
     Limits limits;
 };
 
-// Files that the command reads. A word such as "sky" is included too, because a file may have that name.
+// Returns the files that the command reads. A word such as "sky" is included, too, because a file may have
+// that name.
 [[nodiscard]] inline std::vector<std::string> inputs_of(const RenderOptions& options) {
     return {options.scene, options.request.path, options.env};
 }
 
 struct ViewOptions {
-    RenderOptions render;  // frames = 0: run until told to end; output empty: write no picture
+    // If `frames` is 0, the command renders until the user ends it. If `output` is empty, no picture is
+    // written.
+    RenderOptions render;
     bool headless = false;
-    bool fixed_dt = false;  // true: each frame advances time by render.fixed_dt_s, as fast as possible;
-                            // false: real time
+    // If true, each frame advances time by render.fixed_dt_s, and frames are rendered as fast as possible. If
+    // false, the program uses the real time.
+    bool fixed_dt = false;
 };
 
-// Options for compilation without a device.
+// Options for compiling a graph without a device.
 struct OfflineOptions {
-    GraphRequest request;  // without a path: each command takes that from its FILE
-    std::string profile;   // a file, or the name of a shipped profile; empty: lavapipe
+    GraphRequest request;  // The path is empty here; each command fills it from its argument FILE.
+    std::string profile;   // A profile file, or the name of a shipped profile; if empty, "lavapipe".
     uint32_t queues = 1;
     Limits limits;
 };
@@ -61,9 +68,9 @@ struct CheckOptions {
     std::vector<std::string> files;
     OfflineOptions offline;
     bool json = false;
-    bool sarif = false;  // `json` and `sarif` exclude each other
-    bool run = false;    // also run the graphs' own tests
-    std::string device;  // the device for these tests
+    bool sarif = false;  // Prints the errors as SARIF; `json` and `sarif` exclude each other.
+    bool run = false;    // If true, the tests in the graph files also run on a device.
+    std::string device;  // The device on which `run` runs the tests: an index, or part of the name.
     bool sandbox = false;
 };
 
@@ -76,16 +83,16 @@ struct PlanOptions {
 };
 
 struct SchemaOptions {
-    std::string file;    // empty: the schema of all graphs
-    std::string output;  // empty: stdout
+    std::string file;    // The graph whose names the schema proposes; if empty, the schema is for all graphs.
+    std::string output;  // File to write; if empty, the command writes to stdout.
     Limits limits;
 };
 
 struct ExplainOptions {
     std::string file;
     OfflineOptions offline;
-    std::string question;            // one of culled, barrier, alias, wait, resource
-    std::vector<std::string> names;  // names of passes or resources
+    std::string question;            // One of culled, barrier, alias, wait, resource.
+    std::vector<std::string> names;  // Names of the passes or resources that the question is about.
 };
 
 struct DiffOptions {
@@ -96,10 +103,10 @@ struct DiffOptions {
 
 struct CompareOptions {
     std::string reference, test;
-    std::string metric = "flip";  // one of flip, psnr, max
-    std::optional<double> max;    // limit for flip (the mean) and max
-    std::optional<double> min;    // limit for psnr, in dB
-    std::string output;           // file of the heat map; empty: none
+    std::string metric = "flip";  // Method of comparison: flip, psnr or max.
+    std::optional<double> max;    // Upper limit: for flip, of the mean; for max, of the largest difference.
+    std::optional<double> min;    // Lower limit of the PSNR, in dB.
+    std::string output;           // Path of the PNG file for the heat map; if empty, no heat map is written.
     bool json = false;
     Limits limits;
 };
@@ -114,8 +121,9 @@ struct BenchOptions {
 
 struct FrameBenchOptions {
     std::string scene = "builtin:lights";
+    // Graphs to compare: names of shipped graphs, or paths of files.
     std::vector<std::string> graphs{"deferred", "tiled_deferred", "light_volumes",
-                                    "light_indexed"};  // names of shipped graphs, or files
+                                    "light_indexed"};
     std::vector<uint32_t> lights{1, 10, 50, 100, 256, 1024, 3072};
     Extent3D size{640, 360, 1};
     std::string camera;
@@ -123,7 +131,7 @@ struct FrameBenchOptions {
     uint32_t rounds = 7;
     std::string device;
     double timeout_s = 60;
-    std::string plot;  // an .svg file; empty: none
+    std::string plot;  // Path of the .svg file for the plot; if empty, no plot is drawn.
     bool json = false;
     Limits limits;
 };

@@ -12,7 +12,8 @@
 namespace weft::viewer {
 namespace {
 
-// The innermost command in the arguments; its flags are the candidates, as for `weft bench frame`.
+// Returns the innermost command of the arguments. For `weft bench frame --lihgts` this is `frame`, because
+// the suggestions must come from the flags of `frame`.
 const CLI::App& innermost(const CLI::App& app) {
     const CLI::App* at = &app;
     for (bool is_deeper = true; is_deeper;) {
@@ -33,7 +34,8 @@ std::vector<std::string> commands_of(const CLI::App& app) {
     return names;
 }
 
-// Flags for tests have no group and are not suggested.
+// Returns the names of all flags of a command, such as "--size". Flags without a group exist only for tests,
+// so they are left out.
 std::vector<std::string> flags_of(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())

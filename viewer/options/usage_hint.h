@@ -1,4 +1,4 @@
-// Purpose: suggests commands and flags with similar names.
+// Purpose: suggests commands and flags with similar names after a typing error.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@ class App;
 
 namespace weft::viewer {
 
-// After a failed parse: a line "did you mean …?" for each argument that was not recognised; empty if there
-// are no suggestions.
+// Returns a line "did you mean ...?" for each argument that the parser did not recognise. Returns an empty
+// text if no name is similar.
 [[nodiscard]] std::string usage_hint(const CLI::App& app);
 
 }  // namespace weft::viewer

@@ -22,7 +22,8 @@ CLI::Validator plot_validator() {
     return CLI::Validator([](std::string& text) { return plot_fault(text); }, "FILE.svg");
 }
 
-// Replaces the text by a plain decimal number, which CLI11 reads in the same way in every locale.
+// Checks the number, and replaces its text by a plain decimal number, which CLI11 reads in the same way in
+// every locale.
 CLI::Validator number_in(const NumberRange& range) {
     return CLI::Validator(
         [range](std::string& text) {

@@ -1,5 +1,6 @@
-// Purpose: validators of flag values for CLI11. Each names the expected values in its message, and rewrites
-// numbers in a form that CLI11 reads in the same way in every locale.
+// Purpose: validators of flag values for the library CLI11. The message of each validator names the expected
+// values. The validators of numbers also rewrite the number in a form that CLI11 reads in the same way in
+// every locale.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint64_t kMostPage_bytes = 4u << 20;
 
-// Replaces links by their text and removes marks of code and emphasis.
+// Removes Markdown from a text: links become their text, and marks of code and escapes are removed.
 std::string without_markup(const std::string& text) {
     std::string plain;
     for (size_t i = 0; i < text.size(); ++i) {
@@ -29,7 +29,7 @@ std::string without_markup(const std::string& text) {
     return begin == std::string::npos ? "" : plain.substr(begin, end - begin + 1);
 }
 
-// "| a | b |" → a, b. An escaped "\|" does not separate cells.
+// Splits a row of a Markdown table: "| a | b |" gives "a" and "b". An escaped "\|" does not end a cell.
 std::vector<std::string> cells_of(const std::string& row) {
     std::vector<std::string> cells;
     std::string cell;

@@ -1,4 +1,4 @@
-// Purpose: the documentation of each diagnostic code as data.
+// Purpose: reads the documentation of each diagnostic code (docs/diagnostics.md) as data.
 #pragma once
 
 #include <map>
@@ -7,12 +7,13 @@
 namespace weft::viewer {
 
 struct DiagnosticPage {
-    std::string what;     // description of the fault, without markup
-    std::string remedy;   // may be empty
-    std::string section;  // heading of the section on the page
+    std::string what;     // Description of the fault, without Markdown.
+    std::string remedy;   // How the user can correct the fault; may be empty.
+    std::string section;  // Heading of the section in docs/diagnostics.md that describes the code.
 };
 
-// By code, from the tables of the installed docs/diagnostics.md; empty if the file is not installed.
+// Returns the documentation by code, such as "W103". The source are the tables of the installed
+// docs/diagnostics.md. The map is empty if that file is not installed.
 [[nodiscard]] std::map<std::string, DiagnosticPage> diagnostic_pages();
 
 }  // namespace weft::viewer

@@ -1,4 +1,5 @@
-// Purpose: the exit codes of the `weft` program. Scripts rely on them (docs/command-line.md).
+// Purpose: the exit codes of the `weft` program. Scripts depend on these numbers, so they must not change
+// (docs/command-line.md).
 #pragma once
 
 namespace weft::viewer {

@@ -1,4 +1,4 @@
-// Purpose: formats text of any length with printf's notation.
+// Purpose: formats text in the notation of printf and returns it as a string of any length.
 #pragma once
 
 #include <string>

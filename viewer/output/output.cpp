@@ -20,8 +20,8 @@ ExitCode outcome(const Status& status, ExitCode code = ExitCode::ok) {
     return exit_code_for(status.errors());
 }
 
-// The regular file to which a path leads; empty if it leads to something else. Several outputs may use the
-// same stream.
+// Returns the canonical path of the regular file to which `path` leads. Returns an empty path for anything
+// else, such as a pipe or terminal, because several outputs may use the same stream.
 std::filesystem::path plain_file(const std::string& path) {
     const FileTarget target = find_target(path);
     if (path.empty() || target.error != 0 || target.kind != TargetKind::file) return {};
@@ -49,8 +49,9 @@ Status expect_own_file(const std::string& path, std::span<const std::string> oth
 void prepare_output() {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    // New descriptors get the lowest free number, so this opens all closed ones up to 2. The file is
-    // read-only, so writing to standard output or standard error still fails, as if it were closed.
+    // If the parent process closed standard streams, replace them by /dev/null. open() returns the lowest
+    // free descriptor number, so the loop fills all free numbers up to 2. /dev/null is opened read-only, so
+    // that writing to stdout or stderr still fails as on a closed stream.
     int descriptor = 0;
     while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDONLY);
     if (descriptor > STDERR_FILENO) close(descriptor);

@@ -1,5 +1,5 @@
-// Purpose: writes the data of commands to files and stdout. If data cannot be written, the reason is printed
-// on stderr and the exit code is 1.
+// Purpose: writes the data of commands to files and stdout. If this fails, the reason is printed to stderr
+// and the exit code is 1.
 #pragma once
 
 #include <string>
@@ -10,18 +10,19 @@
 
 namespace weft::viewer {
 
-// Call this before threads and files exist. A closed pipe, or a file over its size limit, then gives a
-// reported error instead of a signal, and no file gets the descriptor number of a closed standard stream.
+// Prepares the process for output. A closed pipe, or a file over its size limit, then gives an error instead
+// of a signal, and no opened file gets the descriptor number of a closed standard stream. The program must
+// call this function before it creates threads or opens files.
 void prepare_output();
 
-// Reports, before any work is done, which of the paths cannot be written, and which would replace another
-// output or one of the files `inputs`. Empty paths are ignored.
+// Checks the output paths before any work is done. Reports paths that cannot be written, and paths that would
+// overwrite another output or one of the input files. Empty paths are ignored.
 [[nodiscard]] ExitCode check_outputs(const std::vector<std::string>& paths,
                                      const std::vector<std::string>& inputs);
 
-// Writes to stdout. Returns `code`, unless writing fails.
+// Writes the data to stdout. Returns `code`, unless writing fails.
 [[nodiscard]] ExitCode print_data(std::string_view data, ExitCode code = ExitCode::ok);
-// Writes to a file, or to stdout when `path` is empty.
+// Writes the data to a file, or to stdout if `path` is empty.
 [[nodiscard]] ExitCode output_data(const std::string& path, std::string_view data);
 
 }  // namespace weft::viewer

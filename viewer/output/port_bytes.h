@@ -1,4 +1,4 @@
-// Purpose: the minimum memory traffic of a pass according to its declaration. Units: bytes.
+// Purpose: computes the least memory traffic of a pass from the declarations of its ports, in bytes.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 
 namespace weft::viewer {
 
-// The bytes of all ranges of the pass's ports, each read and written once.
+// Returns the sum over all ports of the pass: the size of the used range for reading, and the same again for
+// writing.
 [[nodiscard]] uint64_t port_bytes(const ResolvedGraph& graph, const PassDecl& pass);
 
 }  // namespace weft::viewer

@@ -1,5 +1,5 @@
-// Purpose: texts for the progress of long tasks: on a terminal, one line that is updated; elsewhere, a new
-// line for every tenth. Short tasks print nothing.
+// Purpose: texts that show the progress of long tasks. On a terminal, one line is updated; otherwise, a new
+// line is printed for every tenth of the task. Tasks shorter than one second print nothing.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,23 @@ namespace weft::viewer {
 
 class ProgressText {
  public:
-    // `task` is the text before the colon: "loading hall.glb".
+    // `task` is the start of each line, before a colon, such as "loading hall.glb".
     ProgressText(std::string task, bool terminal) : task_(std::move(task)), terminal_(terminal) {}
 
-    // The text to print when `done` of `total` `what` are complete, `elapsed_s` seconds after the start;
-    // often empty.
+    // Returns the text to print when `done` of `total` units are complete, `elapsed_s` seconds after the
+    // start. The unit `what` is a word such as "frames". The text is often empty, so that it is not printed
+    // too often.
     [[nodiscard]] std::string at(double elapsed_s, const std::string& what, uint64_t done, uint64_t total);
-    // The text to print at the end: it clears the terminal's line.
+    // Returns the text to print at the end of the task. On a terminal, this text clears the progress line.
     [[nodiscard]] std::string finish();
 
  private:
     std::string task_;
     bool terminal_;
-    std::string what_;         // the stage that was printed last
-    uint64_t tenth_ = 0;       // last tenth of that stage for which a line was printed
-    double last_line_s_ = -1;  // time of the last update of the terminal's line; negative: there is no line
+    std::string what_;    // The unit that was printed last, such as "frames".
+    uint64_t tenth_ = 0;  // The last tenth of the task for which a line was printed.
+    // Seconds after the start of the last update of the terminal's line; negative if no line is visible.
+    double last_line_s_ = -1;
 };
 
 }  // namespace weft::viewer

@@ -10,7 +10,7 @@
 namespace weft::viewer {
 namespace {
 
-// Limit for errors, and for warnings: a file may have a fault in every line.
+// Largest number of errors that are printed, and of warnings. A file may have an error in every line.
 constexpr size_t kMostShown = 200;
 
 void print(Diagnostic d, bool colors) {
@@ -31,7 +31,7 @@ void report(const Diagnostics& diagnostics) {
     if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
 }
 
-// Prints without a Diagnostic, because creating one would need memory.
+// Prints the text directly instead of through a Diagnostic, because creating a Diagnostic needs memory.
 void report_out_of_memory() {
     std::fputs(
         "error[X571]: memory ran out\n"

@@ -1,4 +1,4 @@
-// Purpose: prints diagnostics on stderr and returns the matching exit code.
+// Purpose: prints diagnostics to stderr and chooses the exit code of the process for them.
 #pragma once
 
 #include "viewer/output/exit_code.h"
@@ -7,10 +7,10 @@
 namespace weft::viewer {
 
 void report(const Diagnostics& diagnostics);
-// X571, for a failed allocation.
+// Prints the error X571, which reports that memory ran out.
 void report_out_of_memory();
-// The exit code for the first error, by its code: W, S, X53x, X56x: input; V40x: device; V407, V408: lost;
-// X520 to X522: usage.
+// Returns the exit code that belongs to the code of the first error. For example, V40x gives no_device, V407
+// and V408 give lost, X520 to X522 give usage, and W, S, X53x and X56x give invalid_input.
 [[nodiscard]] ExitCode exit_code_for(const Diagnostics& errors);
 
 }  // namespace weft::viewer

@@ -16,7 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr uint64_t kMostSource_bytes = 64u << 20;
 
-// RFC 3986: characters that are not allowed in a path are written as %XX. Absolute paths become file URIs.
+// Converts a path to a URI as in RFC 3986: bytes that are not allowed in a path are written as %XX. An
+// absolute path becomes a file URI.
 std::string uri_of(const std::string& path) {
     constexpr std::string_view kHex = "0123456789ABCDEF", kPlain = "-._~/";
     std::string uri = path.starts_with('/') ? "file://" : "";
@@ -31,8 +32,8 @@ std::string uri_of(const std::string& path) {
     return uri;
 }
 
-// The number of UTF-16 code units of the first `bytes` bytes of a line. Invalid UTF-8 counts one per byte,
-// and so do bytes beyond the end of the line.
+// Returns the number of UTF-16 code units in the first `bytes` bytes of a line. Each byte of invalid UTF-8
+// counts as one unit, and so does each byte beyond the end of the line.
 uint32_t utf16_units(std::string_view line, size_t bytes) {
     uint32_t units = 0;
     const size_t inside = std::min(bytes, line.size());
@@ -45,7 +46,8 @@ uint32_t utf16_units(std::string_view line, size_t bytes) {
     return units + static_cast<uint32_t>(bytes - inside);
 }
 
-// Lines of files, for diagnostics that do not contain their source line.
+// Returns lines of source files and keeps the files in memory. Notes need this, because they do not contain
+// the text of their source line.
 class SourceLines {
  public:
     std::string line(const std::string& file, uint32_t number) {
@@ -65,7 +67,7 @@ class SourceLines {
 struct Place {
     std::string file;
     uint32_t line = 0;
-    uint32_t column = 0;  // in bytes
+    uint32_t column = 0;  // Column of the place, counted from 1 in bytes.
     uint32_t length = 1;
 };
 
@@ -117,7 +119,8 @@ const char* level_of(const Diagnostic& d) {
     return d.severity == Severity::error ? "error" : "warning";
 }
 
-// One rule for each code that occurs, sorted. Diagnostics without a code have no rule.
+// Returns one SARIF rule for each diagnostic code that occurs, sorted by code. Diagnostics without a code get
+// no rule.
 Json rules_of(const Diagnostics& diagnostics, std::map<std::string, size_t>& index) {
     const std::map<std::string, DiagnosticPage> pages = diagnostic_pages();
     std::map<std::string, const char*> levels;
@@ -129,7 +132,8 @@ Json rules_of(const Diagnostics& diagnostics, std::map<std::string, size_t>& ind
         Json rule = {{"id", code}};
         if (const auto page = pages.find(code); page != pages.end()) {
             rule["shortDescription"] = {{"text", page->second.what}};
-            // No helpUri: the page is a local file, and the log may be read on another machine.
+            // The rule has no helpUri, because the page is a local file and the log may be read on another
+            // machine.
             rule["help"] = {{"text", page->second.remedy + (page->second.remedy.empty() ? "" : "\n") +
                                          "docs/diagnostics.md, section \"" + page->second.section + "\""}};
         }

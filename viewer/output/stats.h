@@ -1,4 +1,5 @@
-// Purpose: the measurements of a run as JSON, as `--stats` writes them. The keys contain the units.
+// Purpose: the measurements of a run as JSON. The option `--stats` writes this text. The keys contain the
+// units.
 #pragma once
 
 #include <string>
@@ -12,21 +13,26 @@ struct StatsInput {
     vk::Device& device;
     const FramePlan& plan;
     const vk::ReadbackData& output;
-    const std::vector<vk::FrameTiming>& timings;  // GPU times that are unavailable become null
+    // CPU and GPU times of the frames. GPU times that the device cannot measure become null in the JSON.
+    const std::vector<vk::FrameTiming>& timings;
     uint32_t frames = 0;
-    std::string tier;                              // empty: the graph without a tier
-    uint64_t pipelines_built_on_frame_thread = 0;  // counted after the first frame was ready to begin
+    std::string tier;  // Name of the tier; empty for the graph without a tier.
+    // Number of pipelines that were created on the thread that renders frames, counted after the start of the
+    // session.
+    uint64_t pipelines_built_on_frame_thread = 0;
 };
 
 [[nodiscard]] std::string stats_json(const StatsInput& input);
 
-// True if the values of the resource in a reference ("hdr@lighting.mip(0)") are multiplied by preExposure.
+// Returns true if the values of the resource are multiplied by the pre-exposure factor. The argument is a
+// reference to the resource, such as "hdr@lighting.mip(0)".
 [[nodiscard]] bool is_pre_exposed(const FramePlan& plan, const std::string& reference);
 
-// True if the reference names a buffer, which is written without conversion.
+// Returns true if the reference names a buffer. Contents of a buffer are written to the file without
+// conversion.
 [[nodiscard]] bool is_buffer(const FramePlan& plan, const std::string& reference);
 
-// In lower-case hexadecimal.
+// Returns the SHA-256 hash of the bytes as lower-case hexadecimal text.
 [[nodiscard]] std::string sha256(const std::vector<std::byte>& bytes);
 
 }  // namespace weft::viewer

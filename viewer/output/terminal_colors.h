@@ -1,5 +1,5 @@
 // Purpose: decides whether messages have colours, and formats diagnostics with colours. Sources:
-// no-color.org; bixense.com/clicolors; ECMA-48, "Select graphic rendition".
+// no-color.org, bixense.com/clicolors, and ECMA-48, "Select graphic rendition".
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace weft::viewer {
 
-// For a file descriptor: true on a terminal, unless NO_COLOR is set or TERM is "dumb". FORCE_COLOR or
-// CLICOLOR_FORCE, with any value but 0, always enables colours.
+// Returns true if text for this file descriptor should have colours: on a terminal, unless NO_COLOR is set or
+// TERM is "dumb". If FORCE_COLOR or CLICOLOR_FORCE has any value except 0, the function always returns true.
 [[nodiscard]] bool wants_colors(int file_descriptor);
 
-// As to_text(), with errors red, warnings yellow, codes bold, and underlines in the colour of the severity.
+// Formats a diagnostic like to_text(), but with colours: errors are red, warnings yellow and codes bold.
+// Underlines of the source line have the colour of the severity.
 [[nodiscard]] std::string colored_text(const Diagnostic& diagnostic);
 
 }  // namespace weft::viewer

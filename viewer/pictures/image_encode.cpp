@@ -37,7 +37,8 @@ std::string text_of(const unsigned char* bytes, size_t count) {
     return {reinterpret_cast<const char*>(bytes), count};
 }
 
-// The library expects one plane per channel, sorted by the channels' names.
+// Splits RGBA texels into one plane per channel. tinyexr expects the planes in the alphabetical order of
+// their names: A, B, G, R.
 std::array<std::vector<float>, kChannels> planes_abgr(std::span<const glm::vec4> texels) {
     std::array<std::vector<float>, kChannels> planes;
     for (size_t plane = 0; plane < kChannels; ++plane) {
@@ -94,7 +95,7 @@ Result<std::string> encode_exr(uint32_t width_px, uint32_t height_px, std::span<
 }
 
 Result<std::string> encode_pfm(uint32_t width_px, uint32_t height_px, std::span<const glm::vec4> texels) {
-    // A negative scale means little endian.
+    // In the header of a PFM file, a negative scale means little endian.
     std::string out = "PF\n" + std::to_string(width_px) + " " + std::to_string(height_px) + "\n-1.0\n";
     out.reserve(out.size() + texels.size() * 3 * sizeof(float));
     for (uint32_t y = height_px; y-- > 0;) {

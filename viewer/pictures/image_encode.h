@@ -1,6 +1,6 @@
-// Purpose: encodes pictures as the bytes of a file. PNG is display-encoded (sRGB, 8 bits); EXR (32-bit float)
-// and PFM contain raw values. Shapes: width × height RGBA texels, row 0 on top; PFM stores rows from bottom
-// to top, as its format requires, and has no alpha. Errors: X510 without a file: there is no memory for the
+// Purpose: encodes pictures as the bytes of a file. A PNG is encoded for display (sRGB, 8 bits). EXR (32-bit
+// float) and PFM contain raw values. The input has width × height RGBA texels, with row 0 at the top. PFM has
+// no alpha, and its format requires rows from bottom to top. Error X510: there is not enough memory for the
 // bytes.
 #pragma once
 

@@ -42,14 +42,15 @@ Diagnostic undecodable(const std::string& path, const std::string& what, const s
                       "write it again; PNG, EXR and PFM as `weft render -o` writes them can be read");
 }
 
-// Memory for reading a picture, in addition to its texels.
+// Memory that reading a picture needs in addition to the decoded texels.
 struct Reading {
     uint64_t file_bytes = 0;
     uint64_t bytes_per_texel = 0;
 };
 
-// Peak memory while the second of two such pictures is read, or while they are compared: their texels, the
-// map of differences, its sorted copy and its picture.
+// Returns the peak memory for comparing two pictures of this size, in bytes. This is the larger of two sums:
+// the memory while the second picture is read, and the memory of the comparison (texels, map of differences,
+// its sorted copy and the heat map).
 uint64_t comparing_bytes(const Size& size, const Reading& reading) {
     constexpr uint64_t kPictures = 2 * sizeof(glm::vec3), kMaps = 3 * sizeof(float) + sizeof(float);
     const auto width_px = static_cast<uint32_t>(size.width_px),
@@ -59,7 +60,8 @@ uint64_t comparing_bytes(const Size& size, const Reading& reading) {
     return std::max(while_read, texels * (kPictures + kMaps) + image::flip_band_bytes(width_px, height_px));
 }
 
-// Called before any allocation of that size.
+// Returns an error if the picture in the header is too large. This check runs before memory for the texels is
+// allocated, because a small file may claim any size.
 std::optional<Diagnostic> size_fault(const std::string& path, const Size& size, const Reading& reading,
                                      const PictureLimits& limits) {
     const auto side_limit_px = static_cast<int64_t>(limits.side_px);
@@ -98,14 +100,15 @@ Result<Image> read_png(const std::string& path, const std::string& content, cons
     return result;
 }
 
-// Copies a message of tinyexr and frees the original, as tinyexr requires.
+// Copies an error message of tinyexr and frees the original. The caller of tinyexr must free such messages.
 std::string taken(const char* message) {
     std::string text = message ? message : "";
     FreeEXRErrorMessage(message);
     return text;
 }
 
-// tinyexr stores every channel of every level as floats, and then red, green, blue and alpha a second time.
+// Size of an EXR picture, and the memory that tinyexr needs to decode a texel. tinyexr stores every channel
+// of every mip level as floats, and then red, green, blue and alpha a second time.
 struct ExrShape {
     Size size;
     uint64_t bytes_per_texel = 0;
@@ -150,7 +153,8 @@ Result<Image> read_exr(const std::string& path, const std::string& content, cons
     return result;
 }
 
-// "PF" or "Pf", width, height and scale, each followed by one white-space character.
+// Header of a PFM file: "PF" (colour) or "Pf" (grey), width, height and scale. One white-space character
+// follows each of these words.
 struct PfmHeader {
     uint32_t channels = 0;
     Size size;
@@ -232,7 +236,7 @@ Result<Image> read_image(const std::string& path, const PictureLimits& limits) {
                                       "close other programs, or compare parts of it");
         fault.code = "X571";
         return fault;
-    } catch (const std::exception& error) {  // tinyexr may throw
+    } catch (const std::exception& error) {  // tinyexr may throw exceptions on broken files.
         return undecodable(path, "picture", error.what());
     }
     return unreadable(path, "this is neither a PNG nor an EXR nor a PFM",

@@ -1,7 +1,8 @@
-// Purpose: reads pictures from files: PNG (display-encoded, rounded to 8 bits per channel), EXR (one part;
-// channels R, G and B, or a single one) and PFM (raw values). The first bytes of a file determine its format,
-// not its name. Alpha is ignored. Shapes: row 0 on top. Sizes are read from the header before anything is
-// decoded. Errors: X530 the picture does not exist or cannot be decoded; X531 too large.
+// Purpose: reads pictures from PNG files (encoded for display, rounded to 8 bits per channel), EXR files (one
+// part; channels R, G and B, or a single channel) and PFM files (raw values). The first bytes of the file
+// determine the format, not the file name. Alpha is ignored. Row 0 is at the top. The size in the header is
+// checked before anything is decoded. Errors: X530 the picture does not exist or cannot be decoded, X531 the
+// picture is too large.
 #pragma once
 
 #include <string>

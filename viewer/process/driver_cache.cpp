@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A counter of 8 bytes, and 2^16 keys of 20 bytes. Mesa creates the file with this size, but without
-// reserving disk space.
+// Size of the index file in Mesa's shader cache: a counter of 8 bytes, and 2^16 keys of 20 bytes. Mesa
+// creates the file with this size, but does not reserve the disk space.
 constexpr off_t kIndexBytes = 8 + (1 << 16) * 20;
 
 const char* first_set(std::initializer_list<const char*> names) {
@@ -47,14 +47,15 @@ fs::path home_folder() {
     return entry.pw_dir;
 }
 
-// The folder in which Mesa looks for its cache.
+// Returns the folder in which Mesa stores its shader cache.
 fs::path cache_folder() {
     if (const char* folder = first_set({"MESA_SHADER_CACHE_DIR", "MESA_GLSL_CACHE_DIR", "XDG_CACHE_HOME"}))
         return fs::path(folder) / "mesa_shader_cache";
     return home_folder() / ".cache" / "mesa_shader_cache";
 }
 
-// Returns 0, or a value of errno.
+// Creates the index file of the cache if necessary, and reserves its disk space. Returns 0 on success, or a
+// value of errno.
 int take_disk_space(const fs::path& index) {
     std::error_code error;
     fs::create_directories(index.parent_path(), error);

@@ -1,12 +1,13 @@
-// Purpose: prevents a crash when the disk with the shader cache of Mesa's drivers is full. Mesa 22.3 maps a
-// file of the cache, the index, without reserving its disk space. The first access to a page without disk
-// space ends the process (SIGBUS).
+// Purpose: prevents a crash in Mesa's drivers when the disk with their shader cache is full. Mesa 22.3 maps
+// the index file of this cache into memory without reserving disk space for it. When Mesa then writes to a
+// page for which there is no disk space, the signal SIGBUS ends the process.
 #pragma once
 
 namespace weft::viewer {
 
-// Call this before a Vulkan instance and threads exist. It reserves the disk space of the index. If that
-// fails, it prints a warning (X513) on stderr and disables Mesa's cache in this process.
+// Reserves the disk space of the index file of Mesa's shader cache. If this fails, the function prints the
+// warning X513 to stderr and disables the cache in this process. The program must call it before it creates a
+// Vulkan instance or threads.
 void prepare_driver_cache();
 
 }  // namespace weft::viewer

@@ -29,7 +29,8 @@ EndSignals::EndSignals(bool watch_stdin) : watch_stdin_(watch_stdin && isatty(ST
 }
 
 EndSignals::~EndSignals() {
-    // Removes the pending signal; otherwise it would end the program when unblocked.
+    // Read all pending signals. Otherwise, a pending signal would end the program when the signals are
+    // unblocked below.
     signalfd_siginfo taken{};
     while (signals_ >= 0 && read(signals_, &taken, sizeof taken) > 0) {
     }
@@ -46,7 +47,7 @@ bool EndSignals::within(std::chrono::nanoseconds time) {
     if (ready <= 0) return false;
     if (sources[0].revents != 0) return true;
     if (sources[1].revents == 0) return false;
-    // Input is ignored; only its end matters.
+    // The text that arrives on stdin is ignored. Only the end of stdin is a request to end.
     std::array<char, 256> text{};
     return read(STDIN_FILENO, text.data(), text.size()) <= 0;
 }

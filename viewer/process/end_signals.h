@@ -1,5 +1,5 @@
-// Purpose: detects requests to end a command that runs continuously: SIGINT, SIGTERM, or the end of its
-// stdin.
+// Purpose: detects requests to end a command that renders continuously. A request is the signal SIGINT, the
+// signal SIGTERM, or the end of stdin.
 #pragma once
 
 #include <chrono>
@@ -8,14 +8,15 @@ namespace weft::viewer {
 
 class EndSignals {
  public:
-    // From now on the signals do not end the process; threads created later inherit this. With `watch_stdin`
-    // the end of stdin is a request too, unless stdin is a terminal.
+    // Blocks SIGINT and SIGTERM, so that they do not end the process. Threads that are created later inherit
+    // the blocked signals. If `watch_stdin` is true, the end of stdin is a request to end, too, unless stdin
+    // is a terminal.
     explicit EndSignals(bool watch_stdin);
     ~EndSignals();
     EndSignals(const EndSignals&) = delete;
     EndSignals& operator=(const EndSignals&) = delete;
 
-    // Waits for at most `time`; returns true if the command shall end.
+    // Waits until a request to end arrives, but at most for `time`. Returns true if the command must end.
     [[nodiscard]] bool within(std::chrono::nanoseconds time);
 
  private:

@@ -12,7 +12,8 @@
 namespace weft::viewer {
 namespace {
 
-// The destructor of a JSON array takes 16 bytes for each value, and as much again while it grows.
+// Sizes of the memory reserve. The error path destroys large JSON values, and the destructor of a JSON array
+// allocates memory: 16 bytes for each value, and twice that while its list grows.
 constexpr size_t kReserve_bytes = size_t{64} << 20;
 constexpr size_t kSmallReserve_bytes = size_t{16} << 20;
 
@@ -21,10 +22,11 @@ void* allocate_reserve() {
     return memory != nullptr ? memory : std::malloc(kSmallReserve_bytes);
 }
 
-// A new-handler has no arguments, so the memory that it frees must be global.
+// Holds the pointer to the reserve. The pointer is global, because a new-handler has no arguments and must be
+// able to free the reserve.
 std::atomic<void*>& reserve() {
-    static std::atomic<void*> memory = allocate_reserve();  // never written, so it uses no physical
-                                                            // memory
+    // The reserve is never written, so it uses no physical memory.
+    static std::atomic<void*> memory = allocate_reserve();
     return memory;
 }
 
@@ -33,7 +35,8 @@ void release_reserve() {
     throw std::bad_alloc();
 }
 
-// An allocation that fails in a destructor ends the program here. Nothing in this function allocates.
+// Handles std::terminate(), which is called when an allocation fails in a destructor. Then this function
+// prints the error X571 and ends the process. It allocates no memory itself.
 [[noreturn]] void end_with_message() {
     try {
         if (const std::exception_ptr fault = std::current_exception()) std::rethrow_exception(fault);

@@ -41,14 +41,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file that the child shall write, in a folder that contains nothing else.
+// An output file that the child process writes into a temporary folder. The folder contains no other file.
 struct StagedFile {
     fs::path wanted, folder;
     [[nodiscard]] fs::path staged() const { return folder / wanted.filename(); }
 };
 
-// The folders for the child's outputs. On destruction, moves written files to their destinations and removes
-// the folders.
+// The temporary folders for the output files of the child process. move_all() moves the written files to the
+// wanted paths. The destructor removes the folders.
 class Stage {
  public:
     Stage() = default;
@@ -82,7 +82,7 @@ class Stage {
         return Unit{};
     }
 
-    // Changes the paths of the outputs to those in the child's folders.
+    // Replaces the path of each output by a path in the temporary folder that the child process may write.
     void rename(const std::vector<std::string*>& outputs) const {
         size_t next = 0;
         for (std::string* output : outputs) {
@@ -99,7 +99,7 @@ class Stage {
             }, old{};
             if (file.folder.empty() || lstat(file.staged().c_str(), &made) != 0 || !S_ISREG(made.st_mode))
                 continue;
-            // A replaced file keeps its permissions.
+            // A new file that replaces an old one gets the permissions of the old one.
             if (stat(file.wanted.c_str(), &old) == 0) (void)chmod(file.staged().c_str(), old.st_mode & 0777);
             if (::rename(file.staged().c_str(), file.wanted.c_str()) == 0) continue;
             Diagnostic d;
@@ -112,10 +112,10 @@ class Stage {
         return errors;
     }
 
-    // Descriptors used as outputs (/dev/fd/N).
+    // Returns the file descriptors that the user named as outputs in the form /dev/fd/N.
     [[nodiscard]] const std::set<int>& descriptors() const { return descriptors_; }
 
-    // In the child: leaves the cleanup to the parent.
+    // The child process calls this, so that it does not remove the folders. The parent process removes them.
     void forget() { files_.clear(); }
 
  private:
@@ -123,7 +123,8 @@ class Stage {
     std::set<int> descriptors_;
 };
 
-// Of the descriptors that this process inherited, the child gets only the standard streams and `kept`.
+// Closes all inherited file descriptors of the child process, except the standard streams and those in
+// `kept`.
 void close_others(const std::set<int>& kept) {
     unsigned from = STDERR_FILENO + 1;
     for (const int descriptor : kept) {
@@ -144,7 +145,8 @@ sigset_t awaited_signals() {
     return set;
 }
 
-// Waits until the child has ended, and forwards signals that would end this process to the child.
+// Waits until the child process has ended. Meanwhile, signals such as SIGINT that this process receives are
+// sent on to the child.
 void await(pid_t child, const sigset_t& signals) {
     for (;;) {
         siginfo_t ended{};
@@ -156,8 +158,9 @@ void await(pid_t child, const sigset_t& signals) {
     }
 }
 
-// Ends all processes that the child has left behind; the sandbox prevents them from leaving the child's
-// process group. Returns the child's status in the form of waitpid().
+// Ends all processes that the child process started and that still run. They are all in the process group of
+// the child, because the sandbox prevents them from leaving it. Returns the exit status of the child in the
+// form of waitpid().
 int end_group(pid_t child) {
     kill(-child, SIGKILL);
     int status = 0;
@@ -213,13 +216,14 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
         report({no_sandbox(std::string("no process can be started: ") + std::strerror(errno), {})});
         return ExitCode::failed;
     }
-    setpgid(child, child);  // called in parent and child, because either may run first
+    setpgid(child, child);  // Both parent and child make this call, because either may run first.
     if (child > 0) {
         await(child, signals);
         return conclude(end_group(child), stage);
     }
 
-    // The child's process group is in the background for the terminal, but must be able to write to it.
+    // For the terminal, the process group of the child is in the background. Ignoring SIGTTOU allows it to
+    // write to the terminal nevertheless.
     std::signal(SIGTTOU, SIG_IGN);
     close_others(stage.descriptors());
     stage.rename(needs.outputs);
@@ -227,7 +231,8 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
-    // Drivers cache machine code there, which later runs execute, so the sandboxed process must not write it.
+    // Disable the shader caches of the drivers. They contain machine code that later runs execute, so a
+    // process in the sandbox must not write it.
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     setenv("__GL_SHADER_DISK_CACHE", "0", 1);
     if (Status s = lock_this_process(rules); !s) {

@@ -1,5 +1,6 @@
-// The system call part of the sandbox: a seccomp filter that allows the calls needed to render. All others
-// fail with EPERM: sockets, mounts, other processes, new namespaces, kernel modules.
+// The system calls part of the sandbox: a seccomp filter that allows the calls that rendering needs. All
+// other calls fail with EPERM, such as those for network sockets, mounts, tracing other processes and kernel
+// modules.
 #include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
@@ -31,7 +32,7 @@ constexpr uint32_t kProcessor = AUDIT_ARCH_AARCH64;
 constexpr uint32_t kProcessor = 0;
 #endif
 
-// Files, which Landlock controls, and descriptors.
+// Calls on files and file descriptors. Landlock restricts which files a process can open.
 constexpr long kFileCalls[] = {SYS_read,
                                SYS_write,
                                SYS_readv,
@@ -85,11 +86,11 @@ constexpr long kFileCalls[] = {SYS_read,
                                SYS_inotify_init1,
                                SYS_inotify_add_watch,
                                SYS_inotify_rm_watch};
-// Memory.
+// Calls that manage the memory of the process.
 constexpr long kMemoryCalls[] = {SYS_mmap,    SYS_munmap, SYS_mprotect,   SYS_mremap,
                                  SYS_madvise, SYS_msync,  SYS_mincore,    SYS_mlock,
                                  SYS_munlock, SYS_brk,    SYS_membarrier, SYS_get_mempolicy};
-// Threads, and child processes.
+// Calls for threads, signals and child processes.
 constexpr long kThreadCalls[] = {SYS_futex,
                                  SYS_set_robust_list,
                                  SYS_get_robust_list,
@@ -118,16 +119,16 @@ constexpr long kThreadCalls[] = {SYS_futex,
                                  SYS_rt_sigsuspend,
                                  SYS_sigaltstack,
                                  SYS_restart_syscall};
-// Calls on sockets from socketpair(): none of these calls can address another socket.
+// Calls on connected sockets that socketpair() created. None of these calls can reach another socket.
 constexpr long kSocketCalls[] = {SYS_recvfrom, SYS_shutdown, SYS_getsockopt, SYS_setsockopt};
-// Time, and information about this process.
+// Calls for time, random numbers, and information about this process.
 constexpr long kOtherCalls[] = {
     SYS_nanosleep, SYS_clock_nanosleep, SYS_clock_gettime, SYS_clock_getres, SYS_gettimeofday, SYS_times,
     SYS_uname,     SYS_sysinfo,         SYS_getrandom,     SYS_getpid,       SYS_getppid,      SYS_gettid,
     SYS_getuid,    SYS_geteuid,         SYS_getgid,        SYS_getegid,      SYS_getresuid,    SYS_getresgid,
     SYS_getgroups, SYS_getpgid,         SYS_getsid,        SYS_capget};
 #if defined(__x86_64__)
-// Older forms of calls above.
+// Older calls that do the same as newer calls in the lists above. They exist only on x86-64.
 constexpr long kOldCalls[] = {SYS_stat,   SYS_lstat,      SYS_access, SYS_readlink, SYS_rename,
                               SYS_unlink, SYS_mkdir,      SYS_pipe,   SYS_dup2,     SYS_poll,
                               SYS_select, SYS_epoll_wait, SYS_time,   SYS_getpgrp,  SYS_arch_prctl,
@@ -140,7 +141,8 @@ constexpr uint32_t word_of(size_t argument) {
     return static_cast<uint32_t>(offsetof(seccomp_data, args) + 8 * argument);
 }
 constexpr uint32_t upper_word_of(size_t argument) {
-    return word_of(argument) + 4;  // both supported processors are little-endian
+    // This is the upper word because both supported processors are little-endian.
+    return word_of(argument) + 4;
 }
 
 class Filter {
@@ -162,8 +164,9 @@ class Filter {
         answer(call, SECCOMP_RET_ALLOW);
     }
 
-    // Refuses `call` if `test` (BPF_JEQ, BPF_JSET) is true for a word of an argument; refuse_unless() does
-    // the opposite.
+    // Refuses `call` with EPERM if the test is true for `word`, which is 32 bits of an argument. The test
+    // compares `word` with `value` (BPF_JEQ) or looks for common bits (BPF_JSET). refuse_unless() refuses the
+    // call if the test is false.
     void refuse_if(long call, uint32_t word, uint16_t test, uint32_t value) {
         std::vector<sock_filter> block{loaded(word), jump(test, value, 0, 1), end(refused(EPERM)),
                                        loaded(offsetof(seccomp_data, nr))};
@@ -174,14 +177,15 @@ class Filter {
                                        loaded(offsetof(seccomp_data, nr))};
         only_for(call, block);
     }
-    // As above, but compares only the bits of `word` in `mask`.
+    // Refuses `call` if the bits of `word` that are set in `mask` differ from `value`.
     void refuse_unless_masked(long call, uint32_t word, uint32_t mask, uint32_t value) {
         std::vector<sock_filter> block{loaded(word), sock_filter{BPF_ALU | BPF_AND | BPF_K, 0, 0, mask},
                                        jump(BPF_JEQ, value, 1, 0), end(refused(EPERM)),
                                        loaded(offsetof(seccomp_data, nr))};
         only_for(call, block);
     }
-    // open(…, O_RDONLY | O_TRUNC) truncates a file without requesting write access.
+    // Refuses open(..., O_RDONLY | O_TRUNC). Such a call truncates a file although it does not ask for write
+    // access.
     void refuse_truncating_reads(long call, size_t flags) {
         std::vector<sock_filter> block{
             loaded(word_of(flags)), sock_filter{BPF_ALU | BPF_AND | BPF_K, 0, 0, O_ACCMODE | O_TRUNC},
@@ -189,7 +193,8 @@ class Filter {
         only_for(call, block);
     }
 
-    // Refuses all other calls and installs the filter. Returns 0, or the error.
+    // Appends the rule that refuses all other calls, and installs the filter. Returns 0 on success, or a
+    // value of errno.
     int install() {
         code_.push_back(end(refused(EPERM)));
         const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
@@ -230,46 +235,48 @@ class Filter {
     std::vector<sock_filter> code_;
 };
 
-// Calls that are allowed with some arguments only.
+// Adds the calls that are allowed only with some arguments.
 void add_judged_calls(Filter& filter, int landlock_version) {
-    // Threads and children are allowed, new namespaces are not. The filter cannot read the flags of clone3,
-    // which are in memory; glibc uses clone if clone3 is missing.
+    // Threads and child processes are allowed, new namespaces are not. The flags of clone3 are in memory,
+    // where the filter cannot read them, so clone3 seems to be missing. glibc then uses clone.
     filter.answer(SYS_clone3, Filter::refused(ENOSYS));
     filter.refuse_if(SYS_clone, word_of(0), BPF_JSET,
                      CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER |
                          CLONE_NEWPID | CLONE_NEWNET);
     filter.allow(SYS_clone);
-    // socketpair() creates two sockets that are connected only to each other. Datagram sockets are refused,
-    // because they can send to other sockets by name.
+    // socketpair() creates two sockets that are connected only to each other. Stream sockets are allowed.
+    // Datagram sockets are refused, because they can also send to other sockets by name.
     filter.refuse_unless(SYS_socketpair, word_of(0), BPF_JEQ, AF_UNIX);
     filter.refuse_unless_masked(SYS_socketpair, word_of(1), 0xf, SOCK_STREAM);
     filter.allow(SYS_socketpair);
     filter.refuse_unless(SYS_sendto, word_of(4), BPF_JEQ, 0);
     filter.refuse_unless(SYS_sendto, upper_word_of(4), BPF_JEQ, 0);
     filter.allow(SYS_sendto);
-    // Setting an owner would make a descriptor send signals to any process of the user.
+    // Refuse to set the owner of a file descriptor. The owner gets signals, so the sandboxed process could
+    // send signals to any process of the user.
     for (const uint32_t owner : {F_SETOWN, F_SETOWN_EX, F_SETSIG})
         filter.refuse_if(SYS_fcntl, word_of(1), BPF_JEQ, owner);
     filter.allow(SYS_fcntl);
     for (const uint32_t owner : {FIOSETOWN, SIOCSPGRP})
         filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, owner);
-    // Prevents typing into the user's terminal.
-    constexpr uint32_t kTypeLinux = 0x541C;  // TIOCLINUX
+    // Refuse calls that insert input into the user's terminal, as if the user had typed it.
+    constexpr uint32_t kTypeLinux = 0x541C;  // The request TIOCLINUX, which can paste text into a console.
     filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, TIOCSTI);
     filter.refuse_if(SYS_ioctl, word_of(1), BPF_JEQ, kTypeLinux);
     filter.allow(SYS_ioctl);
-    // Only the limits of this process may be changed.
+    // Only the resource limits of this process may be changed (process id 0).
     filter.refuse_unless(SYS_prlimit64, word_of(0), BPF_JEQ, 0);
     filter.allow(SYS_prlimit64);
-    // From version 6 on, Landlock restricts signals. With older versions, a process may signal only itself.
+    // Landlock restricts signals from version 6 on. With older versions, a process may send signals only to
+    // itself.
     if (landlock_version < 6)
         filter.refuse_unless(SYS_tgkill, word_of(0), BPF_JEQ, static_cast<uint32_t>(getpid()));
     filter.allow(SYS_tgkill);
     if (landlock_version >= 6) filter.allow(SYS_kill);
     if (landlock_version < 3) filter.refuse_truncating_reads(SYS_openat, 2);
     filter.allow(SYS_openat);
-    filter.answer(SYS_openat2, Filter::refused(ENOSYS));  // its flags are in memory, where the filter cannot
-                                                          // read them
+    // The flags of openat2 are in memory, where the filter cannot read them.
+    filter.answer(SYS_openat2, Filter::refused(ENOSYS));
 #if defined(__x86_64__)
     if (landlock_version < 3) filter.refuse_truncating_reads(SYS_open, 1);
     filter.allow(SYS_open);

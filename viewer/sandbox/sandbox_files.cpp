@@ -1,4 +1,5 @@
-// The file part of the sandbox, with Landlock (since Linux 5.13).
+// The file part of the sandbox: restricts which files the process can open. It uses Landlock, which exists
+// since Linux 5.13.
 #include <fcntl.h>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
@@ -14,11 +15,13 @@
 namespace weft::viewer {
 namespace {
 
-// Debian 12's header defines version 2 of Landlock; the kernel may support newer versions.
-constexpr uint64_t kTruncate = 1ull << 14;       // version 3
-constexpr uint64_t kDeviceControl = 1ull << 15;  // version 5
-constexpr uint64_t kTcp = 3;                     // version 4: bind and connect
-constexpr uint64_t kScopes = 3;                  // version 6: abstract sockets and signals
+// Constants that are missing in the Landlock header of Debian 12. That header defines version 2; the kernel
+// may support newer versions.
+constexpr uint64_t kTruncate = 1ull << 14;  // The right to truncate a file, since Landlock version 3.
+// The right to use ioctl on devices, since Landlock version 5.
+constexpr uint64_t kDeviceControl = 1ull << 15;
+constexpr uint64_t kTcp = 3;     // The rights to bind and to connect TCP sockets, since Landlock version 4.
+constexpr uint64_t kScopes = 3;  // Restrictions of abstract sockets and of signals, since Landlock version 6.
 struct RulesetAttributes {
     uint64_t files, tcp, scopes;
 };
@@ -29,11 +32,11 @@ constexpr uint64_t kRun = LANDLOCK_ACCESS_FS_EXECUTE;
 constexpr uint64_t kWriteFile = LANDLOCK_ACCESS_FS_WRITE_FILE | kTruncate;
 constexpr uint64_t kWriteFolder =
     kReadFolder | kWriteFile | LANDLOCK_ACCESS_FS_MAKE_REG | LANDLOCK_ACCESS_FS_REMOVE_FILE;
-// The rights that apply to a single file.
+// The rights that can be granted for a single file. All other rights apply only to folders.
 constexpr uint64_t kOfFiles = kReadFile | kRun | kWriteFile | kDeviceControl;
 
 RulesetAttributes handled_by(int version) {
-    RulesetAttributes all{(1ull << 13) - 1, 0, 0};  // version 1 has 13 rights
+    RulesetAttributes all{(1ull << 13) - 1, 0, 0};  // Landlock version 1 has 13 rights.
     if (version >= 2) all.files |= LANDLOCK_ACCESS_FS_REFER;
     if (version >= 3) all.files |= kTruncate;
     if (version >= 4) all.tcp = kTcp;
@@ -46,7 +49,7 @@ size_t attribute_bytes(int version) {
     return version >= 6 ? 24 : version >= 4 ? 16 : 8;
 }
 
-// Returns 0, or the error.
+// Grants rights to a file, or to a folder and all files below it. Returns 0 on success, or a value of errno.
 int allow(int ruleset, const std::filesystem::path& path, uint64_t rights) {
     const int opened = open(path.c_str(), O_PATH | O_CLOEXEC);
     if (opened < 0) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;
@@ -58,7 +61,8 @@ int allow(int ruleset, const std::filesystem::path& path, uint64_t rights) {
     const long failed = syscall(SYS_landlock_add_rule, ruleset, LANDLOCK_RULE_PATH_BENEATH, &attributes, 0u);
     const int error = failed == 0 ? 0 : errno;
     close(opened);
-    // Inherited pipes and sockets are not in a file system and need no rule.
+    // Pipes and sockets that the process inherited are not in a file system. They cannot have a rule, and do
+    // not need one.
     return error == EBADFD ? 0 : error;
 }
 

@@ -27,7 +27,8 @@ std::vector<fs::path> paths_in(const char* variable) {
     return paths;
 }
 
-// A driver's manifest names its library by an absolute path, or relative to the manifest.
+// Allows the files of a Vulkan driver. The manifest is a JSON file that names the library of the driver by an
+// absolute path, or by a path relative to the manifest.
 void add_driver(const fs::path& manifest, OpenRules& rules) {
     rules.read.push_back(manifest);
     const std::optional<std::string> text = read_file(manifest.string(), kMostManifestBytes);
@@ -43,7 +44,7 @@ void add_vulkan(OpenRules& rules) {
     for (const char* folder :
          {"/etc/vulkan", "/etc/drirc", "/etc/glvnd", "/usr/local/share/vulkan", "/usr/share/vulkan",
           "/usr/share/drirc.d", "/usr/share/glvnd", "/usr/share/libdrm", "/usr/local/nvidia",
-          // information about processors and GPUs
+          // Folders with information about processors and GPUs.
           "/sys/devices", "/sys/dev/char", "/sys/bus/pci", "/sys/class/drm"})
         rules.read.emplace_back(folder);
     if (const char* home = std::getenv("HOME"); home != nullptr && *home != 0)

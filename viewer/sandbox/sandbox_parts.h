@@ -1,4 +1,5 @@
-// Purpose: the two parts of lock_this_process(), for files and system calls, and shared functions.
+// Purpose: the two parts of lock_this_process(), one for files and one for system calls, and functions that
+// both use.
 #pragma once
 
 #include <string>
@@ -7,13 +8,14 @@
 
 namespace weft::viewer {
 
-// The version of Landlock; 0: the kernel does not support it.
+// Returns the version of Landlock in the running kernel, or 0 if the kernel does not support Landlock.
 [[nodiscard]] int landlock_version();
 [[nodiscard]] Status restrict_files(const OpenRules& rules);
-// Call this after restrict_files(). It also refuses system calls that would bypass this version of Landlock.
+// Restricts the system calls. Older versions of Landlock do not restrict some calls, so the function refuses
+// these calls itself. It must be called after restrict_files().
 [[nodiscard]] Status restrict_calls(int landlock_version);
 
-// Builds the error X595.
+// Returns the error X595: the sandbox is not available, because of the reason `why`.
 [[nodiscard]] Diagnostic no_sandbox(const std::string& why, const std::string& help);
 
 }  // namespace weft::viewer

@@ -19,7 +19,8 @@ Json reference(const std::string& definition) {
     return {{kRef, kDefinitions + definition}};
 }
 
-// Restricts the keys that exist for all kinds of passes or resources to those that this kind allows.
+// Completes the definition of one kind of pass or resource. Its schema allows only the keys that this kind
+// may have, not all keys of passes or resources.
 void complete_kind(const GrammarTable& kind, Json& definitions) {
     const Json& all = definitions.at(kind.kind_of).at("properties");
     Json& definition = definitions[kind.place];
@@ -36,7 +37,7 @@ void complete_kind(const GrammarTable& kind, Json& definitions) {
     definition["required"] = kind.required;
 }
 
-// "rgba16f", or several formats separated by "|".
+// Returns the schema of a format: one name such as "rgba16f", or several names separated by "|".
 Json format_choice(const std::vector<std::string>& names) {
     std::string one;
     for (const std::string& name : names) one += (one.empty() ? "(" : "|") + name;
@@ -75,7 +76,8 @@ void add_words(Json& definitions) {
     }
 }
 
-// Schema forms for patches of existing objects: no key is required, and null removes a member.
+// Converts schemas for objects to schemas for patches. A patch changes an existing object: it requires no
+// key, and null removes a member.
 class PatchForms {
  public:
     explicit PatchForms(Json& definitions) : definitions_(definitions) {}
@@ -112,8 +114,9 @@ class PatchForms {
     std::string of_definition(const std::string& name) {
         const auto known = names_.find(name);
         if (known != names_.end()) return known->second;
-        names_[name] = name + ".patch";  // the form for one kind refers to the form with all keys, and the
-                                         // other way round
+        // Placeholder that ends the recursion: the schema of one kind refers to the schema with all keys, and
+        // the other way round.
+        names_[name] = name + ".patch";
         const Json strict = definitions_.at(name);
         Json form = of(strict);
         const std::string form_name = form == strict ? name : name + ".patch";
@@ -137,7 +140,8 @@ class PatchForms {
     std::map<std::string, std::string> names_;
 };
 
-// In a file that includes others, each section is a patch of the included sections.
+// Adds the schemas of patches. In a file that includes others, each section may contain patches of the
+// included sections.
 void add_patches(Json& schema) {
     Json& definitions = schema["definitions"];
     PatchForms forms(definitions);

@@ -1,6 +1,6 @@
-// Purpose: the graph format as a JSON schema (draft-07), for editors and validators. It consists of
-// schema/format.json, which describes each key, the words known to the parser, and additional forms for
-// patches in tiers and including files.
+// Purpose: makes the JSON schema (draft-07) of the graph format, for editors and validators. The schema
+// consists of schema/format.json, which describes each key, the words that the parser knows, and additional
+// forms for patches in tiers and in files that include others.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace weft::viewer {
 
-// The content of schema/format.json. Definitions that are {} there are filled in by format_schema().
+// Returns the contents of schema/format.json. Definitions that are {} in that file are filled in by
+// format_schema().
 [[nodiscard]] std::string_view described_format();
 
-// The schema of all graphs, which is stored as graphs/weft.schema.json.
+// Returns the schema of all graphs. The file graphs/weft.schema.json contains this text.
 [[nodiscard]] std::string format_schema();
 
 }  // namespace weft::viewer

@@ -15,7 +15,8 @@ Json one_of(const Names& names) {
     return {{"enum", names}};
 }
 
-// The regular expression "(a|b)"; without names, an expression that nothing matches.
+// Returns the regular expression "(a|b)" for the names a and b. Without names, the returned expression
+// matches no text.
 std::string any_of(const Names& names) {
     if (names.empty()) return "(?!)";
     std::string text;
@@ -23,7 +24,8 @@ std::string any_of(const Names& names) {
     return text + ")";
 }
 
-// Either a plain name, which editors suggest, or a longer reference that starts with one.
+// Returns the schema of a reference to a resource. It is a name, which editors suggest, or a longer reference
+// that starts with a name, such as "hdr@lighting".
 Json reference_to(const Names& resources, const Names& passes) {
     const std::string more = "(@" + any_of(passes) + kWordEnds +
                              "|\\[-([1-9]|1[0-6])\\]|\\.(mip|layer)\\(.+\\)|\\.(depth|stencil))";
@@ -31,7 +33,8 @@ Json reference_to(const Names& resources, const Names& passes) {
              {one_of(resources), {{"type", "string"}, {"pattern", "^" + any_of(resources) + more + "+$"}}}}};
 }
 
-// Ports: the keys of an object, or the beginnings of references in a list.
+// Returns the schema of ports. The names of the ports are the keys of an object, or the beginnings of the
+// entries of a list.
 Json ports(const Names& names) {
     return {{"propertyNames", one_of(names)}, {"items", {{"pattern", "^" + any_of(names) + kWordEnds}}}};
 }

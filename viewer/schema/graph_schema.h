@@ -1,4 +1,5 @@
-// Purpose: the schema of one graph: the schema of all graphs, with this graph's own names as choices.
+// Purpose: makes the JSON schema for one graph. This is the schema of all graphs, with the names in this
+// graph as choices for completion in editors.
 #pragma once
 
 #include <string>

@@ -17,8 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr uint32_t kBoundSet = 1;
-constexpr int kMostFolders = 3;        // depth below the graph's folder
-constexpr size_t kMostFiles = 10'000;  // limit on files examined, for graphs in large folders
+constexpr int kMostFolders = 3;  // Depth of the searched folders below the folder of the graph.
+// Most files that are examined, in case the graph is in a large folder.
+constexpr size_t kMostFiles = 10'000;
 
 ShaderRoots shader_roots(const SchemaOptions& options) {
     const fs::path shipped = shipped_root() / "shaders";
@@ -120,7 +121,8 @@ class NameGatherer {
             if (!constant.name.starts_with("HAS_")) pass.constants.insert(constant.name);
     }
 
-    // Null: the shader does not exist or does not compile.
+    // Returns the compiled program of a shader, or null if the shader does not exist or does not compile.
+    // Compiles each shader only once.
     const ShaderProgram* compiled(const std::string& type, const std::string& shader) {
         std::optional<ProgramKind> kind;
         if (type == "compute") kind = ProgramKind::compute;

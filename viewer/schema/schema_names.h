@@ -1,6 +1,6 @@
-// Purpose: collects the names that a graph declares and those that its shaders use, from the file without a
-// tier and with each tier. Faults are ignored, so that the schema is useful while the file is being edited.
-// Errors: those of reading (W001 to W005, W126, W127).
+// Purpose: collects the names that a graph declares and the names that its shaders use. The file is read
+// without a tier and with each tier. Errors in the graph are ignored, so that the schema is useful while the
+// user edits the file. Errors: those of reading the file (W001 to W005, W126, W127).
 #pragma once
 
 #include <map>
@@ -12,20 +12,20 @@
 
 namespace weft::viewer {
 
-// The names that a pass may bind, from its shader or its C++ type.
+// The names that a pass may bind. They come from its shader, or from its pass type in C++.
 struct PassNames {
     std::set<std::string> in, out;
     std::set<std::string> params, constants;
-    std::set<std::string> attachments;  // outputs declared by the graph itself
-    bool is_open = false;               // true if a shader cannot be read in some tier, so that any name is
-                                        // accepted
+    std::set<std::string> attachments;  // Outputs that the graph file declares in the pass.
+    bool is_open = false;  // True if the shader cannot be read in some tier. Then any name is accepted.
 };
 
 struct GraphNames {
     std::set<std::string> resources, draw_lists, params, tiers;
     std::map<std::string, PassNames> passes;
+    // Names of shaders in the folder of the graph, or shipped with Weft.
     std::set<std::string> compute_shaders, fullscreen_shaders,
-        raster_shaders;  // in the graph's folder, or shipped with Weft
+        raster_shaders;
 };
 
 [[nodiscard]] Result<GraphNames> gather_names(const SchemaOptions& options);
