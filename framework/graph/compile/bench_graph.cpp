@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kShapeNames{"chain", "window32", "random"};
 constexpr uint32_t kWindow = 32;
 
-// Digits enough for names to sort like numbers.
+// Returns the name with a number of 7 digits, so that names sort in the order of their numbers.
 std::string numbered(const char* what, uint32_t number) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%s%07u", what, number);
@@ -26,11 +26,11 @@ UseDecl use_of(const char* port, ResourceId image, Access access) {
     use.access = access;
     use.state = access_state(access, stage_bit(ShaderStage::compute), aspect::kColor);
     use.is_output = writes(access);
-    if (reads(access)) use.sources = {{use.range, image}};  // the pass of the same number wrote it
+    if (reads(access)) use.sources = {{use.range, image}};  // Pass i writes image i.
     return use;
 }
 
-// The two passes that pass `i` reads, fewer at the start.
+// Returns the passes whose images pass `i` reads: two, or fewer for the first two passes.
 std::vector<uint32_t> producers(std::mt19937& random, BenchShape shape, uint32_t i) {
     if (i == 0) return {};
     if (i == 1) return {0};

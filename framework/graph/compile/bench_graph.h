@@ -1,6 +1,7 @@
-// Purpose: graphs of any size whose figures compare with other frameworks': every pass writes one rgba8 image
-// and reads two earlier ones. Drawn from std::mt19937, so that a seed gives the same graph everywhere. Units:
-// an image takes exactly 4·width·height bytes.
+// Purpose: generates graphs of any size for benchmarks that can be compared with other frameworks. Every pass
+// writes one rgba8 image and reads the images of two earlier passes. The graphs are generated with
+// std::mt19937, so a seed gives the same graph on every platform. Units: an image takes exactly
+// 4·width·height bytes.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,8 @@
 
 namespace weft {
 
-// Which earlier passes one reads: the last two; two of the last 32; two of all.
+// The earlier passes that each pass reads. `chain`: the last two. `window32`: two random ones of the last 32.
+// `random`: two random ones of all earlier passes.
 enum class BenchShape : uint8_t { chain, window32, random };
 [[nodiscard]] std::optional<BenchShape> bench_shape(std::string_view name);
 [[nodiscard]] const char* bench_shape_name(BenchShape shape);

@@ -39,7 +39,8 @@ FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const Co
     BarrierResult recorded = timer.stage("barriers", barriers(graph, order, sync, memory, ops));
     SubmissionPlan submitted =
         timer.stage("submissions", submissions(order, all_dependencies(sync, recorded)));
-    // A rendering scope cannot continue in another batch. The queues still wait for each other as before.
+    // A rendering scope cannot continue in another batch. So the barriers and batches are computed again
+    // without the scopes that a batch boundary divides. The waits between queues stay the same.
     if (ScopeTable kept = within_batches(sync.scopes, submitted); kept != sync.scopes) {
         sync = synchronize(graph, order, ops, std::move(kept));
         recorded = barriers(graph, order, sync, memory, ops);

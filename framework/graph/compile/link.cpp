@@ -6,8 +6,8 @@
 namespace weft {
 namespace {
 
-// An import's entry and exit describe the same point between two frames, so that the exit state is what is
-// left there.
+// Returns the states of persistent and imported resources between two frames. For an import this is the exit
+// state: the frame leaves the import in it.
 std::vector<BoundaryState> boundary_states(const ResolvedGraph& graph, const LiveGraph& live,
                                            const SyncTable& sync) {
     std::vector<BoundaryState> states;

@@ -1,4 +1,4 @@
-// Purpose: joins the results of all stages to one plan.
+// Purpose: combines the results of all compiler stages into one plan.
 #pragma once
 
 #include "graph/sync/synchronize.h"

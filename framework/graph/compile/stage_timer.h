@@ -1,4 +1,4 @@
-// Purpose: notes how long each stage of compile() takes, where the caller asked for it.
+// Purpose: measures the time of each stage of compile() if the caller asked for it.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ class StageTimer {
         if (times_ != nullptr) times_->clear();
     }
 
-    // Passes `result` on. The stage took the time since the one before was over.
+    // Records the time since the previous stage as the time of stage `name`. Returns `result` unchanged.
     template <class T>
     [[nodiscard]] T stage(const char* name, T result) {
         if (times_ == nullptr) return result;

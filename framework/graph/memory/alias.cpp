@@ -1,7 +1,7 @@
-// Where every transient lives. Resources that may live in the same heap are packed together. Buffers and
-// images in one heap must not share a page of the device's granularity, so that there every placement gets
-// pages of its own; where pages are so large that this would waste more than it saves, they get heaps of
-// their own instead.
+// Places all transient resources in heaps. Resources with the same allowed memory types share a heap. Buffers
+// and images in one heap must not share a page of bufferImageGranularity, so every placement in such a heap
+// is rounded up to whole pages. If the granularity is above kMaxPadding, the padding would waste more than
+// sharing saves; then buffers and images get separate heaps.
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -47,7 +47,9 @@ struct Peak {
 };
 
 Peak find_peak(const std::vector<ResourceId>& resources, const Lifetimes& spans, const MemoryNeeds& needs) {
-    std::map<uint32_t, int64_t> changes;  // by position: bytes that start there less bytes that ended before
+    // Key: position. Bytes of the resources whose lifetime begins there, minus bytes of those whose lifetime
+    // ended just before.
+    std::map<uint32_t, int64_t> changes;
     for (const ResourceId id : resources) {
         changes[spans.spans[id].first] += static_cast<int64_t>(needs[id].size_bytes);
         changes[spans.spans[id].last + 1] -= static_cast<int64_t>(needs[id].size_bytes);
@@ -67,7 +69,8 @@ bool has_both_kinds(const ResolvedGraph& graph, const std::vector<ResourceId>& g
            !std::all_of(group.begin(), group.end(), is_buffer);
 }
 
-// Whether every use of `a` is over before the first one of `b`, by the clocks of all queues.
+// Returns true if every use of `a` is complete before the first use of `b` starts, according to the vector
+// clocks of the queues.
 bool over_before(const Schedule& order, const LifetimeSpan& a, const LifetimeSpan& b) {
     return std::all_of(b.queues.begin(), b.queues.end(), [&](const QueueSpan& later) {
         return std::all_of(a.queues.begin(), a.queues.end(), [&](const QueueSpan& earlier) {
@@ -100,7 +103,7 @@ void place_group(const std::vector<ResourceId>& group, const Schedule& order, co
     plan.heap_bytes += packing.height_bytes;
 }
 
-// Persistent resources lie side by side: no byte has two owners.
+// Places persistent resources one after another in heaps of their own, because they never share memory.
 void place_persistent(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
                       uint64_t granularity_bytes, MemoryPlan& plan) {
     std::map<HeapKey, uint32_t> heaps;

@@ -1,5 +1,5 @@
-// Purpose: a place in a heap for each transient resource. Resources that are not alive together may share
-// bytes.
+// Purpose: gives each resource a place in a memory heap. Transient resources that are not alive at the same
+// time may share bytes.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
-// Purpose: for an item about to be placed, the bytes already taken by items that live at the same time.
-// Sparse graphs visit only an item's neighbours in time; dense ones scan everything placed, which is cheaper
-// than keeping nearly all pairs.
+// Purpose: finds, for an item that is to be placed, the bytes already taken by items that are alive at the
+// same time. If few pairs of items are alive together (sparse), each item has a list of these items. If most
+// pairs are (dense), each query scans all placed items instead, which is cheaper than to store nearly all
+// pairs.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +22,12 @@ class Conflicts {
 
     void clear();
     void place(uint32_t item, uint64_t offset_bytes);
-    // Sorted by offset; valid until the next call.
+    // Returns the bytes that `item` must not use, sorted by offset. The reference is valid until the next
+    // call.
     [[nodiscard]] const std::vector<ByteSpan>& taken(uint32_t item);
     [[nodiscard]] bool dense() const { return dense_; }
-    // How many placements one packing of all items looks at.
+    // Returns the number of placements that are visited when all items are packed once. It estimates the
+    // cost.
     [[nodiscard]] size_t visits() const;
 
  private:
@@ -38,9 +41,11 @@ class Conflicts {
 
     const std::vector<PackItem>& items_;
     bool dense_ = false;
-    std::vector<Placed> placed_;                     // dense: sorted by offset
-    std::vector<uint64_t> offsets_bytes_;            // sparse: by item, kUnplaced until placed
-    std::vector<std::vector<uint32_t>> neighbours_;  // sparse: by item
+    std::vector<Placed> placed_;  // For dense sets: the placed items, sorted by offset.
+    // For sparse sets, index: item. kUnplaced until the item is placed.
+    std::vector<uint64_t> offsets_bytes_;
+    // For sparse sets, index: item. The items that are alive at the same time.
+    std::vector<std::vector<uint32_t>> neighbours_;
     std::vector<ByteSpan> taken_;
 };
 

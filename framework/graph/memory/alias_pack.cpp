@@ -9,13 +9,14 @@
 namespace weft {
 namespace {
 
-// Past this many items that mostly overlap, best fit by size costs more than it saves.
+// Above this number of items in a dense set, best fit by size takes more time than its result is worth.
 constexpr size_t kMaxDenseItems = 4096;
-// The bounded search looks at this many neighbours in all; one round looks at as many as one packing.
+// Limits the local search by the number of placements that it visits in all iterations together. One
+// iteration packs all items once.
 constexpr size_t kSearchVisits = 12'000'000;
 constexpr size_t kMaxSearchRounds = 200;
-// Nearer than this to the least possible, a search is not worth its time; the longer it takes, the less it
-// asks for.
+// The search stops when the height is below this percentage of the lower bound. The limit rises by 1 % every
+// kRoundsPerPercent iterations, so a long search accepts a worse result.
 constexpr uint64_t kGoodEnoughPercent = 102;
 constexpr size_t kRoundsPerPercent = 16;
 
@@ -23,7 +24,8 @@ uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
     return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
 }
 
-// `taken` is sorted by offset. The tightest gap that holds the item, else the top.
+// Returns the offset of the smallest gap that can contain the item, or the end of all taken bytes if no gap
+// can. `taken` is sorted by offset.
 uint64_t best_fit(const PackItem& item, const std::vector<ByteSpan>& taken) {
     uint64_t best = 0, best_slack = UINT64_MAX, cursor = 0;
     for (const ByteSpan& span : taken) {
@@ -64,7 +66,7 @@ std::vector<uint32_t> size_descending_order(const std::vector<PackItem>& items) 
     return order;
 }
 
-// The position at which the items in use are largest together.
+// Returns the position at which the total size of the live items is largest.
 uint32_t peak_position(const std::vector<PackItem>& items) {
     std::map<uint32_t, int64_t> changes;
     for (const PackItem& item : items) {
@@ -82,8 +84,8 @@ uint32_t peak_position(const std::vector<PackItem>& items) {
     return position;
 }
 
-// Items that live at the peak have no room to spare and are placed first. The others follow by their distance
-// from it.
+// Returns an order in which items that are alive at the memory peak come first, because their total size
+// decides the height. The other items follow by their distance in time from the peak.
 std::vector<uint32_t> peak_first_order(const std::vector<PackItem>& items) {
     const uint32_t peak = peak_position(items);
     const auto distance = [&](uint32_t i) {
@@ -100,7 +102,8 @@ bool is_good_enough(const Packing& packing, uint64_t lower_bound_bytes, size_t r
     return packing.height_bytes <= lower_bound_bytes / 100 * (kGoodEnoughPercent + round / kRoundsPerPercent);
 }
 
-// Large and long-lived first: what is in many items' way finds its place before them.
+// Returns the items sorted by (size × lifetime), largest first. Items that conflict with many others are so
+// placed while there is still free space.
 std::vector<uint32_t> area_descending_order(const std::vector<PackItem>& items) {
     const auto area = [&](uint32_t i) {
         return items[i].size_bytes * (uint64_t{items[i].last} - items[i].first + 1);
@@ -110,7 +113,8 @@ std::vector<uint32_t> area_descending_order(const std::vector<PackItem>& items) 
     return order;
 }
 
-// The item that reached the top is placed first in the next round.
+// Improves a packing by local search. Each iteration moves the item with the highest end to the front of the
+// order and packs all items again.
 Packing search(const std::vector<PackItem>& items, std::vector<uint32_t> order, Packing best,
                uint64_t lower_bound, Conflicts& conflicts) {
     const size_t rounds = std::min(kMaxSearchRounds, kSearchVisits / std::max<size_t>(conflicts.visits(), 1));

@@ -1,8 +1,9 @@
-// Purpose: offset packing. Items that live at the same time must not share bytes.
+// Purpose: computes offsets in a heap such that items that are alive at the same time do not share bytes.
 // Units: bytes; `first` and `last` are schedule positions, both included.
-// Source: size-descending best fit is the usual heuristic for offline dynamic storage allocation (Y.
-// Pisarchyk, J. Lee, "Efficient Memory Management for Deep Neural Net Inference", 2020); the sweep is a
-// best-fit heap run over time, near-linear where the other is not.
+// Source: best fit in order of decreasing size is the usual heuristic for offline dynamic storage allocation
+// (Y. Pisarchyk, J. Lee, "Efficient Memory Management for Deep Neural Net Inference", 2020). pack_sweep()
+// simulates a best-fit heap over time; its run time is nearly linear, where the other heuristic's is
+// quadratic.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +20,24 @@ struct PackItem {
 };
 
 struct Packing {
-    std::vector<uint64_t> offsets_bytes;  // by item
+    std::vector<uint64_t> offsets_bytes;  // Index: item. Offset in the heap.
     uint64_t height_bytes = 0;
 };
 
-// Whether two items, by index, may be in use at the same time although their positions do not overlap: on
-// several queues a later position need not come later. Empty: positions say it all.
+// A function that returns true if two items (given by their indices) may be in use at the same time although
+// their positions do not overlap. This happens with several queues, because a pass at a later position may
+// run earlier on another queue. An empty function means that positions alone decide.
 using Unordered = std::function<bool(uint32_t, uint32_t)>;
 
-// Largest first, each into the tightest gap left by the items it lives beside.
+// Places the items by decreasing size, each into the smallest sufficient gap between items that are alive at
+// the same time.
 [[nodiscard]] Packing pack_size_descending(const std::vector<PackItem>& items);
-// By time: what ends gives its bytes back, what starts takes the tightest hole.
+// Places the items by the start of their lifetimes. When a lifetime ends, its bytes become a free gap; a new
+// item takes the smallest sufficient gap.
 [[nodiscard]] Packing pack_sweep(const std::vector<PackItem>& items);
-// The lowest of both and of a bounded search, given that nothing can be lower than `lower_bound_bytes`. The
-// sweep goes by positions alone, and is left out where they do not say it all.
+// Returns the lowest packing that the sweep, the best-fit orders and a bounded local search find. No packing
+// can be lower than `lower_bound_bytes`, so the search stops near it. The sweep uses positions only, so it is
+// skipped if `unordered` is given.
 [[nodiscard]] Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes,
                            const Unordered& unordered = {});
 

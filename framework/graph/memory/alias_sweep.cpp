@@ -1,4 +1,5 @@
-// Best fit over time: the heap as it would look if it were allocated from while the frame runs.
+// Best-fit packing over time: it simulates a heap from which resources are allocated and freed while the
+// frame runs.
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -40,7 +41,7 @@ class FreeList {
     }
 
  private:
-    using Holes = std::map<uint64_t, uint64_t>;  // begin → end
+    using Holes = std::map<uint64_t, uint64_t>;  // Key: begin of the gap. Value: its end.
 
     static uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
         return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;

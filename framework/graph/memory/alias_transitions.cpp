@@ -13,10 +13,12 @@ struct Owner {
     uint32_t frame = 0;
 };
 
-// The last owner of every byte of one heap. A new owner clips the ranges that it covers.
+// Stores the last owner (resource and frame) of every byte range of one heap. A new owner replaces or
+// shortens the ranges that it overlaps.
 class OwnerMap {
  public:
-    // Appends the owners of [begin, end) to `old_owners` and puts `owner` in their place.
+    // Appends the owners of the bytes from `begin` to `end` - 1 to `old_owners`. Then makes `owner` the owner
+    // of these bytes.
     void take(uint64_t begin, uint64_t end, Owner owner, std::vector<Owner>& old_owners) {
         cut(begin);
         cut(end);
@@ -44,7 +46,7 @@ class OwnerMap {
         ranges_.emplace(at, upper);
     }
 
-    std::map<uint64_t, Range> ranges_;  // by begin
+    std::map<uint64_t, Range> ranges_;  // Key: first byte of the range.
 };
 
 bool before(const AliasTransition& a, const AliasTransition& b) {

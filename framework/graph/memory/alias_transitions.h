@@ -1,4 +1,5 @@
-// Purpose: who takes over whose memory, found by sweeping the placements over two frames in a row.
+// Purpose: finds the pairs of resources of which one takes over memory from the other. It goes through the
+// placements of two consecutive frames in time order.
 #pragma once
 
 #include <vector>
@@ -7,9 +8,9 @@
 
 namespace weft {
 
-// For every placed transient the owners, byte range by byte range, that held its memory last before it; the
-// second of the two frames is what repeats, so that owners from the first are hand-overs across the frame
-// boundary.
+// Returns, for every placed transient, the previous owners of its bytes. The result is that of the second of
+// the two frames, because all later frames are equal to it. A previous owner in the first frame gives a
+// transition across the frame boundary (`wrap`).
 [[nodiscard]] std::vector<AliasTransition> alias_transitions(const std::vector<Placement>& placements,
                                                              const Lifetimes& spans);
 

@@ -1,5 +1,6 @@
-// Purpose: XXH3, 128 bits, over fields in the order of plan_fields.h; each sequence and text is led by its
-// length, so that no two inputs run together to the same bytes. 32 hex digits.
+// Purpose: hashes the fields of a plan in the order of plan_fields.h with XXH3 (128 bits). The length of each
+// sequence and text is hashed before its content, so that different inputs cannot give the same bytes. The
+// result is a text of 32 hexadecimal digits.
 #pragma once
 
 #include <algorithm>
@@ -26,16 +27,17 @@ class HashVisitor {
 
     template <class T>
     void operator()(const char*, const T& value) {
-        // Says where the author uses a parameter, which changes nothing of a plan.
+        // A ParamCost only tells where the graph uses a parameter. It changes nothing in the plan, so it is
+        // not hashed.
         if constexpr (!std::is_same_v<T, ParamCost>) add(value);
     }
 
-    // Hands on what is still gathered; the last call.
+    // Hashes the bytes still in the buffer. Call this once, after all fields.
     void finish() { flush(); }
 
  private:
-    // Little-endian everywhere. Words and short texts are gathered, because a plan is made of them and each
-    // update has a price.
+    // Adds a word in little-endian order on every platform, so that hashes are equal everywhere. Words and
+    // short texts are collected in a buffer, because each call of XXH3_128bits_update has a fixed cost.
     void word(uint64_t value) {
         if (words_.size() - used_ < sizeof(value)) flush();
         if constexpr (std::endian::native == std::endian::little)

@@ -7,7 +7,8 @@ namespace {
 
 void add_program(HashVisitor& v, const ShaderProgram& program) {
     for (const ShaderModule& module : program.modules) v("stage", module.stage), v("words", module.spirv);
-    // The SPIR-V words do not contain these names: constants and vertex inputs are found by name.
+    // Specialisation constants and vertex inputs are matched by name. The names are hashed too, because the
+    // SPIR-V words do not contain them.
     for (const SpecConstant& constant : program.interface.spec_constants)
         v("name", constant.name), v("id", constant.id);
     for (const StageVariable& input : program.interface.vertex_inputs)
@@ -21,7 +22,8 @@ void add_target(HashVisitor& v, const PipelineParts& parts, const AttachmentDecl
 }
 
 void add_state(HashVisitor& v, RasterState state) {
-    // These are set while recording.
+    // The pipeline has these as dynamic state, set while commands are recorded. So they must not change the
+    // hash.
     state.cull = {};
     state.front_face = {};
     state.scissor.reset();

@@ -1,6 +1,7 @@
-// Purpose: tells pipelines apart by what they are made of: the words of the shader's stages, constants,
-// fixed-function state, formats and vertex streams. Equal hashes (32 hex digits): one pipeline serves both,
-// whatever passes or plans they belong to, as long as one draw source gives the layouts of sets 0, 2 and 3.
+// Purpose: computes a hash of everything that determines a pipeline: the SPIR-V of its shader stages,
+// constants, fixed-function state, attachment formats and vertex streams. Passes with equal hashes (32
+// hexadecimal digits), even of different plans, can share one pipeline if the same draw source provides their
+// layouts of descriptor sets 0, 2 and 3.
 #pragma once
 
 #include <string>
@@ -15,8 +16,8 @@ struct PipelineParts {
     const ResolvedGraph& graph;
     const PassDecl& pass;
     const ShaderProgram& program;
-    const DrawVariant* variant = nullptr;    // of a draw list; its constants count
-    const VertexFormat* vertices = nullptr;  // of that list
+    const DrawVariant* variant = nullptr;    // The variant of a draw list; its constants are hashed.
+    const VertexFormat* vertices = nullptr;  // The vertex format of the draw list.
 };
 
 [[nodiscard]] std::string pipeline_hash(const PipelineParts& parts);

@@ -1,8 +1,6 @@
-// Purpose: every field of a plan, named once, for whoever walks plans: the canonical hash and the JSON dump.
-// Provenance
-// (`loc`, SourceMap) is left out on purpose, and so is the hash itself.
-// A visitor is called as visitor("name", field) for values, enums, structs, vectors, arrays and optionals
-// alike.
+// Purpose: lists every field of a plan once. The hash of a plan and its JSON dump both use this list.
+// A visitor is called as visitor("name", field) for each value, enum, struct, vector, array and optional.
+// Positions in source files (`loc`, SourceMap) and the hash itself are not listed on purpose.
 #pragma once
 
 #include "weft/plan.h"

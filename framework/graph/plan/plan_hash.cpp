@@ -1,4 +1,5 @@
-// The fields of a plan that count in each hash.
+// The hashes of a plan: plan_hash() of all fields, and structure_hash() without values that can change while
+// the plan is used.
 #include <string>
 
 #include "graph/plan/field_hash.h"

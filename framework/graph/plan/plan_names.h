@@ -1,4 +1,5 @@
-// Purpose: the enumerations of a plan as words, for dumps.
+// Purpose: returns the values of a plan's enumerations as words, for JSON dumps and texts, such as
+// "color_output".
 #pragma once
 
 #include "weft/plan.h"

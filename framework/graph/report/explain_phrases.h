@@ -1,4 +1,4 @@
-// Purpose: the parts that explanations are made of, for a page that shows them all at once.
+// Purpose: builds the sentences that `weft explain` and the HTML page share.
 #pragma once
 
 #include <string>
@@ -8,18 +8,23 @@
 
 namespace weft {
 
-[[nodiscard]] const char* describe_reason(BarrierReason reason);  // "a read after a write"
-// Uses of the memory that a barrier is about: of its resource, or of whoever held the memory before.
+[[nodiscard]] const char* describe_reason(BarrierReason reason);  // For example "a read after a write".
+// Returns the uses by `pass` for which the barrier waits: uses of the barrier's resource, or of the earlier
+// resources in the same memory if the barrier takes memory over from them.
 [[nodiscard]] std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& barrier,
                                                           PassId pass);
 [[nodiscard]] bool waits_for(const FramePlan& plan, const BarrierDecl& barrier, PassId pass);
 
 [[nodiscard]] std::string describe_batch(const FramePlan& plan,
-                                         const Batch& batch);  // queue 0, 1 "a" to 3 "b"
-// Indented lines: which pass must not start before which, and their uses. kNoId: empty.
+                                         // Returns a text such as: queue 0, 1 "a" to 3 "b". The numbers are
+                                         // schedule positions.
+                                         const Batch& batch);
+// Returns indented lines that explain a dependency between queues: which pass must not start before which,
+// and the uses that are the reason. Returns an empty text for kNoId.
 [[nodiscard]] std::string describe_cause(const FramePlan& plan, uint32_t dependency);
 
-// Indented lines: who takes over whose memory and when, or that a third one comes between.
+// Returns indented lines that tell which of the two resources takes over memory from the other, and at which
+// position; or that a third resource uses the memory in between.
 [[nodiscard]] std::string describe_alias_transitions(const FramePlan& plan, ResourceId a, ResourceId b);
 
 }  // namespace weft

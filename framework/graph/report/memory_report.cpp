@@ -9,9 +9,10 @@
 namespace weft {
 namespace {
 
-constexpr size_t kNamedAtPeak = 3;  // in a warning
+constexpr size_t kNamedAtPeak = 3;  // Number of resources that a warning names.
 
-// The type that an executor would take: the first that the plan allows.
+// Returns the index of the memory type that an executor would choose: the first type that the plan allows for
+// the heap. Returns nothing if the device profile lacks that type.
 std::optional<uint32_t> memory_type(const HeapPlan& heap, const DeviceProfile& profile) {
     const auto type = static_cast<uint32_t>(std::countr_zero(heap.type_bits));
     return type < profile.memory_types.size() ? std::optional(type) : std::nullopt;
@@ -70,7 +71,8 @@ std::string largest_at_peak(const FramePlan& plan) {
     return text;
 }
 
-// At the resource that takes the most where most is alive.
+// Creates a diagnostic about memory. Its source location is the largest resource among those that are alive
+// at the memory peak.
 Diagnostic memory_fault(const FramePlan& plan, const std::string& file, std::string code,
                         std::string message) {
     const std::vector<ResourceId> live = live_at_peak(plan);

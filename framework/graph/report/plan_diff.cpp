@@ -21,7 +21,8 @@ Facts missing_in(const Facts& other, const Facts& facts) {
     return found;
 }
 
-// `items` are sorted by name. `facts` is called with a plan and an index.
+// Compares the items of two plans by name. Both lists of items must be sorted by name. `facts(plan, index)`
+// returns texts that describe one item; an item has changed if these texts differ.
 template <class T, class F>
 NamesDiff diff_names(const FramePlan& from, const std::vector<T>& old_items, const FramePlan& to,
                      const std::vector<T>& new_items, F facts) {
@@ -45,16 +46,18 @@ NamesDiff diff_names(const FramePlan& from, const std::vector<T>& old_items, con
     return diff;
 }
 
-// All but the longest run of passes that kept their order: patience sorting.
+// Returns the passes that changed their order. These are all common passes except the longest sequence that
+// has the same order in both plans; patience sorting finds this sequence.
 std::vector<PassMove> moved_passes(const FramePlan& from, const FramePlan& to) {
-    std::vector<PassMove> common;  // in the old order
+    std::vector<PassMove> common;  // Passes of both plans, in the order of the old plan.
     for (uint32_t p = 0; p < from.schedule.order.size(); ++p) {
         const PassDecl* other = find_pass(to.graph, from.graph.passes[from.schedule.order[p]].name);
         if (other == nullptr) continue;
         const uint32_t position = to.schedule.position[static_cast<size_t>(other - to.graph.passes.data())];
         if (position != kNoId) common.push_back({other->name, p, position});
     }
-    std::vector<size_t> ends, previous(common.size(), SIZE_MAX);  // of runs by length: their last pass
+    // Index: length of a sequence - 1; value: its last pass, as index into `common`.
+    std::vector<size_t> ends, previous(common.size(), SIZE_MAX);
     for (size_t i = 0; i < common.size(); ++i) {
         const auto it =
             std::lower_bound(ends.begin(), ends.end(), common[i].to,

@@ -82,7 +82,8 @@ class BarrierAnswer {
         });
     }
 
-    // `before` is kNoId for what is recorded right after the first pass.
+    // Appends the explanation of one barrier. `before` is the pass before which the barrier is recorded;
+    // kNoId means that it is recorded right after the first pass.
     void add(const BarrierDecl& b, PassId before) {
         const bool image = plan_.graph.resources[b.resource].kind == ResourceKind::image;
         text_ += describe_part(plan_, b.resource, b.range) + ": a barrier " +
@@ -119,7 +120,7 @@ class BarrierAnswer {
         return text;
     }
 
-    // Every pass after the first one, up to the second, goes on in the same rendering scope.
+    // Returns true if all passes from the first pass to the second draw in one rendering scope.
     bool in_one_scope() const {
         PassId pass = second_;
         while (pass != first_ && pass != kNoId) pass = continued_pass(plan_, plan_.schedule.position[pass]);
@@ -149,7 +150,8 @@ class BarrierAnswer {
                "give.\n";
     }
 
-    // Explains how the barrier before the pass at `position` serves the second pass.
+    // Explains how an earlier barrier, recorded before the pass at `position`, already orders the second pass
+    // after the first pass.
     std::string through_words(uint32_t position, const BarrierDecl& barrier, const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];
         const std::string waited =

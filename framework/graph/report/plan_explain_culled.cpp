@@ -7,7 +7,8 @@
 namespace weft {
 namespace {
 
-// `reader` needs `pass`: it sees through `use` what the pass wrote, in this frame or an earlier one.
+// A pass that needs the result of the pass in question. `use` is the port of `reader` that reads this result,
+// written in the same frame or in an earlier frame.
 struct Need {
     PassId reader = kNoId;
     const UseDecl* use = nullptr;
@@ -49,7 +50,8 @@ std::string root_words(const FramePlan& plan, PassId pass) {
     return plan.graph.passes[pass].side_effect ? "it has a side effect, so that it always runs" : "";
 }
 
-// One way from a live pass to something that must run: the readers on it.
+// Returns one chain of readers from a live pass to a pass that must run because it writes the output or has a
+// side effect.
 std::vector<Need> way_to_root(const FramePlan& plan, PassId pass) {
     std::vector<Need> way;
     std::vector<uint8_t> seen(plan.graph.passes.size(), 0);

@@ -1,4 +1,5 @@
-// Questions about resources: do two of them share memory, and what is one of them.
+// Answers the questions `weft explain FILE alias A B` (do two resources share memory?) and `weft explain FILE
+// resource R` (what is this resource?).
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"
@@ -31,7 +32,8 @@ bool overlap_in_memory(const Placement& a, const Placement& b) {
            b.offset_bytes < a.offset_bytes + a.size_bytes;
 }
 
-// Why a resource shares memory with nobody at all; empty when it might.
+// Returns the reason why a resource never shares memory, such as being an import. Returns an empty text if it
+// may share memory.
 std::string alone_words(const FramePlan& plan, ResourceId resource) {
     const std::string name = describe_resource(plan, resource);
     if (!plan.live.live_resources[resource]) return name + " takes no memory: no pass that runs uses it.\n";

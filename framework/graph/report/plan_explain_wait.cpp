@@ -16,7 +16,8 @@ uint32_t batch_of(const FramePlan& plan, uint32_t position) {
     return static_cast<uint32_t>(it - batches.begin());
 }
 
-// The uses behind a dependency: those of its resource, or of whoever holds that memory before.
+// Returns a line for each use of `resource` by the pass at `position`. These uses are the reason for a
+// dependency between queues.
 std::string uses_at(const FramePlan& plan, uint32_t position, ResourceId resource) {
     if (position >= plan.schedule.order.size()) return "";
     std::string text;

@@ -13,7 +13,7 @@ std::string place(const FramePlan& plan, const SourceLoc& loc) {
     return loc.file < plan.graph.sources.files.size() ? " (" + plan.graph.sources.describe(loc) + ")" : "";
 }
 
-// The rounds of a repeat of that name.
+// Returns the iterations of the `repeat` with this name: the items "name#1", "name#2" and so on.
 template <class T>
 std::vector<uint32_t> rounds_of(const std::vector<T>& items, const std::string& name) {
     std::vector<uint32_t> rounds;

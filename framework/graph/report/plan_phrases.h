@@ -1,5 +1,5 @@
-// Purpose: the parts of a plan as a sentence names them, with the place in the file where each was written:
-// "lighting" (deferred.json:29:5). Things made by a program have no place.
+// Purpose: returns texts that name the parts of a plan in sentences, with the place of their definition:
+// "lighting" (deferred.json:29:5). Passes and resources that a program created have no place.
 #pragma once
 
 #include <string>
@@ -12,23 +12,24 @@ namespace weft {
 
 [[nodiscard]] std::string describe_pass(const FramePlan& plan, PassId pass);
 [[nodiscard]] std::string describe_resource(const FramePlan& plan, ResourceId resource);
-// Its range too, where it is not the whole resource: "bloom.mip(2).layer(0)".
+// Returns the name of the resource. A range that is not the whole resource is appended:
+// "bloom.mip(2).layer(0)".
 [[nodiscard]] std::string describe_part(const FramePlan& plan, ResourceId resource,
                                         const SubresourceRange& range);
-// port "hdr" (place) reads and writes "hdr"
+// Returns a text such as: port "hdr" (deferred.json:31:9) reads and writes "hdr".
 [[nodiscard]] std::string describe_use(const FramePlan& plan, const UseDecl& use);
-[[nodiscard]] const char* access_verb(Access access);  // "reads", "writes", "reads and writes"
-// 2 "lighting"
+[[nodiscard]] const char* access_verb(Access access);  // Returns "reads", "writes" or "reads and writes".
+// Returns the position and its pass, such as: 2 "lighting".
 [[nodiscard]] std::string describe_position(const FramePlan& plan, uint32_t position);
-// color_output color_write color_attachment
+// Returns stages, accesses and, for an image, the layout, such as: color_output color_write color_attachment.
 [[nodiscard]] std::string describe_state(const AccessState& state, bool image);
 
-// Errors: W104 and W103, with near names, or the names of all rounds where `name` is that of a repeat; `file`
-// of the error is the graph's.
+// Finds a pass or resource by name. Errors: W104 (pass), W103 (resource). The error suggests similar names,
+// or lists the iterations if `name` is that of a `repeat`. The `file` of the error is the graph's.
 [[nodiscard]] Result<PassId> named_pass(const FramePlan& plan, const std::string& name);
 [[nodiscard]] Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name);
-// The one of that name, or all rounds of the repeat of that name: "down" stands for "down#1", "down#2" and
-// so on. Errors: as above.
+// Like named_pass() and named_resource(), but the name of a `repeat` gives all its iterations: "down" gives
+// "down#1", "down#2" and so on.
 [[nodiscard]] Result<std::vector<PassId>> named_passes(const FramePlan& plan, const std::string& name);
 [[nodiscard]] Result<std::vector<ResourceId>> named_resources(const FramePlan& plan, const std::string& name);
 

@@ -18,7 +18,8 @@ namespace {
 
 using Facts = std::vector<std::string>;
 
-// Every field of a struct that holds no ids, as "depthTest 1" or "stencilFront.readMask 255".
+// Visits every field of a struct without ids and makes a text of each, such as "depthTest 1" or
+// "stencilFront.readMask 255".
 class FieldFacts {
  public:
     explicit FieldFacts(std::string prefix) : prefix_(std::move(prefix)) {}
@@ -53,7 +54,7 @@ class FieldFacts {
     std::string prefix_;
 };
 
-// Settings that differ from their defaults.
+// Appends the texts of the fields that differ from their default values.
 template <class T>
 void add_fields(const std::string& prefix, const T& value, Facts& facts) {
     FieldFacts given(prefix), standard(prefix);

@@ -1,5 +1,5 @@
-// Purpose: what a plan states about one pass or resource, a line each, in names instead of ids, so that two
-// plans can be compared.
+// Purpose: describes one pass or resource of a plan in lines of text. The lines contain names instead of ids,
+// so that the lines of two plans can be compared.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace weft {
 
-// In a fixed order, without repeats.
+// Returns the lines in a fixed order. No line occurs twice.
 [[nodiscard]] std::vector<std::string> summarize_pass(const FramePlan& plan, PassId pass);
 [[nodiscard]] std::vector<std::string> summarize_resource(const FramePlan& plan, ResourceId resource);
 

@@ -31,7 +31,8 @@ class PlanText {
     const std::string& pass(PassId id) const { return plan_.graph.passes[id].name; }
     const std::string& resource(ResourceId id) const { return plan_.graph.resources[id].name; }
 
-    // "name", with the range where it is not the whole resource.
+    // Returns the name of the resource. A range that is not the whole resource is appended, such as
+    // "bloom.mip(2)".
     std::string part(ResourceId id, const SubresourceRange& range) const {
         return resource(id) + (range == plan_.graph.resources[id].whole() ? "" : range_text(range));
     }
@@ -81,7 +82,7 @@ class PlanText {
         for (const BarrierDecl& b : p.after) barrier(b);
     }
 
-    // The waits of the batch that begins with this position.
+    // Writes the semaphore waits of the batch whose first pass is at this position.
     void waits(uint32_t position) {
         for (const Batch& batch : plan_.submissions.batches) {
             if (batch.positions.empty() || batch.positions.front() != position) continue;

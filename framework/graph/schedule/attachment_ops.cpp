@@ -1,5 +1,6 @@
-// Load and store operations from what is known statically: who reads a version, and whether its first write
-// covers.
+// Chooses the load and store operations of attachments from the declarations alone. An attachment is stored
+// if a later pass reads the content that the pass wrote. A first write clears the attachment unless the pass
+// covers every texel.
 #include <algorithm>
 #include <tuple>
 
@@ -17,7 +18,8 @@ struct Written {
     }
 };
 
-// Everything that a live pass reads from another, sorted by producer and resource.
+// Returns one entry for each version that a live pass reads and that another pass of the frame wrote. The
+// entries are sorted by the writing pass, then by resource.
 std::vector<Written> versions_read(const ResolvedGraph& graph, const LiveGraph& live) {
     std::vector<Written> versions;
     for (PassId id = 0; id < graph.passes.size(); ++id) {

@@ -1,4 +1,5 @@
-// Purpose: load and store operations of all attachments. Later stages count them as accesses.
+// Purpose: chooses the load and store operations of all attachments. collect_accesses() later counts each
+// operation as a memory access.
 #pragma once
 
 #include <vector>
@@ -8,7 +9,8 @@
 
 namespace weft {
 
-// By position in the order, then by attachment: colours by location, then depth.
+// Indexed by the pass's position in the schedule, then by attachment: colour attachments sorted by location,
+// then the depth attachment.
 using AttachmentTable = std::vector<std::vector<AttachmentOps>>;
 
 [[nodiscard]] AttachmentTable attachment_ops(const ResolvedGraph& graph, const LiveGraph& live,

@@ -1,5 +1,6 @@
-// Purpose: which resources a frame writes in all their parts, by ResourceId. The others hold in some of their
-// bytes what the memory's owner before them left there.
+// Purpose: finds the resources of which a frame writes every mip and layer. The result has 1 for such a
+// ResourceId, else 0. The unwritten parts of the other resources still contain bytes of the resource that
+// used the same memory before.
 #pragma once
 
 #include <cstdint>

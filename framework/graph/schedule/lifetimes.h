@@ -1,4 +1,5 @@
-// Purpose: from which position to which each resource is used.
+// Purpose: finds the lifetime of each transient resource: the first and the last schedule position that uses
+// the resource.
 #pragma once
 
 #include "weft/declaration.h"

@@ -1,5 +1,5 @@
-// Which queue runs a pass: the one its author hints at, where that queue exists and can do what the pass
-// does, else the next more capable one.
+// Chooses the queue of each pass. A pass gets a queue of the kind that its author suggests. If no such queue
+// exists or can run the pass, the pass gets a queue of the next more capable kind.
 #include <algorithm>
 #include <array>
 
@@ -13,7 +13,8 @@ constexpr StageMask kTransferStages = stage::kCopy | stage::kHost;
 constexpr StageMask kComputeStages =
     kTransferStages | stage::kClear | stage::kDrawIndirect | stage::kComputeShader;
 
-// Whether a queue can do it: its stages, and the copies and clears that only some queues offer.
+// Returns true if the queue supports all stages of the pass. Depth images can be copied or cleared only on a
+// graphics queue.
 bool can_run(const PassDecl& pass, const LogicalQueue& queue) {
     if (queue.kind == QueueKind::graphics) return true;
     if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) return false;
@@ -26,7 +27,8 @@ bool can_run(const PassDecl& pass, const LogicalQueue& queue) {
     });
 }
 
-// An import that was not made for all families stays in its own.
+// Returns true if every import that the pass uses may be used on this queue: the import was created for all
+// queue families, or it belongs to the family of the queue.
 bool owns_imports(const ResolvedGraph& graph, const PassDecl& pass, const LogicalQueue& queue) {
     return std::all_of(pass.uses.begin(), pass.uses.end(), [&](const UseDecl& use) {
         const std::optional<ImportState>& import = graph.resources[use.resource].import;
@@ -47,7 +49,8 @@ uint32_t family_of(const DeviceProfile& profile, QueueKind kind) {
 std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vector<PassId>& order,
                                       const std::vector<LogicalQueue>& queues) {
     std::vector<QueueIndex> assigned;
-    std::array<uint32_t, 3> used{};  // by kind: how many passes were given to queues of that kind
+    // Index: QueueKind. Number of passes that got a queue of this kind so far.
+    std::array<uint32_t, 3> used{};
     for (const PassId id : order) {
         const PassDecl& pass = graph.passes[id];
         QueueIndex chosen = 0;
@@ -61,7 +64,8 @@ std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vec
         }
         assigned.push_back(chosen);
     }
-    // The first queue begins and ends every frame; a frame that leaves it idle gains nothing from the others.
+    // Queue 0 begins and ends every frame. If no pass runs on queue 0, other queues cannot run in parallel to
+    // it. Then all passes go to queue 0.
     if (std::find(assigned.begin(), assigned.end(), 0u) == assigned.end())
         assigned.assign(assigned.size(), 0);
     return assigned;

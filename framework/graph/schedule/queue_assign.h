@@ -1,4 +1,4 @@
-// Purpose: one logical queue for every pass of an order.
+// Purpose: assigns a logical queue to every pass of a schedule.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,8 @@
 
 namespace weft {
 
-// By position. `queues[0]` can do everything.
+// Returns the queue of each pass, indexed by the pass's position in `order`. `queues[0]` must be a graphics
+// queue, because it gets every pass that no other queue can run.
 [[nodiscard]] std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph,
                                                     const std::vector<PassId>& order,
                                                     const std::vector<LogicalQueue>& queues);

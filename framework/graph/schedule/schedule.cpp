@@ -1,5 +1,6 @@
-// Chooses an order out of a portfolio: least peak-live memory first, then fewest barrier batches. Program
-// order is always a candidate and wins ties, so that the choice is never worse than what the author wrote.
+// Chooses the best of three candidate orders: the one with the lowest peak of live memory, and at equal peaks
+// the one with the fewest barrier batches. The program order of the author is always a candidate and wins
+// ties, so the chosen order is never worse.
 #include <cassert>
 #include <tuple>
 #include <utility>

@@ -1,4 +1,4 @@
-// Purpose: an order for the live passes, and a queue for each.
+// Purpose: chooses the order in which the live passes run, and a queue for each pass.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace weft {
 
-// `needs` weighs the memory that each candidate order takes. The edges have no cycle: resolve() reports those
-// (W150).
+// `needs` gives the size of each resource, from which the memory of each candidate order is computed. The
+// edges of the graph must have no cycle; resolve() has already reported cycles as error W150.
 [[nodiscard]] Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
                                 const std::vector<LogicalQueue>& queues = {LogicalQueue{}});
 

@@ -10,8 +10,9 @@
 namespace weft {
 namespace {
 
-// The graph as seen from one end. Lifetimes are symmetric: walking backwards, a last use allocates and a
-// first frees.
+// The dependency graph for one direction of the greedy algorithm: forwards or backwards in time. Backwards,
+// the last user of a resource allocates its memory and the first user frees it, so one algorithm serves both
+// directions.
 struct Walk {
     const ScheduleProblem& problem;
     const IndexRows& next;
@@ -25,8 +26,9 @@ std::vector<uint32_t> row_sizes(const IndexRows& rows) {
     return sizes;
 }
 
-// Greedy list scheduling. A pass's score only ever falls (others allocate what it needs; it becomes the last
-// user), so each fall pushes a fresh entry and stale ones are skipped when they surface.
+// Greedy list scheduling: it always takes the ready pass with the lowest score. The score of a pass can only
+// fall: when another pass allocates a resource of the pass, or when the pass becomes the last user of a
+// resource. So each change pushes a new heap entry, and outdated entries are skipped when they reach the top.
 class Greedy {
  public:
     explicit Greedy(const Walk& walk)
@@ -101,11 +103,14 @@ class Greedy {
     }
 
     const Walk& walk_;
-    std::vector<uint32_t> waiting_;     // by pass: predecessors not taken yet
-    std::vector<uint32_t> users_left_;  // by resource
-    std::vector<uint64_t> user_sum_;    // by resource: sum of the ids of those users; of the last one, its id
-    std::vector<int64_t> score_;        // by pass: bytes allocated less bytes freed
-    std::vector<uint8_t> ready_;        // by pass: 0 waiting, 1 in the heap, 2 taken
+    std::vector<uint32_t> waiting_;     // Index: PassId. Number of predecessors not in the order yet.
+    std::vector<uint32_t> users_left_;  // Index: ResourceId. Number of users not in the order yet.
+    // Index: ResourceId. Sum of the ids of the users that are not in the order yet. If one user is left, the
+    // sum is its id.
+    std::vector<uint64_t> user_sum_;
+    // Index: PassId. Bytes that the pass would allocate, minus bytes it would free.
+    std::vector<int64_t> score_;
+    std::vector<uint8_t> ready_;  // Index: PassId. 0: has open predecessors, 1: in the heap, 2: in the order.
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
     std::vector<PassId> order_;
 };

@@ -1,7 +1,8 @@
-// Purpose: the orders that schedule() chooses from, and what each would cost.
-// Units: bytes of transient memory. Costs: heaps throughout, O((passes + edges + uses) log passes).
-// Source: greedy list scheduling for memory, as in AMD's Render Pipeline Shaders SDK, with program order
-// beside it because no single heuristic wins everywhere.
+// Purpose: computes the candidate orders of passes from which schedule() chooses, and the cost of each order.
+// Units: bytes of transient memory. Run time: O((passes + edges + uses) log passes), because every algorithm
+// uses heaps.
+// Source: greedy list scheduling for memory, as in AMD's Render Pipeline Shaders SDK. Program order is a
+// candidate too, because no single heuristic is best for all graphs.
 #pragma once
 
 #include <cstdint>
@@ -11,39 +12,45 @@
 
 namespace weft {
 
-// Rows of indices, stored flat.
+// A list of rows, each a list of indices. All rows are stored one after another in `items`.
 struct IndexRows {
-    std::vector<uint32_t> offsets;  // row r is items [offsets[r], offsets[r + 1])
+    std::vector<uint32_t> offsets;  // Row r consists of items[offsets[r]] to items[offsets[r + 1] - 1].
     std::vector<uint32_t> items;
 
     [[nodiscard]] const uint32_t* begin(uint32_t row) const { return items.data() + offsets[row]; }
     [[nodiscard]] const uint32_t* end(uint32_t row) const { return items.data() + offsets[row + 1]; }
 };
 
-// The part of a graph that the candidates need. Culled passes stay as nodes without cost, so that an order
-// which only runs through them ("a after b after c") still holds.
+// The part of a graph that the scheduling algorithms need. A culled pass stays in it as a node without cost.
+// This keeps indirect orders: if a culled pass b runs after a, and c after b, then c still runs after a.
 struct ScheduleProblem {
-    std::vector<uint8_t> live;           // by pass
-    std::vector<uint32_t> rank;          // by pass: its place by (order_key, name)
-    IndexRows successors, predecessors;  // by pass
-    IndexRows resources;                 // by pass: transients it touches, each once; live passes only
-    IndexRows users;                     // by resource: live passes, each once
-    std::vector<uint64_t> size_bytes;    // by resource
+    std::vector<uint8_t> live;  // Index: PassId. 1 if the pass is live, 0 if it is culled.
+    // Index: PassId. Rank of the pass when passes are sorted by (order_key, name).
+    std::vector<uint32_t> rank;
+    // Row of a pass: the passes that depend on it, or on which it depends.
+    IndexRows successors, predecessors;
+    IndexRows resources;               // Row of a live pass: the transients it uses, each once.
+    IndexRows users;                   // Row of a transient: the live passes that use it, each once.
+    std::vector<uint64_t> size_bytes;  // Index: ResourceId. Size in bytes.
 };
 
 [[nodiscard]] ScheduleProblem schedule_problem(const ResolvedGraph& graph, const LiveGraph& live,
                                                const MemoryNeeds& needs);
 
-// Topological by rank.
+// Returns a topological order of the live passes. Among ready passes, the one with the lowest rank comes
+// first.
 [[nodiscard]] std::vector<PassId> program_order(const ScheduleProblem& problem);
-// Always the ready pass that allocates least, after what it frees.
+// Returns the order that a greedy algorithm finds from the first pass to the last: next comes the ready pass
+// with the lowest (bytes it allocates - bytes it frees).
 [[nodiscard]] std::vector<PassId> forward_greedy_order(const ScheduleProblem& problem);
-// The same from the last pass to the first.
+// Returns the order that the greedy algorithm of forward_greedy_order() finds when it starts at the last pass
+// and goes backwards in time.
 [[nodiscard]] std::vector<PassId> backward_greedy_order(const ScheduleProblem& problem);
 
 [[nodiscard]] uint64_t peak_live_bytes(const ScheduleProblem& problem, const std::vector<PassId>& order);
-// Positions that need a barrier, were every barrier a full one: those that touch a transient first, or depend
-// on a pass since the last such position.
+// Counts the positions that would need a barrier if every barrier waited for all earlier work. These are the
+// positions that use a transient for the first time, or that depend on a pass since the last counted
+// position.
 [[nodiscard]] uint32_t barrier_batches(const ScheduleProblem& problem, const std::vector<PassId>& order);
 
 }  // namespace weft

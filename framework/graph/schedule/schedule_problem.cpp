@@ -7,9 +7,9 @@
 namespace weft {
 namespace {
 
-using IndexPairs = std::vector<std::pair<uint32_t, uint32_t>>;  // row, item
+using IndexPairs = std::vector<std::pair<uint32_t, uint32_t>>;  // One pair for each entry: row index, item.
 
-// Counting sort by row: items keep their order within a row.
+// Builds the rows with a counting sort. Items of one row keep the order that they have in `pairs`.
 IndexRows make_rows(size_t row_count, const IndexPairs& pairs) {
     IndexRows rows;
     rows.offsets.assign(row_count + 1, 0);
@@ -29,7 +29,7 @@ IndexPairs swap_pairs(IndexPairs pairs) {
 std::vector<uint32_t> ranks(const ResolvedGraph& graph) {
     std::vector<PassId> by_key(graph.passes.size());
     std::iota(by_key.begin(), by_key.end(), 0u);
-    // Ids follow names, so that a stable sort leaves names to break the ties.
+    // Ids are sorted by name, so the stable sort orders passes with equal keys by name.
     std::stable_sort(by_key.begin(), by_key.end(), [&](PassId a, PassId b) {
         return graph.passes[a].order_key < graph.passes[b].order_key;
     });

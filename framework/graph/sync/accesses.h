@@ -1,5 +1,5 @@
-// Purpose: the accesses of the passes of a schedule to every resource, in order. Dependencies and barriers
-// follow from them. Load and store operations count as accesses.
+// Purpose: lists all accesses to each resource in schedule order, including the load and store operations of
+// attachments. Dependencies between queues and barriers are computed from these lists.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace weft {
 
-// All that one pass does to one subresource; several ports of a pass are one event.
+// All accesses of one pass to one subresource. If several ports of the pass use the subresource, they are
+// merged into one event.
 struct AccessEvent {
     uint32_t position = 0;
     PassId pass = kNoId;
@@ -17,7 +18,9 @@ struct AccessEvent {
     AccessState state;
     bool writes = false;
     bool reads = false;
-    uint32_t merged_position = kNoId;  // the earlier pass whose rendering scope this one continues
+    // Position of the previous pass on the same queue if this pass draws into the rendering scope of that
+    // pass; else kNoId.
+    uint32_t merged_position = kNoId;
 };
 
 struct RangeAccess {
@@ -25,8 +28,8 @@ struct RangeAccess {
     AccessEvent event;
 };
 
-// By resource, in order of position. `scopes` says by position the pass whose rendering scope a pass
-// continues.
+// Index: ResourceId. The accesses to the resource, sorted by schedule position. `scopes` has, for each
+// position, the position of the pass whose rendering scope the pass there continues, or kNoId.
 using AccessTable = std::vector<std::vector<RangeAccess>>;
 [[nodiscard]] AccessTable collect_accesses(const ResolvedGraph& graph, const Schedule& order,
                                            const AttachmentTable& attachments,

@@ -1,6 +1,7 @@
-// Records all barriers of a frame. The state in which a resource leaves a frame does not depend on the state
-// in which the frame found it, so one walk serves this frame and the one before it: the histories come first,
-// then the alias transitions between them.
+// Computes all barriers of a frame. A frame always leaves a resource in the same state, whatever the state
+// was at its start. So this frame and the previous one have the same histories (the sequences of accesses per
+// resource). The histories are computed first; this file then adds the barriers between resources that share
+// memory.
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -11,7 +12,7 @@
 namespace weft {
 namespace {
 
-// All that these stages may write.
+// Returns all kinds of write access that commands can make in these stages.
 AccessMask writes_of(StageMask stages) {
     constexpr StageMask kShaders = stage::kComputeShader | stage::kVertexShader | stage::kFragmentShader;
     constexpr StageMask kTransfers = stage::kCopy | stage::kBlit | stage::kResolve | stage::kClear;
@@ -27,7 +28,9 @@ AccessMask writes_of(StageMask stages) {
 struct AliasTransitionRows {
     const std::vector<AliasTransition>& all;
 
-    // Those into `to`. Every transient in use has at least one, from itself if from nobody else.
+    // Returns the alias transitions whose new resource is `to`. Every transient in use has at least one: if
+    // no other resource uses its memory, it takes the memory over from itself, as it was in the previous
+    // frame.
     [[nodiscard]] std::vector<AliasTransition> into(ResourceId to) const {
         const auto first = std::lower_bound(
             all.begin(), all.end(), to, [](const AliasTransition& h, ResourceId id) { return h.to < id; });
@@ -38,10 +41,10 @@ struct AliasTransitionRows {
     }
 };
 
-// Earlier owners of these bytes that the alias barrier must also wait for. If an owner wrote only parts of
-// itself, the barrier of that owner waited for the earlier users of the other bytes. That order is a chain
-// through barriers on other resources, which the validation layer of Vulkan 1.3.239 does not follow. The
-// layer also does not see that a buffer overwrites an image, or an image a buffer.
+// Finds earlier owners of the same bytes for which the alias barrier must also wait. If an owner wrote only a
+// part of its memory, only that owner's own barrier waited for the earlier users of the other bytes. The
+// order is then a chain through barriers on other resources. The validation layer of Vulkan 1.3.239 does not
+// follow such chains. It also does not see that a buffer overwrites an image, or an image a buffer.
 class EarlierOwners {
  public:
     EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const AliasTransitionRows& rows)
@@ -73,7 +76,8 @@ class EarlierOwners {
     std::vector<uint8_t> whole_;
 };
 
-// Adds the stages and writes of the last users of `owner` on this queue.
+// Adds the last uses of `owner` on this queue to the source scope of a barrier: their stages, and all writes
+// that are possible in these stages.
 void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) {
     for (const LastUse& last : owner.last_uses) {
         if (last.queue != queue) continue;
@@ -82,8 +86,9 @@ void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) 
     }
 }
 
-// Waits for the last users of the memory: with a barrier on the same queue, with a semaphore on another
-// queue. Within a frame, memory is shared only if the order of the queues is already known.
+// Makes the alias barrier wait for the last users of the memory. For users on the same queue, their stages go
+// into the barrier's source. Users on another queue need a semaphore; within a frame, resources share memory
+// only if semaphores already order them.
 void take_over(const SyncTable& sync, const std::vector<AliasTransition>& owners, QueueIndex queue,
                PlacedBarrier& placed, std::vector<QueueDependency>& dependencies) {
     BarrierDecl& barrier = placed.barrier;
@@ -119,8 +124,8 @@ void put(PlacedBarrier placed, const Schedule& order, BarrierPlan& plan) {
     (placed.after ? step.after : step.barriers).push_back(std::move(placed.barrier));
 }
 
-// Every copy of a persistent resource: out of undefined, cleared, into the state that the first frame
-// expects.
+// Adds the commands that initialise one copy of a persistent resource to the prologue: for an image a
+// transition from UNDEFINED, then a clear, then a barrier to the state that the first frame expects.
 void add_to_prologue(const ResolvedGraph& graph, ResourceId id, const ResourceHistory& history,
                      ProloguePlan& prologue) {
     constexpr AccessMask kHostAccess = access::kHostRead | access::kHostWrite;

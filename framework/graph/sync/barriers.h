@@ -1,4 +1,4 @@
-// Purpose: all barriers of a frame, those for shared memory among them.
+// Purpose: computes all barriers of a frame, including those for resources that share memory.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,8 @@ namespace weft {
 
 struct BarrierResult {
     BarrierPlan plan;
-    // One for each time that memory passes from one queue to another, besides those of the SyncTable.
+    // Dependencies between queues that come from shared memory: one for each time that the new owner of
+    // memory runs on another queue than the old owner. SyncTable::dependencies has all other dependencies.
     std::vector<QueueDependency> memory_dependencies;
 };
 

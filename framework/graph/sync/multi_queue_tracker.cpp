@@ -5,7 +5,8 @@
 namespace weft {
 namespace {
 
-// The reads that share one layout from the first event on, or the one write.
+// Returns the events at the start of the list that one barrier can serve: a single write, or consecutive
+// reads in the same layout.
 std::span<const AccessEvent> group_of(std::span<const AccessEvent> events) {
     size_t count = 1;
     if (!events.front().writes)
@@ -20,7 +21,7 @@ bool on_several_queues(std::span<const AccessEvent> group) {
                        [&](const AccessEvent& t) { return t.queue != group.front().queue; });
 }
 
-// The accesses of the group on one queue.
+// Returns the union of the stages and accesses of those events of the group that run on this queue.
 AccessState state_on(std::span<const AccessEvent> group, QueueIndex queue) {
     AccessState state{stage::kNone, access::kNone, group.front().state.layout};
     for (const AccessEvent& event : group) {
@@ -52,7 +53,8 @@ bool MultiQueueTracker::starts_anew(const AccessEvent& event) const {
     return rules_->exclusive && touched_ && family(event.queue) != owner_family_;
 }
 
-// Those that have to be over before the next change. Readers come after the source.
+// Returns the earlier uses that must complete before the next write or layout change. These are the readers
+// of the current content. If there are none, it is the source: the write or transition that made the content.
 std::vector<MultiQueueTracker::Past> MultiQueueTracker::predecessors() const {
     if (!readers_.empty()) return readers_;
     if (source_) return {*source_};
@@ -83,20 +85,23 @@ void MultiQueueTracker::advance(std::span<const AccessEvent> events, CellSync& s
     owner_family_ = family(events.front().queue);
 }
 
-// Whether the last event drew to it in the same rendering scope.
+// Returns true if the event and the last event draw to the subresource in the same rendering scope. Then no
+// barrier is needed.
 bool MultiQueueTracker::merges_render_pass(const AccessEvent& event) const {
     return event.merged_position != kNoId && event.writes && source_ && !source_->previous_frame &&
            source_->position == event.merged_position && readers_.empty() && layout_ == event.state.layout;
 }
 
-// The rasteriser keeps the order, so the next user waits for both passes by waiting for the later one.
+// The rasteriser keeps the order of draws in a rendering scope. So the next user of the attachment waits for
+// both passes if it waits for the later pass.
 void MultiQueueTracker::merge_drawing(const AccessEvent& event) {
     source_ = Past{event.position, event.queue, source_->stages | event.state.stages, event.pass, false};
     source_writes_ |= event.state.access & access::kAllWrites;
     unflushed_ |= source_writes_;
 }
 
-// Adds a reader of the current content.
+// Adds a reader of the current content. It gets a semaphore wait or a barrier if the content is not yet
+// visible to it.
 void MultiQueueTracker::join(std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     if (source_ && source_->queue != event.queue) {
@@ -116,8 +121,9 @@ void MultiQueueTracker::join(std::span<const AccessEvent> events, CellSync& sync
     readers_.push_back({event.position, event.queue, event.state.stages, event.pass, false});
 }
 
-// The predecessor after which a transition for readers on several queues can be recorded, so that none of
-// them has to wait for another.
+// For readers on several queues: returns the earlier use after which a layout transition can be recorded for
+// all of them. Each reader then waits only for this transition, not for another reader. Returns nothing if
+// the earlier uses are on different queues or in the previous frame.
 std::optional<MultiQueueTracker::Past> MultiQueueTracker::common_past(
     std::span<const AccessEvent> events) const {
     const std::span<const AccessEvent> group = group_of(events);
@@ -143,7 +149,8 @@ void MultiQueueTracker::begin(std::span<const AccessEvent> events, CellSync& syn
 void MultiQueueTracker::share(const Past& past, std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     AccessState dst = state_on(group_of(events), past.queue);
-    // Later barriers on this queue chain to the transition through the stages it holds back.
+    // Without readers on this queue, the destination stages are the source stages, so that later barriers on
+    // this queue chain with the transition.
     if (dst.stages == stage::kNone) dst.stages = past.stages;
     sync.barriers.push_back({.position = past.position,
                              .after = true,
@@ -162,7 +169,8 @@ void MultiQueueTracker::share(const Past& past, std::span<const AccessEvent> eve
     join(events, sync);
 }
 
-// From one queue family to another, in order: released after the last use, acquired before the next.
+// Moves the subresource from one queue family to another: a release barrier after the last use on the old
+// family, and an acquire barrier before the next use on the new family.
 void MultiQueueTracker::transfer(std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     const std::vector<Past> all = predecessors();
@@ -221,7 +229,7 @@ void MultiQueueTracker::change(std::span<const AccessEvent> events, CellSync& sy
     }
     const AccessState dst = event.writes ? event.state : state_on(group_of(events), event.queue);
     const bool new_layout = rules_->image && layout_ != dst.layout;
-    if (new_layout && elsewhere) src.stages |= dst.stages;  // chains with the semaphore's wait
+    if (new_layout && elsewhere) src.stages |= dst.stages;  // The barrier must chain with the semaphore wait.
     if (taken_over_ || new_layout || src.stages != stage::kNone)
         sync.barriers.push_back({.position = event.position,
                                  .src = src,

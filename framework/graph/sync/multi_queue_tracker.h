@@ -1,6 +1,6 @@
-// Purpose: the state of one subresource that several queues use. A semaphore waits for the other queues and
-// makes all their writes available and visible. Barriers remain for accesses on the same queue, for layouts,
-// and for the ownership of queue families.
+// Purpose: tracks the state of one subresource that several queues use. Between queues, a semaphore wait
+// orders the accesses and makes all writes available and visible. Barriers are needed only between accesses
+// on the same queue, for layout changes, and for ownership transfers between queue families.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,25 @@
 
 namespace weft {
 
-// Fixed for a resource: the queues of its schedule, and whether it belongs to one family at a time.
+// Properties of a resource that do not change during tracking. `queues` are the queues of the schedule.
+// `exclusive` means that one queue family at a time owns the resource.
 struct QueueRules {
     const std::vector<LogicalQueue>& queues;
     ResourceId resource = kNoId;
     bool image = true;
     bool exclusive = false;
-    uint32_t epilogue = 0;  // the position that stands for the end of queue 0's frame
+    uint32_t epilogue = 0;  // Position that represents the end of queue 0's frame.
 };
 
 class MultiQueueTracker {
  public:
     MultiQueueTracker(const QueueRules& rules, SingleQueueTracker::Start start)
         : rules_(&rules), taken_over_(start == SingleQueueTracker::Start::taken_over) {}
-    // An import, as queue 0 left it at the end of the frame before; or as it always is, where the frame
-    // changes neither its content nor its layout.
+    // Tracks an import in its entry state. If `changes` is true, the frame changes the import's content or
+    // layout, so the first access must wait for the end of the previous frame on queue 0.
     MultiQueueTracker(const QueueRules& rules, const AccessState& entry, bool changes);
 
-    // As SingleQueueTracker's.
+    // These functions do the same as the functions of SingleQueueTracker with the same names.
     void advance(std::span<const AccessEvent> events, CellSync& sync);
     void release(const AccessState& exit, CellSync& sync);
     void next_frame();
@@ -68,11 +69,16 @@ class MultiQueueTracker {
     bool written_ = false;
     bool touched_ = false;
     Layout layout_ = Layout::undefined;
-    std::optional<Past> source_;                // whose end makes content and layout what they are
-    AccessMask unflushed_ = access::kNone;      // on the source's queue
-    AccessMask source_writes_ = access::kNone;  // flushed anew by barriers that do not chain to the first one
-    std::array<AccessMask, stage::kCount> visible_{};  // on the source's queue
-    std::vector<Past> readers_;                        // since then
+    // The last write or layout transition. Its result is the current content and layout.
+    std::optional<Past> source_;
+    // Writes of the source that no barrier on the source's queue has made available yet.
+    AccessMask unflushed_ = access::kNone;
+    // All writes of the source. Each barrier that does not chain with the first barrier after the source must
+    // make them available again.
+    AccessMask source_writes_ = access::kNone;
+    // Index: bit of the stage. Accesses on the source's queue to which the content is visible.
+    std::array<AccessMask, stage::kCount> visible_{};
+    std::vector<Past> readers_;  // All readers since the source.
     uint32_t owner_family_ = 0;
 };
 

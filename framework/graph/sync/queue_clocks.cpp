@@ -11,13 +11,14 @@ void merge_clock(QueueClock& clock, const QueueClock& other) {
     for (size_t q = 0; q < clock.size(); ++q) clock[q] = std::max(clock[q], other[q]);
 }
 
-// A walk over points in time: positions of one frame after the other.
+// Computes the clock of each point in time. A point is a position of a frame; with two frames, the points of
+// the second frame follow those of the first.
 class ClockWalk {
  public:
     ClockWalk(size_t point_count, size_t queue_count)
         : clocks_(point_count, QueueClock(queue_count, 0)), last_(queue_count, kNoId) {}
 
-    // The point follows whatever its queue did last.
+    // Starts the clock of a point with the clock of the previous point on the same queue.
     void enter(uint32_t point, QueueIndex queue) {
         if (last_[queue] != kNoId) {
             clocks_[point] = clocks_[last_[queue]];
@@ -36,11 +37,11 @@ class ClockWalk {
 
  private:
     std::vector<QueueClock> clocks_;
-    std::vector<uint32_t> last_;  // by queue
+    std::vector<uint32_t> last_;  // Index: queue. The last point on the queue, or kNoId.
 };
 
-// Two frames, one behind the other. The second has a frame before it: what it waits for is what every frame
-// waits for.
+// Finds the necessary waits by going through two frames. Only waits of the second frame are kept, because it
+// has a previous frame. Every later frame needs the same waits.
 class WaitFinder {
  public:
     WaitFinder(const std::vector<QueueIndex>& queue, size_t queue_count,
@@ -81,7 +82,7 @@ class WaitFinder {
         std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(kept),
                      [&](const QueueDependency& d) { return !implied(d); });
         for (const QueueDependency& d : kept) {
-            // Several resources may ask for the same wait; the first of them stands for all.
+            // Several resources may need the same wait. The wait of the first resource covers the others.
             if (walk_.knows(point, point_of(d, frame), queue_[d.from])) continue;
             walk_.follow(point, point_of(d, frame), queue_[d.from]);
             if (frame == 1) waits_.push_back({position, d});

@@ -1,5 +1,5 @@
-// Purpose: vector clocks: for each position, per queue, how far that queue is known to have come. The only
-// structure that says what happens before what across queues.
+// Purpose: computes vector clocks. The clock of a position tells, for each queue, which work of that queue is
+// known to be complete. No other structure describes the order of work across queues.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,11 @@
 
 namespace weft {
 
-using QueueClock = std::vector<uint32_t>;  // by queue: 1 + the latest known point, 0: none
+// Index: queue. 1 + the latest position of the queue that is known to be complete; 0 if none is.
+using QueueClock = std::vector<uint32_t>;
 
-// By position, within one frame. `dependencies` of the previous frame are ignored.
+// Returns the clock of each position within one frame. Entries of `dependencies` from the previous frame are
+// ignored.
 [[nodiscard]] std::vector<QueueClock> frame_clocks(const std::vector<QueueIndex>& queue, size_t queue_count,
                                                    const std::vector<QueueDependency>& dependencies);
 
@@ -20,8 +22,8 @@ struct Wait {
     QueueDependency dependency;
 };
 
-// The fewest waits that imply all dependencies, frame after frame. `queue` has one entry more than there are
-// positions: the end of the frame on queue 0.
+// Returns the smallest set of waits that ensures all dependencies, repeated in every frame. `queue` has one
+// entry more than there are positions: the end of the frame, on queue 0.
 [[nodiscard]] std::vector<Wait> minimal_waits(const std::vector<QueueIndex>& queue, size_t queue_count,
                                               const std::vector<QueueDependency>& dependencies);
 

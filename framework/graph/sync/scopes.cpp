@@ -6,11 +6,11 @@ namespace weft {
 namespace {
 
 bool draws(const PassDecl& pass) {
-    // A pass that does not run in every frame has attachments that a plan cannot compare.
+    // A pass with `frame_slices` does not run in every frame, so it never shares a rendering scope.
     return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.frame_slices == 0;
 }
 
-// Colours by location, then depth.
+// Returns the colour attachments sorted by location, then the depth attachment.
 std::vector<const AttachmentDecl*> attachments_of(const PassDecl& pass) {
     std::vector<const AttachmentDecl*> all;
     for (const AttachmentDecl& color : pass.colors) all.push_back(&color);
@@ -18,8 +18,9 @@ std::vector<const AttachmentDecl*> attachments_of(const PassDecl& pass) {
     return all;
 }
 
-// True if the second pass continues with this attachment as the first pass left it. If the first pass writes
-// it, the last pass must store it.
+// Returns true if the second pass can continue in the rendering scope with this attachment: same subresource
+// and layout, no resolve, and the second pass reads the old content. If the first pass writes the attachment,
+// the second pass must write it too, because the scope's store operation is that of its last pass.
 bool keeps_attachment(const PassDecl& first, const AttachmentDecl& a, const PassDecl& second,
                       const AttachmentDecl& b) {
     const UseDecl &before = first.uses[a.use], &after = second.uses[b.use];
@@ -34,7 +35,8 @@ bool is_attachment(const PassDecl& pass, uint32_t use) {
     return std::any_of(all.begin(), all.end(), [use](const AttachmentDecl* a) { return a->use == use; });
 }
 
-// True if the pass accesses its own attachments in another way, too: only drawing is ordered inside a scope.
+// Returns true if the pass also accesses one of its attachments in another way, for example by sampling. Such
+// accesses are not allowed in a shared scope, because only draws are ordered inside a scope.
 bool uses_what_it_draws(const PassDecl& pass) {
     for (const AttachmentDecl* attachment : attachments_of(pass)) {
         const UseDecl& drawn = pass.uses[attachment->use];
@@ -79,7 +81,8 @@ ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
 }
 
 ScopeTable undivided(ScopeTable scopes, const std::vector<ResourceHistory>& histories) {
-    std::vector<uint8_t> ends(scopes.size(), 0);  // by position: barriers follow
+    // Index: position. 1 if barriers are recorded right after the pass.
+    std::vector<uint8_t> ends(scopes.size(), 0);
     for (const ResourceHistory& history : histories) {
         for (const PlacedBarrier& placed : history.barriers) {
             if (placed.position == kEpiloguePosition) continue;

@@ -1,8 +1,8 @@
-// Purpose: which passes draw into the rendering scope of the pass before them. Inside a scope the rasteriser
-// keeps the order of passes in what they draw to (Vulkan 1.3 specification, "Rasterization Order"), so that
-// nothing has to be waited for, and a tiler keeps the attachments on chip. Candidates follow from the
-// declarations; those that something has to be recorded in front of fall out once barriers and batches are
-// known.
+// Purpose: finds the passes that draw into the rendering scope of the previous pass. Inside one scope the
+// rasteriser keeps the order of draws to the attachments (Vulkan 1.3 specification, "Rasterization Order"),
+// so no barrier is needed, and a tile-based GPU keeps the attachments in on-chip memory. find_scopes() finds
+// candidates from the declarations. A candidate is removed later if a barrier or a batch boundary must be
+// recorded before it.
 #pragma once
 
 #include <vector>
@@ -13,18 +13,20 @@
 
 namespace weft {
 
-// By position: that of the pass whose scope it continues, the one before it on its queue; else kNoId.
+// Index: position. Position of the previous pass on the same queue if the pass continues that pass's
+// rendering scope; else kNoId.
 using ScopeTable = std::vector<uint32_t>;
 
 [[nodiscard]] ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
                                      const AttachmentTable& attachments);
-// Without those that barriers stand in front of.
+// Removes the candidates before which barriers must be recorded. Returns the others.
 [[nodiscard]] ScopeTable undivided(ScopeTable scopes, const std::vector<ResourceHistory>& histories);
-// Without those that are submitted in another batch.
+// Removes the candidates that are the first pass of a batch, because a scope cannot continue in another
+// batch. Returns the others.
 [[nodiscard]] ScopeTable within_batches(ScopeTable scopes, const SubmissionPlan& submissions);
 
-// The pass whose rendering scope the one at `position` goes on in; kNoId: it begins its own, or draws
-// nothing.
+// Returns the pass whose rendering scope the pass at `position` continues. Returns kNoId if the pass begins
+// its own scope or does not draw.
 [[nodiscard]] PassId continued_pass(const FramePlan& plan, uint32_t position);
 
 }  // namespace weft

@@ -21,7 +21,7 @@ SingleQueueTracker::SingleQueueTracker(const AccessState& entry)
         return;
     }
     reader_stages_ = entry.stages;
-    visible_.fill(~access::kNone);  // nobody has written: there is nothing to make visible
+    visible_.fill(~access::kNone);  // Without a pending write, nothing must be made visible.
 }
 
 bool SingleQueueTracker::visible(const AccessState& state) const {
@@ -43,7 +43,8 @@ BarrierReason SingleQueueTracker::reason(const AccessEvent& event) const {
     return event.writes ? BarrierReason::war : BarrierReason::layout;
 }
 
-// Whether the last event drew to it in the same rendering scope.
+// Returns true if the event and the last event draw to the subresource in the same rendering scope. Then no
+// barrier is needed.
 bool SingleQueueTracker::merges_render_pass(const AccessEvent& event) const {
     return event.merged_position != kNoId && event.writes && touched_ && !previous_frame_ &&
            position_ == event.merged_position && layout_ == event.state.layout;
@@ -84,7 +85,7 @@ void SingleQueueTracker::add_last_uses(std::vector<LastUse>& all) const {
 }
 
 void SingleQueueTracker::apply_barrier(const CellBarrier& barrier) {
-    // A layout change rewrites the memory: what was visible is not any more.
+    // A layout transition rewrites the memory, so earlier content is no longer visible to any access.
     if (layout_ != barrier.dst.layout || unflushed_ != 0) visible_.fill(access::kNone);
     for (int s = 0; s < stage::kCount; ++s)
         if (barrier.dst.stages & (1u << s)) visible_[static_cast<size_t>(s)] |= barrier.dst.access;
@@ -114,7 +115,8 @@ void SingleQueueTracker::apply_event(const AccessEvent& event) {
     written_ = true;
 }
 
-// The rasteriser keeps the order, so the next user waits for both passes by waiting for the later one.
+// The rasteriser keeps the order of draws in a rendering scope. So the next user of the attachment waits for
+// both passes if it waits for the later pass.
 void SingleQueueTracker::merge_drawing(AccessEvent event) {
     event.state.stages |= writer_stages_;
     event.state.access |= unflushed_;

@@ -1,9 +1,9 @@
-// Purpose: the state of one subresource while a frame is walked on one queue: its layout, unflushed writes,
-// the accesses to wait for, and for each stage the accesses already made visible. A barrier is needed only
-// for a layout change, a pending write, an access not yet visible in its stage, or a write after any access.
-// Source: the flush/invalidate model of Vulkan's memory model appendix, tracked as H.-K. Arntzen describes
-// for Granite
-// ("Render graphs and Vulkan – a deep dive", 2017), with visibility kept per stage.
+// Purpose: tracks the state of one subresource through a frame on one queue: its layout, writes not yet made
+// available, accesses to wait for, and for each stage the accesses to which the content is visible. A barrier
+// is needed only for a layout change, a pending write, an access to which the content is not visible yet, or
+// a write after any access.
+// Source: the availability and visibility rules of Vulkan's appendix "Memory Model", tracked as H.-K. Arntzen
+// describes for Granite ("Render graphs and Vulkan – a deep dive", 2017), but with visibility for each stage.
 #pragma once
 
 #include <array>
@@ -21,14 +21,15 @@ inline constexpr uint32_t kEpiloguePosition = UINT32_MAX;
 struct LastUse {
     QueueIndex queue = 0;
     uint32_t position = 0;
-    StageMask stages = stage::kNone;    // readers since the last barrier, or else the writer
-    AccessMask writes = access::kNone;  // not flushed yet
-    PassId pass = kNoId;                // the only one of them, else kNoId
+    // Stages of the reads since the last barrier; without such reads, the stages of the last write.
+    StageMask stages = stage::kNone;
+    AccessMask writes = access::kNone;  // Writes that no barrier has made available yet.
+    PassId pass = kNoId;                // The pass if only one pass uses these stages, else kNoId.
 };
 
 struct CellBarrier {
-    uint32_t position = 0;  // or kEpiloguePosition
-    bool after = false;     // recorded after that position's pass
+    uint32_t position = 0;  // Position of the pass; kEpiloguePosition for the frame's end.
+    bool after = false;     // True if the barrier is recorded after the pass.
     uint32_t cell = 0;
     AccessState src;
     AccessState dst;
@@ -36,40 +37,45 @@ struct CellBarrier {
     PassId from = kNoId;
     bool previous_frame = false;
     uint32_t src_family = 0, dst_family = 0;
-    // Of a transfer: where its other half is recorded, and for whom. Both halves must name the same ranges.
+    // For one half of a queue family transfer: the position and the other scope of the other half. They are
+    // part of the merge key, because both halves must be merged to the same ranges.
     uint32_t pair_position = 0;
     AccessState pair_state;
 };
 
-// The barriers and dependencies of one cell in one frame.
+// The barriers of one cell (a block of subresources with the same accesses) in one frame, and its
+// dependencies between queues.
 struct CellSync {
     std::vector<CellBarrier> barriers;
     std::vector<QueueDependency> dependencies;
 };
 
-// One state for the first read and all that follow in its layout on its queue, up to the next write.
+// Returns the union of the stages and accesses of the first read and of the reads that follow it on the same
+// queue, in the same layout and before the next write.
 [[nodiscard]] AccessState merged_reads(std::span<const AccessEvent> events);
 
 class SingleQueueTracker {
  public:
     enum class Start : uint8_t {
-        taken_over,  // a transient: its first event always needs a barrier, whose source only the caller
-                     // knows
-        known,       // a persistent resource of which nothing is pending
+        // A transient resource. Its first access always needs a barrier, because it takes memory over. Only
+        // the caller knows the source of that barrier.
+        taken_over,
+        known,  // A persistent resource without pending accesses.
     };
     explicit SingleQueueTracker(Start start) : taken_over_(start == Start::taken_over) {}
-    // An import, as it enters the frame.
+    // Tracks an import, from its entry state.
     explicit SingleQueueTracker(const AccessState& entry);
 
-    // Adds the barrier that the first of `events` needs, if any. It also serves the reads that follow in the
-    // same layout before the next write, so that they need none.
+    // Processes the first of `events` and adds the barrier that it needs, if any. The barrier also covers the
+    // reads that follow in the same layout before the next write, so those reads need no barrier.
     void advance(std::span<const AccessEvent> events, CellSync& sync);
-    // Returns an import to its exit state. A barrier is needed after writes, for another layout, and if the
-    // next user may write data that this frame has read.
+    // Adds the barrier at the end of the frame that brings an import into its exit state. It is needed if the
+    // frame wrote the import, if the layout differs, or if the next user may overwrite data that this frame
+    // read.
     void release(const AccessState& exit, CellSync& sync);
-    // From here on events belong to the next frame.
+    // Starts the next frame: all accesses so far belong to the previous frame.
     void next_frame() { previous_frame_ = true; }
-    // The content is not needed any more.
+    // Drops the content: the layout becomes UNDEFINED.
     void discard();
     void add_last_uses(std::vector<LastUse>& all) const;
     [[nodiscard]] Layout layout() const { return layout_; }
@@ -87,19 +93,19 @@ class SingleQueueTracker {
     void merge_drawing(AccessEvent event);
     void note_pass(PassId pass);
 
-    bool taken_over_ = true;  // not touched yet, and the first event takes memory over
-    bool entered_ = false;    // an import that nothing has touched yet
+    bool taken_over_ = true;  // True until the first access of a transient.
+    bool entered_ = false;    // True until the first access of an import.
     Layout layout_ = Layout::undefined;
     StageMask writer_stages_ = stage::kNone;
     AccessMask unflushed_ = access::kNone;
-    StageMask reader_stages_ = stage::kNone;  // since the last barrier
+    StageMask reader_stages_ = stage::kNone;  // Stages of the reads since the last barrier.
     std::array<AccessMask, stage::kCount> visible_{};
-    PassId pass_ = kNoId;  // the only pass behind the stages above
+    PassId pass_ = kNoId;  // The pass if only one pass used the stages above.
     bool several_ = false;
     bool written_ = false;
     bool touched_ = false;
-    bool previous_frame_ = false;  // all of the above happened a frame ago
-    QueueIndex queue_ = 0;         // of the last event
+    bool previous_frame_ = false;  // True if the last access was in the previous frame.
+    QueueIndex queue_ = 0;         // Queue of the last access.
     uint32_t position_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// Cuts each queue's passes into batches: before every pass that waits for another queue, and after every pass
-// that another queue waits for.
+// Divides the passes of each queue into batches, one submission each. A new batch begins before every pass
+// that waits for another queue. A batch ends after every pass that another queue waits for.
 #include <algorithm>
 #include <set>
 
@@ -11,8 +11,8 @@ namespace {
 
 constexpr uint32_t kNoBatch = UINT32_MAX;
 
-// The end of the frame, where imports go into their exit states, counts as a position behind the last one, on
-// queue 0.
+// Builds the batches. The end of the frame, where imports get their exit states, is treated as one more
+// position after the last pass, on queue 0.
 class Batches {
  public:
     Batches(const Schedule& order, const std::vector<Wait>& waits) : order_(order), waits_(waits) {
@@ -53,9 +53,10 @@ class Batches {
     const Schedule& order_;
     const std::vector<Wait>& waits_;
     std::set<uint32_t> waiting_, awaited_;
-    std::vector<uint32_t> open_;      // by queue
-    std::vector<uint32_t> batch_of_;  // by position
-    std::vector<Batch> batches_;      // in the order in which they begin
+    // Index: queue. The batch that gets the queue's next pass; kNoBatch if a new batch must begin.
+    std::vector<uint32_t> open_;
+    std::vector<uint32_t> batch_of_;  // Index: position. Index of the batch that has the pass.
+    std::vector<Batch> batches_;      // Sorted by the position of their first pass.
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Purpose: the batches that each queue submits, with their waits and signals.
+// Purpose: computes the batches that each queue submits, and the semaphore waits and signals between the
+// batches.
 #pragma once
 
 #include <vector>

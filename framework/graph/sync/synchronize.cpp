@@ -1,4 +1,5 @@
-// The histories of all resources, and what queues have to wait for because of them.
+// Computes the history (all barriers and last uses) of every resource, and the dependencies between queues
+// that result from the accesses.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +10,8 @@
 namespace weft {
 namespace {
 
-// By resource: the roles of its ring by age. Empty where another role leads.
+// Returns the resources of each ring, indexed by the ring's resource of age 0 (the current frame's copy),
+// then by age. A resource without a ring has a ring of its own. The rows of older copies are empty.
 std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     std::vector<std::vector<ResourceId>> rings(graph.resources.size());
     for (ResourceId id = 0; id < graph.resources.size(); ++id) {
@@ -67,7 +69,8 @@ SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order, const A
     for (;;) {
         SyncTable table = with_scopes(graph, order, attachments, candidates);
         candidates = undivided(table.scopes, table.histories);
-        // A pass that falls out needs barriers after all, but no other pass does.
+        // If a barrier divides a rendering scope, the scope is removed from the candidates, and the barriers
+        // are computed again. Only the pass that lost its scope then gets more barriers.
         if (candidates == table.scopes) return table;
     }
 }

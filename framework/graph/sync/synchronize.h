@@ -1,4 +1,5 @@
-// Purpose: the synchronisation that follows from the accesses alone, before memory is shared.
+// Purpose: computes the barriers and the dependencies between queues that follow from the accesses alone,
+// before resources are placed in shared memory.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +13,15 @@
 namespace weft {
 
 struct SyncTable {
-    std::vector<ResourceHistory> histories;  // by ResourceId
+    std::vector<ResourceHistory> histories;  // Index: ResourceId. Barriers and last uses of the resource.
     std::vector<QueueDependency> dependencies;
-    std::vector<uint8_t> concurrent;  // by ResourceId
-    ScopeTable scopes;                // the candidates that no barrier divides
+    // Index: ResourceId. 1 if several queue families use the resource without ownership transfers.
+    std::vector<uint8_t> concurrent;
+    ScopeTable scopes;  // The rendering scopes that no barrier divides.
 };
 [[nodiscard]] SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
                                     const AttachmentTable& attachments, ScopeTable candidates);
-// The schedule with its clocks, which follow from the waits between queues.
+// Returns the schedule with its vector clocks filled in. The clocks follow from the waits between queues.
 [[nodiscard]] Schedule add_clocks(Schedule order, const std::vector<QueueDependency>& dependencies);
 
 }  // namespace weft

@@ -11,19 +11,20 @@
 namespace weft {
 namespace {
 
-// A frame leaves a persistent resource as it found it once it has been trace a few times: the first rounds
-// only find out in which state that is.
+// Number of frames for which a persistent resource is tracked. The first ones only find the state in which a
+// frame leaves the resource. After them, every frame starts and ends in the same state.
 constexpr int kRoundsToSettle = 4;
 
-// Everything but the cell: barriers with equal keys become one over the union of their cells.
+// Returns all properties of a barrier except its cell. Barriers with equal keys are merged into one barrier
+// for all their cells.
 auto merge_key(const CellBarrier& b) {
     return std::make_tuple(b.position, b.after, b.reason, b.from, b.src.stages, b.src.access, b.src.layout,
                            b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.src_family,
                            b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
 }
 
-// By cell. Several ports of one pass on one cell become one event; resolve() saw to it that their layouts
-// agree.
+// Returns the accesses to each cell, indexed by cell. If several ports of one pass use a cell, their accesses
+// become one event; resolve() has already checked that they need the same layout.
 std::vector<std::vector<AccessEvent>> events_by_cell(const SubresourceGrid& grid,
                                                      const std::vector<RangeAccess>& events) {
     std::vector<std::vector<AccessEvent>> cells(grid.cell_count());
@@ -72,16 +73,19 @@ std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<
     return result;
 }
 
-// The queues and families that use a resource, and how.
+// Describes the use of a resource by queues and queue families.
 struct QueueUsage {
     bool several_queues = false;
     bool several_families = false;
-    bool exclusive = false;  // one family at a time, in an order that the events themselves give
+    // True if one queue family at a time uses the resource, so that ownership transfers between the uses are
+    // possible.
+    bool exclusive = false;
 };
 
-using CellAccesses = std::vector<std::vector<AccessEvent>>;  // by cell
+using CellAccesses = std::vector<std::vector<AccessEvent>>;  // Index: cell.
 
-// Reads that share a layout run side by side: then no family can own them.
+// Returns false if consecutive reads in the same layout run on different queue families. Such reads may run
+// at the same time, so neither family can own the resource.
 bool one_family_at_a_time(const std::vector<AccessEvent>& events, const std::vector<LogicalQueue>& queues) {
     for (size_t i = 1; i < events.size(); ++i) {
         const AccessEvent &a = events[i - 1], &b = events[i];
@@ -104,7 +108,8 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses
     for (const QueueIndex queue : queues) families.insert(input.order->queues[queue].family);
     const ResourceDecl& decl = *input.roles.front().decl;
     QueueUsage usage;
-    // An import begins and ends every frame on the first queue, and the prologue runs there.
+    // An import enters and leaves every frame on queue 0. The prologue, which initialises persistent
+    // resources, also runs on queue 0.
     if (decl.import && !queues.empty()) queues.insert(0);
     if (decl.import) families.insert(decl.import->family);
     if (decl.lifetime == ResourceLifetime::persistent && !queues.empty())
@@ -116,11 +121,12 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses
     return usage;
 }
 
-// The result of tracking one cell through all roles, in the settled frame.
+// The result of tracking one cell in one frame: the last of the tracked frames, in which the state no longer
+// changes. A role is one resource of a ring, for example the copy of one frame ago.
 struct CellTrace {
-    std::vector<CellSync> sync;                   // by role
-    std::vector<Layout> entry;                    // by role
-    std::vector<std::vector<LastUse>> last_uses;  // by role
+    std::vector<CellSync> sync;                   // Index: role. Barriers and dependencies.
+    std::vector<Layout> entry;                    // Index: role. Layout at the start of the frame.
+    std::vector<std::vector<LastUse>> last_uses;  // Index: role. Last uses on each queue.
 };
 
 template <class State>
@@ -134,7 +140,7 @@ CellTrace run_tracker(State state, const std::vector<CellAccesses>& roles, uint3
             const std::span<const AccessEvent> events(roles[age][cell]);
             if (persistent) state.next_frame();
             trace.entry.push_back(state.layout());
-            // The oldest copy's memory becomes this frame's: what it holds is not needed any more.
+            // The oldest copy of the ring is reused for this frame, so its content may be dropped.
             if (roles.size() > 1 && age == 0 && !events.empty()) state.discard();
             CellSync sync;
             for (size_t i = 0; i < events.size(); ++i) state.advance(events.subspan(i), sync);
@@ -147,7 +153,8 @@ CellTrace run_tracker(State state, const std::vector<CellAccesses>& roles, uint3
     return trace;
 }
 
-// Whether a frame does more to an import than to read it as it is.
+// Returns true if the frame changes the import: it writes the import or changes its layout, or writes from
+// outside the frame are pending.
 bool changes(const ImportState& import, const std::vector<AccessEvent>& events) {
     const bool pending = ((import.entry.access | import.exit.access) & access::kAllWrites) != 0;
     return pending || import.entry.layout != import.exit.layout ||
@@ -170,7 +177,8 @@ CellTrace trace_cell(const HistoryInput& input, const QueueUsage& usage, const Q
                        roles, cell, decl);
 }
 
-// Over all cells; only the latest of each queue counts for whoever waits on another queue.
+// Merges the last uses of one cell into the last uses of the whole resource. For each queue only the latest
+// position is kept, because a semaphore wait for it also covers earlier positions.
 void add_last_uses(const std::vector<LastUse>& cell, std::vector<LastUse>& all) {
     for (const LastUse& use : cell) {
         const auto same = std::find_if(all.begin(), all.end(),
@@ -186,7 +194,8 @@ void add_last_uses(const std::vector<LastUse>& cell, std::vector<LastUse>& all) 
     }
 }
 
-// A cell that no pass uses stays as the prologue's clear left it.
+// Adds the layout of each cell at the start of a frame to the resource's history. A cell that no pass uses
+// keeps the layout of the prologue's clear, TRANSFER_DST.
 void add_entry(const SubresourceGrid& grid, ResourceKind kind, std::vector<Layout> layouts,
                ResourceHistory& history) {
     if (kind == ResourceKind::image)

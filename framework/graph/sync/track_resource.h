@@ -1,6 +1,6 @@
-// Purpose: all barriers of one resource in one frame, and the dependencies between queues, from the accesses
-// to its subresources alone. barriers() adds the earlier users of the memory to the first barrier of a
-// transient.
+// Purpose: computes all barriers of one resource in one frame, and its dependencies between queues, from the
+// accesses to its subresources alone. barriers() later extends the first barrier of a transient: it must also
+// wait for the earlier users of the same memory.
 #pragma once
 
 #include <cstdint>
@@ -13,36 +13,39 @@
 namespace weft {
 
 struct PlacedBarrier {
-    uint32_t position = 0;  // or kEpiloguePosition
-    bool after = false;     // recorded after that position's pass
+    uint32_t position = 0;  // Position of the pass; kEpiloguePosition for the frame's end.
+    bool after = false;     // True if the barrier is recorded after the pass.
     BarrierDecl barrier;
 };
 
 struct ResourceHistory {
-    std::vector<PlacedBarrier> barriers;  // by position
-    std::vector<LastUse> last_uses;       // over all ranges
-    std::vector<BoundaryState> entry;     // persistent resources: how a frame finds them; `resource` not set
+    std::vector<PlacedBarrier> barriers;  // The barriers with their positions in the schedule.
+    std::vector<LastUse> last_uses;       // The last use on each queue, merged over all subresources.
+    // For persistent resources: the layout of each range at the start of a frame. `resource` is not set.
+    std::vector<BoundaryState> entry;
 };
 
-// A resource, or one role of a ring.
+// One resource with its accesses. In a ring (the copies of a resource with history), each age is one role.
 struct Role {
     const ResourceDecl* decl = nullptr;
-    const std::vector<RangeAccess>* events = nullptr;  // in order of position
+    const std::vector<RangeAccess>* events = nullptr;  // The accesses, sorted by schedule position.
 };
 
 struct HistoryInput {
-    ResourceId resource = kNoId;  // of the first role
-    std::vector<Role> roles;      // all roles of a ring, by age; else the resource alone
+    ResourceId resource = kNoId;  // Resource of the first role.
+    std::vector<Role> roles;      // All resources of a ring, indexed by age; without a ring, one resource.
     const Schedule* order = nullptr;
 };
 
 struct RingHistory {
     std::vector<ResourceHistory> roles;
     std::vector<QueueDependency> dependencies;
-    bool concurrent = false;  // used by several families without ownership
+    // True if several queue families use the ring without ownership transfers.
+    bool concurrent = false;
 };
 
-// Imports also get their release into the exit state.
+// Computes the barriers and dependencies of a ring or of a single resource. For an import, they include the
+// barrier into the exit state at the end of the frame.
 [[nodiscard]] RingHistory track_resource(const HistoryInput& input);
 
 }  // namespace weft

@@ -13,14 +13,16 @@ bool same_shape(const ResourceDecl& a, const ResourceDecl& b) {
     return a.extent == b.extent && a.mips == b.mips && a.layers == b.layers && a.size_bytes == b.size_bytes;
 }
 
-// How a resource of the new plan uses the content of its namesake in the old one.
+// Decides how a resource of the new plan gets its first content: from the old plan's resource of the same
+// name, copied or scaled to the new size, or by a clear.
 ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& decl) {
     const bool same_kind = old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
                            old_decl.format == decl.format && old_decl.image_kind == decl.image_kind &&
                            old_decl.samples == decl.samples;
     if (!same_kind) return ContentAction::clear;
     if (same_shape(old_decl, decl)) return ContentAction::copy;
-    // Only what a filter can blend is stretched: a buffer has no size to speak of, and depth no mean.
+    // Only single-sampled colour images can be scaled to a new size. A buffer has no width and height, and an
+    // average of depths is meaningless.
     const bool blends = decl.kind == ResourceKind::image && decl.layers == old_decl.layers &&
                         decl.samples == 1 && (decl.aspects & aspect::kColor) != 0;
     return decl.on_resize == OnResize::resample && blends ? ContentAction::resample : ContentAction::clear;
@@ -54,7 +56,7 @@ class Builder {
             namesake == nullptr ? kNoId : static_cast<ResourceId>(namesake - old_.graph.resources.data());
         const bool lived = from != kNoId && old_.live.live_resources[from] != 0;
         const ContentAction action = lived ? choose_action(*namesake, decl) : ContentAction::clear;
-        // The newest role of a ring is about to be overwritten: nothing is lost with it.
+        // The first new frame overwrites the ring's resource of age 0, so its old content is not needed.
         const bool forgotten = decl.history > 0 && decl.age == 0;
         AccessState written = transfer_state(decl, Access::clear_write);
         if (action == ContentAction::clear || forgotten) {
