@@ -1,4 +1,5 @@
-// The barriers that a frame needs for each hazard, and that there are no others.
+// Tests that compile() emits the barrier that each hazard of a frame needs (read after write, write after
+// read, write after write, layout change), and no other barrier.
 #include <gtest/gtest.h>
 
 #include "tests/graph/compile/plan_expectations.h"
@@ -32,7 +33,8 @@ TEST(BarrierPlans, ReadAfterWriteFromComputeToFragment) {
     EXPECT_EQ(raw.to, pass_id(plan, "draw"));
     expect_state(raw.src, {stage::kComputeShader, access::kStorageWrite, Layout::general});
     expect_state(raw.dst, {stage::kFragmentShader, access::kSampledRead, Layout::shader_read_only});
-    // make: takes over memory for image; draw: image, and memory for color; out: color.
+    // There are four barriers. Before `make`: `image` takes over its memory. Before `draw`: one for the read
+    // of `image`, and one because `color` takes over its memory. Before `out`: one for the read of `color`.
     EXPECT_EQ(plan.barriers.emitted, 4u);
 }
 
@@ -182,20 +184,21 @@ TEST(BarrierPlans, HandOverAndWrapAround) {
     read_back(b, "p4", last);
     const FramePlan plan = compiled(b);
 
-    // Within this frame, last takes over a's memory: a was last read by p2's fragment shader, and reads need
-    // no flush.
+    // Within the frame, `last` takes over the memory of `a`. The fragment shader of p2 was the last reader of
+    // `a`. A read needs no flush, so the source access is kNone.
     const BarrierDecl within = barrier_before(plan, "p3", "last");
     EXPECT_EQ(within.reason, BarrierReason::alias);
     EXPECT_EQ(within.aliased_from, (std::vector<ResourceId>{resource_id(plan, "a")}));
     EXPECT_FALSE(within.from_previous_frame);
     expect_state(within.src, {stage::kFragmentShader, access::kNone, Layout::undefined});
     expect_state(within.dst, {stage::kComputeShader, access::kStorageWrite, Layout::general});
-    // a takes the memory back from last, which the previous frame copied out.
+    // In the next frame, `a` takes the memory back from `last`, which p4 of the previous frame copied out.
     const BarrierDecl wrap = barrier_before(plan, "p1", "a");
     EXPECT_EQ(wrap.aliased_from, (std::vector<ResourceId>{resource_id(plan, "last")}));
     EXPECT_TRUE(wrap.from_previous_frame);
     expect_state(wrap.src, {stage::kCopy, access::kNone, Layout::undefined});
-    // mid shares its memory with no other resource.
+    // `mid` shares its memory with no other resource, so it takes the memory over from itself in the previous
+    // frame.
     const BarrierDecl self = barrier_before(plan, "p2", "mid");
     EXPECT_EQ(self.aliased_from, (std::vector<ResourceId>{resource_id(plan, "mid")}));
     EXPECT_TRUE(self.from_previous_frame);
@@ -211,7 +214,8 @@ TEST(BarrierPlans, AnUnreadWriteIsFlushedByTheHandOver) {
                  {stage::kComputeShader, access::kStorageWrite, Layout::undefined});
 }
 
-// A plan with one pass that reads or writes an import.
+// Returns a plan whose only pass accesses an import as `access` says. `entry` and `exit` are the states of
+// the import before and after the frame.
 FramePlan with_import(const AccessState& entry, const AccessState& exit, Access access) {
     GraphBuilder b;
     const ResourceId import = b.image("import"), other = b.buffer("other");
@@ -295,8 +299,8 @@ TEST(BarrierPlans, LoadAndStoreOperationsFollowTheReaders) {
     expect_ops("more", 0, LoadOp::load, StoreOp::store);
     expect_ops("more", 1, LoadOp::load, StoreOp::dont_care);
     expect_ops("screen", 0, LoadOp::dont_care, StoreOp::store);
-    // Discarding content counts as a write: `screen` waits for `base`, and z takes over memory with a pending
-    // write.
+    // To discard the content of an attachment counts as a write. So `screen` must wait for `base`, and `z`
+    // takes over memory that has a pending write.
     expect_state(barrier_before(plan, "screen", "extra").src,
                  {stage::kColorOutput, access::kColorWrite, Layout::color_attachment});
     EXPECT_TRUE(barrier_before(plan, "base", "z").src.access & access::kDepthStencilWrite);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr AccessState kExit{stage::kCopy, access::kTransferRead, Layout::transfer_src};
 
-// a and c are imports, b is kept from frame to frame.
+// Returns results of all stages of compile(), made by hand, for three images: `a` and `c` are imports, and
+// `b` is kept from frame to frame.
 StageResults results() {
     GraphBuilder builder;
     const ResourceId a = builder.image("a"), b = builder.image("b"), c = builder.image("c");

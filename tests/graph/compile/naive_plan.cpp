@@ -30,12 +30,12 @@ std::vector<PassId> topological(const ResolvedGraph& graph) {
     return order;
 }
 
-// The layout in which every copy of a persistent resource waits for the next frame.
+// Returns the layout that every copy of a persistent resource has at the end of each frame.
 Layout rest_layout(const ResourceDecl& decl) {
     return decl.kind == ResourceKind::image ? Layout::general : Layout::undefined;
 }
 
-// The current layout of every mip of every layer during the frame.
+// Records the current layout of every mip level of every array layer while the plan is made.
 class Layouts {
  public:
     explicit Layouts(const ResolvedGraph& graph) : graph_(graph), current_(graph.resources.size()) {
@@ -48,7 +48,7 @@ class Layouts {
         }
     }
 
-    // Adds one barrier per mip and layer of `range`.
+    // Adds one barrier for each mip level and each array layer of `range`.
     void move(ResourceId resource, const SubresourceRange& range, const AccessState& to, BarrierReason reason,
               std::vector<BarrierDecl>& barriers) {
         const ResourceDecl& decl = graph_.resources[resource];
@@ -72,14 +72,15 @@ class Layouts {
  private:
     struct Cell {
         Layout layout = Layout::undefined;
-        bool fresh = false;  // true for a transient that this frame has not used yet
+        bool fresh = false;  // True for a transient resource that the frame has not used yet.
     };
 
     const ResolvedGraph& graph_;
     std::vector<std::vector<Cell>> current_;
 };
 
-// A resource that one pass binds twice gets only one barrier.
+// Returns true if an earlier use of the pass has the same resource and range. Then no second barrier is
+// needed.
 bool moved_before(const PassDecl& pass, size_t use) {
     for (size_t u = 0; u < use; ++u)
         if (pass.uses[u].resource == pass.uses[use].resource && pass.uses[u].range == pass.uses[use].range)
@@ -87,7 +88,8 @@ bool moved_before(const PassDecl& pass, size_t use) {
     return false;
 }
 
-// Brings persistent resources to the layouts that the first and the next frame expect.
+// Adds barriers that bring the persistent resources to the same layout before the first frame (in the
+// prologue) and at the end of each frame (in the epilogue).
 void plan_rest(FramePlan& plan, Layouts& layouts) {
     for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
         const ResourceDecl& decl = plan.graph.resources[id];
@@ -139,7 +141,8 @@ void plan_barriers(FramePlan& plan) {
     plan.barriers.emitted += static_cast<uint32_t>(plan.barriers.epilogue.size());
 }
 
-// Loads attachments that are read, clears those that are only written, stores all.
+// Sets load and store operations: attachments that are read are loaded, attachments that are only written are
+// cleared, and all attachments are stored.
 void plan_attachments(FramePlan& plan) {
     for (PassStep& step : plan.barriers.steps) {
         const PassDecl& pass = plan.graph.passes[step.pass];

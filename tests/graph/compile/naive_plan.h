@@ -1,15 +1,17 @@
-// Purpose: a trivially correct plan for comparison with the compiler's plan: all passes in topological order,
-// no culling, separate memory for every resource, and before each pass a barrier from all stages to all
-// stages. It is built from the graph alone and shares no code with the compiler's stages.
+// Purpose: makes a trivially correct plan, so that tests can compare the compiler's plan with it. The plan
+// runs all passes in topological order and culls none. Every resource has separate memory, and before each
+// pass stands a barrier from all stages to all stages. The code shares nothing with the stages of the
+// compiler.
 #pragma once
 
 #include "weft/plan.h"
 
 namespace weft::test {
 
-// `needs` is indexed by ResourceId and comes from the device that runs the plan.
+// Makes a naive plan with the memory requirements of the device that runs the plan. `needs` is indexed by
+// ResourceId.
 [[nodiscard]] FramePlan naive_plan(const ResolvedGraph& graph, const MemoryNeeds& needs);
-// Computes memory sizes from the contents alone.
+// Makes a naive plan without a device: a resource needs as many bytes of memory as its content has.
 [[nodiscard]] FramePlan naive_plan(const ResolvedGraph& graph);
 
 }  // namespace weft::test

@@ -12,7 +12,8 @@
 
 namespace weft::test {
 
-// Compiles with 1-byte alignment, and runs the checker.
+// Compiles the graph with a memory alignment of 1 byte and expects that the checker finds no error in the
+// plan.
 inline FramePlan compiled(const GraphBuilder& builder) {
     const ResolvedGraph graph = builder.build();
     FramePlan plan = compile(graph, content_needs(graph, 1), {});
@@ -41,13 +42,13 @@ inline std::vector<BarrierDecl> barriers_on(const FramePlan& plan, const std::ve
     return found;
 }
 
-// The barriers on `resource` before `pass`.
+// Returns the barriers on `resource` that the plan records before `pass`.
 inline std::vector<BarrierDecl> barriers_before(const FramePlan& plan, const std::string& pass,
                                                 const std::string& resource) {
     return barriers_on(plan, step_of(plan, pass).barriers, resource);
 }
 
-// Expects exactly one barrier and returns it.
+// Expects that the plan has exactly one barrier on `resource` before `pass`, and returns the barrier.
 inline BarrierDecl barrier_before(const FramePlan& plan, const std::string& pass,
                                   const std::string& resource) {
     const std::vector<BarrierDecl> found = barriers_before(plan, pass, resource);
@@ -61,7 +62,8 @@ inline void expect_state(const AccessState& found, const AccessState& wanted) {
     EXPECT_EQ(layout_text(found.layout), layout_text(wanted.layout));
 }
 
-// Prevents culling of a resource: reads it in a pass with a side effect.
+// Adds a readback pass that reads the resource. A readback pass has a side effect, so the writers of the
+// resource are not culled.
 inline PassDecl& read_back(GraphBuilder& builder, const std::string& name, ResourceId resource) {
     return builder.pass(name, PassKind::readback, {{"src", resource, Access::copy_read, {}, kNoId}});
 }

@@ -1,4 +1,4 @@
-// Properties of every plan, tested with many random graphs.
+// Tests properties that every plan must have, with many random graphs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,7 +90,8 @@ TEST(PlanProperties, TheSameFrameGivesTheSamePlan) {
     EXPECT_NE(compile(one, content_needs(one), {}).hash, compile(two, content_needs(two), {}).hash);
 }
 
-// Tests two things: the plan has no unnecessary barrier, and the checker notices every removed one.
+// Removes each barrier in turn and expects an error from the checker. This shows two things: the plan has no
+// unnecessary barrier, and the checker notices every missing barrier.
 TEST(PlanProperties, EveryBarrierIsNeeded) {
     for (uint32_t seed = 0; seed < 15; ++seed) {
         const ResolvedGraph graph = random_graph(seed, {5, 25});

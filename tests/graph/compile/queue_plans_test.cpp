@@ -1,4 +1,5 @@
-// Plans for several queues: the checker must accept each one, for any number of queues and families.
+// Tests plans for several queues: the checker must accept each plan, for any number of queues and queue
+// families.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -20,8 +21,7 @@ std::vector<LogicalQueue> queues_of(uint32_t count, bool one_family) {
     return logical_queues(profile, count);
 }
 
-// Deterministic queue hints: of the passes that can run on another queue, a third requests each of the other
-// queues.
+// Sets queue hints that depend only on the seed. About a third of the passes request each kind of queue.
 ResolvedGraph with_hints(ResolvedGraph graph, uint32_t seed) {
     for (PassId id = 0; id < graph.passes.size(); ++id) {
         const uint32_t turn = (id * 2654435761u ^ seed * 40503u) >> 7;
@@ -74,7 +74,8 @@ FramePlan planned(uint32_t seed) {
     return compile(graph, content_needs(graph), options);
 }
 
-// Tests two things: the plan has no unnecessary wait, and the checker notices every removed one.
+// Removes each semaphore wait in turn and expects an error from the checker. This shows two things: the plan
+// has no unnecessary wait, and the checker notices every missing wait.
 TEST(QueuePlans, EveryWaitIsNeeded) {
     uint32_t dropped = 0;
     for (uint32_t seed = 0; seed < 40; ++seed) {
@@ -97,7 +98,7 @@ TEST(QueuePlans, EveryWaitIsNeeded) {
     EXPECT_GE(dropped, 100u);
 }
 
-// Counts the barriers of one step that can be removed without a fault.
+// Returns how many barriers of one step can be removed, each alone, without an error from the checker.
 uint32_t count_redundant(const FramePlan& plan, size_t position, std::vector<BarrierDecl> PassStep::*list) {
     uint32_t redundant = 0;
     const PassStep& step = plan.barriers.steps[position];
@@ -110,8 +111,8 @@ uint32_t count_redundant(const FramePlan& plan, size_t position, std::vector<Bar
     return redundant;
 }
 
-// A barrier is unnecessary only if work went to another queue and back, so that two semaphores already order
-// it.
+// A barrier is unnecessary only in one case: work went to another queue and back, and two semaphores already
+// order the accesses. At most 1 % of the barriers may be unnecessary.
 TEST(QueuePlans, HardlyABarrierIsInVain) {
     uint32_t emitted = 0, redundant = 0;
     for (uint32_t seed = 0; seed < 40; ++seed) {

@@ -1,4 +1,5 @@
-// Plans with content from earlier frames: rings, kept resources, and the prologue that initialises them.
+// Tests plans that use content of earlier frames: rings, kept resources, and the prologue that initialises
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ UseDecl use_of(const ResolvedGraph& graph, const char* port, ResourceId id, Acce
     return use;
 }
 
-// Changes a transient to a ring and adds a pass that reads all its past frames.
+// Changes a transient resource to a ring with `history` past frames, and adds a pass that reads all of the
+// past frames.
 void remember(ResolvedGraph& graph, ResourceId id, uint32_t history) {
     ResourceDecl& newest = graph.resources[id];
     newest.lifetime = ResourceLifetime::persistent;
@@ -52,7 +54,7 @@ void remember(ResolvedGraph& graph, ResourceId id, uint32_t history) {
     graph.passes.push_back(reader);
 }
 
-// Adds a buffer that one pass modifies in place in every frame and another pass reads.
+// Adds a kept buffer. One pass modifies the buffer in place in every frame, and another pass reads it.
 void add_kept(ResolvedGraph& graph) {
     ResourceDecl kept;
     kept.name = "z_kept";
@@ -77,7 +79,8 @@ void add_kept(ResolvedGraph& graph) {
     graph.edges.push_back({first, first + 1, EdgeKind::raw, kept.ring, {}});
 }
 
-// True if every part of the resource is written before it is read, so that it can become a ring.
+// Returns true if every part of the resource is written before it is read. Only such a resource can become a
+// ring.
 bool wholly_written(const ResolvedGraph& graph, ResourceId id) {
     const ResourceDecl& resource = graph.resources[id];
     if (resource.lifetime != ResourceLifetime::transient || resource.mips * resource.layers != 1)
@@ -138,7 +141,8 @@ TEST(RingPlans, AForgottenPrologueIsAFault) {
     EXPECT_FALSE(check_plan(plan).empty());
 }
 
-// As when `if` removes the writer of a ring: every frame finds the first-frame value.
+// No pass writes the ring here, for example because `if` removed the writer. Then every frame must read the
+// value that the prologue has cleared.
 TEST(RingPlans, APastThatNobodyWritesStaysAsItWasAtFirst) {
     for (const uint32_t history : {1u, 2u}) {
         GraphBuilder builder;

@@ -1,5 +1,5 @@
-// Passes that draw on the same attachments share a rendering scope without barriers in between; if a barrier
-// is needed, they do not.
+// Tests which passes share a rendering scope: passes that draw on the same attachments share one if no
+// barrier is needed between them.
 #include "graph/sync/scopes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr uint32_t kSide = 16;
 
-// "first" covers `target`, reading `input`; then each pass of `draw()` draws on it; "read" reads the result.
+// Builds a graph for these tests: pass "first" reads `input` and covers `target`. Each pass added by draw()
+// draws on `target`, and pass "read" reads the result.
 class Layers {
  public:
     explicit Layers(Format format = Format::rgba16f)
@@ -45,7 +46,8 @@ bool merged(const FramePlan& plan, const char* pass) {
     return step_of(plan, pass).merges_render_pass;
 }
 
-// Expects that the pass begins its own scope and waits for the previous drawing.
+// Expects that the pass begins a rendering scope of its own and has a barrier that waits for the earlier
+// drawing.
 void expect_apart(const FramePlan& plan, const char* pass) {
     EXPECT_FALSE(merged(plan, pass));
     EXPECT_FALSE(barriers_before(plan, pass, "target").empty());
@@ -61,7 +63,8 @@ TEST(ScopePlans, ThreePassesOverOneTargetAreOneScopeWithoutBarriers) {
         EXPECT_TRUE(merged(plan, pass));
         EXPECT_TRUE(step_of(plan, pass).barriers.empty()) << pass;
     }
-    // One for make, two for first (input and target), one for read, none between the three draws.
+    // There are four barriers: one before `make`, two before `first` (for `target` and `input`), one before
+    // `read`, and none between the three draws.
     EXPECT_EQ(plan.barriers.emitted, 4u);
     const BarrierDecl after = barrier_before(plan, "read", "target");
     expect_state(after.src, {stage::kColorOutput, access::kColorWrite, Layout::color_attachment});
@@ -104,7 +107,8 @@ TEST(ScopePlans, AClearBeginsAnother) {
     read_back(layers.builder, "read", layers.target);
     const ResolvedGraph graph = layers.builder.build();
     CompileOptions options;
-    options.keep_all_passes = true;  // no other pass needs the first
+    // Without this option pass "first" would be culled, because no other pass reads its output.
+    options.keep_all_passes = true;
     const FramePlan plan = compile(graph, content_needs(graph, 1), options);
     EXPECT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
     expect_apart(plan, "second");
@@ -144,7 +148,8 @@ TEST(ScopePlans, AMultisampledTargetThatIsResolvedInBetween) {
     }
 }
 
-// Two passes that access depth as given by `first` and `second`.
+// Returns a plan with two passes that share a depth attachment. `first` and `second` say how each pass
+// accesses the depth.
 FramePlan depth_pair(Access first, Access second) {
     GraphBuilder b;
     const ResourceId target = b.image("target", Format::rgba16f, kSide);
@@ -182,7 +187,8 @@ TEST(ScopePlans, WhoeverComesNextWaitsForDepthToo) {
     EXPECT_EQ(after.from, pass_id(plan, "second"));
 }
 
-// A pass on another queue reads the first pass's version, so the second pass must wait for it.
+// Pass "look" on another queue reads the output of pass "first". So pass "second" must wait for "look" before
+// it draws, and cannot share the scope of "first".
 TEST(ScopePlans, NotAcrossASemaphore) {
     GraphBuilder b;
     const ResourceId target = b.image("target", Format::r32u, kSide),
@@ -203,7 +209,8 @@ TEST(ScopePlans, NotAcrossASemaphore) {
     EXPECT_FALSE(merged(plan, "second"));
 }
 
-// Nothing is recorded between the two passes, but another queue waits for the first.
+// No barrier or other command is needed between passes "first" and "second". But if another queue waits for
+// "first", a semaphore signal ends the submission after "first", so "second" needs its own scope.
 TEST(ScopePlans, NotBehindASignal) {
     for (const bool waits : {false, true}) {
         GraphBuilder b;

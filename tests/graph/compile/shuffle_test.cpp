@@ -1,5 +1,5 @@
-// The order in which the parts of a graph are written does not matter, and every thread compiles it to the
-// same plan.
+// Tests that a plan does not depend on the order in which the parts of the graph are declared, nor on the
+// thread that compiles the graph.
 #include <algorithm>
 #include <random>
 #include <set>

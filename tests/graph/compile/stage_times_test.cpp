@@ -1,4 +1,4 @@
-// compile() returns the time of each stage if the caller requests it.
+// Tests that compile() returns the time of each of its stages if the caller asks for the times.
 #include <gtest/gtest.h>
 
 #include <string>

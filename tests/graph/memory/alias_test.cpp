@@ -1,4 +1,5 @@
-// Heaps, offsets, and which resource takes over memory from which.
+// Tests the memory plan: the heaps, the offsets of resources in them, and which resource takes over memory
+// from which.
 #include "graph/memory/alias.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,8 @@ const Placement& place_of(const MemoryPlan& plan, ResourceId id) {
     return kNowhere;
 }
 
-// Five images, each alive together with the next one: two places, used alternately.
+// Each of the five images lives at the same time as the next one. So two places in memory are enough, and the
+// images use the places alternately.
 TEST(Alias, AChainNeedsTwoPlacesAndTakesThemOverInTurn) {
     const MemoryPlan plan =
         aliased(images(5), one_queue(), {span(0, 1), span(1, 2), span(2, 3), span(3, 4), span(4, 5)},
@@ -77,7 +79,8 @@ TEST(Alias, BytesAreSharedBetweenQueuesOnlyWhereClocksProveTheOrder) {
     }
 }
 
-// An image and a buffer, alive together.
+// A buffer and an image live at the same time. They must not share a page of the device's buffer-image
+// granularity.
 TEST(Alias, BuffersAndImagesKeepToPagesOfTheirOwn) {
     GraphBuilder b;
     b.buffer("buffer"), b.image("image");
@@ -127,7 +130,8 @@ TEST(Alias, WhatNoPassUsesOrNeedsNoMemoryHasNoPlace) {
 }
 
 TEST(AliasTransitions, FollowTheBytes) {
-    // In a heap of 100 bytes: first 0, then 1, both beside 2; then 3 in the memory of both.
+    // One heap has 100 bytes. Resource 0 uses the first bytes, then resource 1 does, and resource 2 lives
+    // beside both. Then resource 3 takes over the memory of 1 and 2.
     const std::vector<Placement> placements{{0, 0, 0, 60}, {1, 0, 0, 50}, {2, 0, 50, 50}, {3, 0, 0, 100}};
     const std::vector<AliasTransition> wanted{{3, 0, true}, {0, 1, false}, {0, 2, false},
                                               {3, 2, true}, {1, 3, false}, {2, 3, false}};

@@ -45,7 +45,8 @@ uint64_t peak_bytes(const std::vector<PackItem>& items) {
 
 TEST(Pack, NothingThatLivesTogetherSharesBytes) {
     for (uint32_t seed = 0; seed < 60; ++seed) {
-        // Short lifetimes test the sparse algorithm, long ones the dense one.
+        // With short lifetimes pack() uses its algorithm for sparse conflicts, with long lifetimes the one
+        // for dense conflicts.
         const std::vector<PackItem> items = random_items(seed, 40 + seed, seed % 2 ? 4 : 40);
         EXPECT_TRUE(sound(items, pack_sweep(items))) << "seed " << seed;
         EXPECT_TRUE(sound(items, pack_size_descending(items))) << "seed " << seed;

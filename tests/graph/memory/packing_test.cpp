@@ -1,5 +1,5 @@
-// Compares the memory of plans with the minimum for their order, on graphs that were used to measure other
-// frameworks.
+// Compares the heap size of plans with the minimum for their pass order. The graphs are those that were used
+// to measure other frameworks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,8 @@ double gap(const FramePlan& plan) {
     return static_cast<double>(plan.memory.heap_bytes) / static_cast<double>(plan.memory.peak_live_bytes);
 }
 
-// Limit for heap size divided by peak live memory: 1.05 on average and 1.10 at most.
+// The heap size divided by the peak of live memory must be at most 1.05 on average, and at most 1.10 for each
+// graph.
 TEST(Packing, StaysNearTheLeastPossible) {
     double sum = 0, worst = 0;
     uint32_t count = 0;

@@ -1,4 +1,5 @@
-// Reading profile files, and the memory requirements of a graph's resources under them.
+// Tests the reader of device profile files, and the memory requirements of a graph's resources that follow
+// from a profile.
 #include "weft/device_profile.h"
 
 #include <gtest/gtest.h>

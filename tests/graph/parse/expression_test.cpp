@@ -64,7 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
 struct BadSum {
     const char* text;
     const char* code;
-    uint32_t column;  // column within the text, from 1
+    // Column of the error within the text of the expression; the first column is 1.
+    uint32_t column;
     const char* message;
 };
 class BadExpressionTest : public ::testing::TestWithParam<BadSum> {};
@@ -76,8 +77,8 @@ TEST_P(BadExpressionTest, IsShownAtTheToken) {
     EXPECT_EQ(error.code, GetParam().code);
     EXPECT_EQ(error.line, 7u);
     EXPECT_FALSE(error.help.empty());
-    EXPECT_EQ(error.column, GetParam().column + 3) << to_text(error);  // the opening quote of the literal is
-                                                                       // in column 3
+    // The expression begins after the opening quote, which is in column 3 of the file.
+    EXPECT_EQ(error.column, GetParam().column + 3) << to_text(error);
     EXPECT_NE(error.message.find(GetParam().message), std::string::npos) << to_text(error);
 }
 

@@ -1,4 +1,4 @@
-// Faults in the top level of a graph and in its resources.
+// Tests the errors for faults in the top level of a graph file and in its resources.
 #include "tests/graph/report/marked_graph.h"
 
 namespace weft::test {

@@ -1,4 +1,5 @@
-// Every file either parses, or gives faults whose places exist in the file.
+// Tests with randomly changed graph files: each file either parses, or gives errors at lines and columns that
+// exist in the file.
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -29,8 +30,8 @@ void change_letter(std::string& text, size_t from, char letter) {
     if (it != text.end()) *it = letter;
 }
 
-// Makes one or two edits. Half of them only replace a letter, so that the file stays valid JSON and its
-// meaning is tested.
+// Makes one or two random edits in the text of a graph. Half of the edits only replace a letter, so that the
+// file remains valid JSON and the later checks are tested too.
 std::string mutate(std::string text, std::mt19937& random) {
     constexpr std::string_view kLetters = "aeinotxyz012789";
     constexpr std::string_view kLikely = "{}[]\",:/*\\ \n0123.-+@e_";
@@ -60,7 +61,8 @@ void expect_located(const Diagnostic& error, const std::string& text) {
     std::istringstream stream(text);
     std::string line;
     for (uint32_t i = 0; i < error.line; ++i) {
-        line.clear();  // after the last newline, getline keeps the previous line
+        // At the end of the file, getline would otherwise leave the previous line in `line`.
+        line.clear();
         std::getline(stream, line);
     }
     EXPECT_GE(error.column, 1u) << to_text(error);
@@ -74,7 +76,8 @@ void check_mutants(const std::string& original) {
     std::mt19937 random(kSeed);
     int faulty = 0;
     for (int i = 0; i < kMutants && !::testing::Test::HasFailure(); ++i) {
-        SCOPED_TRACE(i);  // number of the mutant
+        // Failures name the number of the mutant.
+        SCOPED_TRACE(i);
         const std::string text = mutate(original, random);
         const Result<GraphDesc> result = parse_text(text);
         if (result.ok()) continue;

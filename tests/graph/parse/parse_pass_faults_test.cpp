@@ -1,4 +1,4 @@
-// Faults in passes and in their states.
+// Tests the errors for faults in passes and in their pipeline states.
 #include "tests/graph/report/marked_graph.h"
 
 namespace weft::test {

@@ -1,4 +1,5 @@
-// Equal plans have equal hashes, and every field except provenance counts.
+// Tests that equal plans have equal hashes, and that a change of any field changes the hash, except for the
+// provenance.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -37,7 +38,8 @@ TEST(PlanHash, NoticesEveryFieldButProvenance) {
     EXPECT_EQ(plan_hash(other), plan.hash);
 }
 
-// A text that is longer than the buffer of the hash, and texts that cross the end of that buffer.
+// Hashes a name that is longer than the 4096-byte buffer of the hash function, and names that end close to
+// the end of that buffer. A change of one letter must change the hash.
 TEST(PlanHash, LongNamesAreHashedWhole) {
     FramePlan plan;
     plan.graph.passes.resize(1);

@@ -12,7 +12,8 @@ struct Drawing {
     std::vector<LayoutEdge> edges;
 };
 
-// Edges lead from lower to higher numbers.
+// Returns a random drawing of `count` boxes. Each edge leads from a box with a lower number to a box with a
+// higher number.
 Drawing random_drawing(uint32_t seed, uint32_t count) {
     std::mt19937 random(seed);
     Drawing drawing;
@@ -80,13 +81,14 @@ TEST(LayeredLayout, AChainIsAStraightLine) {
     EXPECT_EQ(layout.height_px, 40);
 }
 
-// Two pairs that are declared in crossed order are drawn without a crossing.
+// The edges 0 -> 3 and 1 -> 2 cross if the boxes stay in the order of declaration. The layout must order the
+// boxes so that the edges do not cross.
 TEST(LayeredLayout, CrossingsThatNeedNotBeAreNot) {
     const LayeredLayout layout = layered_layout({{9, 9}, {9, 9}, {9, 9}, {9, 9}}, {{0, 3}, {1, 2}}, 60);
     EXPECT_EQ(layout.boxes[0].y < layout.boxes[1].y, layout.boxes[3].y < layout.boxes[2].y);
 }
 
-// One box, and an edge that passes beside it.
+// The drawing contains a box between two others, and an edge that passes beside that box.
 TEST(LayeredLayout, IsNoLargerThanWhatItShows) {
     const LayeredLayout layout = layered_layout({{50, 40}, {50, 40}, {50, 40}}, {{0, 1}, {1, 2}, {0, 2}}, 60);
     EXPECT_LE(layout.height_px, 40 + 20 + 6 + 10) << "and a little for leaning";

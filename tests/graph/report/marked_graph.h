@@ -1,4 +1,5 @@
-// A faulty file with "$$" before each expected fault, so that tests need not count columns.
+// Helpers for tests of error messages: a faulty graph file has "$$" before each expected error, so that the
+// tests need not count columns.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,15 +15,20 @@ namespace weft::test {
 
 struct FaultCase {
     const char* name;
-    std::string text;                // text with "$$" before each fault, in the order of the file
-    std::vector<std::string> codes;  // one code per mark
-    std::string message;             // part of the first message
-    std::string help = "";           // part of the first fault's help
+    // Text of the graph, with "$$" before each fault, in the order of the file.
+    std::string text;
+    // Expected diagnostic codes, one for each "$$".
+    std::vector<std::string> codes;
+    // Text that the message of the first error must contain.
+    std::string message;
+    // Text that the help of the first error must contain.
+    std::string help = "";
 };
 
 struct MarkedText {
     std::string text;
-    std::vector<std::string> places;  // "graph.json:line:column"
+    // Places of the marks "$$", as "graph.json:line:column".
+    std::vector<std::string> places;
 };
 
 inline MarkedText unmark(const std::string& marked) {
@@ -53,7 +59,7 @@ inline Result<GraphDesc> parse_text(const std::string& text) {
     return parse(*merged);
 }
 
-// The value of an expression that is a number.
+// Returns the value of an expression that consists of a single number, and -1 for any other expression.
 inline double number_of(const Expr& expression) {
     return expression.postfix.size() == 1 ? expression.postfix.front().number : -1;
 }

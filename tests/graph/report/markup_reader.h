@@ -1,5 +1,5 @@
-// Reads an HTML page as an XML parser would, except for the text in <style> and <script>, which is ignored,
-// so that tests can examine its elements. Reading ends at the first fault.
+// Reads an HTML page with the strict rules of XML, so that tests can examine its elements. The text in
+// <style> and <script> is ignored. Reading ends at the first error.
 #pragma once
 
 #include <map>
@@ -10,13 +10,18 @@ namespace weft::test {
 
 struct ReadElement {
     std::string tag;
-    std::map<std::string, std::string> attributes;  // with escapes not decoded
-    std::string text;                               // direct text of the element, with escapes not decoded
+    // Values of the attributes by name. Escapes such as "&amp;" are not decoded.
+    std::map<std::string, std::string> attributes;
+    // Text directly inside the element, without the text of child elements. Escapes such as "&amp;" are not
+    // decoded.
+    std::string text;
 };
 
 struct ReadPage {
-    std::vector<ReadElement> elements;  // in the order of the start tags
-    std::string fault;                  // empty if the page is well-formed
+    // Elements in the order of their start tags.
+    std::vector<ReadElement> elements;
+    // Description of the first error; empty if the page is well-formed.
+    std::string fault;
 };
 
 [[nodiscard]] ReadPage read_markup(const std::string& text);

@@ -12,7 +12,8 @@
 namespace weft::test {
 namespace {
 
-// The same frame with passes and resources declared in random order.
+// Returns a small frame. The frame is the same for all seeds, but its passes and resources are declared in a
+// random order.
 GraphBuilder shuffled_frame(uint32_t seed) {
     std::vector<std::string> names{"depth", "color", "blurred", "unused"};
     std::mt19937 random(seed);
@@ -82,7 +83,7 @@ TEST(PlanDump, DotGreysWhatIsCulled) {
     EXPECT_EQ(dot.find("label=\"0 base\", color=grey"), std::string::npos);
 }
 
-// A graph's name can be any text.
+// The name of a graph can be any text. Control characters in it must not reach the terminal.
 TEST(PlanDump, NoNameSteersATerminal) {
     FramePlan plan = compiled(shuffled_frame(0));
     plan.graph.name = "red \x1b[31m, right to left \u202e";

@@ -1,4 +1,4 @@
-// Answers about random plans agree with the plans, on one to four queues.
+// Tests that the answers of `weft explain` about random plans agree with the plans, on one to four queues.
 #include "weft/report/plan_explain.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(ExplainRandom, CulledIsWhoDoesNotRun) {
             const Result<std::string> answer = explain_culled(plan, plan.graph.passes[pass].name);
             ASSERT_TRUE(answer.ok());
             EXPECT_EQ(has(*answer, " is not culled"), plan.live.live_passes[pass] != 0) << *answer;
-            // A live pass either is a root, or another pass needs it.
+            // A live pass either has a side effect or writes the output, or another pass needs it.
             EXPECT_TRUE(!plan.live.live_passes[pass] || has(*answer, "needs it") ||
                         has(*answer, "the output") || has(*answer, "side effect"))
                 << *answer;
@@ -134,7 +134,7 @@ TEST(DiffRandom, OfOneSeedIsNothingAndOfTwoIsWhatTheCountsSay) {
     }
 }
 
-// One pass is moved behind the others: only that pass is reported as moved.
+// The first pass is moved behind all others. The diff must report only that one pass as moved.
 TEST(DiffRandom, TheFewestMovesExplainANewOrder) {
     FramePlan a = random_plan(4, 25), b = a;
     ASSERT_GE(a.schedule.order.size(), 3u);

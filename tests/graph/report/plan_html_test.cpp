@@ -1,4 +1,5 @@
-// The HTML page contains the whole plan, with each part in its place, and loads nothing from elsewhere.
+// Tests that the HTML page of a plan contains the whole plan, shows each part in the right section, and loads
+// no external files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::set<std::string> ids(const ReadPage& page, const std::string& tag) {
     return found;
 }
 
-// The names of the items with a given style.
+// Returns the names of all items of the page that have the given CSS class.
 std::multiset<std::string> items(const ReadPage& page, const std::string& style) {
     std::multiset<std::string> found;
     for (const ReadElement& e : page.elements)
@@ -80,7 +81,7 @@ void expect_all_of(const FramePlan& plan, const ReadPage& page) {
         EXPECT_EQ(items(page, "batch").count(batch_key(s)) * articles.count(batch_key(s)), 1u);
 }
 
-// Every link has a target in the page, and the page loads no external resource.
+// Expects that every link leads to an element of the page, and that the page loads no external resource.
 void expect_self_contained(const std::string& text, const ReadPage& page) {
     for (const char* part :
          {"http://", "https://", "src=", "@import", "url(h", "//cdn", "fetch(", "<link", "<img"})
@@ -134,7 +135,7 @@ TEST(PlanHtml, CulledPassesSayWhy) {
     EXPECT_NE(text.find("unused: no pass that runs touches it"), std::string::npos);
 }
 
-// A barrier is explained as by `weft explain barrier`: reason, ports, states.
+// The page must explain a barrier as `weft explain barrier` does: with the reason, the ports and the states.
 TEST(PlanHtml, BarriersAreExplained) {
     GraphBuilder b;
     const ResourceId image = b.image("picture");

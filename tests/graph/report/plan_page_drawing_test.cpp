@@ -1,4 +1,5 @@
-// The drawings of the HTML page: bytes to scale, texts inside their boxes, names at their edges.
+// Tests the drawings of the HTML page: memory blocks are to scale, texts fit into their boxes, and names
+// stand at their edges.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +15,7 @@
 namespace weft::test {
 namespace {
 
-// Two large images and some tiny buffers, all alive at the same time.
+// Returns a plan with two large images and several tiny buffers that all live at the same time.
 FramePlan uneven_plan() {
     GraphBuilder b;
     const ResourceId large = b.image("large", Format::r32u, 256), small = b.image("small", Format::r32u, 128);
@@ -36,7 +37,7 @@ FramePlan uneven_plan() {
     return compiled(b);
 }
 
-// Calls the function for every block of every heap, with the scale of its drawing.
+// Calls `visit` for every memory block of every heap, together with the byte scale of the heap's drawing.
 template <class Visit>
 void for_blocks(const FramePlan& plan, const Visit& visit) {
     std::vector<uint32_t> heaps;
@@ -145,7 +146,8 @@ TEST(PlanPageDrawing, NamesOnEdgesTouchNoBoxAndNoOtherName) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const ReadPage page = read_markup(plan_to_html(random_plan(seed, 40), {}));
         ASSERT_EQ(page.fault, "");
-        size_t drawings = 0;  // counts the drawings; the graph is the first
+        // Number of drawings seen so far; the first drawing is the graph.
+        size_t drawings = 0;
         std::vector<Area> boxes, names;
         for (const ReadElement& e : page.elements) {
             drawings += e.tag == "svg" ? 1 : 0;
@@ -192,8 +194,8 @@ TEST(PlanPageDrawing, ANameLiesOnItsWayAndOnNoOther) {
     EXPECT_EQ(place_edge_names({way, shared}, {{"hdr"}, {"hdr"}}, {}, {300, 100})[0].text, "hdr");
 }
 
-// Repeat rounds that copy between two layers of an image; the frame begins with the result of the previous
-// frame.
+// Returns a plan with a repeated pass whose iterations copy between two layers of a kept image. The first
+// iteration reads the result of the previous frame.
 FramePlan rounds_plan(int rounds, bool other_between = false) {
     GraphBuilder b;
     const ResourceId cells = b.image("cells", Format::r32u, 16, 1, 2), side = b.image("side");
@@ -232,7 +234,8 @@ TEST(PlanPageDrawing, RepeatsOfManyRoundsAreOneBoxThatOpens) {
     EXPECT_NE(many.find("<summary>Every round: 13 passes</summary>"), std::string::npos);
     EXPECT_NE(many.find("step#12: 11  compute"), std::string::npos) << "the open drawing has them all";
     EXPECT_EQ(few.find("<summary>Every round"), std::string::npos) << "few are legible";
-    // A single box would have to be both before and after `other`.
+    // The iterations cannot be drawn as a single box, because pass `other` runs after the first iteration and
+    // before the second one.
     EXPECT_EQ(plan_to_html(rounds_plan(12, true), {}).find("<summary>Every round"), std::string::npos);
 }
 

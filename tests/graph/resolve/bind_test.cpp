@@ -14,7 +14,7 @@ class BindTest : public StageTest {
         y = add_image("y");
     }
 
-    // A compute pass whose shader has its name.
+    // Adds a compute pass with these ports. The shader has the same name as the pass.
     PassId add(const std::string& name, const std::vector<PortDesc>& in, const std::vector<PortDesc>& out) {
         PassDesc& desc = describe_pass(name);
         desc.in = in;

@@ -6,7 +6,8 @@
 namespace weft::test {
 namespace {
 
-// make → shade → the output; ao → blur, which no pass reads.
+// Returns a graph with two chains: make → shade → the output, and ao → blur. No pass reads the output of
+// blur.
 ResolvedGraph frame() {
     GraphBuilder b;
     const ResourceId gbuffer = b.image("gbuffer"), ssao = b.image("ssao"), blurred = b.image("blurred");

@@ -7,7 +7,7 @@ namespace {
 
 class FillBlocksTest : public StageTest {
  protected:
-    // A pass whose shader has these members in its block.
+    // Adds a compute pass whose shader has these members in its block `Params`.
     PassId add(std::initializer_list<BlockMember> members) {
         shaders["fill"] = with_params(compute({image_out("dst")}), members);
         return add_pass("fill");

@@ -1,4 +1,4 @@
-// One cause gives one message, in the order of the file, with a useful help text.
+// Tests that each fault in a graph gives one message only, in the order of the file, with a useful help text.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -14,7 +14,8 @@ class OneCause : public ResolveTest {
         shaders["show.frag"] = fragment({"backbuffer"}, {sampled("src")});
     }
 
-    // A mip chain down and up; its first pass down reads `source`.
+    // Returns a graph whose passes filter the mip levels of an image downwards and then upwards. The first
+    // downward pass reads `source`.
     static std::string chain(const std::string& source) {
         return R"j("imports": {"backbuffer": "output"}, "resources": {"hdr": "rgba16f", "bloom": {"format": "rgba16f", "mips": 5}},
           "passes": {

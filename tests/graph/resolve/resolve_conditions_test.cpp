@@ -1,4 +1,4 @@
-// Passes removed by `if`, the ports that read from them, and specialisation constants.
+// Tests passes that `if` removes, the ports that read from such passes, and specialisation constants.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -15,7 +15,7 @@ class ResolveConditions : public ResolveTest {
         shaders["add.frag"] = fragment({"color"});
     }
 
-    // "maker" writes x if "on"; "reader" shows it.
+    // Returns a graph in which pass "maker" writes x if parameter "on" is true. Pass "reader" reads `src`.
     std::string graph(const std::string& src, const std::string& more = "",
                       const std::string& shader = "copy.comp") {
         return R"j("params": {"on": false},
@@ -103,7 +103,8 @@ TEST_F(ResolveConditions, OptionalTakesASwitch) {
     const Diagnostic d = bad(graph(R"j({"ref": "z", "optional": true})j"));
     EXPECT_EQ(d.code, "W168");
     expect_help(d, "const bool HAS_src");
-    // The shader can run without the port, but only the author may make the port optional.
+    // The shader could run without the port, but the port is optional only if the author of the graph says
+    // so.
     EXPECT_EQ(bad(graph(R"j("x")j", "", "maybe.comp")).code, "W123");
     const Diagnostic copy = bad(R"j("resources": {"x": "rgba16f", "y": "rgba16f"}, "passes": {
       "c": {"type": "clear", "out": ["x"]},
@@ -145,7 +146,8 @@ TEST_F(ResolveConditions, APinOfADroppedPassFollowsItsOwnPin) {
 "pinned": {"type": "readback", "in": ["x@fog"]}})j";
     };
     EXPECT_EQ(seen(good(body(R"j(["x@maker"])j")), "pinned", "x"), "maker");
-    // With several writers and no pin, it is unknown which version fog would have passed on.
+    // The input of `fog` has several writers and no pin. So resolve() cannot know which version replaces the
+    // output of the removed pass `fog`.
     const Diagnostic d = bad(body(R"j(["x"])j"));
     EXPECT_EQ(d.code, "W123");
     EXPECT_EQ(d.line, 5u);

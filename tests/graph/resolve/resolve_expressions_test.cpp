@@ -1,5 +1,5 @@
-// Expressions in all places that allow a number, formats common to all tiers, and the cost of changing a
-// parameter.
+// Tests expressions in every place of a graph that allows a number, formats that are common to all tiers, and
+// the work that a change of a parameter causes.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -12,7 +12,7 @@ class ResolveExpressions : public ResolveTest {
         shaders["mix.frag"] = fragment({"color"}, {sampled("src")});
     }
 
-    // A pass that draws into x, with this state.
+    // Returns a graph whose fullscreen pass "p" draws into x with this pipeline state.
     std::string drawing(const std::string& state, const std::string& before = "") {
         const bool stencil = state.find("stencil") != std::string::npos;
         return before + R"j("params": {"n": 3}, "sizes": {"half": "output / 2"},

@@ -1,4 +1,4 @@
-// One graph as text, resolved against hand-made shaders and imports.
+// Test fixture that resolves one graph, given as text, with hand-made shaders and imports.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ inline ImportCatalog fake_imports() {
     return catalog;
 }
 
-// A device that supports every usage that a format allows, and all pipeline state.
+// Returns the profile of an imaginary device that supports all pipeline state and every usage of each format.
 inline DeviceProfile fake_profile() {
     namespace ff = format_feature;
     DeviceProfile profile;
@@ -61,7 +61,8 @@ inline DeviceProfile fake_profile() {
 
 class ResolveTest : public ::testing::Test {
  protected:
-    // `body` is the text between the outer braces: its first line is line 1 of "graph.json".
+    // Resolves a graph. `body` is the text between the outer braces of the graph; its first line is line 1 of
+    // "graph.json".
     Result<ResolvedGraph> run(const std::string& body) {
         const std::string text = "{\"version\": 1, \"name\": \"test\"," + body + "}";
         const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
@@ -87,7 +88,7 @@ class ResolveTest : public ::testing::Test {
         return {};
     }
 
-    // The one error that is expected.
+    // Expects that resolve() reports exactly one error for the graph, and returns the error.
     Diagnostic bad(const std::string& body) {
         const Result<ResolvedGraph> graph = run(body);
         if (graph) {
@@ -112,7 +113,8 @@ class ResolveTest : public ::testing::Test {
         return none;
     }
 
-    // "a b" when all of the use's content comes from passes a and b, in the order of their ranges.
+    // Returns the names of the passes that wrote the content that the port reads, in the order of the ranges,
+    // such as "a b". Content from before the frame appears as "before".
     static std::string seen(const ResolvedGraph& graph, const char* pass, const char* port) {
         std::string text;
         for (const VersionSource& s : use(graph, pass, port).sources) {

@@ -1,4 +1,4 @@
-// Persistent resources: history, keep, their initial content, and the allowed accesses.
+// Tests persistent resources: `history`, `keep`, the initial content, and the accesses that are allowed.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -15,7 +15,8 @@ class ResolveHistory : public ResolveTest {
         shaders["add.frag"] = fragment({"color"});
     }
 
-    // A temporal pass over "acc", shown through "y".
+    // Returns a graph in which pass "mix" reads `prev`, the history of "acc", and writes "acc". Pass "show"
+    // copies "acc" to "y".
     static std::string temporal(const std::string& acc = R"j("history": 1)j",
                                 const std::string& prev = "acc[-1]") {
         return R"j("resources": {"y": "rgba16f",
@@ -128,7 +129,8 @@ TEST_F(ResolveHistory, SomebodyMustWriteIt) {
         bad(R"j("resources": {"x": {"format": "rgba16f", "history": 1}, "y": "rgba16f"}, "passes": {
       "c": {"type": "compute", "shader": "copy.comp", "in": {"src": "x[-1]"}, "out": {"dst": "y"}}})j");
     EXPECT_EQ(d.code, "W110");
-    // A misspelt writer is one fault, not two.
+    // No pass writes "acc", because the writer names it "accc". The misspelt name is the only error; no W110
+    // follows.
     const Diagnostic near =
         bad(R"j("resources": {"acc": {"format": "rgba16f", "history": 1}, "y": "rgba16f"}, "passes": {
       "m": {"type": "compute", "shader": "make.comp", "out": {"dst": "accc"}},

@@ -1,4 +1,4 @@
-// Ports against shaders, Params blocks, dispatch sizes, C++ passes.
+// Tests that ports fit the shaders, and tests `Params` blocks, dispatch sizes and C++ passes.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -11,7 +11,8 @@ class ResolveInterface : public ResolveTest {
         shaders["filter.comp"] = compute({sampled("src"), image_out("dst")});
     }
 
-    // "x" is cleared, then read by the pass under test, which writes "y".
+    // Returns a graph in which pass "f" reads the cleared image "x" and writes "y". "f" is the pass under
+    // test.
     std::string filter_pass(const std::string& shader, const std::string& more = "",
                             const std::string& format = "rgba16f") {
         return R"j("consts": {"taps": 9}, "params": {"gain": {"default": 2}}, "resources": {"x": ")j" +
@@ -26,7 +27,8 @@ TEST_F(ResolveInterface, PortWithoutBinding) {
     shaders["other.comp"] = compute({sampled("picture"), image_out("dst")});
     const Result<ResolvedGraph> r = run(filter_pass("other.comp"));
     ASSERT_FALSE(r.ok());
-    // The port has no binding, and the binding has no port: both are reported.
+    // There are two errors: port "dst" has no binding in the shader, and the shader's binding "picture" has
+    // no port.
     ASSERT_EQ(r.errors().size(), 2u) << to_text(r.errors());
     EXPECT_EQ(r.errors()[0].code, "W170");
     EXPECT_EQ(r.errors()[0].line, 2u);

@@ -1,4 +1,4 @@
-// Cubes, arrays, 3D and multisampled images; resolves, blits and indirect dispatches.
+// Tests cube, array, 3D and multisampled images, and passes of the kinds resolve, blit and indirect dispatch.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -17,7 +17,8 @@ class ResolveKinds : public ResolveTest {
 "x": {"format": ")j" +
                format + R"j(", )j" + keys + R"j(}}, "passes": {"c": {"type": "clear", "out": ["x"]}})j";
     }
-    // "draw" writes ms and resolves it into one.
+    // Returns a graph in which pass "draw" writes the multisampled image "ms" and resolves it into the image
+    // "one".
     std::string resolving(const std::string& ms, const std::string& one, const std::string& more = "") {
         return R"j("imports": {"opaque": "drawlist"}, "resources": {
 "ms": {)j" + ms +
@@ -267,7 +268,7 @@ TEST_F(ResolveIndirectDraws, ListsCountTheirDrawsInExpressionsAndParams) {
     EXPECT_EQ(find_pass(g, "m")->groups[0], 7u);
     ASSERT_EQ(find_pass(g, "m")->params.size(), 1u);
     EXPECT_EQ(find_pass(g, "m")->params[0].value[0], 3.0);
-    // The author's names take precedence.
+    // A constant that the author declares takes precedence over a built-in name such as `opaqueDraws`.
     EXPECT_EQ(find_pass(good(graph(R"j("consts": {"opaqueDraws": 20},)j")), "m")->groups[0], 24u);
 }
 

@@ -1,4 +1,5 @@
-// Draws without a list: the numbers of vertices and instances, and inputs that their shaders cannot use.
+// Tests raster passes without a draw list: the numbers of vertices and instances, and the shader inputs that
+// such passes cannot provide.
 #include <algorithm>
 
 #include "graph/report/plan_summary.h"

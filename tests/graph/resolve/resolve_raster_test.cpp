@@ -1,4 +1,4 @@
-// Attachments: locations, first writes, blending, depth, extents, draw lists.
+// Tests attachments of passes that draw: locations, first writes, blending, depth, extents and draw lists.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -172,8 +172,8 @@ TEST_F(ResolveRaster, VertexInputsComeFromTheDrawList) {
 }
 
 TEST_F(ResolveRaster, DeferredShape) {
-    // The lighting pass modifies hdr in place after the G-buffer pass: the reads of the other G-buffer
-    // outputs order the two passes.
+    // The lighting pass modifies hdr in place. It must run after the G-buffer pass, because it also reads the
+    // G-buffer output `albedo`.
     shaders["gb"] = fragment({"albedo", "hdr"});
     shaders["light.comp"] = compute({sampled("albedo"), image_in_out("hdr")});
     const ResolvedGraph g = good(graph(

@@ -1,4 +1,5 @@
-// Repeated passes: their names, indices, and the versions that they see of each other's outputs.
+// Tests repeated passes: the names and indices of their iterations, and which iteration's output each
+// iteration reads.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -14,7 +15,8 @@ class ResolveRepeat : public ResolveTest {
         shaders["fill.comp"] = compute({buffer("dst", false, true)});
     }
 
-    // A pyramid of 10 mips (640 px): make, then mip by mip.
+    // Returns a graph with an image of 10 mip levels (640 px). Pass "make" writes level 0, and repeated pass
+    // "down" writes each further level from the one before.
     static std::string pyramid(const std::string& repeat = R"j({"i": "1..mips(x)-1"})j",
                                const std::string& src = "x.mip(i-1)", const std::string& more = "") {
         return R"j("resources": {"x": {"format": "rgba16f", "mips": "full"}}, "passes": {
@@ -128,7 +130,8 @@ TEST_F(ResolveRepeat, ConditionsMaySpeakOfTheIndex) {
     EXPECT_EQ(names(g), (std::vector<std::string>{"p#1", "p#3"}));
 }
 
-// Six layers, one written per frame; `keys` of the resource.
+// Returns a graph with an image of six layers. Repeated pass "p" writes one layer per frame (`perFrame`).
+// `keys` are further members of the image.
 std::string turns(const std::string& keys, const std::string& repeat = R"j("repeat": {"i": "0..5"}, )j") {
     return R"j("resources": {"x": {"format": "rgba16f", "layers": 6)j" + keys + R"j(}}, "passes": {
       "p": {"type": "compute", "shader": "make.comp", )j" +

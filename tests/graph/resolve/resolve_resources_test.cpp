@@ -1,4 +1,4 @@
-// Parameters, sizes, extents, mips, buffers, imports and formats.
+// Tests parameters, sizes, extents, mip levels, buffers, imports and formats.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -13,7 +13,7 @@ class ResolveResources : public ResolveTest {
         shaders["read.comp"] = compute({sampled("src"), image_out("dst")});
     }
 
-    // One image with these keys, written by a clear pass.
+    // Returns a graph with one image "x" that has these members, and a pass that clears "x".
     std::string image(const std::string& keys, const std::string& before = "") {
         return before + R"j("resources": {"x": {"format": "rgba16f", )j" + keys +
                R"j(}}, "passes": {"c": {"type": "clear", "out": ["x"]}})j";

@@ -1,5 +1,5 @@
-// Requirements of shaders other than ports: bound descriptor sets, sizes of points, a local size; and numbers
-// that fit their types.
+// Tests requirements of shaders other than ports: descriptor sets, point sizes and local sizes. Also tests
+// that numbers fit their types.
 #include "graph/diagnostics/whole_number.h"
 #include "tests/graph/resolve/resolve_fixture.h"
 
@@ -15,7 +15,7 @@ ShaderBinding at(uint32_t set, uint32_t binding, BindingKind kind) {
     return b;
 }
 
-// As at(), in stages of a whole program.
+// Returns the program with one more binding, which all stages of the program use.
 ShaderProgram with_binding(ShaderProgram p, const ShaderBinding& binding) {
     p.interface.bindings.push_back(binding);
     p.interface.bindings.back().stages = p.interface.stages;
@@ -72,7 +72,7 @@ TEST_F(ResolveShaderFit, EachBindingMustBeThere) {
     ShaderBinding cube = at(0, 2, BindingKind::sampled_image);
     cube.dim = ImageDim::cube;
     EXPECT_EQ(code_of(cube), "W185");
-    // Only the vertex stage may read instances, and no stage may write them.
+    // Only the vertex stage may read the buffer of instances (set 3, binding 0), and no stage may write it.
     shaders["s"] = with_binding(fragment({"color"}), at(3, 0, BindingKind::storage_buffer));
     EXPECT_EQ(bad(lists()).code, "W185");
     ShaderBinding instances = at(3, 0, BindingKind::storage_buffer);
@@ -140,7 +140,8 @@ TEST_F(ResolveShaderFit, ViewportsLieWhereTheDeviceHasSome) {
     EXPECT_FALSE(viewport("[0, 4096, 1, 4096]"));
 }
 
-// Texels that are not drawn must not show data of the memory's previous resource.
+// A fullscreen pass may leave some texels undrawn. Then the attachment must be cleared, so that it does not
+// show data of the resource that used the memory before.
 TEST_F(ResolveShaderFit, AFullscreenPassThatMayLeaveTexelsOutIsCleared) {
     shaders["s"] = fragment({"color"});
     shaders["s"].interface.writes_point_size = true;

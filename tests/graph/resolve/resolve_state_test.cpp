@@ -1,4 +1,4 @@
-// Pipeline state that only some devices support is checked against the device profile.
+// Tests that pipeline state which only some devices support is checked against the device profile.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -8,7 +8,8 @@ class ResolvePassState : public ResolveTest {
  protected:
     ResolvePassState() { shaders["s"] = fragment({"color"}); }
 
-    // The state is on line 5.
+    // Returns a graph with one drawing pass. Its pipeline state stands on line 5, which the expected errors
+    // name.
     static std::string drawing(const std::string& state, const std::string& type = "raster") {
         const std::string draws = type == "raster" ? R"j("draws": ["opaque"], )j" : "";
         return "\n\"imports\": {\"opaque\": \"drawlist\", \"backbuffer\": \"output\"},\n\"passes\": {\n" +
@@ -21,7 +22,8 @@ struct NeededState {
     const char* name;
     const char* text;
     bool DeviceProfile::*ability;
-    const char* asked;  // in the message
+    // Text that the error message must contain.
+    const char* asked;
     const char* help;
     uint32_t column;
 };

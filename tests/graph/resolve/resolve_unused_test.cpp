@@ -1,4 +1,5 @@
-// Warnings about unused declarations and useless passes, and cases without such warnings.
+// Tests the warnings about unused declarations and useless passes, and correct graphs that must give no
+// warning.
 #include <algorithm>
 
 #include "tests/graph/resolve/resolve_fixture.h"
@@ -13,7 +14,7 @@ class ResolveUnused : public ResolveTest {
         shaders["draw"] = fragment({"color"});
     }
 
-    // "CODE name" of each warning, sorted.
+    // Returns the warnings for a graph as texts such as "W130 name", sorted.
     std::vector<std::string> warned(const std::string& body) {
         warnings.clear();
         good(body);

@@ -1,4 +1,5 @@
-// The version that each port sees, and the resulting edges.
+// Tests which version of a resource each port reads, and the edges between passes that follow from the
+// versions.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -76,7 +77,8 @@ TEST_F(ResolveVersions, MipChainDownAndUpHasNoCycle) {
     EXPECT_TRUE(has_edge(g, "down2", "up1", EdgeKind::war));
 }
 
-// A pin on a pass that does not write that mip selects the last writer not ordered after that pass.
+// Pass "old" reads mip 0 with a pin on "down1", which writes only mip 1. So "old" reads the version of the
+// last writer of mip 0 that runs before "down1": "down0".
 TEST_F(ResolveVersions, PinOnAPassThatWritesAnotherMip) {
     const ResolvedGraph g = good(R"j("resources": {"b": {"format": "rgba16f", "mips": 2}, "y": "rgba16f"},
       "passes": {
@@ -125,7 +127,8 @@ TEST_F(ResolveVersions, PinOfAnInPlaceWriterOrdersItAfterThat) {
     EXPECT_EQ(find_pass(g, "one")->uses.size(), 1u);
 }
 
-// The read of y's first version must precede y's second writer; this orders the writers of x.
+// "zr" reads the first version of y, so it must run before "y2", which writes y again. This also orders the
+// writers of x: "zr" before "y2".
 TEST_F(ResolveVersions, OverwritesOfOneResourceOrderTheWritersOfAnother) {
     shaders["both.comp"] = compute({sampled("src"), image_in_out("x")});
     shaders["pair.comp"] = compute({image_in_out("y"), image_in_out("x")});
@@ -168,7 +171,7 @@ TEST_F(ResolveVersions, ObservedReferencesBecomeReadbackPasses) {
     EXPECT_NE(find_resource(g, "x")->usage & usage::kTransferSrc, 0u);
 }
 
-// The order in the file has no effect.
+// Resolves the same graph with its passes and resources declared in two orders. The results must be equal.
 TEST_F(ResolveVersions, ShuffledDeclarationsResolveAlike) {
     const std::string a = R"j("base": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}})j";
     const std::string b = R"j("mod": {"type": "compute", "shader": "change.comp", "out": ["x"]})j";
@@ -291,7 +294,8 @@ TEST_F(ResolveVersions, CycleOfAfters) {
     expect_help(d, "remove the \"after\"");
 }
 
-// A pin that is overwritten before it can be read is a cycle too.
+// Pass "r" reads the version of pass "a", but runs after "b", which overwrites that version. resolve() must
+// report a cycle.
 TEST_F(ResolveVersions, PinOnAnOverwrittenVersionIsACycle) {
     const Diagnostic d = bad(R"j("resources": {"x": "rgba16f", "y": "rgba16f"},
       "passes": {
@@ -328,7 +332,8 @@ TEST_F(ResolveVersions, EarlierFramesAreNotKept) {
     EXPECT_NE(d.message.find("keeps no history"), std::string::npos);
 }
 
-// The reader of "x" has no fault: its writer is misspelt.
+// Pass "b" reads "xray", which no pass writes, because pass "a" misspells the name. Only the misspelt name is
+// reported.
 TEST_F(ResolveVersions, OneCauseOneMessage) {
     const Diagnostic d = bad(R"j("resources": {"xray": "rgba16f", "y": "rgba16f"},
       "passes": {

@@ -1,4 +1,4 @@
-// The views of passes, indexed views, and the views that a program provides.
+// Tests the camera views of passes, views with an index, and views that the program provides.
 #include <algorithm>
 
 #include "tests/graph/resolve/resolve_fixture.h"

@@ -10,7 +10,8 @@ using Groups = std::array<uint32_t, 3>;
 class SizeDispatchesTest : public StageTest {
  protected:
     SizeDispatchesTest() {
-        shaders["fill"] = compute({image_out("dst")});  // 8x8x1 invocations
+        // The shader's local size is 8x8x1 invocations.
+        shaders["fill"] = compute({image_out("dst")});
         x = add_image("x");
         fill = add_pass("fill");
         add_use(fill, "dst", x, Access::storage_write);

@@ -1,5 +1,6 @@
-// The results of the stages of resolve(), made by hand, so that a test calls one stage alone.
-// Add resources and passes in the order of their names: ids are indices.
+// Test fixture for single stages of resolve(). It provides hand-made results of the earlier stages, so that a
+// test calls one stage alone.
+// Add resources and passes in alphabetical order, because their ids are indices into sorted lists.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ class StageTest : public ::testing::Test {
         return {.port = name, .ref = reference(ref), .otherwise = {}, .sampler = {}, .loc = {}};
     }
 
-    // A description, for evaluate(), shape_resources() and expand().
+    // Adds the description of an image, as input for evaluate(), shape_resources() and expand().
     ResourceDesc& describe_image(const std::string& name, const std::string& format = "rgba16f") {
         ResourceDesc& desc = graph.resources[name];
         desc.name = name;
@@ -39,7 +40,7 @@ class StageTest : public ::testing::Test {
         return desc;
     }
 
-    // The result of shape_resources() for a described image of 16x16 px.
+    // Adds an image of 16x16 px with its description, as if shape_resources() had made it.
     ResourceId add_image(const std::string& name, const std::string& format = "rgba16f") {
         ResourceDecl decl;
         decl.name = name;
@@ -52,7 +53,7 @@ class StageTest : public ::testing::Test {
         return static_cast<ResourceId>(shapes.resources.size() - 1);
     }
 
-    // The result of expand() for a described pass. Its shader is the one of its name.
+    // Adds a pass with its description, as if expand() had made it. The shader has the same name as the pass.
     PassId add_pass(const std::string& name, PassKind kind = PassKind::compute) {
         const auto id = static_cast<PassId>(expansion.passes.size());
         PassDraft draft;
@@ -66,7 +67,7 @@ class StageTest : public ::testing::Test {
         return id;
     }
 
-    // The result of bind() for one port of the newest passes.
+    // Adds a use of a resource to the pass, as if bind() had made it.
     UseDecl& add_use(PassId pass, const std::string& port, ResourceId resource, Access access) {
         bound.resize(expansion.passes.size());
         UseDecl use;
@@ -79,7 +80,7 @@ class StageTest : public ::testing::Test {
         return bound[pass].uses.back();
     }
 
-    // The suspects so far, with the sizes that the stages expect.
+    // Returns the records of parts that already have an error, with one entry for each pass and use.
     Suspects suspects() {
         Suspects all = shapes.suspects;
         bound.resize(expansion.passes.size());
@@ -92,7 +93,7 @@ class StageTest : public ::testing::Test {
         return {shapes.resources, bound, {}, std::move(all)};
     }
 
-    // The codes of the faults that the stage reported, for example "W104 W110".
+    // Returns the codes of the errors that the stage reported, such as "W104 W110".
     std::string codes() {
         errors = reporter.finish();
         std::string text;
@@ -117,7 +118,8 @@ class StageTest : public ::testing::Test {
     std::vector<BoundPass> bound;
     std::list<PortDesc> described_ports;
 
-    // Made at each call, so that it contains the current fields of the fixture.
+    // Returns the input of a stage. Each call makes it anew, so that it contains the current fields of the
+    // fixture.
     ResolveInput input() {
         return {.graph = graph,
                 .passes = passes,

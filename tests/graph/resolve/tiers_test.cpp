@@ -1,4 +1,4 @@
-// Quality tiers: the effects of `set` and `patch`, and faults in them.
+// Tests quality tiers: the effects of `set` and `patch`, and the errors for faults in them.
 #include "tests/graph/report/marked_graph.h"
 
 namespace weft::test {
@@ -72,7 +72,8 @@ TEST(Tiers, AFileWithoutTiersSaysSo) {
     EXPECT_NE(joined_help(graph.errors().front()).find("no tiers"), std::string::npos);
 }
 
-// "$$" precedes each fault, in tier "t".
+// Resolves a small graph whose tier "t" has the text `tier`. Expects exactly one error, at the place that
+// "$$" marks in `tier`.
 void expect_tier_fault(const std::string& tier, const std::string& code, const std::string& message,
                        const std::string& help) {
     const MarkedText marked = unmark(

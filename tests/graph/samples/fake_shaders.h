@@ -1,4 +1,4 @@
-// Hand-made shader interfaces, so that tests of the graph compiler need no shader compiler.
+// Makes shader interfaces by hand, so that tests of the graph compiler need no shader compiler.
 #pragma once
 
 #include <initializer_list>
@@ -93,7 +93,8 @@ inline ShaderProgram with_constants(ShaderProgram p,
     return p;
 }
 
-// A fragment program whose outputs get locations in the order given.
+// Returns a program with a vertex and a fragment stage. The outputs get the locations 0, 1, 2, ... in the
+// given order.
 inline ShaderProgram fragment(std::initializer_list<const char*> outputs,
                               std::initializer_list<ShaderBinding> bindings = {}) {
     ShaderProgram p = program(stage_bit(ShaderStage::fragment), bindings);

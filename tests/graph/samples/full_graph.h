@@ -1,4 +1,4 @@
-// A graph with every key of the format.
+// Contains the text of a graph that uses every key of the graph format.
 #pragma once
 
 namespace weft::test {

@@ -16,13 +16,15 @@ bool is_depth(Access a) {
     return a == Access::depth_write || a == Access::depth_read_write || a == Access::depth_read;
 }
 
-// The last writer of one mip of one layer, and the readers since then.
+// State of one mip level of one array layer: the pass that wrote it last, and the passes that have read it
+// since then.
 struct CellVersion {
     PassId writer = kNoId;
     std::vector<PassId> readers;
 };
 
-// Visits the passes in program order and derives sources and edges.
+// Visits the passes in program order. Finds the passes that wrote the content which each read sees, and the
+// edges between passes.
 class Versions {
  public:
     explicit Versions(ResolvedGraph& graph) : graph_(graph), cells_(graph.resources.size()) {
@@ -70,7 +72,8 @@ class Versions {
     }
 
     ResolvedGraph& graph_;
-    std::vector<std::vector<CellVersion>> cells_;  // indexed by resource, layer, mip
+    // One CellVersion for each mip level of each array layer: cells_[resource][layer * mips + mip].
+    std::vector<std::vector<CellVersion>> cells_;
 };
 
 template <class T>
@@ -232,7 +235,8 @@ void GraphBuilder::after(const std::string& from, const std::string& to) {
 ResolvedGraph GraphBuilder::build() const {
     ResolvedGraph graph = graph_;
     if (graph.name.empty()) graph.name = "built";
-    // In a ring, content moves from one resource to the next older one.
+    // Each frame passes the content of a ring's image to the next older one, so all images of a ring need the
+    // usage flags of each of them.
     for (const ResourceDecl& role : graph_.resources)
         if (role.ring != kNoId) graph.resources[role.ring].usage |= role.usage;
     for (ResourceDecl& role : graph.resources)

@@ -1,6 +1,6 @@
-// Purpose: builds ResolvedGraphs by hand, for tests of the stages after resolve(). Passes are given in
-// program order; a read sees the last write before it in that order. build() sorts by name and remaps ids, as
-// resolve() does.
+// Purpose: builds a ResolvedGraph by hand, for tests of the stages that follow resolve(). A test adds passes
+// in program order, and a read sees the last write before it. build() sorts passes and resources by name and
+// renumbers their ids, as resolve() does.
 #pragma once
 
 #include <optional>
@@ -13,9 +13,11 @@ namespace weft::test {
 
 struct BuilderUse {
     std::string port;
-    ResourceId resource = kNoId;  // as returned by the builder
+    // Id of the resource, as returned by image() or buffer() of the builder.
+    ResourceId resource = kNoId;
     Access access = Access::none;
-    std::optional<SubresourceRange> range;  // default: the whole resource
+    // Part of the resource that the pass accesses; by default the whole resource.
+    std::optional<SubresourceRange> range;
     uint32_t binding = kNoId;
 };
 
@@ -26,24 +28,26 @@ class GraphBuilder {
     ResourceId image(std::string name, Format format = Format::r32u, uint32_t side_px = 16, uint32_t mips = 1,
                      uint32_t layers = 1);
     ResourceId buffer(std::string name, uint64_t size_bytes = 1024);
-    // For properties that the other functions do not cover: samples, other extents. Call this before the
-    // first use.
+    // Gives access to all properties of the resource, such as samples and extent, for which the builder has
+    // no function. Call edit() before a pass uses the resource.
     [[nodiscard]] ResourceDecl& edit(ResourceId id) { return graph_.resources[id]; }
-    // Changes a resource to an import.
+    // Changes the resource to an import with these states before and after the frame.
     void import_as(ResourceId resource, const AccessState& entry, const AccessState& exit);
-    // Shares the import between all queue families.
+    // Marks the import as shared between all queue families (VK_SHARING_MODE_CONCURRENT).
     void make_concurrent(ResourceId import);
-    // Changes a resource to the newest one of a ring and adds the older ones: "x[-1]" and so on. Returns them
-    // ordered by age. Without history the content is kept.
+    // Changes the resource to the newest one of a ring, and adds the older ones "x[-1]", "x[-2]" and so on.
+    // Returns all of them, newest first. If `history` is 0, the resource only keeps its content from frame to
+    // frame.
     std::vector<ResourceId> ring(ResourceId resource, uint32_t history);
     void set_output(ResourceId resource) { graph_.output = resource; }
 
-    // Attachments are derived from the accesses. The returned reference may be used until the next call.
+    // Adds a pass. Its attachments follow from the accesses in `uses`. The returned reference is valid until
+    // the next call of the builder.
     PassDecl& pass(std::string name, PassKind kind, const std::vector<BuilderUse>& uses);
     PassDecl& compute(std::string name, const std::vector<BuilderUse>& uses) {
         return pass(std::move(name), PassKind::compute, uses);
     }
-    // `to` must run after `from`, without a shared resource.
+    // Adds an edge: pass `to` must run after pass `from`, although they share no resource.
     void after(const std::string& from, const std::string& to);
 
     [[nodiscard]] const ResourceDecl& resource(ResourceId id) const { return graph_.resources[id]; }

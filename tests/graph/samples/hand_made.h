@@ -1,4 +1,5 @@
-// Purpose: the input of single stages, made by hand, so that a test of one stage calls no other stage.
+// Purpose: makes the inputs of single compile stages by hand, so that a test of one stage calls no other
+// stage.
 #pragma once
 
 #include <string>
@@ -26,12 +27,13 @@ inline LiveGraph all_live(const ResolvedGraph& graph) {
     return live;
 }
 
-// Graphics and compute, both of queue family 0.
+// Returns a graphics queue and a compute queue, both of queue family 0.
 inline std::vector<LogicalQueue> two_queues() {
     return {{QueueKind::graphics, 0}, {QueueKind::compute, 0}};
 }
 
-// The passes in this order; `queue` by position, by default queue 0. Without clocks.
+// Returns a schedule that runs the passes in the given order. `queue[i]` is the queue of the i-th pass;
+// without `queue`, all passes run on queue 0. The schedule has no vector clocks.
 inline Schedule in_order(const ResolvedGraph& graph, const std::vector<std::string>& passes,
                          std::vector<QueueIndex> queue = {}) {
     Schedule order;

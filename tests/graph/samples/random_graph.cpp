@@ -12,7 +12,8 @@ class Generator : public RandomFeatures {
     using RandomFeatures::RandomFeatures;
 
     ResolvedGraph run() {
-        // Combining unread results into the final result needs additional passes.
+        // 60 % of the passes are made at random. The others are left for fold(), which combines unread
+        // results into the final result.
         const uint32_t wanted = between(options_.min_passes, options_.max_passes);
         const uint32_t body = std::max(2u, wanted * 6 / 10);
         add_imports();
@@ -64,7 +65,8 @@ class Generator : public RandomFeatures {
         }
     }
 
-    // Combines most unread content into the final result; the rest stays unused, so that passes are culled.
+    // Combines most results that no pass reads into the final result. The other unread results stay unused,
+    // so that their passes are culled.
     void fold(uint32_t wanted) {
         std::vector<RandomCell> loose;
         for (const RandomCell& cell : images_)
@@ -86,7 +88,8 @@ class Generator : public RandomFeatures {
                       {{"src", last.resource, Access::copy_read, {}, kNoId}});
     }
 
-    // The cell may have been overwritten since; then the pass reads the new content, which is fine too.
+    // Mixes the inputs into a new image. An input may have been overwritten in the meantime; then the pass
+    // reads its new content, which is also a valid graph.
     RandomCell mix_into_new(const std::vector<RandomCell>& inputs) {
         constexpr const char* kShaders[] = {"mix_image_1.comp", "mix_image_2.comp", "mix_image_3.comp"};
         const RandomCell cell = new_image(16u * between(1, 3));

@@ -1,5 +1,5 @@
-// Purpose: counts the features in a set of random frames and their plans, so that a test can show that its
-// set is not trivial.
+// Purpose: counts how many frames of a set of random frames have each feature, so that a test can show that
+// its random frames cover all features. Each field counts frames.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,36 @@ namespace weft::test {
 
 struct GraphCoverage {
     uint32_t graphs = 0;
-    uint32_t alias_transitions = 0;  // transfers of memory between two resources
+    // Frames in which a resource takes over memory from another one.
+    uint32_t alias_transitions = 0;
     uint32_t several_queues = 0;
-    uint32_t waits = 0;      // waits across queues, within a frame
-    uint32_t transfers = 0;  // ownership transfers between queue families
-    uint32_t history = 0;    // live resources with history
+    // Frames with a semaphore wait across queues, within the frame.
+    uint32_t waits = 0;
+    // Frames with an ownership transfer between queue families.
+    uint32_t transfers = 0;
+    // Frames in which a live pass uses content of earlier frames.
+    uint32_t history = 0;
     uint32_t kept = 0;
-    uint32_t ranges = 0;        // barriers on parts of images
-    uint32_t repeats = 0;       // live rounds of repeats
-    uint32_t chains = 0;        // live mip chains of graphs made in memory
-    uint32_t conditionals = 0;  // cases in which a condition removed something or changed an input
-    uint32_t after = 0;         // edges without a shared resource
-    uint32_t depth_inputs = 0;  // depth as attachment and input of the same pass
+    // Frames with a barrier on a part of an image.
+    uint32_t ranges = 0;
+    // Frames with a live iteration of a repeated pass.
+    uint32_t repeats = 0;
+    // Frames with a live mip chain that RandomFeatures has made.
+    uint32_t chains = 0;
+    // Frames in which a condition removed a pass or changed an input.
+    uint32_t conditionals = 0;
+    // Frames with an edge between passes that share no resource.
+    uint32_t after = 0;
+    // Frames in which a live pass uses a depth image as attachment and as input.
+    uint32_t depth_inputs = 0;
     uint32_t culled = 0;
     uint32_t merged_scopes = 0;
 
-    // `left_out`: see RandomText.
+    // Counts the features of one plan. `left_out` is RandomText::left_out: a condition removed a pass or
+    // changed an input.
     void add(const FramePlan& plan, bool left_out = false);
-    [[nodiscard]] std::string text() const;  // fractions in percent
+    // Returns the share of frames with each feature, in percent.
+    [[nodiscard]] std::string text() const;
 };
 
 }  // namespace weft::test

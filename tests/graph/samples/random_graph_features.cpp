@@ -122,7 +122,7 @@ void RandomFeatures::mip_chain() {
             images_.push_back({id, one_cell(mip, layer), layer + 1 < layers || mip > 0});
 }
 
-// Clears some mips of all layers; other passes write the rest.
+// Clears one or two mips of all layers of a new image. Other passes write the remaining mips.
 void RandomFeatures::clear_range() {
     const ResourceId id = builder_.image(fresh_name("parts"), Format::r32u, 32, 3, 2);
     const SubresourceRange range{below(2), between(1, 2), 0, 2, aspect::kColor};
@@ -136,7 +136,7 @@ void RandomFeatures::clear_range() {
     images_.back().read = false;
 }
 
-// Copies two mips of two layers from one array to another.
+// Copies two mips of two layers from one image array to another.
 void RandomFeatures::copy_range() {
     const SubresourceRange range{0, 2, 0, 2, aspect::kColor};
     const ResourceId from = builder_.image(fresh_name("source"), Format::r32u, 16, 2, 2);
@@ -176,8 +176,8 @@ void RandomFeatures::test_against_input() {
     images_.push_back(cell);
 }
 
-// Adds a pass that covers a whole image, and passes that draw on parts of it. Usually they have the same
-// inputs, so that no barrier is needed between them; sometimes one has a different input.
+// Adds a pass that covers a whole image, and passes that draw on parts of the image. Usually all of them have
+// the same inputs, so that no barrier is needed between them. Sometimes one pass has a different input.
 void RandomFeatures::draw_layers() {
     const std::vector<RandomCell> inputs = take(images_, between(1, 2));
     const RandomCell cell = new_image(16u * between(1, 3));
@@ -194,7 +194,8 @@ void RandomFeatures::draw_layers() {
     images_.push_back(cell);
 }
 
-// The same with depth: either all passes write it, or all only test it.
+// Adds several passes that draw on the same colour and depth images. Either all of them write the depth, or
+// all of them only test it.
 void RandomFeatures::draw_depth_layers() {
     const std::vector<RandomCell> inputs = take(images_, 1);
     const uint32_t side = 16u * between(1, 3);

@@ -1,5 +1,5 @@
-// Purpose: optional features of random frames: rings, kept resources, mip chains, ranges, depth as an input,
-// several draws on one image.
+// Purpose: adds the optional features to random frames: rings, kept resources, mip chains, clears and copies
+// of ranges, depth as an input, and several draws on one image.
 #pragma once
 
 #include "tests/graph/samples/random_graph_passes.h"
@@ -11,12 +11,13 @@ class RandomFeatures : public RandomPasses {
     using RandomPasses::RandomPasses;
 
  protected:
-    // Sometimes adds one of the enabled features.
+    // Sometimes adds one of the enabled features. Returns true if it has added one.
     bool add_feature();
     void add_after_edges();
 
  private:
-    // A pass that reads earlier frames and writes the current one; its seed may be a builtin.
+    // Adds a pass that reads images of earlier frames and writes the image of the current frame. The seed of
+    // the pass may be a built-in value: the frame number, or 1 if the earlier image is valid.
     void remember_image();
     void remember_buffer();
     void keep_image();

@@ -1,4 +1,5 @@
-// Purpose: the state of a random frame during its generation: random numbers, written content, and passes.
+// Purpose: holds the state of a random frame while it is generated: the random numbers, the written content,
+// and the passes.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +20,12 @@ inline constexpr AccessState kReadImport{stage::kComputeShader, access::kStorage
 inline constexpr AccessState kStateImport{stage::kComputeShader, access::kStorageRead | access::kStorageWrite,
                                           Layout::undefined};
 
-// One mip of one layer of an image, or a buffer.
+// Content that a pass reads or writes: one mip of one layer of an image, or a whole buffer.
 struct RandomCell {
     ResourceId resource = kNoId;
     SubresourceRange range;
-    bool read = false;  // read since it was written
+    // True if a pass has read the content since it was written.
+    bool read = false;
 };
 
 class RandomFrame {
@@ -31,12 +33,14 @@ class RandomFrame {
     RandomFrame(uint32_t seed, const RandomGraphOptions& options) : random_(seed), options_(options) {}
 
  protected:
-    // Implemented here, because the distributions of the standard library differ between implementations.
+    // Implemented here, because the distributions of the standard library give other numbers in each
+    // implementation.
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
     uint32_t between(uint32_t low, uint32_t high) { return low + below(high - low + 1); }
     bool chance(uint32_t percent) { return below(100) < percent; }
 
-    // Usually picks recently written content, so that lifetimes are short and memory is reused.
+    // Returns a random index below `count`. Usually picks recently written content, so that lifetimes are
+    // short and memory is reused.
     size_t pick(size_t count) {
         const auto n = static_cast<uint32_t>(count);
         if (n > 4 && chance(75)) return n - 1 - below(4);
@@ -71,7 +75,8 @@ class RandomFrame {
         if (state_words_ != kNoId) builder_.make_concurrent(state_words_);
     }
 
-    // Passes that can run on another queue often request one.
+    // Returns a queue hint for the pass: often a queue other than graphics, if the kind of pass can run
+    // there.
     QueueKind queue_hint(PassKind kind) {
         const uint32_t roll = below(100);
         if (kind == PassKind::fullscreen || roll < 35) return QueueKind::graphics;
@@ -83,8 +88,8 @@ class RandomFrame {
                std::to_string(names_++);
     }
 
-    // A cell to write, not among `inputs`: an unwritten cell of an image, an already written one, or a new
-    // image.
+    // Returns a cell that the next pass writes and that is not among `inputs`: an unwritten cell of an image,
+    // a cell that was already read, or a new image.
     RandomCell target(const std::vector<RandomCell>& inputs) {
         if (!unwritten_.empty() && chance(60)) {
             const size_t i = pick(unwritten_.size());
@@ -142,7 +147,8 @@ class RandomFrame {
         pass_names_.push_back(pass.name);
         if (options_.queues) pass.queue = queue_hint(kind);
         if (shader == nullptr) return pass;
-        // Bindings are numbered by name, and "dst" comes after all inputs.
+        // Bindings are numbered in the order of the port names, and the name "dst" comes after the names of
+        // all inputs.
         if (kind == PassKind::compute) pass.uses.back().binding = static_cast<uint32_t>(uses.size()) - 1;
         pass.shader = shader;
         ParamWrite seed;
@@ -175,9 +181,12 @@ class RandomFrame {
     std::mt19937 random_;
     RandomGraphOptions options_;
     GraphBuilder builder_;
-    std::vector<RandomCell> images_;     // written cells, oldest first
-    std::vector<RandomCell> buffers_;    // written buffers
-    std::vector<RandomCell> unwritten_;  // unwritten cells of partly written images
+    // Cells of images that passes have written, oldest first.
+    std::vector<RandomCell> images_;
+    // Buffers that passes have written.
+    std::vector<RandomCell> buffers_;
+    // Cells that no pass has written yet, of images with other cells that are written.
+    std::vector<RandomCell> unwritten_;
     std::vector<std::string> pass_names_;
     ResourceId state_words_ = kNoId;
     uint32_t passes_ = 0;

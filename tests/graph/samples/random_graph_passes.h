@@ -1,4 +1,4 @@
-// Purpose: the ordinary passes of random frames: mixing, drawing, clearing, copying.
+// Purpose: adds the ordinary passes of random frames, which mix, draw, clear and copy content.
 #pragma once
 
 #include "tests/graph/samples/random_graph_frame.h"
@@ -19,7 +19,7 @@ class RandomPasses : public RandomFrame {
     }
     RandomCell target_for_first() { return images_.empty() ? new_image(32) : target({}); }
 
-    // Extends the cell to all mips of its layer, if all are written.
+    // Sometimes extends the cell to all mips of its layer, if passes have written all of these mips.
     void widen(RandomCell& cell) {
         const ResourceDecl& decl = builder_.resource(cell.resource);
         const SubresourceRange all{0, decl.mips, cell.range.layer, 1, decl.aspects};
@@ -114,7 +114,7 @@ class RandomPasses : public RandomFrame {
         buffers_.push_back(cell);
     }
 
-    // Clears a whole image: every mip of every layer.
+    // Adds a pass that clears a new image: every mip of every layer.
     void clear_image() {
         const RandomCell cell = new_image(16u * between(1, 3));
         const ResourceDecl& decl = builder_.resource(cell.resource);
@@ -162,7 +162,8 @@ class RandomPasses : public RandomFrame {
         images_.push_back(cell);
     }
 
-    // Draws on half of an image, so that the other half must be loaded.
+    // Adds a pass that draws on a part of an image, so that the attachment must load the old content of the
+    // other part.
     void draw_over() {
         const size_t i = pick(images_.size());
         const RandomCell cell = images_[i];
@@ -176,7 +177,8 @@ class RandomPasses : public RandomFrame {
         images_[i].read = false;
     }
 
-    // Writes depth from an image, draws with a depth test against it, and reads the depth as an input.
+    // Adds a pass that writes depth from an image, passes that draw with a depth test against this depth, and
+    // passes that read the depth as an input.
     void depth_chain() {
         const uint32_t side = 16u * between(1, 3);
         const ResourceId z = builder_.image(fresh_name("depth"), Format::d32f, side);

@@ -1,11 +1,12 @@
-// Purpose: random graphs as JSON texts, to test all stages from JSON to a plan: repeats (mip chains down and
-// up, nested, backwards, empty, spread over frames), partial writes, conditions with random parameters,
-// `else` and optional ports, conditional in-place writers, history, kept content, parts of images, `after`,
-// queue hints, and every type of pass except C++ ones. resolve() must accept all of them.
+// Purpose: makes random graphs as JSON texts, to test all stages from JSON to a plan. The texts contain
+// repeats (mip chains downwards and upwards, nested, backwards, empty, spread over frames), partial writes,
+// conditions with random parameters, `else` inputs and optional ports, conditional in-place writers, history,
+// kept content, parts of images, `after`, queue hints, and every type of pass except C++ passes. resolve()
+// must accept all texts.
 //
-// The order in a text has no meaning, so passes and resources are written in random order. The generator
-// makes passes one after another, and each reads existing versions; the pins and `after` in the text express
-// this order.
+// The order of declarations in a graph has no meaning, so a text lists passes and resources in random order.
+// The generator makes passes one after another, and each pass reads versions that exist already. The pins and
+// the `after` lists of the text express this order.
 #pragma once
 
 #include <cstdint>
@@ -19,25 +20,30 @@ namespace weft::test {
 
 struct RandomText {
     std::string text;
-    // The same graph with all conditions evaluated by the generator: passes with a false `if` are removed,
-    // `else` replaces its input, unconnected optional ports are removed, and repeats have numeric bounds.
+    // The same graph without conditions, as the generator evaluates them: passes with a false `if` are
+    // removed, `else` inputs are inserted, unconnected optional ports are removed, and repeats have numeric
+    // bounds.
     std::string plain;
-    std::map<std::string, double> params;  // parameter values for both texts
-    bool left_out = false;                 // some `if` is false and this removed a pass or changed an input
+    // Values of the parameters by name, for `text` and for `plain`.
+    std::map<std::string, double> params;
+    // True if a false `if` has removed a pass or changed an input.
+    bool left_out = false;
 };
 
 [[nodiscard]] RandomText random_text(uint32_t seed);
 
-// The same text with one fault, which must be the only one that resolve() reports.
+// A random text with one fault. resolve() must report this fault and no other.
 struct FaultyText {
     std::string text;
     std::map<std::string, double> params;
-    std::string code;  // code of the diagnostic: "W110"
-    std::string how;   // description of the fault
+    // Code of the expected diagnostic, such as "W110".
+    std::string code;
+    // Description of the fault, shown if the test fails.
+    std::string how;
 };
 [[nodiscard]] FaultyText random_faulty_text(uint32_t seed);
 
-// Resolves with shaders and imports made by the generator.
+// Resolves the text with the shaders and imports that the random texts use.
 [[nodiscard]] Result<ResolvedGraph> resolve_text(const std::string& text,
                                                  const std::map<std::string, double>& params,
                                                  const DeviceProfile& profile);

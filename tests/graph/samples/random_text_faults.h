@@ -1,5 +1,5 @@
-// Purpose: adds faults to random texts: meaningless graphs, and reads of unwritten memory. resolve() must
-// find each of them.
+// Purpose: adds one fault to a random text, such as a read of unwritten memory. resolve() must find every
+// fault.
 #pragma once
 
 #include "tests/graph/samples/random_text_repeats.h"
@@ -45,8 +45,9 @@ class RandomTextFaults : public RandomTextRepeats {
     }
 
  private:
-    // Attachments are cleared; with other kinds of passes, unwritten parts would contain data of the memory's
-    // last owner.
+    // Adds a pass that writes only a part of a new resource, and no pass has written the other part. Such a
+    // part would contain data of the resource that used the memory before. Attachments are not used here,
+    // because they are cleared.
     RandomFault part_of_nothing() {
         const uint32_t roll = below(5);
         const size_t target = roll == 3 ? new_words() : new_image("lone");

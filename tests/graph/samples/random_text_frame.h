@@ -1,5 +1,5 @@
-// Purpose: the state of a random text during its generation: random numbers, readable and writable values,
-// and passes.
+// Purpose: holds the state of a random text while it is generated: the random numbers, the values that passes
+// can read and write, and the passes.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ class RandomTextFrame {
     explicit RandomTextFrame(uint32_t seed) : random_(seed) {}
 
  protected:
-    // Implemented here, because the distributions of the standard library differ between implementations.
+    // Implemented here, because the distributions of the standard library give other numbers in each
+    // implementation.
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
     uint32_t between(uint32_t low, uint32_t high) { return low + below(high - low + 1); }
     bool chance(uint32_t percent) { return below(100) < percent; }
@@ -37,7 +38,7 @@ class RandomTextFrame {
         return found == params_.end() ? model_.defaults.at(name) : found->second;
     }
 
-    // The second condition of a pair is the negation of the first.
+    // Adds two conditions and returns their indices. The second condition is the negation of the first.
     std::pair<size_t, size_t> opposite_conditions() {
         const std::string p = "p" + std::to_string(below(3));
         const bool on = parameter(p) != 0;
@@ -93,7 +94,8 @@ class RandomTextFrame {
         model_.values.push_back(v);
         return model_.values.size() - 1;
     }
-    // A value written by passes that the generator does not track, and by no other pass.
+    // Adds a value that is already written, by passes that the generator does not track. No other pass may
+    // write it.
     size_t add_closed_value(size_t resource, std::string part = "", bool single = true) {
         const size_t id = add_value(resource, std::move(part));
         model_.values[id].closed = true;
@@ -114,7 +116,8 @@ class RandomTextFrame {
         }
         return found;
     }
-    // Usually picks recent values, so that lifetimes are short and memory is reused.
+    // Picks a random value of the list. Usually picks recent values, so that lifetimes are short and memory
+    // is reused.
     size_t pick(const std::vector<size_t>& from) {
         if (from.empty()) return kNone;
         const auto n = static_cast<uint32_t>(from.size());
@@ -134,8 +137,8 @@ class RandomTextFrame {
         return {value, model_.values[value].writers.size(), chance(50), {}};
     }
 
-    // A port of a shader that reads `value`, for a pass under `condition`. If the value may be missing, the
-    // port has an `else` or is optional.
+    // Returns a port through which a pass with this condition reads `value`. If the value may be missing, the
+    // port is optional or gets an `else` input.
     TextPort input(const char* name, size_t value, size_t condition, bool may_be_empty) {
         TextPort port{name, last_version(value), {}, false, {}};
         bool nearest = resource_of(value).format == "r32f" || chance(20);
@@ -158,7 +161,8 @@ class RandomTextFrame {
         return pick_value(
             [&](size_t v) { return kind_of(v) == kind && model_.values[v].condition == kNone; });
     }
-    // A port that is bound to a text without a tracked value: history, imports.
+    // Returns a port that is bound to the given text, such as a history or an import. The generator tracks no
+    // value for such a text.
     static TextPort said(const char* name, std::string words, std::string more = "") {
         return {name, {kNone, 0, false, std::move(words)}, {}, false, std::move(more)};
     }
@@ -175,7 +179,7 @@ class RandomTextFrame {
         model_.passes.push_back(std::move(pass));
         return model_.passes.back();
     }
-    // Records that the last pass writes all of `value`.
+    // Records that the last added pass writes the whole value through this output port.
     void write(const char* port, size_t value) {
         TextValue& v = model_.values[value];
         TextPass& pass = model_.passes.back();
@@ -184,12 +188,13 @@ class RandomTextFrame {
         v.writers.push_back(model_.passes.size() - 1);
         v.read = false;
     }
-    // Like write(), and orders the pass after all earlier writers.
+    // Does the same as write(), and makes the last added pass run after all earlier writers of the value.
     void write_after_others(const char* port, size_t value) {
         model_.passes.back().after = model_.values[value].writers;
         write(port, value);
     }
-    // The last pass modifies the current version, which its input or output names.
+    // Records that the last added pass modifies the value in place. The input port names the current version;
+    // without an input port, the output port names it.
     void change(size_t value, const char* in, const char* out) {
         TextValue& v = model_.values[value];
         TextPass& pass = model_.passes.back();

@@ -25,7 +25,8 @@ class Writer {
     }
 
  private:
-    // An imported output must be written.
+    // Returns the imports of the graph. The output is imported only if a pass writes it, because an unwritten
+    // output would be an error.
     std::string imports() const {
         const auto presents = [](const TextPass& p) {
             return std::any_of(p.out.begin(), p.out.end(),
@@ -61,7 +62,8 @@ class Writer {
         return text + r.more + "}";
     }
 
-    // The last version is referenced without a pin, because its writers may be alternatives.
+    // Returns the text of a reference, such as "image@pass.mip(1)". A reference to the last version has no
+    // pin, because the value may have alternative writers, of which only one runs.
     std::string reference(const TextRef& ref) const {
         if (ref.value == kNone) return ref.words;
         const TextValue& value = model_.values[ref.value];

@@ -1,5 +1,5 @@
-// Purpose: the model of a random graph: which pass writes which value under which condition. Converts it to
-// both texts of random_text.h.
+// Purpose: describes a random graph as a model, which records the pass that writes each value, and under
+// which condition. Converts the model to both texts of RandomText.
 #pragma once
 
 #include <cstdint>
@@ -25,38 +25,53 @@ struct TextResource {
     uint32_t side_px = 64;
     uint32_t mips = 1;
     uint32_t layers = 1;
-    uint32_t words = 256;  // size of a buffer
-    std::string more;      // further members as text: ", "key": value"
-    std::string verbatim;  // if not empty, the complete text of the resource
+    // Size of a buffer, in 32-bit words.
+    uint32_t words = 256;
+    // Further members of the resource as JSON text: `, "key": value`.
+    std::string more;
+    // Complete JSON text of the resource; empty if the text is made from the other fields.
+    std::string verbatim;
 };
 
-// A part of a resource that is always written as a whole, and its writers, in order.
+// A part of a resource that passes always write as a whole, together with its writers in the order of their
+// execution.
 struct TextValue {
     size_t resource = kNone;
-    std::string part;  // such as ".mip(1)"
+    // Suffix that selects the part in a reference, such as ".mip(1)".
+    std::string part;
     uint32_t side_px = 64;
-    bool single = true;   // true if it is one mip of one layer
-    bool fresh = true;    // true if the first writer ignores older content
-    bool closed = false;  // true if no further pass may write it
+    // True if the part is one mip of one layer.
+    bool single = true;
+    // True if the first writer ignores the older content.
+    bool fresh = true;
+    // True if no further pass may write the part.
+    bool closed = false;
     bool read = false;
-    size_t condition = kNone;     // if this condition is false, no pass writes it
-    std::vector<size_t> writers;  // indices of passes
+    // Index of a condition; if it is false, no pass writes the part. kNone if the part is always written.
+    size_t condition = kNone;
+    // Indices of the passes that write the part.
+    std::vector<size_t> writers;
 };
 
-// The binding of a port: the version of a value after its first `version` writers, or a given text.
+// Reference of a port: the version of a value after its first `version` writers, or the text `words` if
+// `value` is kNone.
 struct TextRef {
     size_t value = kNone;
     size_t version = 0;
-    bool pin = true;  // write a pin even if it is unnecessary
+    // True if the text shall contain a pin (`@pass`) even where it is unnecessary.
+    bool pin = true;
     std::string words;
 };
 
 struct TextPort {
     std::string name;
     TextRef ref;
-    TextRef otherwise;  // the `else` input, if one of its members is set
+    // Input that replaces `ref` if its value is missing (`else`); unused if `value` is kNone and `words` is
+    // empty.
+    TextRef otherwise;
     bool optional = false;
-    std::string more;  // further members as text: ", "key": value"
+    // Further members of the port as JSON text: `, "key": value`.
+    std::string more;
 };
 
 struct TextPass {
@@ -65,20 +80,27 @@ struct TextPass {
     std::vector<TextPort> in, out, depth;
     std::vector<size_t> after;
     size_t condition = kNone;
-    bool stays = false;  // stays in the plain text too, with "if": false: it is the only writer of a history
-    bool empty = false;  // a repeat without rounds
-    std::string more;    // further members as text: ", "key": value"
-    std::string more_text, more_plain;  // the same for only one of the two texts
+    // True if the text without conditions keeps the pass, with "if": false, because it is the only writer of
+    // a history.
+    bool stays = false;
+    // True if the pass is a repeat without iterations.
+    bool empty = false;
+    // Further members of the pass as JSON text: `, "key": value`.
+    std::string more;
+    // Further members for only one text: for RandomText::text, and for RandomText::plain.
+    std::string more_text, more_plain;
 };
 
 struct TextModel {
-    bool idle_output = false;  // the output is imported, but any pass may write it
+    // True if the output shall be imported although no pass writes it.
+    bool idle_output = false;
     std::vector<TextCondition> conditions;
     std::map<std::string, double> defaults;
     std::vector<TextResource> resources;
     std::vector<TextValue> values;
     std::vector<TextPass> passes;
-    std::vector<size_t> shuffled;  // passes in the order of the text
+    // Indices of passes in the random order in which the text lists them.
+    std::vector<size_t> shuffled;
 
     [[nodiscard]] bool holds(size_t condition) const {
         return condition == kNone || conditions[condition].holds;

@@ -1,4 +1,4 @@
-// Purpose: the passes of random texts: mixing, drawing, modifying in place, copying, clearing.
+// Purpose: adds the ordinary passes of random texts, which mix, draw, modify in place, copy and clear.
 #pragma once
 
 #include "tests/graph/samples/random_text_frame.h"
@@ -10,7 +10,8 @@ class RandomTextPasses : public RandomTextFrame {
     using RandomTextFrame::RandomTextFrame;
 
  protected:
-    // A new image, or an unwritten mip or layer of a partly written one.
+    // Returns a value that the next pass writes: a new image, or an unwritten mip or layer of an image that
+    // is partly written.
     size_t target() {
         if (!unwritten_.empty() && chance(60)) {
             const uint32_t i = below(static_cast<uint32_t>(unwritten_.size()));
@@ -30,7 +31,8 @@ class RandomTextPasses : public RandomTextFrame {
                (layers > 1 ? ".layer(" + std::to_string(layer) + ")" : "");
     }
 
-    // A pass under a condition writes a new value as a whole, so that no other write hides its absence.
+    // Gives the last added pass a condition, with this probability. Such a pass writes a whole new value;
+    // otherwise another write to the same value would hide that its content is missing.
     void choose_condition(uint32_t percent) {
         if (chance(percent)) model_.passes.back().condition = new_condition();
         settle_condition();
@@ -72,13 +74,13 @@ class RandomTextPasses : public RandomTextFrame {
         read_colors(inputs);
         const size_t output = output_of_last_pass();
         write("color", output);
-        // It counts as an in-place write: passes that overwrite the whole come before such passes, never
-        // after them.
+        // A partial draw counts as a write in place. A pass that overwrites the whole image must not come
+        // later, because it would have to run before the partial draw.
         if (partial) model_.values[output].fresh = false;
     }
 
-    // A value that may be modified. If its writers depend on a condition, the modifying pass gets the same
-    // condition.
+    // Picks a value that passes may still modify. If the writers of the value depend on a condition, the
+    // caller gives the modifying pass the same condition.
     template <class Accept>
     size_t changeable(Accept accept) {
         return pick_value([&](size_t v) {
@@ -86,7 +88,8 @@ class RandomTextPasses : public RandomTextFrame {
             return !value.closed && value.single && !value.writers.empty() && accept(v);
         });
     }
-    // The inputs must not contain a value with the same cells.
+    // Picks a colour value of another resource than `than`, because a pass must not read the cells that it
+    // modifies.
     size_t other_color(size_t than) {
         return pick_value([&](size_t v) {
             return kind_of(v) == ValueKind::color && model_.values[v].condition == kNone &&
@@ -122,7 +125,7 @@ class RandomTextPasses : public RandomTextFrame {
         model_.passes.back().in = {input("a", other, model_.passes.back().condition, false)};
         change(v, nullptr, "color");
     }
-    // A colour that this frame writes unconditionally and that a pass may still modify.
+    // Picks a colour value that this frame writes without a condition and that passes may still modify.
     size_t overwritable_color() {
         return changeable([&](size_t c) {
             return kind_of(c) == ValueKind::color && model_.values[c].fresh &&
@@ -139,7 +142,7 @@ class RandomTextPasses : public RandomTextFrame {
         write_after_others("dst", v);
     }
 
-    // Overwrites only a part; the rest keeps its content.
+    // Adds a pass that overwrites only a part of a value. The other part keeps its content.
     void overwrite_part() {
         const size_t v = overwritable_color();
         if (v == kNone) return;
@@ -152,7 +155,7 @@ class RandomTextPasses : public RandomTextFrame {
         write_after_others(draws ? "color" : "dst", v);
     }
 
-    // Exactly one of two passes writes it.
+    // Adds two passes with opposite conditions that write the same value, so that exactly one of them runs.
     void alternatives() {
         const auto [one, two] = opposite_conditions();
         const size_t v = add_value(new_image("either"));
@@ -184,7 +187,7 @@ class RandomTextPasses : public RandomTextFrame {
         if (chance(70)) show_depth(d);
         model_.values[d].closed = true;
     }
-    // A pass with a depth test that may also sample the same depth.
+    // Adds a pass that draws with a depth test, and that sometimes samples the same depth image.
     void sky(size_t color, size_t depth) {
         const bool samples = chance(50);
         add_pass("sky", "fullscreen", samples ? "sky_2.frag" : "sky_1.frag").more +=

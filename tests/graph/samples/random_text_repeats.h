@@ -1,4 +1,4 @@
-// Purpose: the repeats and persistent resources of random texts.
+// Purpose: adds repeats and persistent resources to random texts.
 #pragma once
 
 #include "tests/graph/samples/random_text_passes.h"
@@ -10,7 +10,8 @@ class RandomTextRepeats : public RandomTextPasses {
     using RandomTextPasses::RandomTextPasses;
 
  protected:
-    // Processes one or two layers mip by mip downwards, and often upwards again; an `if` may remove passes.
+    // Adds passes that process one or two layers mip by mip downwards, and often upwards again. An `if` may
+    // remove some of the passes.
     void pyramid() {
         const uint32_t mips = between(3, 5), layers = chance(30) ? 2 : 1;
         const size_t image = new_image("pyramid", mips, layers);
@@ -38,7 +39,8 @@ class RandomTextRepeats : public RandomTextPasses {
         if (layers == 1) add_closed_value(image, "", false);
     }
 
-    // Repeats that modify in place: several rounds, none, or every second one.
+    // Adds a repeat that modifies a value in place. The repeat has several iterations, none, or an `if` that
+    // keeps every second iteration.
     void rounds() {
         const size_t v = changeable([&](size_t c) {
             return kind_of(c) == ValueKind::color && one_format(c) && model_.values[c].condition == kNone;
@@ -59,7 +61,7 @@ class RandomTextRepeats : public RandomTextPasses {
         model_.values[v].read = false;
     }
 
-    // Copies from one layer to the other and back.
+    // Adds a repeat that copies from one layer of an image to the other, and back in the next iteration.
     void bounce() {
         const size_t image = new_image("bounce", 1, 2);
         const std::string name = model_.resources[image].name;
@@ -72,7 +74,8 @@ class RandomTextRepeats : public RandomTextPasses {
         add_closed_value(image, ".layer(1)");
     }
 
-    // The inner range depends on the outer index; an `if` may remove every second round.
+    // Adds a nested repeat whose inner range depends on the outer index. An `if` may remove every second
+    // inner iteration.
     void staircase() {
         const size_t image = new_image("stairs", 1, 6);
         const bool odd = chance(50);
@@ -108,7 +111,7 @@ class RandomTextRepeats : public RandomTextPasses {
         write("dst", add_value(ring));
         if (!words) memories_.push_back({past, ring});
     }
-    // Adds another pass that reads the history.
+    // Adds one more pass that reads the history of an existing ring.
     void recall() {
         if (memories_.empty()) return remember();
         const auto& [past, ring] = memories_[below(static_cast<uint32_t>(memories_.size()))];
@@ -142,8 +145,9 @@ class RandomTextRepeats : public RandomTextPasses {
         write("x", v);
     }
 
-    // Repeats spread over frames: each round writes its own layer; other repeats, with their own turns, read
-    // these layers; or rounds modify parts of one resource.
+    // Adds repeats that are spread over frames (`perFrame`), so that each frame runs only some iterations.
+    // Each iteration writes its own layer, and sometimes a second repeat with its own `perFrame` reads the
+    // layers. Or all iterations modify parts of one buffer.
     void turns() {
         const uint32_t rounds = between(2, 4);
         const std::string turn = turn_keys(rounds);
@@ -171,7 +175,8 @@ class RandomTextRepeats : public RandomTextPasses {
         close_layers(next, rounds);
     }
 
-    // In a kept image, each round's result is overwritten by the next round before its reader has its turn.
+    // Adds a fault: all iterations of a repeat with `perFrame` write the same kept image. So the next
+    // iteration overwrites each result before the reader's iteration runs in a later frame.
     void chain_turns_wrongly() {
         const uint32_t rounds = between(2, 4);
         const size_t scratch = new_image("scratch"), kept = kept_layers("stored", rounds);
@@ -244,7 +249,8 @@ class RandomTextRepeats : public RandomTextPasses {
         }
     }
 
-    std::vector<std::pair<std::string, size_t>> memories_;  // history references and their resources
+    // References to the past of rings, such as "ring[-1]", with the index of the ring's resource.
+    std::vector<std::pair<std::string, size_t>> memories_;
 };
 
 }  // namespace weft::test

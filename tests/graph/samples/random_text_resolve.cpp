@@ -1,4 +1,4 @@
-// Shaders and imports for random texts, and the conversion from a text to a graph.
+// Provides the shaders and imports that random texts use, and converts a text to a resolved graph.
 #include "graph/parse/parse.h"
 #include "graph/resolve/resolve.h"
 #include "graph/syntax/merge.h"

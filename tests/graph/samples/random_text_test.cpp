@@ -1,4 +1,5 @@
-// resolve() accepts random texts, and the result agrees with the generator's model.
+// Tests that resolve() accepts random texts, and that the resolved graph agrees with the model of the
+// generator.
 #include "tests/graph/samples/random_text.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,8 @@
 namespace weft::test {
 namespace {
 
-// The hash ignores places in the file.
+// Returns the hash of the graph's plan. The hash does not depend on line and column numbers, so it compares
+// the meaning of two texts.
 std::string meaning(const ResolvedGraph& graph) {
     return compile(graph, content_needs(graph), {}).hash;
 }
@@ -33,7 +35,7 @@ TEST(RandomText, MeansTheSameWithoutItsConditions) {
     EXPECT_GE(left_out * 2, seeds);
 }
 
-// Exactly one message, with the code of the planted fault.
+// Expects exactly one error for each faulty text, with the code of the fault that the generator has inserted.
 TEST(RandomText, EachFaultIsFound) {
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 300;
     std::map<std::string, uint32_t> found;

@@ -9,7 +9,8 @@
 namespace weft::test {
 namespace {
 
-// A text such as "clear/store load/none" with the operations of the attachments of the pass at a position.
+// Returns the load and store operations of all attachments of the pass at this position, such as "clear/store
+// load/none".
 std::string ops_at(const AttachmentTable& table, uint32_t position) {
     std::string text;
     for (const AttachmentOps& ops : table[position])
@@ -17,7 +18,8 @@ std::string ops_at(const AttachmentTable& table, uint32_t position) {
     return text;
 }
 
-// first → second, which draws on the result of first → look, which samples it.
+// Builds a graph with three passes: "first" draws on `target`, "second" draws on top of this result, and
+// "look" samples the final result.
 struct Layers {
     GraphBuilder builder;
     ResourceId target = builder.image("target");
@@ -43,8 +45,8 @@ TEST(AttachmentOps, AFirstWriteClearsAndALaterOneLoads) {
 TEST(AttachmentOps, AWriteOfEveryTexelNeedsNoClear) {
     ResolvedGraph graph = Layers().builder.build();
     graph.passes[pass_of(graph, "first")].colors.front().covers = true;
-    graph.passes[pass_of(graph, "second")].colors.front().covers = true;  // it reads the previous content, so
-                                                                          // it must load
+    // Although the pass covers every texel, it reads the previous content, so the attachment must be loaded.
+    graph.passes[pass_of(graph, "second")].colors.front().covers = true;
     const AttachmentTable table =
         attachment_ops(graph, all_live(graph), in_order(graph, {"first", "second", "look"}));
     EXPECT_EQ(ops_at(table, 0), "dont_care/store");

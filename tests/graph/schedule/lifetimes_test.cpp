@@ -8,8 +8,8 @@
 namespace weft::test {
 namespace {
 
-// A text such as "0..3 q0:0..3": first and last position, then the same for each queue; "-" if there are
-// none.
+// Returns a text such as "0..3 q0:0..3": the first and last position of use, then the first and last position
+// on each queue. Returns "-" if there is no use.
 std::string span_text(const LifetimeSpan& span) {
     if (span.first > span.last) return span.queues.empty() ? "-" : "- with queues";
     const auto range = [](uint32_t first, uint32_t last) {
@@ -21,7 +21,8 @@ std::string span_text(const LifetimeSpan& span) {
     return text;
 }
 
-// make writes x; middle reads x and writes y; idle uses neither; end reads both.
+// Returns a graph with four passes. `make` writes x, `middle` reads x and writes y, `idle` uses neither x nor
+// y, and `end` reads both.
 ResolvedGraph frame() {
     GraphBuilder b;
     const ResourceId x = b.buffer("x"), y = b.buffer("y"), z = b.buffer("z");

@@ -12,8 +12,8 @@
 namespace weft::test {
 namespace {
 
-// Many producers come first and each result is summed up later, so program order keeps all of them alive at
-// once.
+// Returns a graph that first produces many results and then adds them up one by one. In program order, all
+// results live at the same time.
 ResolvedGraph produce_then_fold(uint32_t count) {
     GraphBuilder b;
     const ResourceId sum = b.buffer("sum", 16);
@@ -84,7 +84,8 @@ TEST(Schedule, EveryCandidateRespectsEveryEdge) {
         const ResolvedGraph graph = random_graph(seed);
         LiveGraph live = all_live(graph);
         for (PassId pass = 0; pass < graph.passes.size(); ++pass)
-            live.live_passes[pass] = (pass + seed) % 4 != 0;  // any pass may be culled
+            // Culls a quarter of the passes, because schedules must be correct for any set of live passes.
+            live.live_passes[pass] = (pass + seed) % 4 != 0;
         const ScheduleProblem problem = schedule_problem(graph, live, content_needs(graph));
         for (const auto& order :
              {program_order(problem), forward_greedy_order(problem), backward_greedy_order(problem)}) {

@@ -1,4 +1,4 @@
-// Copies words to texels.
+// Mixes the seed with the words of a buffer and writes the results to the texels of an image.
 #version 460
 #include "mixing.glsl"
 

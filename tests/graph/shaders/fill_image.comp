@@ -1,4 +1,4 @@
-// Writes a pattern without reading any input.
+// Fills an image with a pattern that depends only on the seed. The shader reads no input.
 #version 460
 #include "mixing.glsl"
 

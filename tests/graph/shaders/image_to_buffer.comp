@@ -1,4 +1,4 @@
-// Copies texels to words.
+// Mixes the seed with the texels of an image and writes the results to the words of a buffer.
 #version 460
 #include "mixing.glsl"
 

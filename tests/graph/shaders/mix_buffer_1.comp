@@ -1,4 +1,4 @@
-// Mixes a buffer into another.
+// Mixes the words of buffer a with the seed and writes the results to buffer dst.
 #version 460
 #include "mixing.glsl"
 

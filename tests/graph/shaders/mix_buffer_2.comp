@@ -1,4 +1,4 @@
-// Mixes two buffers into another.
+// Mixes the words of buffers a and b with the seed and writes the results to buffer dst.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,4 @@
-// Mixes an image into a colour attachment.
+// Mixes the texels of image a with the seed and writes the results to a colour attachment.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,4 @@
-// Mixes two images into a colour attachment.
+// Mixes the texels of images a and b with the seed and writes the results to a colour attachment.
 #version 460
 #include "mixing.glsl"
 

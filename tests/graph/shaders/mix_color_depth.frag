@@ -1,4 +1,4 @@
-// Depth as an input and for the depth test of the same pass; its bits are exact.
+// Mixes depth from input a, while the same pass tests depth against it. All bits of the depth count.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,4 @@
-// Depth as an input; its 24 bits are exact.
+// Mixes the depth values of input a with the seed. The depth has 24 bits, which a float holds exactly.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,4 @@
-// Mixes an image into another.
+// Mixes the texels of image a with the seed and writes the results to image dst.
 #version 460
 #include "mixing.glsl"
 

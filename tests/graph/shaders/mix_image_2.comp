@@ -1,4 +1,4 @@
-// Mixes two images into another.
+// Mixes the texels of images a and b with the seed and writes the results to image dst.
 #version 460
 #include "mixing.glsl"
 

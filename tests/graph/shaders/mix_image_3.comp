@@ -1,4 +1,4 @@
-// Mixes three images into another.
+// Mixes the texels of images a, b and c with the seed and writes the results to image dst.
 #version 460
 #include "mixing.glsl"
 

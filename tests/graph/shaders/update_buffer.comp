@@ -1,4 +1,4 @@
-// Mixes a buffer into another, in place.
+// Mixes the words of buffer a into the words of buffer dst, in place.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,4 @@
-// Mixes an image into another, in place.
+// Mixes the texels of image a into the texels of image dst, in place.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,4 @@
-// Depth from an image: 24 bits, which a float holds exactly.
+// Writes depth that depends on image a. The depth has 24 bits, which a float holds exactly.
 #version 460
 #include "mixing.glsl"
 

@@ -8,7 +8,7 @@ namespace {
 
 using Clocks = std::vector<std::vector<uint32_t>>;
 
-// Positions 0 and 2 on queue 0, positions 1 and 3 on queue 1.
+// Returns a schedule with positions 0 and 2 on queue 0, and positions 1 and 3 on queue 1.
 Schedule alternating() {
     Schedule order;
     order.order = {0, 1, 2, 3};
@@ -23,11 +23,11 @@ TEST(AddClocks, AQueueKnowsItsOwnPastAndNoOther) {
 }
 
 TEST(AddClocks, ADependencyHandsOnAllThatItsSourceKnows) {
-    // 1 waits for 0, and 2 waits for 1: so 2 comes after position 1 of queue 1, and 3 after position 0 of
-    // queue 0.
+    // Position 1 waits for 0, and position 2 waits for 1. So position 2 comes after position 1 of queue 1,
+    // and position 3 comes after position 0 of queue 0.
     const Schedule order = add_clocks(alternating(), {{0, 1, false, kNoId}, {1, 2, false, kNoId}});
     EXPECT_EQ(order.clocks, (Clocks{{0, 0}, {1, 0}, {1, 2}, {1, 2}}));
-    // 3 waits for 2, which comes after 0 on the same queue.
+    // Position 3 waits for 2, and 2 comes after 0 on the same queue. So position 3 comes after 0 and 2.
     EXPECT_EQ(add_clocks(alternating(), {{2, 3, false, kNoId}}).clocks,
               (Clocks{{0, 0}, {0, 0}, {1, 0}, {3, 2}}));
 }

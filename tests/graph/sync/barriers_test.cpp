@@ -1,4 +1,4 @@
-// The places of barriers, and the waits of a resource that takes over memory.
+// Tests where barriers are placed, and the source states of a resource that takes over memory.
 #include "graph/sync/barriers.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ namespace {
 
 constexpr AccessState kWrite{stage::kComputeShader, access::kStorageWrite, Layout::general};
 
-// Images a, b and c, written by the passes pa, pb and pc; b has two mips.
+// Returns a graph with the images a, b and c, which the passes pa, pb and pc write. Image b has two mips, of
+// which pb writes `part_of_b`, by default both.
 ResolvedGraph three_images(std::optional<SubresourceRange> part_of_b = {}) {
     GraphBuilder builder;
     const ResourceId a = builder.image("a"), b = builder.image("b", Format::r32u, 16, 2);
@@ -120,8 +121,8 @@ TEST(Barriers, MemoryOfAnotherQueueIsWaitedForAcrossTheFrameBoundaryOnly) {
     }
 }
 
-// a, then b, then c in the same bytes. If b writes only a part of its memory, c also waits for the users of
-// a.
+// Images a, b and c use the same bytes one after another. If b writes only a part of its memory, c must also
+// wait for the last uses of a.
 TEST(Barriers, EarlierOwnersCountWhereTheLastOneWroteOnlyAPart) {
     for (const bool part : {false, true}) {
         const ResolvedGraph graph =

@@ -1,4 +1,5 @@
-// Candidates found from the declarations, and those that remain after barriers and batches are known.
+// Tests find_scopes(), which finds passes that could share a rendering scope, and the later stages, which
+// divide scopes at barriers and at the beginnings of batches.
 #include <gtest/gtest.h>
 
 #include "graph/sync/scopes.h"
@@ -12,7 +13,8 @@ constexpr uint32_t kNone = kNoId;
 const AttachmentOps kLoads{0, LoadOp::load, StoreOp::store};
 const AttachmentOps kClears{0, LoadOp::clear, StoreOp::store};
 
-// first, second and third draw on the same attachments; far does not use them.
+// Returns a graph in which the passes first, second and third draw on the same image. Pass far writes a
+// buffer and does not use the image.
 ResolvedGraph layers() {
     GraphBuilder b;
     const ResourceId target = b.image("target"), words = b.buffer("words");

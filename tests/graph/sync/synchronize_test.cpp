@@ -1,4 +1,5 @@
-// Histories, dependencies and scopes computed from the accesses alone.
+// Tests synchronize(), which computes histories, dependencies and rendering scopes from the accesses of the
+// passes alone.
 #include "graph/sync/synchronize.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,8 @@ namespace {
 
 constexpr uint32_t kNone = kNoId;
 
-// Lines such as "0 none:none:undefined > compute_shader:storage_write:general", sorted by position.
+// Returns one line for each barrier, sorted by position, such as "0 none:none:undefined >
+// compute_shader:storage_write:general".
 std::string text_of(const std::vector<PlacedBarrier>& barriers) {
     const auto state = [](const AccessState& s) {
         return stages_text(s.stages) + ":" + access_text(s.access) + ":" + layout_text(s.layout);
@@ -30,7 +32,7 @@ std::vector<BarrierReason> reasons_of(const std::vector<PlacedBarrier>& barriers
     return reasons;
 }
 
-// make writes an image, and look samples it.
+// Returns a graph in which pass "make" writes an image and pass "look" samples the image.
 ResolvedGraph make_and_look() {
     GraphBuilder b;
     const ResourceId image = b.image("image"), words = b.buffer("words");
@@ -110,7 +112,8 @@ TEST(Synchronize, AnImageMovesBetweenFamiliesAndABufferIsConcurrent) {
     EXPECT_EQ(table.concurrent[resource_of(graph, "words")], 1);
 }
 
-// fill writes words; first and second draw on the same target; second also reads words if `needs_words`.
+// Returns a graph with three passes: "fill" writes the buffer `words`, and "first" and "second" draw on the
+// same image. If `needs_words` is true, "second" also reads `words`.
 ResolvedGraph two_layers(bool needs_words) {
     GraphBuilder b;
     const ResourceId target = b.image("target"), words = b.buffer("words");

@@ -1,5 +1,5 @@
-// Included files: the order of merging, the message of each fault, and that no file outside the folders is
-// read.
+// Tests included graph files: the order of merging, the message for each fault, and that no file outside the
+// allowed folders is read.
 #include <map>
 
 #include "graph/syntax/read_graph.h"
@@ -10,7 +10,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-// Removes the marks from the files and records their places.
+// Graph files without the marks "$$" that show where errors are expected, and the places of the marks.
 struct Marked {
     Files files;
     std::vector<std::string> places;

@@ -9,7 +9,8 @@ Result<JsonDoc> merge_text(const std::string& text) {
     return merge(std::move(document).value());
 }
 
-// Text such as {a:{ref:b}}, with enough of the document to compare structures.
+// Returns the structure of a JSON node as a short text such as {a:{ref:b}}, so that tests can compare
+// documents.
 std::string shape(const JsonNode& node) {
     if (node.kind == JsonKind::string || node.kind == JsonKind::number) return node.string;
     if (node.kind == JsonKind::boolean) return node.boolean ? "true" : "false";
