@@ -13,16 +13,19 @@
 
 namespace weft::scene::gltf {
 
-// Checks all sparse indices once per file: several primitives may open the same accessor.
+// Checks that the indices of every sparse accessor ascend and stores the result in the document. So each
+// accessor is checked only once per file, although several primitives may open the same accessor.
 void check_sparse_indices(Document& document);
 
 class AccessorReader {
  public:
-    // nullopt when the accessor reaches past its bytes, or its sparse indices do not ascend within its count.
+    // Returns nullopt when the accessor reaches past the end of its bytes, or when its sparse indices do not
+    // ascend or are not below its count.
     [[nodiscard]] static std::optional<AccessorReader> open(const Document& document, uint32_t accessor);
 
     [[nodiscard]] uint64_t count() const { return count_; }
-    // Normalised integers are mapped to [0, 1] or [-1, 1]; other values are returned unchanged.
+    // Returns one component of an element as a float. Normalised integers are mapped to [0, 1] or [-1, 1];
+    // other values are returned unchanged.
     [[nodiscard]] float component(uint64_t element, uint32_t component) const;
     [[nodiscard]] uint32_t index(uint64_t element) const;
 
@@ -34,7 +37,8 @@ class AccessorReader {
     }
 
  private:
-    // The bytes of one element; empty when the element has no stored data and is zero.
+    // Returns the bytes of one element. The span is empty when the file stores no data for the element: then
+    // the element is zero.
     [[nodiscard]] std::span<const uint8_t> element_bytes(uint64_t element) const;
 
     std::span<const uint8_t> data_;
@@ -48,7 +52,9 @@ class AccessorReader {
 
     ComponentType sparse_type_ = ComponentType::u32;
     uint64_t sparse_count_ = 0;
-    std::span<const uint8_t> sparse_indices_;  // in ascending order
+    // Bytes of the sparse indices. The indices are in ascending order, so sparse_row() can use a binary
+    // search.
+    std::span<const uint8_t> sparse_indices_;
     std::span<const uint8_t> sparse_values_;
 };
 

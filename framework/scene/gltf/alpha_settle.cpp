@@ -18,7 +18,8 @@ bool is_opaque(const Mesh& mesh) {
     return std::ranges::all_of(mesh.colors, [](const glm::vec4& color) { return color.a >= 1; });
 }
 
-// For each material: true if a translucent mesh uses it.
+// Returns one value per material: true if a mesh that has vertex colours with an alpha below 1 uses the
+// material.
 std::vector<bool> with_translucent_meshes(const BuiltMeshes& built, size_t materials) {
     std::vector<bool> translucent(materials, false);
     for (const std::vector<BuiltPrimitive>& primitives : built.of_gltf_mesh) {
@@ -36,7 +37,9 @@ void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures
                   std::vector<Material>& materials) {
     const std::vector<bool> translucent = with_translucent_meshes(built, materials.size());
     std::vector<std::optional<bool>> opaque(
-        textures.size());  // each texture is inspected only once, even when many materials use it
+        // Caches for each texture whether it is opaque. So each texture is inspected only once, even when
+        // many materials use it.
+        textures.size());
     const auto is_opaque_texture = [&](uint32_t texture) {
         if (!opaque[texture]) opaque[texture] = is_opaque(textures[texture]);
         return *opaque[texture];

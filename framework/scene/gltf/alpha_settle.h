@@ -7,8 +7,9 @@
 
 namespace weft::scene::gltf {
 
-// Blending with an alpha of 1 gives the same picture, and every graph draws opaque surfaces. Alpha is the
-// product of material factor, texture and vertex colour. `materials` hold indices of scene textures.
+// Makes such materials opaque because every graph draws opaque surfaces, and blending with an alpha of 1
+// gives the same picture. Alpha is the product of material factor, texture and vertex colour. The texture
+// slots in `materials` must already contain indices of scene textures.
 void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures,
                   std::vector<Material>& materials);
 

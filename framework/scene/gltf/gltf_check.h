@@ -15,31 +15,36 @@
 namespace weft::scene::gltf {
 
 struct BufferSource {
-    std::optional<std::string> uri;  // none: the buffer is the binary chunk of the .glb
+    // URI of the buffer. Without a URI, the buffer is the binary chunk of the .glb file.
+    std::optional<std::string> uri;
     uint64_t length_bytes = 0;
 };
 
 struct ImageSource {
     std::string name;
     std::string uri;
-    uint32_t view = kNone;  // buffer view of the image; used when `uri` is empty
+    uint32_t view = kNone;  // Index of the buffer view that contains the image; used when `uri` is empty.
 };
 
-// The light's `extras.weft`, with values inside the ranges of light_check.h.
+// The values that a light has in its JSON member `extras.weft`. They are already within the limits of
+// light_check.h.
 struct LightSource {
-    std::optional<LightType> shape;         // capsule or rectangle; replaces the light's own type
-    glm::vec2 half_size_m{0};               // same meaning as Light::half_size_m
-    std::optional<LightFunction> function;  // its picture is the index of a glTF texture
+    // Shape of the light, capsule or rectangle. If present, it replaces the light's glTF type.
+    std::optional<LightType> shape;
+    // Half of the light's size in metres, with the same meaning as Light::half_size_m.
+    glm::vec2 half_size_m{0};
+    std::optional<LightFunction> function;  // Light function. Its `picture` is the index of a glTF texture.
 };
 
 struct CheckedJson {
-    std::string text;  // without images, animations, skins and extras; buffer i has the URI "i"
+    // The JSON without images, animations, skins and extras. The URI of buffer i is the text "i".
+    std::string text;
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
-    std::vector<LightSource> lights;  // one entry per light; empty when no light has extras
+    std::vector<LightSource> lights;  // One entry per light of the glTF file; empty when no light has extras.
 };
 
-// nullopt after errors were reported.
+// Checks the JSON of a glTF file. Returns nullopt after errors were reported.
 [[nodiscard]] std::optional<CheckedJson> check_gltf(std::string_view json, const SceneLimits& limits,
                                                     Report& report);
 

@@ -6,9 +6,12 @@
 namespace weft::scene::gltf {
 namespace {
 
-constexpr uint32_t kMagic = 0x46546c67;      // "glTF"
-constexpr uint32_t kJsonChunk = 0x4e4f534a;  // "JSON"
-constexpr uint32_t kBinChunk = 0x004e4942;   // "BIN\0"
+// The text "glTF" as a little-endian number: the first four bytes of a .glb file.
+constexpr uint32_t kMagic = 0x46546c67;
+// The text "JSON" as a little-endian number: the type of the JSON chunk.
+constexpr uint32_t kJsonChunk = 0x4e4f534a;
+// The text "BIN\0" as a little-endian number: the type of the binary chunk.
+constexpr uint32_t kBinChunk = 0x004e4942;
 constexpr size_t kHeaderBytes = 12;
 constexpr size_t kChunkHeaderBytes = 8;
 
@@ -26,7 +29,8 @@ struct Chunk {
     std::span<const uint8_t> bytes;
 };
 
-// Returns the chunk at offset `at` and advances `at` past it; nullopt when the file ends inside the chunk.
+// Returns the chunk at offset `at` and advances `at` to the next chunk. Returns nullopt when the file ends
+// inside the chunk.
 std::optional<Chunk> next_chunk(std::span<const uint8_t> file, size_t& at) {
     if (file.size() - at < kChunkHeaderBytes) return std::nullopt;
     const size_t length = read_u32(file, at);

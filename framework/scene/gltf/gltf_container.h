@@ -15,14 +15,16 @@ namespace weft::scene::gltf {
 
 struct Container {
     std::string_view json;
-    std::optional<std::span<const uint8_t>> binary;  // present in a .glb with a BIN chunk
+    // Bytes of the binary chunk; present only in a .glb file that has a BIN chunk.
+    std::optional<std::span<const uint8_t>> binary;
 };
 
-// The result refers to the bytes of `file`. nullopt after an error was reported.
+// Finds the parts of a glTF file. The result refers to the bytes of `file`, so `file` must outlive the
+// result. Returns nullopt after an error was reported.
 [[nodiscard]] std::optional<Container> open_container(std::span<const uint8_t> file, Report& report);
 
-// Number of values in the JSON; nullopt after an error was reported. Brackets and commas inside strings are
-// not counted.
+// Returns the number of values in the JSON, or nullopt after an error was reported. Brackets and commas
+// inside strings are not counted.
 [[nodiscard]] std::optional<uint64_t> count_values(std::string_view json, const SceneLimits& limits,
                                                    Report& report);
 

@@ -1,6 +1,7 @@
-// Purpose: a glTF file as plain data after all checks. The builders of meshes, textures and instances read
-// it. Indices refer to the vectors of Document; kNone means absent. TextureSlot::texture of `materials` is
-// still the index of a glTF texture here; the texture's sampler is already applied to the slot.
+// Purpose: a glTF file as plain data after all checks. The code that builds meshes, textures and instances
+// reads this data. Indices refer to the vectors of Document; kNone means that there is no such object. In
+// `materials`, TextureSlot::texture is still the index of a glTF texture, and the sampler of that texture is
+// already applied to the slot.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +35,9 @@ struct BufferView {
     uint32_t buffer = 0;
     uint64_t offset_bytes = 0;
     uint64_t length_bytes = 0;
-    uint64_t stride_bytes = 0;  // 0: tightly packed
+    // Distance between the beginnings of two elements in bytes; 0 means that elements follow each other
+    // without gaps.
+    uint64_t stride_bytes = 0;
 };
 
 struct Sparse {
@@ -44,12 +47,14 @@ struct Sparse {
     ComponentType index_type = ComponentType::u32;
     uint32_t value_view = kNone;
     uint64_t value_offset_bytes = 0;
-    bool ascends = false;  // true if the indices ascend and are below the accessor's count: see
-                           // check_sparse_indices()
+    // True if the sparse indices ascend and are below the accessor's count. check_sparse_indices() sets this
+    // member.
+    bool ascends = false;
 };
 
 struct Accessor {
-    uint32_t view = kNone;  // kNone: all elements are zero
+    // Index of the accessor's buffer view. With kNone all elements are zero, except those of `sparse`.
+    uint32_t view = kNone;
     uint64_t offset_bytes = 0;
     uint64_t count = 0;
     ComponentType type = ComponentType::f32;
@@ -88,7 +93,7 @@ struct Node {
     uint32_t light = kNone;
 };
 
-// An image that is not decoded yet: either its own bytes or a view of a buffer.
+// An image that is not decoded yet. Its data are either in `bytes` or in the buffer view `view`.
 struct EncodedImage {
     std::string name;
     std::vector<uint8_t> bytes;
@@ -102,11 +107,15 @@ struct Document {
     std::vector<Accessor> accessors;
     std::vector<MeshSource> meshes;
     std::vector<EncodedImage> images;
-    std::vector<uint32_t> texture_images;  // for each glTF texture its image, or kNone
+    // For each glTF texture, the index of its image in `images`, or kNone.
+    std::vector<uint32_t> texture_images;
     std::vector<Material> materials;
-    std::vector<Light> lights;                   // in the coordinate space of their node
-    std::vector<LightFunction> light_functions;  // `picture` is the index of a glTF texture
-    std::vector<std::optional<Camera>> cameras;  // nullopt: a kind of camera that is not supported
+    std::vector<Light> lights;  // Lights in the coordinate space of the node that contains the light.
+    // Light functions. Their `picture` is the index of a glTF texture.
+    std::vector<LightFunction> light_functions;
+    // Cameras by glTF index. nullopt represents a kind of camera that Weft does not support, for example
+    // orthographic.
+    std::vector<std::optional<Camera>> cameras;
     std::vector<Node> nodes;
     std::vector<uint32_t> roots;
 };
@@ -116,7 +125,8 @@ struct Document {
     return std::span(document.buffers[range.buffer]).subspan(range.offset_bytes, range.length_bytes);
 }
 
-// offset + stride * (count - 1) + element; 0 for a count of 0. nullopt when the sum does not fit 64 bits.
+// Returns the end of a strided range in bytes: offset + stride * (count - 1) + element, or 0 for a count of
+// 0. Returns nullopt when the sum does not fit into 64 bits.
 [[nodiscard]] constexpr std::optional<uint64_t> extent_bytes(uint64_t offset, uint64_t stride, uint64_t count,
                                                              uint64_t element) {
     if (count == 0) return 0;

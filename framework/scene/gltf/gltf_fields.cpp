@@ -11,9 +11,10 @@ namespace {
 
 using nlohmann::json;
 
-// The product of two larger numbers overflows a float32.
+// Largest number that is accepted in the JSON. Products of two accepted numbers still fit into a float32.
 constexpr double kMaxNumber = 1e18;
-constexpr double kMaxWhole = 9007199254740992.0;  // 2^53
+// 2^53: up to this limit, a double represents every whole number exactly.
+constexpr double kMaxWhole = 9007199254740992.0;
 
 bool is_usable_number(const json& value) {
     return value.is_number() && std::abs(value.get<double>()) <= kMaxNumber;

@@ -20,7 +20,7 @@ enum class Need : uint8_t { optional, required };
 
 class Fields {
  public:
-    // `object` must be a JSON object. `object` and `report` must outlive this.
+    // `object` must be a JSON object. `object` and `report` must live longer than the Fields object.
     Fields(const nlohmann::json& object, std::string pointer, Report& report)
         : object_(&object), pointer_(std::move(pointer)), report_(&report) {}
 
@@ -31,27 +31,28 @@ class Fields {
     [[nodiscard]] std::vector<std::string> keys() const;
 
     std::optional<uint64_t> integer(const char* key, Need need, uint64_t min, uint64_t max) const;
-    // An index into an array of `size` items called `array`; kNone when absent or wrong.
+    // Returns the member `key` as an index into the JSON array with the name `array`, which has `size` items.
+    // Returns kNone when the member is absent or wrong.
     uint32_t index(const char* key, Need need, size_t size, const char* array) const;
     std::vector<uint32_t> indices(const char* key, uint64_t max_items, size_t size, const char* array) const;
     std::optional<double> number(const char* key, Need need) const;
-    // An optional number. A value outside [min, max] is a warning only, because the code that reads it clamps
-    // it.
+    // Checks an optional number. A value outside [min, max] causes only a warning, because the code that
+    // reads the value later clamps it.
     void number_in(const char* key, double min, double max) const;
-    // Exactly `length` numbers; empty when absent or wrong.
+    // Returns exactly `length` numbers, or an empty vector when the member is absent or wrong.
     std::vector<double> numbers(const char* key, size_t length) const;
     std::optional<std::string> text(const char* key, Need need) const;
     std::vector<std::string> texts(const char* key, uint64_t max_items) const;
     void boolean(const char* key) const;
     std::optional<Fields> object(const char* key, Need need) const;
     [[nodiscard]] std::optional<Fields> extension(const char* name) const;
-    // 0 when absent or not an array.
+    // Returns the number of items in the array, or 0 when the member is absent or not an array.
     size_t array_size(const char* key, uint64_t max_items) const;
-    // Calls `visit` for every object of an array. Items that are not objects are reported and skipped.
+    // Calls `visit` for every object of the array. Items that are not objects are reported and skipped.
     void each(const char* key, uint64_t max_items, const std::function<void(const Fields&)>& visit) const;
 
     void wrong(const char* key, const std::string& found, const std::string& wanted) const;
-    // Like `wrong`, with the current value in the message.
+    // Reports a wrong member like the function above, but takes the text of the found value from the JSON.
     void wrong(const char* key, const std::string& wanted) const;
 
  private:
@@ -63,11 +64,12 @@ class Fields {
     Report* report_;
 };
 
-// A value in the form that messages use: `"text"`, `3.5`, "an array of 2"; never longer than a line.
+// Returns a value in the form that messages use: `"text"`, `3.5`, "an array of 2". The text is never longer
+// than a line.
 [[nodiscard]] std::string describe(const nlohmann::json& value);
 [[nodiscard]] std::string describe(double value);
 
-// The value of a whole number within ±2^53; 3.0 counts as the whole number 3.
+// Returns the value if it is a whole number within ±2^53. 3.0 counts as the whole number 3.
 [[nodiscard]] std::optional<int64_t> whole_number(const nlohmann::json& value);
 
 }  // namespace weft::scene::gltf

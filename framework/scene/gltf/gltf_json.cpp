@@ -11,9 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-// Removes members that are never read, so that a small file cannot become a large model. Writes numbers in
-// the form that tinygltf expects: whole numbers without a fraction, numbers of extensions always as floating
-// point.
+// Removes members that are never read, so that a small file cannot become a large model in memory. Writes
+// numbers in the form that tinygltf expects: whole numbers without a fraction (3 instead of 3.0), but all
+// numbers in extensions as floating point.
 void normalise(json& value, bool in_extension) {
     if (value.is_object()) {
         value.erase("extras");
@@ -37,7 +37,8 @@ void normalise(json& value, bool in_extension) {
     }
 }
 
-// `extras.weft` of each light, or null. These are the only extras that are read.
+// Returns the member `extras.weft` of each light, or null for a light without this member. No other extras
+// are read.
 json light_extras(const json& root) {
     json extras = json::array();
     const json* lights = nullptr;
@@ -64,7 +65,8 @@ std::optional<json> parse_json(std::string_view text, Report& report) {
                         cut ? "the file is truncated: copy or export it again"
                             : "correct the syntax at this place, or name a .gltf or .glb");
     } catch (const std::bad_alloc&) {
-        throw;  // out of memory is not a fault of the file: load_gltf() reports it
+        // Memory that runs out is not a fault of the file. load_gltf() catches this exception and reports it.
+        throw;
     } catch (const std::exception& fault) {
         report.error("S102", {}, std::string("the JSON cannot be read: ") + fault.what(),
                      "export the scene again");
@@ -82,7 +84,8 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     normalise(*root, false);
     Checker c{Fields(*root, "", report), limits, report};
     check_header(c);
-    // Each index would otherwise report the same wrong array size again.
+    // With a wrong array size, every index into the array would cause one more error for the same fault, so
+    // checking stops here.
     if (report.failed()) return std::nullopt;
     check_geometry(c);
     check_materials(c);

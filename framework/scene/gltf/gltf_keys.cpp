@@ -13,7 +13,7 @@ namespace {
 constexpr size_t kMostNamed = 16;
 
 struct Key {
-    std::string_view raw;  // the text between the quotes
+    std::string_view raw;  // Text of the key between its quotes, with the escapes as they are in the file.
     size_t at = 0;
 };
 
@@ -41,8 +41,8 @@ class Scan {
     }
 
  private:
-    // Skips one string, from its first quote to its last. A string followed by a colon is a key of the
-    // innermost object.
+    // Skips one string, from its first quote to its last. If a colon follows, the string is a key of the
+    // innermost open object and is added to `keys_`.
     void pass_string() {
         const size_t begin = at_;
         for (++at_; at_ < json_.size() && json_[at_] != '"'; ++at_)
@@ -57,8 +57,9 @@ class Scan {
         const size_t first = first_keys_.back();
         first_keys_.pop_back();
         const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first);
-        std::vector<std::string> texts;  // unescaped keys; the views in `keys_` point into this vector if any
-                                         // key is escaped
+        // The keys of the object without escapes. If any key has an escape, the views in `keys_` refer to
+        // this vector instead of the file's text.
+        std::vector<std::string> texts;
         if (std::any_of(begin, keys_.end(), is_escaped)) {
             for (auto key = begin; key != keys_.end(); ++key) texts.push_back(unescaped(key->raw));
             for (size_t i = 0; i < texts.size(); ++i) keys_[first + i].raw = texts[i];
@@ -86,8 +87,10 @@ class Scan {
     Report& report_;
     size_t at_ = 0;
     size_t named_ = 0;
-    std::vector<Key> keys_;           // keys of all open objects
-    std::vector<size_t> first_keys_;  // for each open object, the index of its first key in keys_
+    // The keys of all objects that are open at the current position, from the outermost to the innermost
+    // object.
+    std::vector<Key> keys_;
+    std::vector<size_t> first_keys_;  // For each open object, the index of its first key in `keys_`.
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
-// Purpose: finds duplicate keys in one object of a glTF's JSON. JSON parsers accept them, and some use the
-// first and some the last. Keys are compared after their escapes are decoded. Malformed JSON is not reported
-// here but by the JSON parser. Errors: S114, with line and column of the second key; at most 16 are reported.
+// Purpose: finds duplicate keys in an object of a glTF's JSON. JSON parsers accept duplicate keys; some
+// parsers use the first value and some the last. Keys are compared after their escapes are decoded. Malformed
+// JSON is not reported here: the JSON parser reports it. Errors: S114, with line and column of the second
+// key; at most 16 are reported.
 #pragma once
 
 #include <string_view>

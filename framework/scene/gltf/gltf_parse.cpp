@@ -21,7 +21,8 @@ namespace {
 
 using Buffers = std::vector<std::vector<uint8_t>>;
 
-// The buffer that a file name in the checked JSON refers to; nullptr for any other name.
+// Returns the buffer that a file name in the checked JSON refers to: the name "3" means buffer 3. Returns
+// nullptr for any other name.
 std::vector<uint8_t>* buffer_named(const std::string& name, void* buffers) {
     Buffers& all = *static_cast<Buffers*>(buffers);
     size_t index = 0;
@@ -55,7 +56,8 @@ bool parse_model(const std::string& text, Buffers& buffers, tinygltf::Model& mod
                                                        static_cast<unsigned int>(text.size()), "");
         return parsed && error.empty();
     } catch (const std::bad_alloc&) {
-        throw;  // out of memory is not a fault of the file: load_gltf() reports it
+        // Memory that runs out is not a fault of the file. load_gltf() catches this exception and reports it.
+        throw;
     } catch (const std::exception& fault) {
         error = fault.what();
         return false;
@@ -142,7 +144,8 @@ void apply_sampler(const tinygltf::Sampler& sampler, TextureSlot& slot) {
     slot.min = nearest ? Filter::nearest : Filter::linear;
 }
 
-// KHR_texture_transform rotates uvs counter-clockwise, as seen on an image whose v axis points down.
+// Returns the matrix for KHR_texture_transform. The extension rotates uvs counter-clockwise, as seen on an
+// image whose v axis points down.
 glm::mat3x2 uv_transform(const tinygltf::Value& extension) {
     const glm::vec2 offset = vector_or(number_array(extension, "offset"), glm::vec2(0));
     const glm::vec2 scale = vector_or(number_array(extension, "scale"), glm::vec2(1));
@@ -186,7 +189,8 @@ void apply_material_extensions(const tinygltf::ExtensionMap& extensions, Materia
     }
 }
 
-// The texture reference has the same form as a core one, but tinygltf does not parse it.
+// Reads the texture reference of an extension. It has the same form as a texture reference of the core
+// specification, but tinygltf does not parse it.
 TextureSlot extension_slot(const tinygltf::Value& extension, const char* key, const tinygltf::Model& model) {
     if (!extension.Has(key)) return {};
     const tinygltf::Value& info = extension.Get(key);
@@ -210,8 +214,8 @@ void apply_anisotropy(const tinygltf::ExtensionMap& extensions, const tinygltf::
     out.anisotropy_texture = extension_slot(*anisotropy, "anisotropyTexture", model);
 }
 
-// KHR_materials_unlit: the surface shows its base colour and ignores lights. It becomes a black surface that
-// emits its base colour.
+// Implements KHR_materials_unlit: the surface shows its base colour and ignores lights. The material becomes
+// a black surface that emits the base colour.
 void make_unlit(Material& out) {
     out.emissive = glm::vec3(out.base_color);
     out.emissive_texture = out.base_color_texture;
@@ -266,8 +270,8 @@ Light convert(const tinygltf::Light& source) {
     return out;
 }
 
-// Divisor from candela to luminance: the light's intensity holds for the direction in which its shape looks
-// largest.
+// Returns the area that the light's shape shows in the direction in which it looks largest. The light's
+// intensity in candela holds for this direction; divided by the area it is a luminance in cd/m².
 float seen_area_m2(const LightSource& shape) {
     const float a = shape.half_size_m.x, b = shape.half_size_m.y;
     return *shape.shape == LightType::rectangle ? 4 * a * b : b * (4 * a + 3.14159265f * b);
@@ -298,7 +302,8 @@ glm::mat4 local_transform(const tinygltf::Node& source) {
     if (source.matrix.size() == 16) {
         glm::mat4 matrix;
         for (size_t i = 0; i < 16; ++i) glm::value_ptr(matrix)[i] = static_cast<float>(source.matrix[i]);
-        // A glTF matrix always has this last row (see check_matrix()).
+        // The last row of an affine matrix is 0, 0, 0, 1. check_matrix() has warned if the file has other
+        // numbers there.
         for (int column = 0; column < 4; ++column) matrix[column][3] = column == 3 ? 1.0f : 0.0f;
         return matrix;
     }
@@ -322,7 +327,8 @@ Node convert(const tinygltf::Node& source) {
     return out;
 }
 
-// The root nodes: those of the chosen scene, or all nodes without a parent when the file has no scenes.
+// Returns the root nodes of the selected scene. If the file has no scenes, the roots are all nodes without a
+// parent.
 std::vector<uint32_t> root_nodes(const tinygltf::Model& model) {
     std::vector<uint32_t> roots;
     if (!model.scenes.empty()) {

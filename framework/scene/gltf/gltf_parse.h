@@ -1,5 +1,6 @@
-// Purpose: converts checked JSON and loaded bytes to a Document with tinygltf. tinygltf gets a file callback
-// that returns the loaded buffers by number: it never opens a file, and is built without code that could.
+// Purpose: converts the checked JSON and the loaded bytes to a Document with tinygltf. tinygltf gets a
+// callback that returns the loaded buffers by number. So tinygltf never opens a file, and it is built without
+// code that could do so.
 #pragma once
 
 #include <optional>
@@ -9,7 +10,7 @@
 
 namespace weft::scene::gltf {
 
-// nullopt after errors were reported.
+// Converts the checked JSON to a Document. Returns nullopt after errors were reported.
 [[nodiscard]] std::optional<Document> parse_document(const CheckedJson& checked, Resources resources,
                                                      Report& report);
 

@@ -10,7 +10,7 @@ class Loader {
     Loader(const RootedFolder& folder, uint64_t max_bytes, MemoryBudget& memory, Report& report)
         : folder_(folder), bytes_left_(max_bytes), memory_(memory), report_(report) {}
 
-    // The bytes of `uri`; nullopt after an error was reported at `pointer`.
+    // Returns the bytes of `uri`, or nullopt after an error was reported for the JSON value at `pointer`.
     std::optional<std::vector<uint8_t>> load(const std::string& uri, const std::string& pointer) {
         std::optional<std::vector<uint8_t>> bytes =
             is_data_uri(uri) ? decode(uri, pointer) : read(uri, pointer);
@@ -25,7 +25,8 @@ class Loader {
         return bytes;
     }
 
-    // Copies of the binary chunk are counted too: many buffers may refer to it.
+    // Counts `bytes` against the limit. Copies of the binary chunk count too, because many buffers may refer
+    // to the chunk.
     bool reserve(uint64_t bytes, const std::string& pointer) {
         if (bytes > bytes_left_) {
             report_fault(ReadFault::too_large, "the buffers exceed the limit", pointer);

@@ -1,7 +1,7 @@
-// Purpose: loads the bytes of a glTF's buffers and images from data: URIs, the .glb's own chunk, or files
-// below the scene's folder. Only this file turns a URI of a glTF into a path of the file system. Errors: S101
-// missing file, S102 broken data: URI, S103 URI that leaves the folder, S104 fewer bytes than byteLength,
-// S107 more bytes than the limits.
+// Purpose: loads the bytes of a glTF's buffers and images. They come from data: URIs, from the binary chunk
+// of the .glb, or from files below the scene's folder. No other code turns a URI of a glTF into a path of the
+// file system. Errors: S101 missing file, S102 broken data: URI, S103 URI that leaves the folder, S104 fewer
+// bytes than byteLength, S107 more bytes than the limits.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,12 @@
 namespace weft::scene::gltf {
 
 struct Resources {
-    std::vector<std::vector<uint8_t>> buffers;  // each exactly byteLength long
+    // The bytes of each buffer. Each vector has exactly the length byteLength from the JSON.
+    std::vector<std::vector<uint8_t>> buffers;
     std::vector<EncodedImage> images;
 };
 
-// nullopt after errors were reported.
+// Loads all buffers and images. Returns nullopt after errors were reported.
 [[nodiscard]] std::optional<Resources> load_resources(CheckedJson& checked,
                                                       std::optional<std::span<const uint8_t>> binary,
                                                       const RootedFolder& folder, const SceneLimits& limits,

@@ -1,4 +1,5 @@
-// Purpose: state that the rules for the parts of a glTF share while its JSON is checked.
+// Purpose: the state that all check functions share while the JSON of a glTF is checked, and the list of
+// these functions.
 #pragma once
 
 #include <cstdint>
@@ -28,22 +29,23 @@ struct Checker {
     const SceneLimits& limits;
     Report& report;
     CheckedJson out{};
-    std::map<std::string, size_t> sizes{};  // sizes of the file's arrays, by the array's name
+    // Number of items in each top-level array of the file, by the name of the array ("meshes").
+    std::map<std::string, size_t> sizes{};
     std::vector<uint64_t> view_lengths{};
     std::vector<uint64_t> view_strides{};
     std::vector<AccessorShape> accessors{};
-    uint64_t sparse_values = 0;  // of all accessors checked so far
+    uint64_t sparse_values = 0;  // Number of sparse values in all accessors that were checked so far.
 };
 
 [[nodiscard]] bool is_known_extension(std::string_view name);
 
-void check_header(Checker& c);     // asset, extensions, array sizes
-void check_geometry(Checker& c);   // buffers, views, accessors, meshes
-void check_materials(Checker& c);  // images, textures, samplers, materials
-void check_nodes(Checker& c);      // lights, cameras, nodes, scenes
-// `extras` has one entry per light: its `extras.weft`, or null.
+void check_header(Checker& c);     // Checks `asset`, the extensions, and the sizes of the arrays.
+void check_geometry(Checker& c);   // Checks buffers, buffer views, accessors and meshes.
+void check_materials(Checker& c);  // Checks images, textures, samplers and materials.
+void check_nodes(Checker& c);      // Checks lights, cameras, nodes and scenes.
+// Checks the values in `extras.weft` of the lights. `extras` has one entry per light: this value, or null.
 void check_light_extras(Checker& c, const nlohmann::json& extras);
-void check_motion(Checker& c);  // skins, morph targets and animations: warns that they are drawn in their
-                                // rest pose
+// Warns that skins, morph targets and animations are ignored: the meshes are drawn in their rest pose.
+void check_motion(Checker& c);
 
 }  // namespace weft::scene::gltf

@@ -8,7 +8,7 @@ namespace weft::scene::gltf {
 namespace {
 
 constexpr uint64_t kMaxOffset = 1ull << 53;
-// tinygltf stores the offsets of a sparse accessor in an int.
+// tinygltf stores the byte offsets of a sparse accessor in an int, so larger offsets are refused.
 constexpr uint64_t kMaxSparseOffset = INT32_MAX;
 
 uint64_t component_bytes(uint64_t type) {
@@ -86,8 +86,8 @@ void check_sparse(Checker& c, const Fields& accessor, uint64_t accessor_count, u
     if (!sparse) return;
     const uint64_t max_count = std::min<uint64_t>(accessor_count, INT32_MAX);
     const uint64_t count = sparse->integer("count", Need::required, 1, max_count).value_or(0);
-    // Counted once per accessor: accessors may share the bytes of their indices, but each check reads them
-    // again.
+    // The values are counted once per accessor. Several accessors may share the bytes of their indices, but
+    // every check of an accessor reads these bytes again and costs time.
     c.sparse_values += count;
     if (c.sparse_values > c.limits.vertices && c.sparse_values - count <= c.limits.vertices)
         c.report.error("S107", sparse->pointer_to("count"),
@@ -121,7 +121,8 @@ void check_accessor_data(Checker& c, const Fields& accessor, uint64_t count, uin
     if (count == 0 || element == 0) return;
     check_sparse(c, accessor, count, element);
     if (view == kNone) {
-        // No bytes limit this count, because there is no buffer view; the scene's limit must.
+        // Without a buffer view there are no bytes that limit this count. So the scene's limit for vertices
+        // applies.
         if (count <= c.limits.vertices) return;
         c.report.error("S107", accessor.pointer_to("count"),
                        std::to_string(count) + " elements without a buffer view, the limit is " +

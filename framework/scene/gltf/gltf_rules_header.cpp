@@ -23,7 +23,8 @@ void check_version(const Fields& asset, const char* key, bool fine, const std::s
                  "export the scene as glTF 2.0");
 }
 
-// glTF 1.0 stores objects by key where glTF 2.0 has arrays, and may omit its version.
+// Detects a file of glTF 1.0, which may have no version. glTF 1.0 stores objects by name (a JSON object)
+// where glTF 2.0 has arrays.
 bool is_gltf_1(const Fields& root) {
     if (root.has("asset")) {
         const std::optional<Fields> asset = root.object("asset", Need::optional);
@@ -77,7 +78,7 @@ bool is_known_extension(std::string_view name) {
 
 void check_header(Checker& c) {
     check_asset(c);
-    // A file of another version would fail all other checks too.
+    // A file of another glTF version would fail all further checks too, so checking stops here.
     if (c.report.failed()) return;
     check_extensions(c);
     for (const char* name :

@@ -16,7 +16,7 @@ std::vector<std::string> labels_of(const Checker& c, const char* array, const ch
     return labels;
 }
 
-// For example `node "hip", node "knee" and 3 more`.
+// Returns the names of the first nodes, for example `node "hip", node "knee" and 3 more`.
 std::string first_of(const std::set<uint32_t>& nodes, const std::vector<std::string>& labels) {
     std::string text;
     size_t named = 0;
@@ -80,7 +80,8 @@ void check_animations(Checker& c, const std::vector<std::string>& nodes) {
 }  // namespace
 
 void check_motion(Checker& c) {
-    // Arrays with wrong items were reported before; the labels would not match them.
+    // Wrong items of the arrays were already reported as errors. With such items, the labels would not match
+    // the nodes and meshes.
     if (c.report.failed()) return;
     const std::vector<std::string> nodes = labels_of(c, "nodes", "node");
     const std::vector<std::string> meshes = labels_of(c, "meshes", "mesh");

@@ -36,7 +36,7 @@ void check_light(const Fields& light, Report& report) {
     if (!report.failed()) warn_of_cones(*cone, report);
 }
 
-// The far plane and the aspect ratio are not used: the far plane is at infinity, and the picture sets the
+// Warns of wrong values that Weft does not use: the far plane is always at infinity, and the picture sets the
 // aspect ratio.
 void warn_of_unused(const Fields& perspective, double near, Report& report) {
     const std::optional<double> far = perspective.number("zfar", Need::optional);
@@ -73,9 +73,12 @@ void check_camera(Checker& c, const Fields& camera, size_t self) {
     warn_of_unused(*perspective, near.value_or(0), c.report);
 }
 
-// Every node has at most one parent, so the nodes are a forest if and only if every walk to the root ends.
+// Checks that the nodes form trees. Every node has at most one parent, so there is a cycle only if the path
+// from some node to its parents never ends.
 void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
-    std::vector<uint32_t> depth(parent.size(), 0);  // 0: not computed yet
+    // Depth of each node below its root, where a root has depth 1; 0 means that the depth is not computed
+    // yet.
+    std::vector<uint32_t> depth(parent.size(), 0);
     std::vector<uint32_t> path;
     for (uint32_t start = 0; start < parent.size(); ++start) {
         path.clear();
@@ -104,7 +107,8 @@ void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
     }
 }
 
-// Rotations are normalised to length 1, as other loaders do. A quaternion of length 0 is an error.
+// Warns of a rotation whose length is not 1. Weft normalises such rotations, as other loaders do, and
+// replaces a quaternion of length 0 by the identity.
 void check_rotation(const Fields& node, Report& report) {
     constexpr double kRounding = 0.01, kNone_length = 1e-6;
     const std::vector<double> xyzw = node.numbers("rotation", 4);
@@ -118,7 +122,7 @@ void check_rotation(const Fields& node, Report& report) {
                 "write rotations as unit quaternions [x, y, z, w]");
 }
 
-// A scale of 0 is legal and used to hide objects, but it is usually a mistake.
+// Warns of a scale of 0. It is legal, and some files hide objects with it, but usually it is a mistake.
 void check_scale(const Fields& node, Report& report) {
     const std::vector<double> scale = node.numbers("scale", 3);
     const auto zeros = std::count(scale.begin(), scale.end(), 0.0);
@@ -133,7 +137,8 @@ void check_scale(const Fields& node, Report& report) {
                 "give the node a scale above 0, or remove it");
 }
 
-// The matrix is column-major. Translation, rotation and scale always give the last row 0, 0, 0, 1.
+// Warns of a matrix with an unusual last row or with the determinant 0. The matrix is column-major.
+// Translation, rotation and scale always result in the last row 0, 0, 0, 1.
 void check_matrix(const Fields& node, Report& report) {
     const std::vector<double> m = node.numbers("matrix", 16);
     if (m.empty()) return;
@@ -187,7 +192,7 @@ void check_scene(Checker& c, const Fields& scene, const std::vector<uint32_t>& p
                    "list each root node once");
 }
 
-// Only one scene is loaded, so the warning lists the others. It names at most eight.
+// Weft loads only one scene of a file. The warning lists the other scenes, at most eight of them by name.
 void warn_of_other_scenes(Checker& c, uint32_t chosen) {
     constexpr uint32_t kMaxNamed = 8;
     if (c.sizes["scenes"] < 2) return;

@@ -27,7 +27,8 @@ bool is_gltf_name(const fs::path& file) {
     return extension == ".gltf" || extension == ".glb";
 }
 
-// `path` itself, or the only glTF file in it when it is a folder; empty after an error was reported.
+// Returns `path` if it is a file. If it is a folder, returns the only glTF file in the folder. The result is
+// empty after an error was reported.
 fs::path find_file(const fs::path& path, gltf::Report& report) {
     std::error_code failed;
     if (!fs::is_directory(path, failed)) {
@@ -65,13 +66,14 @@ FileBytes read_scene_file(const fs::path& file, const SceneLimits& limits, Memor
     return bytes;
 }
 
-// Estimated memory of the parsed JSON, of the strings copied from it and of tinygltf's model. The estimate
-// exceeds the largest measured use.
+// Estimated memory in bytes of the parsed JSON, of the strings copied from it and of tinygltf's model. The
+// estimate is larger than the largest measured use.
 constexpr uint64_t kBytesPerJsonByte = 3, kBytesPerJsonValue = 400;
-// The share of this memory that remains in use while the scene is built: one quarter.
+// A quarter of the memory for the JSON remains in use while the scene is built: it is the Document. The other
+// three quarters are released before.
 constexpr uint64_t kJsonPartOfDocument = 4;
 
-// The index of a default material, which is added only if a primitive has no material; else kNone.
+// Adds a default material if a primitive has no material, and returns its index. Otherwise returns kNone.
 uint32_t default_material(const gltf::BuiltMeshes& built, Scene& scene) {
     for (const std::vector<gltf::BuiltPrimitive>& primitives : built.of_gltf_mesh) {
         for (const gltf::BuiltPrimitive& primitive : primitives) {
@@ -92,7 +94,8 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     gltf::BuiltMeshes built = gltf::build_meshes(document, limits, options, memory, report);
     scene.materials = std::move(document.materials);
     scene.light_functions = std::move(document.light_functions);
-    if (report.failed()) return scene;  // loading textures would only report the exhausted memory again
+    // After an error, loading textures would only report once more that the memory is exhausted.
+    if (report.failed()) return scene;
     scene.textures = gltf::build_textures(document, limits, options, memory, report, scene.materials,
                                           scene.light_functions);
     if (!report.failed()) gltf::settle_alpha(built, scene.textures, scene.materials);
@@ -109,7 +112,7 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     return scene;
 }
 
-// Reads and checks the JSON only, without the files that it refers to.
+// Reads and checks the JSON only. The files that the JSON refers to are not opened.
 std::optional<gltf::CheckedJson> read_json(std::string_view json, const SceneLimits& limits,
                                            MemoryBudget& memory, uint64_t& taken_bytes,
                                            gltf::Report& report) {

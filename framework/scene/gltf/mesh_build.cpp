@@ -28,9 +28,10 @@ bool reads_second_uvs(const Material& material) {
     return false;
 }
 
-// Bytes of positions, normals, tangents and uvs; colours and second uvs are optional.
+// Bytes per vertex in main memory: positions, normals, tangents and uvs. Colours and second uvs are optional.
 constexpr uint64_t kHostBytesPerVertex = 12 + 12 + 16 + 8, kHostBytesPerColor = 16, kHostBytesPerSecondUv = 8;
-// Adds the copy on the GPU (16 + 24 bytes) and the staging buffer that fills it (24 bytes).
+// Bytes per vertex in total: main memory, the copy on the GPU (16 + 24 bytes), and the staging buffer that
+// fills the copy (24 bytes).
 constexpr uint64_t kBytesPerVertex = kHostBytesPerVertex + 16 + 24 + 24;
 constexpr uint64_t kBytesPerColor = kHostBytesPerColor + 8, kBytesPerSecondUv = kHostBytesPerSecondUv + 8,
                    kBytesPerIndex = 4 + 4 + 2;
@@ -46,8 +47,8 @@ class Builder {
     Builder(const Document& document, const SceneLimits& limits, MemoryBudget& memory, Report& report)
         : document_(document), limits_(limits), memory_(memory), report_(report) {}
 
-    // The mesh of a primitive at `pointer`; it has no indices when no triangle remains. `label` is used in
-    // messages.
+    // Builds the mesh of the primitive at the JSON pointer `pointer`. The mesh has no indices when no
+    // triangle remains. `label` names the primitive in messages.
     Mesh build(const Primitive& primitive, const std::string& label, const std::string& pointer) {
         Mesh mesh;
         label_ = label;
@@ -65,14 +66,16 @@ class Builder {
         mesh.positions.reserve(used.size());
         for (const uint32_t vertex : used) mesh.positions.push_back(positions->vector<glm::vec3>(vertex));
         read_attributes(primitive, {document_, report_, label, pointer + "/attributes", used}, mesh);
-        // Every vertex has uvs from here on, so that one vertex layout serves all meshes.
+        // Every vertex gets uvs, even if the file has none, so that one vertex layout is enough for all
+        // meshes.
         mesh.uvs.resize(mesh.positions.size(), glm::vec2(0));
         compute_bounds(mesh);
         shrink(mesh);
         return mesh;
     }
-    // Charges the final size of `mesh` and its name to the memory budget, and releases the memory used to
-    // build it. Returns false after a limit was reached; all later meshes would exceed the limit too.
+    // Takes the final size of `mesh` and its name from the memory budget, and gives back the memory that was
+    // used to build the mesh. Returns false after a limit was reached: then all later meshes would exceed the
+    // limit too.
     bool settle(const Mesh& mesh, const std::string& pointer) {
         memory_.give_back(taken_bytes_);
         taken_bytes_ = 0;
@@ -89,8 +92,8 @@ class Builder {
         return true;
     }
 
-    // Peak memory while the mesh is built, without its indices. Vertices with mirrored uvs are duplicated,
-    // and flat shading copies all vertex streams.
+    // Returns the peak memory in bytes while the mesh is built, without the memory of its indices. Vertices
+    // with mirrored uvs are duplicated, and flat shading copies all vertex streams.
     [[nodiscard]] uint64_t most_memory_of(const Primitive& primitive,
                                           const std::vector<uint32_t>& indices) const {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
@@ -98,7 +101,8 @@ class Builder {
         const bool flat = primitive.normal == kNone;
         const bool splits = primitive.uv != kNone && (flat || primitive.tangent == kNone);
         const uint64_t read = std::min(range, corners), drawn = flat ? corners : read;
-        constexpr uint64_t kScratch = 24, kFrame = 16;  // bytes of temporary data per vertex and per triangle
+        // Temporary data while a mesh is built: kScratch bytes per vertex and kFrame bytes per triangle.
+        constexpr uint64_t kScratch = 24, kFrame = 16;
         uint64_t vertex_bytes = kHostBytesPerVertex + kScratch;
         if (primitive.color != kNone) vertex_bytes += kHostBytesPerColor;
         if (primitive.second_uv != kNone) vertex_bytes += kHostBytesPerSecondUv;
@@ -106,7 +110,8 @@ class Builder {
                (range + read) * sizeof(uint32_t) + corners / 3 * kFrame;
     }
 
-    // Duplicating vertices can leave streams with more capacity than they need.
+    // Frees unused capacity of the streams. Duplicating vertices lets the vectors grow beyond their final
+    // size.
     static void shrink(Mesh& mesh) {
         mesh.positions.shrink_to_fit();
         mesh.normals.shrink_to_fit();
@@ -136,7 +141,7 @@ class Builder {
         return bumpy ? material.normal_texture.uv_set : material.anisotropy_texture.uv_set;
     }
 
-    // Second uvs are read only if a texture of the material uses them.
+    // Reads the second uv set, but only if a texture of the material uses it.
     void read_second_uvs(const Primitive& primitive, const StreamSource& from, Mesh& mesh) {
         if (primitive.material == kNone) return;
         const Material& material = document_.materials[primitive.material];
@@ -157,8 +162,8 @@ class Builder {
         if (primitive.indices != kNone && !reader) return indices;
         uint64_t count = reader ? reader->count() : vertices;
         const uint64_t triangles = triangle_count(primitive.mode, count);
-        // Counted before the indices are read and validated: primitives may share indices, which makes them
-        // cheap to repeat.
+        // Triangles are counted before their indices are read and checked. Many primitives may share the same
+        // indices, so a small file can contain very many triangles.
         triangles_ = saturating_add(triangles_, triangles);
         if (triangles_ > limits_.triangles) {
             report_over_limit(pointer, triangles_, "triangles", limits_.triangles);
@@ -171,7 +176,8 @@ class Builder {
                          "export the mesh as triangles");
             count -= count % 3;
         }
-        // The indices in the file, plus three for each triangle of a strip or fan.
+        // Memory for the indices in the file, plus three indices for each triangle if a strip or fan is
+        // converted to a list.
         const bool lists = primitive.mode == kTriangles;
         if (!take(count * sizeof(uint32_t) + (lists ? 0 : triangles * 3 * sizeof(uint32_t)), pointer))
             return indices;
@@ -192,7 +198,7 @@ class Builder {
         return triangle_list(primitive.mode, std::move(indices));
     }
 
-    // Counts the vertices of the primitive before memory for them is allocated.
+    // Counts the vertices of the primitive before memory is allocated for the vertices.
     bool within_limits(const std::vector<uint32_t>& indices, bool flat, const std::string& pointer) {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
         vertices_ += std::max<uint64_t>(uint64_t{*high} - *low + 1, flat ? indices.size() : 0);
@@ -228,8 +234,9 @@ class Builder {
         indices.resize(kept);
     }
 
-    // Renumbers `indices` to the vertices they use and returns those vertices in ascending order. Without
-    // this, every primitive that shares one large buffer would copy the whole buffer.
+    // Renumbers `indices`, so that they refer only to vertices that the primitive uses. Returns the old
+    // indices of these vertices in ascending order. Without this, every primitive that uses a part of one
+    // large buffer would copy the whole buffer.
     static std::vector<uint32_t> make_compact(std::vector<uint32_t>& indices) {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
         const uint32_t first = *low;
@@ -250,8 +257,8 @@ class Builder {
     MemoryBudget& memory_;
     Report& report_;
     bool is_full_ = false;
-    uint64_t taken_bytes_ = 0;  // charged for the primitive that is being built
-    std::string label_;         // of the primitive that is being built
+    uint64_t taken_bytes_ = 0;  // Bytes taken from the memory budget for the primitive that is being built.
+    std::string label_;         // Label for messages of the primitive that is being built.
     uint64_t triangles_ = 0;
     uint64_t vertices_ = 0;
 };
@@ -279,7 +286,7 @@ std::string mesh_name(const MeshSource& source, size_t mesh, size_t primitive) {
     return source.primitives.size() > 1 ? name + "/" + std::to_string(primitive) : name;
 }
 
-// Text for messages: `mesh "Body"`, or `part 2 of mesh "Body"`.
+// Returns a text for messages: `mesh "Body"`, or `part 2 of mesh "Body"` if the mesh has several primitives.
 std::string primitive_label(const MeshSource& source, size_t mesh, size_t primitive) {
     const std::string whole = label("mesh", mesh, source.name);
     return source.primitives.size() > 1 ? "part " + std::to_string(primitive) + " of " + whole : whole;

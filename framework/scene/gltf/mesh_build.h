@@ -1,7 +1,7 @@
-// Purpose: converts glTF primitives to meshes that contain only used vertices, have one index type, and have
-// every stream filled. Errors: S104 an accessor past its bytes, S107 over a limit, S111 an index past the
-// vertices. Warnings: S151 a primitive that is not made of triangles, S152 a value that is not finite, S156
-// no triangles remain.
+// Purpose: converts glTF primitives to meshes that contain only used vertices, have 32-bit indices, and have
+// every vertex stream filled. Errors: S104 an accessor past the end of its bytes, S107 over a limit, S111 an
+// index that is too large. Warnings: S151 a primitive that is not made of triangles, S152 a value that is not
+// finite, S156 no triangles remain.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@
 namespace weft::scene::gltf {
 
 struct BuiltPrimitive {
-    uint32_t mesh = kNone;      // index into BuiltMeshes::meshes
-    uint32_t material = kNone;  // index of the glTF material
+    uint32_t mesh = kNone;      // Index into BuiltMeshes::meshes.
+    uint32_t material = kNone;  // Index of the primitive's material in the glTF file, or kNone.
 };
 
 struct BuiltMeshes {
     std::vector<Mesh> meshes;
-    std::vector<std::vector<BuiltPrimitive>> of_gltf_mesh;  // for each glTF mesh, the primitives built from
-                                                            // it
+    // For each glTF mesh, the primitives that were built from it. A glTF mesh may have several primitives.
+    std::vector<std::vector<BuiltPrimitive>> of_gltf_mesh;
 };
 
-// A primitive with a fault is reported and skipped.
+// Builds a mesh from every primitive. A primitive with a fault is reported and skipped.
 [[nodiscard]] BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits,
                                        const LoadOptions& options, MemoryBudget& memory, Report& report);
 

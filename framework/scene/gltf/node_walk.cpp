@@ -8,8 +8,8 @@ namespace weft::scene::gltf {
 namespace {
 
 constexpr float kMaxEntry = 1e15f;
-// Bytes per instance: Scene::instances, the GPU buffer and its staging, draws and draw commands. Vectors
-// count twice because they grow.
+// Memory per instance in bytes: the entry of Scene::instances, the GPU buffer and its staging buffer, draws
+// and draw commands. Sizes of vectors count twice, because a vector that grows copies its elements.
 constexpr uint64_t kBytesPerInstance = 2 * sizeof(Instance) + 2 * 208 + 2 * 96 + 2 * 20;
 
 bool is_usable_transform(const glm::mat4& m) {
@@ -26,7 +26,8 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
     return std::isfinite(length) && length > 1e-20f ? v / length : fallback;
 }
 
-// The part of `v` perpendicular to the unit vector `direction`; if it is zero, any perpendicular unit vector.
+// Returns the part of `v` perpendicular to the unit vector `direction`, normalised. If this part is zero, the
+// result is any unit vector perpendicular to `direction`.
 glm::vec3 across_or(const glm::vec3& v, const glm::vec3& direction) {
     const glm::vec3 unit = unit_or(v, {1, 0, 0});
     const glm::vec3 steep = std::abs(direction.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -35,8 +36,8 @@ glm::vec3 across_or(const glm::vec3& v, const glm::vec3& direction) {
                                        : glm::normalize(glm::cross(direction, steep));
 }
 
-// The same transform without scale or shear: a camera always looks along -z, whatever its parents' transforms
-// are.
+// Returns the transform without scale and shear. A camera looks along the direction of its -z axis, and the
+// scale of its parent nodes must not distort the picture.
 glm::mat4 rigid(const glm::mat4& world) {
     const glm::vec3 back = unit_or(glm::vec3(world[2]), {0, 0, 1});
     const glm::vec3 steep = std::abs(back.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -50,8 +51,8 @@ class Walk {
     Walk(const Document& document, const BuiltMeshes& meshes, uint32_t default_material, Scene& scene)
         : document_(document), meshes_(meshes), default_material_(default_material), scene_(scene) {}
 
-    // Memory of the objects that place() adds to the scene: every instance, light and camera has its own
-    // name.
+    // Returns the memory in bytes of the objects that place() adds to the scene for this node. Every
+    // instance, light and camera has its own copy of a name.
     [[nodiscard]] uint64_t memory_bytes(const Node& node) const {
         uint64_t bytes = 0;
         if (node.mesh != kNone) {
@@ -78,7 +79,7 @@ class Walk {
         if (node.light != kNone) {
             Light light = document_.lights[node.light];
             light.position = glm::vec3(world[3]);
-            // A light shape extends along the node's x axis and faces −z.
+            // The shape of a light extends along the node's x axis. The light faces along the node's −z axis.
             const glm::vec3 forward = unit_or(-glm::vec3(world[2]), {0, 0, -1});
             const glm::vec3 width = across_or(glm::vec3(world[0]), forward);
             light.direction = light.type == LightType::capsule ? width : forward;
@@ -89,7 +90,8 @@ class Walk {
         if (node.camera != kNone && document_.cameras[node.camera]) {
             Camera camera = *document_.cameras[node.camera];
             camera.transform = rigid(world);
-            // Blender and other exporters name the node, not the camera.
+            // Blender and other exporters give a name to the node, not to the camera, so the camera takes the
+            // name of its node.
             if (!node.name.empty()) camera.name = node.name;
             scene_.cameras.push_back(std::move(camera));
         }
@@ -112,8 +114,8 @@ void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t d
     };
     Walk walk(document, meshes, default_material, scene);
     std::vector<Visit> stack;
-    // Pushed in reverse, because the stack returns the last entry first: nodes are visited in the file's
-    // order.
+    // The roots are pushed in reverse order. The stack returns the last entry first, so the nodes are visited
+    // in the order of the file.
     for (size_t i = document.roots.size(); i-- > 0;) stack.push_back({document.roots[i], glm::mat4(1)});
     while (!stack.empty()) {
         const Visit visit = stack.back();

@@ -10,7 +10,7 @@
 
 namespace weft::scene::gltf {
 
-// Fills scene.instances, lights and cameras. Primitives without a material get `default_material`.
+// Fills the instances, lights and cameras of the scene. Primitives without a material get `default_material`.
 void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t default_material,
                  const SceneLimits& limits, MemoryBudget& memory, Report& report, Scene& scene);
 

@@ -14,7 +14,7 @@
 namespace weft::scene::gltf {
 namespace {
 
-// Two uses of an image share one texture if all these members are equal.
+// A way to use an image. Two uses share one texture if all members of Use are equal.
 struct Use {
     uint32_t image = kNone;
     TexelMeaning meaning = TexelMeaning::linear_data;
@@ -43,7 +43,8 @@ std::vector<SlotUse> slot_uses(const Document& document, std::vector<Material>& 
         add_texture(slot.texture, meaning, alpha_cutoff);
     };
     for (Material& material : materials) {
-        // The cutoff is compared with the product of texture and factor.
+        // The shader compares the cutoff with the product of texture and factor. So the cutoff for the
+        // texture alone is the material's cutoff divided by the factor.
         const bool mask = material.alpha_mode == AlphaMode::mask && material.base_color.a > 0;
         const float cutoff = mask ? material.alpha_cutoff / material.base_color.a : -1;
         add(material.base_color_texture, TexelMeaning::srgb_color, cutoff > 0 && cutoff <= 1 ? cutoff : -1);
@@ -75,7 +76,7 @@ void report_undecodable(Report& report, uint32_t image, const std::string& name,
                  "save it as PNG or JPEG again");
 }
 
-// Bytes of the full mip chain, at four bytes per texel.
+// Returns the size of the full mip chain in bytes, at four bytes per texel.
 uint64_t mip_bytes(ImageSize size) {
     uint64_t bytes = 0;
     for (;; size = {std::max(1u, size.width_px / 2), std::max(1u, size.height_px / 2), 0}) {
@@ -84,16 +85,19 @@ uint64_t mip_bytes(ImageSize size) {
     }
 }
 
-// Temporary memory while one texture is made: the decoder's, and the first mips as floats.
+// Returns the temporary memory in bytes while one texture is made: the memory of the decoder, and that of the
+// first mips as floats.
 uint64_t scratch_bytes(const ImageSize& size) {
     return saturating_add(size.decoder_bytes, saturating_mul(size.texels(), 6));
 }
 
-// Limit of temporary memory for all threads together; a single larger image may exceed it.
+// Limit in bytes of the temporary memory of all threads together. A single image that needs more may exceed
+// the limit.
 constexpr uint64_t kInHandBytes = 64ull << 20;
 
-// Peak memory of all textures. Decoded textures stay in memory. They are uploaded one at a time, and each is
-// freed after its upload, so the largest exists three times at the peak: decoded, in staging, and on the GPU.
+// Computes the peak memory of all textures. Decoded textures stay in memory. They are uploaded one at a time,
+// and each is freed after its upload. So the largest texture exists three times at the peak: decoded, in
+// staging, and on the GPU.
 class TextureMemory {
  public:
     void add(const ImageSize& size, size_t name_bytes) {
@@ -112,7 +116,8 @@ class TextureMemory {
     uint64_t kept_bytes_ = 0, largest_bytes_ = 0, scratch_bytes_ = 0, largest_scratch_bytes_ = 0;
 };
 
-// The size of every image, read at most once. nullopt where an image cannot be decoded or exceeds a limit.
+// Reads the size of each image, at most once per image. The size is nullopt if the image cannot be decoded or
+// exceeds a limit.
 class ImageSizes {
  public:
     ImageSizes(const Document& document, const SceneLimits& limits, Report& report)
@@ -146,7 +151,7 @@ class ImageSizes {
     std::map<uint32_t, std::optional<ImageSize>> sizes_;
 };
 
-// True when every image and their total memory stay within the limits; nothing is decoded here.
+// Returns true when every image and the total memory stay within the limits. No image is decoded here.
 bool sizes_within_limits(const Document& document, const std::map<Use, uint32_t>& uses,
                          const SceneLimits& limits, MemoryBudget& memory, Report& report) {
     bool fine = true;
@@ -181,16 +186,19 @@ Texture make_texture(const std::string& name, const ImageSize& size, std::vector
     return texture;
 }
 
-// One image and the textures made from it.
+// A job for one thread: one image and all textures that are made from the image.
 struct ImageJob {
     uint32_t image = kNone;
     std::vector<Use> uses;
     size_t first_texture = 0;
-    std::string error;  // the job fills `error` and the next member
+    // Text of the fault, empty after success. Only the thread that runs the job writes this and the next
+    // member.
+    std::string error;
     bool is_out_of_memory = false;
 };
 
-// One job per image, in the file's order. Fills `texture_of` with the future texture index of each use.
+// Makes one job per image, in the order of the file. Stores in `texture_of` the index that the texture of
+// each use will have.
 std::vector<ImageJob> jobs_for(std::map<Use, uint32_t>& texture_of) {
     std::vector<ImageJob> jobs;
     uint32_t textures = 0;
@@ -215,7 +223,8 @@ void decode(const Document& document, ByteBudget& in_hand, ImageJob& job, std::v
                 make_texture(document.images[job.image].name, decoded.size,
                              last_use ? std::move(decoded.rgba) : decoded.rgba, job.uses[i]);
         }
-    } catch (const std::bad_alloc&) {  // nothing else can throw here
+    } catch (const std::bad_alloc&) {
+        // No other exception is possible here. It must not leave the job, because jobs run on other threads.
         job.is_out_of_memory = true;
     }
 }

@@ -1,6 +1,7 @@
-// Purpose: decodes each image that materials and lights use once, and makes one texture for each kind of use:
-// an image used as both colour and data becomes an sRGB and a linear texture. Errors: S106 an image over the
-// limits or the remaining memory, S112 an image that cannot be decoded.
+// Purpose: decodes each image that materials and lights use, once per image, and makes one texture for each
+// kind of use. For example, an image that is used as colour and as data becomes an sRGB texture and a linear
+// texture. Errors: S106 an image over the limits or the remaining memory, S112 an image that cannot be
+// decoded.
 #pragma once
 
 #include <vector>
@@ -12,9 +13,9 @@
 
 namespace weft::scene::gltf {
 
-// Decodes images in parallel; the result does not depend on the number of threads. Returns the textures, and
-// changes the texture indices in `materials` and `functions` from glTF textures to the returned ones. A slot
-// whose texture has no image becomes empty.
+// Decodes the images in parallel; the result does not depend on the number of threads. Returns the textures.
+// The texture indices in `materials` and `functions` are changed from indices of glTF textures to indices of
+// the returned textures. A slot whose texture has no image becomes empty.
 [[nodiscard]] std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
                                                   const LoadOptions& options, MemoryBudget& memory,
                                                   Report& report, std::vector<Material>& materials,

@@ -1,6 +1,6 @@
 // Purpose: reads the vertex attributes of a glTF primitive into the streams of a Mesh, for used vertices
-// only. Errors: S104 an accessor past its bytes. Warnings: S152 a value that was not finite, or zero, and was
-// replaced; S154 colours that were clamped.
+// only. Errors: S104 an accessor past the end of its bytes. Warnings: S152 a value that was replaced because
+// it was zero or not finite; S154 colours that were clamped.
 #pragma once
 
 #include <optional>
@@ -13,32 +13,37 @@
 
 namespace weft::scene::gltf {
 
-// With larger coordinates, differences of positions and areas overflow float.
+// Largest usable coordinate in metres. With larger coordinates, differences of positions and areas would
+// overflow a float.
 inline constexpr float kMaxCoordinateM = 1e12f;
 
-// nullopt if `accessor` is kNone, and after an error at `pointer`.
+// Opens an accessor for reading. Returns nullopt if `accessor` is kNone, or after an error for the JSON value
+// at `pointer` was reported.
 [[nodiscard]] std::optional<AccessorReader> open_accessor(const Document& document, uint32_t accessor,
                                                           const std::string& pointer, Report& report);
 
-// The context that attribute readers share.
+// The data that all functions that read an attribute need.
 struct StreamSource {
     const Document& document;
     Report& report;
-    std::string mesh;                   // for messages: `mesh "Body"`
-    std::string attributes;             // JSON pointer of the attributes
-    const std::vector<uint32_t>& used;  // indices of the used vertices; each reader returns one element for
-                                        // each of them
+    std::string mesh;                   // Name of the mesh for messages, for example `mesh "Body"`.
+    std::string attributes;             // JSON pointer of the primitive's `attributes`.
+    // Indices of the used vertices in the file. Each read function returns one element for each of these
+    // vertices.
+    const std::vector<uint32_t>& used;
 };
 
-// Empty when absent.
+// Returns texture coordinates, or an empty vector when the attribute is absent.
 [[nodiscard]] std::vector<glm::vec2> read_uvs(const StreamSource& from, uint32_t accessor,
                                               const std::string& name);
-// Values in [0, 1]; empty when absent or when all are white.
+// Returns colours with values in [0, 1]. The vector is empty when the attribute is absent or when all colours
+// are white.
 [[nodiscard]] std::vector<glm::vec4> read_colors(const StreamSource& from, uint32_t accessor);
-// Reads the normals of `mesh`, which already has positions and indices. Invalid normals are computed from its
-// triangles.
+// Reads the normals of `mesh`, which already has positions and indices. Normals that are not valid are
+// replaced by normals that are computed from the triangles.
 void read_normals(const StreamSource& from, uint32_t accessor, Mesh& mesh);
-// False when the file's tangents cannot be used and must be generated. `mesh` must have normals.
+// Reads the tangents of `mesh`, which must already have normals. Returns false when the tangents of the file
+// cannot be used and must be generated.
 [[nodiscard]] bool read_tangents(const StreamSource& from, uint32_t accessor, Mesh& mesh);
 
 }  // namespace weft::scene::gltf
