@@ -26,7 +26,7 @@ constexpr const char* kFullscreenVertex = "fullscreen.vert";
 struct StageFile {
     ShaderStage stage = ShaderStage::compute;
     std::string path;
-    bool shared = false;  // the file is in the include root
+    bool shared = false;  // True if the file is in the include root, such as fullscreen.vert.
 };
 
 std::string extension_of(ProgramKind kind) {
@@ -56,7 +56,7 @@ std::vector<StageFile> stage_files(const std::string& reference, ProgramKind kin
     return {};
 }
 
-// Existing references of this kind, for "did you mean".
+// Returns the references to existing shaders of this kind, for "did you mean ...?".
 std::vector<std::string> known_references(ProgramKind kind, const SourceReader& reader) {
     if (kind != ProgramKind::raster) return reader.known_references(extension_of(kind));
     std::vector<std::string> folders;
@@ -85,7 +85,8 @@ Diagnostic not_found(const std::string& reference, ProgramKind kind, const Stage
     return diagnostic;
 }
 
-// The extension determines the stage, so a wrong extension is an error in the reference.
+// Returns an error if the reference has the wrong file extension. The extension determines the stage of the
+// shader.
 std::optional<Diagnostic> wrong_extension(const std::string& reference, ProgramKind kind,
                                           const SourceReader& reader) {
     const std::string wanted = extension_of(kind);
@@ -138,7 +139,8 @@ void report(const InterfaceFaults& faults, const std::vector<CompiledStage>& sta
         FoundWord found{find_declaration(fault.subject, source, reader.sources()),
                         static_cast<uint32_t>(fault.subject.size())};
         if (fault.subject.empty()) found = find_words(fault.words, source, reader.sources());
-        // GL_EXT_spirv_intrinsics can request any capability without naming an extension of its own.
+        // Errors of capabilities can come from GL_EXT_spirv_intrinsics, whose words start with "spirv_". With
+        // these words, a shader can request any capability without the extension for it.
         if (found.position.line == 0 && fault.code == "W208")
             found = find_words("spirv_*", source, reader.sources());
         Diagnostic diagnostic = diagnostic_at(found.position, fault.code, fault.message);
@@ -191,12 +193,14 @@ Result<ShaderProgram> build_program(const std::string& reference, ProgramKind ki
     return program;
 }
 
-// Cache files are not trusted: their modules pass the same checks as compiled ones.
+// Loads a program from the cache. Cache files are not trusted, so their modules must pass the same checks as
+// newly compiled modules.
 std::optional<ShaderProgram> cached_program(const std::string& reference, ProgramKind kind,
                                             const ShaderRoots& roots, SourceReader& reader) {
     auto program = load_cached(reference, kind, roots, reader);
     if (!program) return std::nullopt;
-    // A rejected module is compiled again, because only a compilation can give the error's place.
+    // If a module from the cache is rejected, the shader is compiled again, because only a compilation knows
+    // the line of the error.
     const auto refused = [&](const ShaderModule& module) {
         return spirv_fault(module.spirv).has_value() ||
                !gate_faults(module.stage, module.spirv, {roots.target, roots.limits}).empty();

@@ -9,13 +9,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The same reference names different programs in different folders.
+// Returns the key of a program. It contains the absolute paths of the folders, because the same reference
+// names different programs in different folders.
 std::string key_of(const std::string& reference, ProgramKind kind, const ShaderRoots& roots) {
     std::string key = reference + '\n' + std::to_string(static_cast<int>(kind));
     std::error_code error;
     for (const fs::path& root : roots.roots)
         key += '\n' + fs::absolute(root.empty() ? fs::path(".") : root, error).generic_string();
-    // The gate's result depends on the device.
+    // The key also contains the properties of the device, because the SPIR-V gate depends on them.
     const ShaderTarget& target = roots.target;
     key += '\n' + std::to_string(target.capabilities) + ' ' +
            std::to_string(target.storage_read_without_format) + ' ' + std::to_string(target.max_shared_bytes);

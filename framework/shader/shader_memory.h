@@ -1,6 +1,7 @@
-// Purpose: keeps the programs of a graph between its loads, each with the places that its compilation looked
-// at, so that only changed shaders are compiled again. It also lists the places that the last load looked at,
-// found or not, so that a program can wait for them to change. For one thread at a time.
+// Purpose: keeps the compiled programs of a graph in memory, so that a reload compiles only changed shaders
+// again. For each program, the paths that its compilation searched are stored with it. The class also lists
+// all paths that the last load searched, even those that do not exist, so that a program can watch them for
+// changes. One thread at a time may use an object.
 #pragma once
 
 #include <filesystem>
@@ -16,21 +17,23 @@ namespace weft {
 
 class ShaderMemory {
  public:
-    // Call before a load.
+    // Starts a load: clears the list of searched paths. The caller must call this before each load.
     void begin();
-    // Call after a successful load: forgets the programs that it did not use.
+    // Removes all programs that the last load did not use. The caller calls this after a successful load.
     void forget_unused();
 
-    // Null if the program is unknown, or if a place has another text now.
+    // Returns the stored program. Returns null if the program is not stored, or if one of its source files
+    // has changed.
     [[nodiscard]] const ShaderProgram* find(const std::string& reference, ProgramKind kind,
                                             const ShaderRoots& roots);
     void remember(const ShaderProgram& program, ProgramKind kind, const ShaderRoots& roots,
                   const shader::SourceReader& reader);
 
     void add_files_of(const shader::SourceReader& reader);
-    // The places of the load since begin(), absolute.
+    // Returns the absolute paths that were searched since the last call of begin().
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
-    // How many programs were requested in total, and how many of them find() did not have.
+    // Returns how many programs were requested from find() in total. misses() returns how many of these were
+    // not stored.
     [[nodiscard]] uint64_t requests() const { return requests_; }
     [[nodiscard]] uint64_t misses() const { return misses_; }
 

@@ -1,6 +1,6 @@
-// Purpose: 64-bit FNV-1a over bytes, for cache keys and checksums. It detects accidental changes, not
-// deliberate ones: do not use it for security. Source: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash
-// Algorithm".
+// Purpose: computes the 64-bit FNV-1a hash of bytes, for cache keys and checksums. The hash detects
+// accidental changes, but not deliberate ones, so it must not be used for security. Source: Fowler, Noll, Vo,
+// "The FNV Non-Cryptographic Hash Algorithm".
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@ namespace weft::shader {
 
 class ContentHash {
  public:
-    // The length is hashed too, so that "ab","c" and "a","bc" give different hashes.
+    // Adds a text to the hash. The length is hashed, too, so that "ab","c" and "a","bc" give different
+    // hashes.
     void add(std::string_view bytes) {
         add(static_cast<uint64_t>(bytes.size()));
         for (const char byte : bytes) mix(static_cast<uint8_t>(byte));

@@ -16,7 +16,8 @@ IncludeAnswer refused(std::string why) {
     return {false, {}, std::move(why)};
 }
 
-// The include rules are the same for the worker and for compilation in this process.
+// Returns the function that finds the text of an #include. The worker program and compilation in this process
+// both use it, so that the same rules apply.
 IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) {
     return [&reader, limits, followed = uint64_t{0},
             refusal = std::pair<std::string, std::string>()](const IncludeRequest& request) mutable {
@@ -26,8 +27,9 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
             return refused("more than " + std::to_string(limits.includes) + " includes");
         const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
         if (lookup.source == nullptr) {
-            // glslang requests "x" twice: beside the including file, then in the include root. If the first
-            // request was refused, its reason is the more useful one to report.
+            // For #include "x", glslang asks twice: for a file beside the including file, then for a file in
+            // the include root. If the first file exists but must not be read, its reason helps the user more
+            // than "no such file" for the second.
             if (lookup.refused) refusal = {request.name, lookup.reason};
             return refused(refusal.first == request.name ? refusal.second : lookup.reason);
         }
@@ -36,7 +38,8 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
     };
 }
 
-// nullopt when the worker's answer is malformed.
+// Converts the last message of the worker to the result of a compilation. Returns nullopt if the message is
+// malformed.
 std::optional<GlslOutcome> outcome_of(Message answer) {
     if (answer.texts.empty()) return std::nullopt;
     if (answer.kind == MessageKind::failed) return GlslOutcome{false, {}, {}, std::move(answer.texts[0])};
@@ -47,7 +50,8 @@ std::optional<GlslOutcome> outcome_of(Message answer) {
 
 }  // namespace
 
-// Returns the worker's last message and answers its include requests before that.
+// Sends a stage to the worker and answers the include requests of the worker. Returns the last message of the
+// worker.
 std::optional<Message> StageCompiler::converse(ShaderStage stage, const SourceText& source,
                                                const IncludeReader& includes) {
     const Message request{MessageKind::compile, static_cast<uint64_t>(stage), {source.name, source.text}};

@@ -1,8 +1,9 @@
-// Purpose: compiles stages of GLSL to SPIR-V, in the worker program, which has limits on memory and processor
-// time, or in this process. A SourceReader reads the includes. The worker starts with the first stage, serves
-// all later stages, and is replaced after it had to be killed. Binding numbers and free locations are
-// provisional until link_stages() assigns them. Errors: W202 GLSL error, W203 include not found or outside
-// the roots, W207 over the limits, or the worker crashed; X570 the worker cannot be started.
+// Purpose: compiles stages of GLSL to SPIR-V. This happens in the worker program, which has limits on memory
+// and processor time, or in this process. A SourceReader reads the included files. The worker starts with the
+// first stage and compiles all later stages, too; it is started again if it had to be killed. Binding numbers
+// and missing locations in the SPIR-V are provisional until link_stages() assigns them. Errors: W202 GLSL
+// error, W203 the included file does not exist or is outside the allowed folders, W207 the worker crashed or
+// exceeded its limits, X570 the worker cannot be started.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +24,10 @@ struct CompiledStage {
     ShaderStage stage = ShaderStage::compute;
     const SourceText* source = nullptr;
     std::vector<uint32_t> spirv;
-    std::set<std::string> unplaced;  // stage inputs and outputs without an explicit location
+    std::set<std::string> unplaced;  // Names of stage inputs and outputs whose declaration has no location.
 };
 
-// Not thread-safe: use one object per thread.
+// Compiles the stages of several programs. The class is not thread-safe: each thread needs its own object.
 class StageCompiler {
  public:
     explicit StageCompiler(const ShaderRoots& roots) : program_(roots.worker), limits_(roots.limits) {}

@@ -32,7 +32,8 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// The form is "name:12: rest". Names may contain colons, so the known names are tried, longest first.
+// Removes the position at the start of a log line, such as "name:12: ", and returns it. Names may contain
+// colons, so the function compares the line with all known names, the longest first.
 SourcePosition take_position(std::string_view& text, const SourceReader& reader, const SourceText& main) {
     std::vector<const SourceText*> sources = reader.sources();
     std::ranges::sort(sources, [](const auto* a, const auto* b) { return a->name.size() > b->name.size(); });
@@ -90,7 +91,7 @@ std::vector<std::string> identifiers(const SourceReader& reader, const std::stri
     return {words.begin(), words.end()};
 }
 
-// Adds the chain of files that include the faulty file, from the innermost to the stage's own file.
+// Adds notes about the files that include the faulty file, from the innermost file to the file of the stage.
 void note_includers(Diagnostic& diagnostic, const SourceText* source, const SourceReader& reader) {
     for (int depth = 0; source != nullptr && !source->included_by.empty() && depth < 32; ++depth) {
         const SourceText* parent = reader.find(source->included_by);
@@ -141,7 +142,8 @@ Diagnostics parse_glsl_log(const std::string& log, const SourceReader& reader, c
         if (!text.starts_with(kErrorPrefix) || is_summary(text)) continue;
         diagnostics.push_back(
             to_diagnostic(parse_line(text.substr(kErrorPrefix.size()), reader, main), reader));
-        // glslang stops at the first error in a file, but continues in the file that includes it.
+        // Stop after the first error with a line number. glslang stops in that file, too, but continues in
+        // the including file with errors that only follow from the first.
         if (diagnostics.back().line > 0) break;
     }
     if (diagnostics.empty()) {

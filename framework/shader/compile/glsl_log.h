@@ -1,5 +1,5 @@
-// Purpose: converts glslang's log to diagnostics that name the faulty file, which may be an included one. Log
-// lines look like "ERROR: name:12: 'token' : message".
+// Purpose: converts the log of glslang to diagnostics. Each diagnostic names the file with the error, which
+// may be an included file. Lines of the log look like "ERROR: name:12: 'token' : message".
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace weft::shader {
 
-// Faults without a place in the log are assigned to `main`. The result is never empty: a failed compilation
-// without a message becomes a diagnostic too.
+// Converts the log of a failed compilation. Errors without a file in the log are assigned to the file `main`.
+// The result contains at least one diagnostic, even if the log contains no message.
 [[nodiscard]] Diagnostics parse_glsl_log(const std::string& log, const SourceReader& reader,
                                          const SourceText& main);
 

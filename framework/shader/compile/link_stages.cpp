@@ -16,8 +16,9 @@ std::string key_of(const ReflectedBinding& reflected) {
     return reflected.is_params ? "Params" : reflected.binding.name;
 }
 
-// Unused declarations stay in the SPIR-V and need numbers too. They come after the used ones; no descriptor
-// set layout contains their numbers.
+// Assigns binding numbers to the resources of set 1, sorted by name. Resources that no stage uses get the
+// numbers after the used ones: their declarations stay in the SPIR-V, but no descriptor set layout contains
+// them.
 std::map<std::string, uint32_t> number_ports(const std::vector<StageReflection>& reflections) {
     std::set<std::string> used;
     std::set<std::string> unused;
@@ -47,7 +48,8 @@ void move_to(CompiledStage& stage, ReflectedVariable& variable, uint32_t locatio
     if (variable.location_word) stage.spirv[*variable.location_word] = location;
 }
 
-// Assigns locations in the order of names: each variable gets the lowest run of free locations.
+// Assigns locations to the variables without one, sorted by name. Each variable gets the lowest free location
+// that has enough free locations after it.
 void place_free_variables(CompiledStage& stage, std::vector<ReflectedVariable>& variables) {
     std::set<uint32_t> taken;
     std::vector<ReflectedVariable*> free;
@@ -89,7 +91,8 @@ std::string list_of(const std::vector<ReflectedVariable>& outputs) {
     return text.empty() ? "it writes nothing but gl_Position" : "it writes " + text;
 }
 
-// An input without a location gets the location of the output with the same name.
+// Gives each input without a location the location of the output that has the same name in the previous
+// stage.
 void join_by_name(CompiledStage& stage, std::vector<ReflectedVariable>& inputs,
                   const std::vector<ReflectedVariable>& outputs, InterfaceFaults& faults) {
     for (ReflectedVariable& input : inputs) {
@@ -105,7 +108,8 @@ void join_by_name(CompiledStage& stage, std::vector<ReflectedVariable>& inputs,
                           list_of(outputs)});
         stage.unplaced.erase(name);
         input.location_word.reset();
-        input.columns = 0;  // already reported: the location check below skips it
+        // The error is already reported; 0 makes the check of locations below skip this input.
+        input.columns = 0;
     }
 }
 

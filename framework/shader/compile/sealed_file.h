@@ -1,6 +1,7 @@
-// Purpose: small binary files that are either complete or ignored. Layout, little-endian:
-//   8 bytes magic "WEFTSHD1" | u64 payload length | u64 hash of the payload | payload
-// A file is written under a temporary name and then renamed, so a reader never sees an incomplete file.
+// Purpose: reads and writes small binary files of the cache. A file that is not complete is ignored. Layout,
+// little-endian:
+// 8 bytes magic "WEFTSHD1" | u64 payload length | u64 hash of the payload | payload
+// A file is written under a temporary name and then renamed, so that a reader never sees an incomplete file.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +11,12 @@
 
 namespace weft::shader {
 
-// The payload; nullopt when the file is absent, incomplete, damaged or larger than 64 MiB.
+// Returns the payload of the file. Returns nullopt if the file does not exist, or is incomplete, damaged or
+// larger than 64 MiB.
 [[nodiscard]] std::optional<std::string> read_sealed(const std::filesystem::path& file);
 
-// A cache that cannot be written is not an error: the next run compiles again.
+// Writes the payload to the file. The function does not report errors: if the cache cannot be written, the
+// next run compiles the shader again.
 void write_sealed(const std::filesystem::path& file, std::string_view payload);
 
 }  // namespace weft::shader

@@ -1,7 +1,7 @@
-// Purpose: a cache of compiled programs on disk, addressed by content. The manifest of a reference lists
-// every place that its compilation examined (found or not), with hashes of the texts. If examining the places
-// again gives the same result, the SPIR-V is loaded by the hash of all contents. Anything missing, changed or
-// damaged leads to a new compilation.
+// Purpose: stores compiled programs on disk, so that unchanged shaders are not compiled again. For each
+// shader, a manifest lists all files that its compilation searched (also those that do not exist), with
+// hashes of their texts. If all of them are unchanged, the SPIR-V is loaded; its file name is the hash of all
+// contents. If anything is missing, changed or damaged, the shader is compiled again.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,15 @@
 
 namespace weft::shader {
 
-// Hash of all inputs that determine the SPIR-V: compiler, reference, kind, and the texts that were read.
+// Returns the hash of all inputs that determine the SPIR-V: the version of the compiler, the reference to the
+// shader, the kind of program, and the texts that `reader` has read.
 [[nodiscard]] uint64_t content_hash_of(const std::string& reference, ProgramKind kind,
                                        const SourceReader& reader);
 
-// Fills reference, modules and content hash, but not the interface, which reflection computes. The SPIR-V is
-// not validated yet. If a program is returned, `reader` (which must be new) has read the same texts as a
-// compilation would.
+// Loads a program from the cache; returns nullopt if the cache does not contain it. Only the reference, the
+// modules and the content hash are set; the interface must be computed by reflection. The SPIR-V is not
+// validated yet. `reader` must be new; if a program is returned, `reader` has read the same texts as a
+// compilation would read.
 [[nodiscard]] std::optional<ShaderProgram> load_cached(const std::string& reference, ProgramKind kind,
                                                        const ShaderRoots& roots, SourceReader& reader);
 

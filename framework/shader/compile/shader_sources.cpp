@@ -16,7 +16,8 @@ namespace {
 constexpr int kMaxSuggestionDepth = 3;
 constexpr size_t kMaxSuggestionEntries = 2000;
 
-// The path is relative and has no "..", so it stays below its root unless a symbolic link leads out.
+// Returns true if the path is relative and contains no "..". Such a path stays below its root folder, except
+// through a symbolic link.
 bool is_plain_relative(const fs::path& path) {
     if (path.empty() || path.has_root_path() || path.native().find('\0') != std::string::npos) return false;
     return std::ranges::none_of(path, [](const fs::path& part) { return part == ".." || part.empty(); });

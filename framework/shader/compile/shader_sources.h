@@ -1,6 +1,6 @@
-// Purpose: reads shader files below the given roots only, and records every place that it examined, so that a
-// cache can check whether another look gives the same texts. The limits of the roots apply: bytes per file,
-// files and bytes per program.
+// Purpose: reads shader files, but only from the given root folders. Records every path that was searched, so
+// that a cache can check later whether the same search finds the same texts. The limits of ShaderRoots apply:
+// bytes per file, files and bytes per program.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@
 
 namespace weft::shader {
 
-// The result of examining one place: the hash of the text there, or that no file exists.
+// The result of searching a file below one root folder: the hash of its text, or that the file does not
+// exist.
 struct SourceProbe {
     size_t root = 0;
     std::string relative;
@@ -25,10 +26,10 @@ struct SourceProbe {
     uint64_t text_hash = 0;
 };
 
-// A source, or the reason why there is none.
+// The text that was found, or the reason why no text was found.
 struct SourceLookup {
     const SourceText* source = nullptr;
-    bool refused = false;  // the file exists or may exist, but must not be read
+    bool refused = false;  // True if the file exists or may exist, but must not be read.
     std::string reason;
 };
 
@@ -36,38 +37,41 @@ class SourceReader {
  public:
     explicit SourceReader(const ShaderRoots& roots);
 
-    // Reads from the first root that contains the file.
+    // Reads the file of a shader reference, such as "bloom/up.comp", from the first root folder that contains
+    // it.
     [[nodiscard]] SourceLookup read_reference(const std::string& relative);
-    // Reads from the include root only.
+    // Reads a file from the include root only, without searching the other root folders.
     [[nodiscard]] SourceLookup read_shared(const std::string& relative);
-    // "x.glsl": searched beside the including file, then in the include root. <x.glsl>: in the include root
-    // only.
+    // Reads an included file. #include "x.glsl" (`beside` is true) searches the folder of the including file,
+    // then the include root. #include <x.glsl> searches only the include root.
     [[nodiscard]] SourceLookup read_include(const std::string& requested, const std::string& includer,
                                             bool beside);
-    // Examines the place again; true when the result is the same.
+    // Searches the file of an earlier probe again. Returns true if the result is the same.
     [[nodiscard]] bool still_so(const SourceProbe& probe);
 
     [[nodiscard]] const std::vector<SourceProbe>& probes() const { return probes_; }
-    // Absolute paths of all files that were searched, existing or not; for a symbolic link also its target.
+    // Returns the absolute paths of all files that were searched, also of those that do not exist. For a
+    // symbolic link, the list also contains its target.
     [[nodiscard]] const std::vector<std::filesystem::path>& places() const { return places_; }
     [[nodiscard]] std::vector<const SourceText*> sources() const;
     [[nodiscard]] const SourceText* find(std::string_view name) const;
-    // References with this extension below the searched roots, for suggestions in messages.
+    // Returns the references to all shaders with this file extension below the root folders, for "did you
+    // mean ...?".
     [[nodiscard]] std::vector<std::string> known_references(const std::string& extension) const;
 
  private:
     struct Root {
         std::filesystem::path shown;
-        std::filesystem::path canonical;  // empty when the folder does not exist
+        std::filesystem::path canonical;  // Path without symbolic links; empty if the folder does not exist.
     };
 
     SourceLookup look(size_t root, const std::filesystem::path& relative);
     SourceLookup load(size_t root, const std::filesystem::path& relative, const std::filesystem::path& file);
 
     ShaderLimits limits_;
-    std::vector<Root> roots_;                     // the searched roots, then the include root
-    std::vector<std::filesystem::path> folders_;  // their real paths: a symbolic link must lead into one of
-                                                  // them
+    std::vector<Root> roots_;  // The searched root folders; the last one is the include root.
+    // Real paths of the root folders. The target of a symbolic link must be below one of them.
+    std::vector<std::filesystem::path> folders_;
     std::map<std::pair<size_t, std::string>, SourceText> texts_;
     std::vector<SourceProbe> probes_;
     std::vector<std::filesystem::path> places_;

@@ -1,5 +1,5 @@
-// Purpose: a fault in the interface of a shader that has no place in a source file yet. SPIR-V keeps names
-// but no places, so the place is found by searching the sources for the name.
+// Purpose: an error in the interface of a shader, before its line in the source is known. SPIR-V contains
+// names but no lines, so the line is found later by searching the source files for the name.
 #pragma once
 
 #include <string>
@@ -10,14 +10,15 @@
 namespace weft::shader {
 
 struct InterfaceFault {
-    // "W205" stages that do not match, "W206" an unsupported interface, "W208" and "W209" SPIR-V that the
-    // gate rejects
+    // Code of the error: W205 the stages do not match, W206 the interface is not supported, W208 and W209 the
+    // SPIR-V gate rejects the module.
     std::string code;
     ShaderStage stage = ShaderStage::compute;
-    std::string subject;  // the name to search for in the source; empty when the fault has none
+    std::string subject;  // Name to search for in the source files; empty if the error concerns no name.
     std::string message;
     std::string help;
-    // Used without a name: words whose position in the source is reported; see find_words().
+    // Used if `subject` is empty: words to search for in the source files, separated by spaces; see
+    // find_words().
     std::string words = {};
 };
 

@@ -112,7 +112,7 @@ Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::
     diagnostic.code = std::move(code);
     diagnostic.message = std::move(message);
     if (position.source == nullptr) return diagnostic;
-    // A fault of the whole file is reported at its beginning.
+    // An error that concerns the whole file has line 0. It is shown at line 1.
     diagnostic.file = position.source->path;
     diagnostic.line = std::max(position.line, 1u);
     diagnostic.column = std::max(position.column, 1u);

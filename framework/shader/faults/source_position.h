@@ -1,5 +1,6 @@
-// Purpose: places in shader sources, for diagnostics. SPIR-V keeps names but no places, so a declaration is
-// found by searching the text for its name. Units: lines and columns count from 1; 0 means unknown.
+// Purpose: positions in shader sources, for diagnostics. SPIR-V contains names but no lines, so the position
+// of a declaration is found by searching the source text for the name. Lines and columns count from 1; 0
+// means unknown.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +13,15 @@
 namespace weft::shader {
 
 struct SourceText {
-    std::string name;  // name used by the compiler: the path below its root, unique in a program
-    std::string path;  // path shown to users
+    // Name of the file in the compiler: its path below the root folder, made unique within a program.
+    std::string name;
+    std::string path;  // Path of the file in messages to the user.
     std::string text;
-    size_t root = 0;           // index into the reader's roots
-    std::string relative;      // path below that root
-    std::string included_by;   // name of the first file that included this one; empty for a stage's own file
-    std::string include_text;  // the text between the quotes of that include
+    size_t root = 0;       // Index of the root folder that contains the file.
+    std::string relative;  // Path of the file below this root folder.
+    // Name of the first file that includes this file; empty for the main file of a stage.
+    std::string included_by;
+    std::string include_text;  // The file name in that #include, without quotes.
 };
 
 struct SourcePosition {
@@ -27,14 +30,16 @@ struct SourcePosition {
     uint32_t column = 0;
 };
 
-// The place where a name is declared, found by a text search: the first whole word outside comments that is
-// followed by a character that can end a declarator. Searches `first`, then the others. If not found:
-// `first`, with an unknown line.
+// Finds the position where a name is declared, by searching the text. This is the first occurrence of the
+// name as a whole word, outside comments, before a character that can end a declarator (";", "[", "=" or
+// "{"). The function searches `first`, then the other files. If it finds nothing, it returns `first` with
+// line 0.
 [[nodiscard]] SourcePosition find_declaration(const std::string& name, const SourceText* first,
                                               const std::vector<const SourceText*>& others);
 
-// The earliest place of any of the words outside comments. Searches `first`, then the others. `words` are
-// separated by spaces; a word that ends in "*" is a prefix.
+// The position and length of a word that find_words() found. find_words() searches `first`, then the other
+// files, for any of the words, outside comments. `words` are separated by spaces; a word that ends in "*" is
+// a prefix.
 struct FoundWord {
     SourcePosition position;
     uint32_t length = 0;
@@ -42,13 +47,14 @@ struct FoundWord {
 [[nodiscard]] FoundWord find_words(const std::string& words, const SourceText* first,
                                    const std::vector<const SourceText*>& others);
 
-// The same text with comments replaced by spaces, so that offsets stay the same.
+// Returns the text with all comments replaced by spaces, so that the offsets in the text do not change.
 [[nodiscard]] std::string without_comments(std::string text);
 
-// Line `line` (from 1) of a text, without its newline.
+// Returns one line of a text, without its newline. Lines count from 1.
 [[nodiscard]] std::string line_of(const std::string& text, uint32_t line);
 
-// A diagnostic with file, line, column and excerpt; a null source leaves these fields empty.
+// Returns a diagnostic with file, line, column and the text of the line. If the position has no source, these
+// fields are empty.
 [[nodiscard]] Diagnostic diagnostic_at(const SourcePosition& position, std::string code, std::string message);
 
 }  // namespace weft::shader

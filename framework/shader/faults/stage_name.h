@@ -1,4 +1,4 @@
-// Purpose: the names of shader stages in messages.
+// Purpose: the names of shader stages for messages to the user.
 #pragma once
 
 #include "weft/shader_interface.h"

@@ -11,7 +11,8 @@ namespace {
 namespace sc = shader_capability;
 using enum CapabilityRule;
 
-// Remedies. Several faults with the same remedy give one error.
+// Texts that tell the user what to do instead of using a capability. If several errors of a stage have the
+// same text, only the first is reported.
 constexpr const char* kOtherDevice = "leave it out, or choose another device";
 constexpr const char* kCubes = "use samplerCube, one cube for each port, or choose another device";
 constexpr const char* kGather = "use constant offsets with textureGatherOffset(), or four texelFetch()";
@@ -65,7 +66,8 @@ constexpr std::array kTable{
     free_row(SpvCapabilityStorageImageExtendedFormats, "StorageImageExtendedFormats"),
     free_row(SpvCapabilityStorageImageWriteWithoutFormat, "StorageImageWriteWithoutFormat"),
     free_row(SpvCapabilityDemoteToHelperInvocation, "DemoteToHelperInvocation"),
-    // Every device has these. The interface check decides which declarations a pass can bind (W206).
+    // Every Vulkan device supports these capabilities. Whether a pass can bind such a declaration is checked
+    // later, by the interface check (W206).
     free_row(SpvCapabilitySampled1D, "Sampled1D"),
     free_row(SpvCapabilityImage1D, "Image1D"),
     free_row(SpvCapabilitySampledBuffer, "SampledBuffer"),

@@ -1,5 +1,6 @@
-// Purpose: the SPIR-V capabilities that glslang 12 can emit, and which of them a shader may use. The gate
-// uses this one table, and docs/shaders.md shows it. A capability that is not in the table is rejected.
+// Purpose: lists the SPIR-V capabilities that glslang 12 can produce, and which of them a shader may use. The
+// SPIR-V gate uses only this table, and docs/shaders.md shows it. A capability that is not in the table is
+// rejected.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +11,12 @@
 namespace weft::shader {
 
 enum class CapabilityRule : uint8_t {
-    always,   // enabled on every device that Weft creates
-    device,   // allowed if the device supports the feature `needs`
-    compute,  // allowed in compute stages; if `needs` is not 0, only if the device supports it
-    never,    // never enabled on a device
+    always,  // The capability is enabled on every device that Weft creates.
+    device,  // The capability is allowed if the device supports the feature `needs`.
+    // The capability is allowed only in compute stages. If `needs` is not 0, the device must support this
+    // feature.
+    compute,
+    never,  // The capability is rejected, because Weft never enables it.
 };
 
 struct CapabilityRow {
@@ -21,14 +24,14 @@ struct CapabilityRow {
     const char* name = "";
     CapabilityRule rule = CapabilityRule::never;
     ShaderCapabilityMask needs = 0;
-    // GLSL words that lead to this capability, separated by spaces, to find the error's place; "dmat*" is a
-    // prefix.
+    // GLSL words that lead to this capability, separated by spaces. They help to find the line of the error.
+    // A word that ends in "*", such as "dmat*", is a prefix.
     const char* words = "";
     const char* remedy = "";
 };
 
 [[nodiscard]] std::span<const CapabilityRow> capability_table();
-// Null when the capability is not in the table.
+// Returns the row of a capability, or null if the capability is not in the table.
 [[nodiscard]] const CapabilityRow* find_capability(uint32_t capability);
 
 }  // namespace weft::shader

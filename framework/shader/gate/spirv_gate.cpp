@@ -17,7 +17,7 @@
 namespace weft::shader {
 namespace {
 
-// Core since Vulkan 1.3 or SPIR-V 1.6, so devices need no further feature for them.
+// Allowed SPIR-V extensions. They are part of Vulkan 1.3 or SPIR-V 1.6, so every device supports them.
 constexpr std::array<std::string_view, 2> kExtensions{"SPV_EXT_demote_to_helper_invocation",
                                                       "SPV_KHR_non_semantic_info"};
 constexpr std::array<std::string_view, 2> kInstructionSets{"GLSL.std.450", "NonSemantic.DebugPrintf"};
@@ -30,7 +30,7 @@ bool offered(const CapabilityRow& row, const ShaderTarget& target) {
     return (row.needs & ~target.capabilities) == 0;
 }
 
-// The reason why the capability is rejected; empty if it is allowed.
+// Returns the reason why the capability is rejected, or an empty text if it is allowed.
 std::string refusal(const CapabilityRow& row, ShaderStage stage, const ShaderTarget& target) {
     switch (row.rule) {
         case CapabilityRule::always:
@@ -61,7 +61,8 @@ class CapabilityCheck {
             return;
         }
         const std::string why = refusal(*row, stage_, rules_.target);
-        // A capability often implies others: report each remedy only once.
+        // One GLSL construct often needs several capabilities with the same remedy. Report each remedy only
+        // once.
         if (why.empty() || !said_.insert(row->remedy).second) return;
         const std::string remedy = row->rule == CapabilityRule::compute && stage_ != ShaderStage::compute
                                        ? "do it in a compute pass"
@@ -69,8 +70,9 @@ class CapabilityCheck {
         fault(std::string("the capability ") + row->name + ", " + why, row->words, remedy);
     }
 
-    // kExtensions has all extensions that allowed capabilities need. Another extension is reported only if no
-    // capability was: a rejected capability already explains it.
+    // Reports an extension that is not in kExtensions. This list contains the extensions of all allowed
+    // capabilities. If another error was already reported, nothing is added, because the rejected capability
+    // explains the extension.
     void extension(const std::string& name) {
         if (!faults_.empty() || std::ranges::find(kExtensions, name) != kExtensions.end()) return;
         fault("the SPIR-V extension " + name + ", which Weft enables on no device", words_of_extension(name),
@@ -84,8 +86,9 @@ class CapabilityCheck {
     }
 
  private:
-    // "SPV_AMD_gcn_shader" comes from "#extension GL_AMD_gcn_shader"; for some extensions the vendor prefix
-    // differs.
+    // Returns the GLSL words that may lead to a SPIR-V extension. For example, SPV_AMD_gcn_shader comes from
+    // "#extension GL_AMD_gcn_shader". The vendor prefix can differ between the two, so other prefixes are
+    // included.
     static std::string words_of_extension(const std::string& name) {
         const size_t maker_end = name.find('_', 4);
         if (!name.starts_with("SPV_") || maker_end == std::string::npos) return {};
@@ -109,7 +112,7 @@ class CapabilityCheck {
     std::set<std::string> said_;
 };
 
-// Checks uses that need a device feature in Vulkan but no capability in SPIR-V.
+// Checks for uses that need a device feature in Vulkan although SPIR-V has no capability for them.
 class FeatureCheck {
  public:
     FeatureCheck(ShaderStage stage, InterfaceFaults& faults) : stage_(stage), faults_(faults) {}

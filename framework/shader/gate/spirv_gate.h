@@ -1,8 +1,9 @@
-// Purpose: decides which SPIR-V modules are allowed: an allow-list of capabilities, extensions and
-// instruction sets, limited to those that the device supports, and limits on the memory of a module's own
-// variables. It is safe for any input. spirv-val must accept the module too: it proves that the capability of
-// each instruction is declared. Units: bytes, words. Errors: W208 a capability, extension or use that is not
-// allowed, W209 more storage or depth than allowed.
+// Purpose: decides which SPIR-V modules are allowed. Capabilities, extensions and instruction sets must be in
+// a list of allowed ones, and the device must support them. The memory of the module's own variables is
+// limited. The gate accepts any input without crashing. The module must also pass spirv-val, which checks
+// that the module declares the capability of each instruction. Units: bytes, words. Errors: W208 a
+// capability, extension or use is not allowed, W209 the module needs more memory or deeper nesting than
+// allowed.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +21,11 @@ struct GateRules {
     ShaderLimits limits;
 };
 
-// Empty when the module is allowed.
+// Returns the reasons why the module is rejected. The list is empty if the module is allowed.
 [[nodiscard]] InterfaceFaults gate_faults(ShaderStage stage, std::span<const uint32_t> spirv,
                                           const GateRules& rules);
 
-// The parts of gate_faults().
+// gate_faults() consists of these two checks: one for capabilities, one for the memory of variables.
 void capability_faults(ShaderStage stage, std::span<const uint32_t> spirv, const GateRules& rules,
                        InterfaceFaults& faults);
 void storage_faults(ShaderStage stage, std::span<const uint32_t> spirv, const GateRules& rules,

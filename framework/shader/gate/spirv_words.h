@@ -1,5 +1,5 @@
-// Purpose: iterates over the instructions of a SPIR-V module. It is safe for any input: iteration ends at an
-// instruction that is incomplete or has length 0. Units: words.
+// Purpose: reads the instructions of a SPIR-V module one after the other. Any input is safe: reading ends at
+// an instruction that is incomplete or has length 0. Units: words of 32 bits.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ struct SpirvInstruction {
     uint32_t opcode = 0;
     std::span<const uint32_t> operands;
 
-    // 0 if the instruction has fewer operands.
+    // Returns operand i, or 0 if the instruction has fewer operands.
     [[nodiscard]] uint32_t operand(size_t i) const { return i < operands.size() ? operands[i] : 0; }
 };
 
@@ -21,7 +21,7 @@ class SpirvReader {
     explicit SpirvReader(std::span<const uint32_t> module)
         : rest_(module.subspan(module.size() < kHeaderWords ? module.size() : kHeaderWords)) {}
 
-    // Returns false at the end.
+    // Reads the next instruction. Returns false at the end of the module.
     [[nodiscard]] bool next(SpirvInstruction& instruction) {
         if (rest_.empty()) return false;
         const size_t words = rest_.front() >> 16;
@@ -36,7 +36,8 @@ class SpirvReader {
     std::span<const uint32_t> rest_;
 };
 
-// A literal string: four characters per word, the first in the lowest byte, up to the first zero.
+// Decodes a literal string of SPIR-V. Each word contains four characters, the first one in the lowest byte.
+// The string ends at the first zero byte.
 [[nodiscard]] inline std::string spirv_string(std::span<const uint32_t> words) {
     std::string text;
     for (const uint32_t word : words) {

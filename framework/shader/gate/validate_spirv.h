@@ -1,5 +1,5 @@
-// Purpose: validates every module with spirv-val and the rules of Vulkan 1.3. Drivers do not check their
-// input, so a malformed module can crash them.
+// Purpose: validates SPIR-V modules with spirv-val and the rules of Vulkan 1.3. Drivers do not check their
+// input, so a malformed module can crash a driver.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace weft::shader {
 
-// The text of spirv-val's error; nullopt for a valid module.
+// Returns the error message of spirv-val, or nullopt if the module is valid.
 [[nodiscard]] std::optional<std::string> spirv_fault(const std::vector<uint32_t>& spirv);
 
 }  // namespace weft::shader

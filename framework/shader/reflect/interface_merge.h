@@ -1,6 +1,6 @@
-// Purpose: computes the interface of a program from the final SPIR-V of its stages. Unused declarations are
-// omitted. Faults: W205 stages that declare the same name differently, W206 an interface that no pass can
-// offer.
+// Purpose: computes the interface of a program from the final SPIR-V of its stages. Declarations that no
+// stage uses are left out. Faults: W205 two stages declare the same name differently, W206 no pass can
+// provide the interface.
 #pragma once
 
 #include <vector>

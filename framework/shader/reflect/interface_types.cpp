@@ -100,7 +100,8 @@ uint32_t array_count(spvc_compiler compiler, spvc_type type, bool& is_runtime) {
 
 namespace {
 
-// SPIR-V states the stride of the outermost dimension; this returns the stride of one element.
+// Returns the distance in bytes from one array element to the next. For an array of arrays, SPIR-V states the
+// stride of the outermost dimension, so it is divided by the lengths of the inner dimensions.
 uint32_t element_stride(spvc_compiler compiler, spvc_type block, spvc_type type, unsigned index) {
     const unsigned dimensions = spvc_type_get_num_array_dimensions(type);
     unsigned stride = 0;

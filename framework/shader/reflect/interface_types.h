@@ -1,5 +1,5 @@
-// Purpose: converts SPIRV-Cross types to Weft's types: block members, scalar types, image dimensions and
-// formats. Only the reflection sources include this header, because it exposes SPIRV-Cross.
+// Purpose: converts types of SPIRV-Cross to Weft's types: block members, scalar types, image dimensions and
+// formats. Only the source files of the reflection include this header, because it depends on SPIRV-Cross.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,21 @@
 
 namespace weft::shader {
 
-// nullopt for types that blocks and stage variables of Weft cannot have (16 and 64 bits, pointers, opaque
-// types).
+// Returns the scalar type, or nullopt for types that blocks and stage variables in Weft cannot have (16 and
+// 64 bits, pointers, opaque types).
 [[nodiscard]] std::optional<ScalarType> to_scalar(spvc_basetype type);
 [[nodiscard]] std::optional<ImageDim> to_dim(SpvDim dim);
-// `undefined` when no format is declared, and for formats that Weft does not support.
+// Returns the format of a storage image. Returns `undefined` if the shader declares no format, or a format
+// that Weft does not support.
 [[nodiscard]] Format to_format(SpvImageFormat format);
 
-// Adds the names of members with unsupported types to `foreign`, as "block.member".
+// Returns the members of a block. The names of members with unsupported types are added to `foreign`, in the
+// form "block.member".
 [[nodiscard]] std::vector<BlockMember> block_members(spvc_compiler compiler, spvc_type_id block,
                                                      std::vector<std::string>& foreign);
 
-// Product of all dimensions: 0 if the type is not an array; a runtime dimension counts as 1 and sets
-// `is_runtime`.
+// Returns the product of all dimensions of an array type, or 0 if the type is not an array. A dimension
+// without a size counts as 1 and sets `is_runtime` to true.
 [[nodiscard]] uint32_t array_count(spvc_compiler compiler, spvc_type type, bool& is_runtime);
 
 }  // namespace weft::shader

@@ -6,9 +6,10 @@
 namespace weft::shader {
 namespace {
 
-constexpr std::string_view kWord = "local_size_";  // prefix of local_size_x = 8 and local_size_x_id = 0
+// All declarations of the local size begin with this text, such as local_size_x = 8 and local_size_x_id = 0.
+constexpr std::string_view kWord = "local_size_";
 
-// The end of the comment that begins at `at`; `at` if no comment begins there.
+// Returns the end of the comment that begins at offset `at`, or `at` itself if no comment begins there.
 size_t end_of_comment(std::string_view text, size_t at) {
     if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
     if (text.substr(at, 2) != "/*") return at;

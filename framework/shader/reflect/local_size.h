@@ -1,5 +1,5 @@
-// Purpose: finds out whether a compute shader declares its local size. SPIR-V cannot tell: a missing
-// declaration and an explicit 1 × 1 × 1 give the same module.
+// Purpose: finds out whether a compute shader declares its local size. SPIR-V does not tell this: a missing
+// declaration and an explicit size of 1 × 1 × 1 give the same module.
 #pragma once
 
 #include <span>
@@ -8,7 +8,8 @@
 
 namespace weft::shader {
 
-// `sources`: the shader's file and all files that it includes. Comments are ignored.
+// Returns true if a source file contains a declaration of the local size outside comments. `sources` are the
+// file of the shader and all files that it includes.
 [[nodiscard]] bool states_local_size(std::span<const SourceText* const> sources);
 
 }  // namespace weft::shader

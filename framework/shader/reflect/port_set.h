@@ -1,4 +1,4 @@
-// Purpose: the descriptor set that holds the ports of a pass.
+// Purpose: the number of the descriptor set that contains the ports of a pass (its inputs and outputs).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The resources of a stage: images, buffers and the parameter block.
+// Reflects the resources of a shader stage: images, buffers and the parameter block.
 #include <optional>
 #include <utility>
 
@@ -80,7 +80,9 @@ void Reflector::describe_image(ReflectedBinding& reflected, spvc_type type) {
                                                      : NumericClass::float_like;
 }
 
-// NonReadable is GLSL's writeonly, NonWritable its readonly. A block has one only if all its members have it.
+// Finds out whether the shader can read and write the resource. NonReadable is `writeonly` in GLSL, and
+// NonWritable is `readonly`. SPIRV-Cross reports such a decoration of a block only if all its members have
+// it.
 void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, bool is_buffer) {
     bool non_readable = spvc_compiler_has_decoration(compiler_, id, SpvDecorationNonReadable) == SPVC_TRUE;
     bool non_writable = spvc_compiler_has_decoration(compiler_, id, SpvDecorationNonWritable) == SPVC_TRUE;
@@ -95,8 +97,8 @@ void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, boo
     }
     binding.reads = !non_readable;
     binding.writes = !non_writable;
-    // This needs the feature vertexPipelineStoresAndAtomics, which has no capability and is not enabled on
-    // any device.
+    // Writing in the vertex stage needs the device feature vertexPipelineStoresAndAtomics. SPIR-V has no
+    // capability for this feature, and Weft does not enable it on any device, so it is checked here.
     if (binding.writes && result_.stage == ShaderStage::vertex && used_.contains(id))
         fault(binding.name, "the vertex stage can write to \"" + binding.name + "\"",
               "declare it `readonly`; fragment and compute stages write");

@@ -103,7 +103,8 @@ void Reflector::reflect_spec_constants() {
         spec.name = spvc_compiler_get_name(compiler_, constant.id);
         spec.id = constant.constant_id;
         spec.default_bits = spvc_constant_get_scalar_u32(value, 0, 0);
-        // The constants of local_size_x_id have no name; the local size is not a variant of the shader.
+        // The constants that GLSL makes for local_size_x_id have no name. They are skipped, because the local
+        // size is not a constant that a pass can set.
         if (spec.name.empty()) continue;
         if (const auto scalar = to_scalar(spvc_type_get_basetype(type))) {
             spec.type = *scalar;
@@ -154,7 +155,8 @@ void Reflector::reflect_execution() {
         result_.writes_point_size = spvc_compiler_has_active_builtin(compiler_, SpvBuiltInPointSize,
                                                                      SpvStorageClassOutput) == SPVC_TRUE;
     }
-    // SPIRV-Cross returns LocalSizeId as LocalSize, with the constants' default values.
+    // A work group size from specialisation constants (LocalSizeId) is returned here, too, with the default
+    // values of the constants.
     for (unsigned i = 0; i < 3 && result_.stage == ShaderStage::compute; ++i) {
         result_.local_size[i] =
             spvc_compiler_get_execution_mode_argument_by_index(compiler_, SpvExecutionModeLocalSize, i);
@@ -176,7 +178,7 @@ void Reflector::scan_instructions() {
 
 StageReflection reflect_stage(ShaderStage stage, const std::vector<uint32_t>& spirv,
                               InterfaceFaults& faults) {
-    // Some functions of SPIRV-Cross throw exceptions through its C interface.
+    // Catch exceptions here: some functions of SPIRV-Cross throw exceptions although its interface is C.
     try {
         return Reflector(stage, spirv, faults).run();
     } catch (const std::exception& error) {

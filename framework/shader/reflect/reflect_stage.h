@@ -1,7 +1,7 @@
-// Purpose: reads the declarations of one stage's SPIR-V with SPIRV-Cross: resources, parameters,
-// specialisation constants, stage inputs and outputs, and the positions of their numbers in the SPIR-V, so
-// that linking can change them. Errors: W206 for declarations that Weft does not support. The SPIR-V must
-// come from the compiler or have passed spirv-val.
+// Purpose: reads the declarations in the SPIR-V of one stage with SPIRV-Cross: resources, parameters,
+// specialisation constants, stage inputs and outputs. Also finds the words of the SPIR-V that contain their
+// binding numbers and locations, so that link_stages() can change them. Error W206: Weft does not support the
+// declaration. The SPIR-V must come from the compiler, or must have passed spirv-val.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,25 @@
 
 namespace weft::shader {
 
-// Position of a decoration's number in the module's words.
+// Index of the word in the SPIR-V that contains a number such as a binding or a location; nullopt if there is
+// none.
 using WordIndex = std::optional<uint32_t>;
 
 struct ReflectedBinding {
     ShaderBinding binding;
-    bool is_params = false;  // a uniform block named Params
-    bool used = false;       // reachable from main() for some value of the specialisation constants
+    bool is_params = false;  // True for a uniform block that is named Params.
+    // True if main() can reach a use of the resource for some value of the specialisation constants.
+    bool used = false;
     WordIndex set_word;
     WordIndex binding_word;
 };
 
-// A stage input or output.
+// An input or output variable of a shader stage.
 struct ReflectedVariable {
     StageVariable variable;
     uint32_t component = 0;
     uint32_t columns = 1;
-    uint32_t array_count = 0;  // 0: not an array
+    uint32_t array_count = 0;  // Number of array elements; 0 if the variable is not an array.
     bool used = false;
     WordIndex location_word;
 

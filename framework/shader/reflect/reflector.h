@@ -1,5 +1,5 @@
-// Purpose: the state of one stage's reflection: SPIRV-Cross's handles and the results so far. Only the
-// reflection sources include this.
+// Purpose: holds the handles of SPIRV-Cross and the results while one stage is reflected. Only the source
+// files of the reflection include this header.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
-// Checks the memory of a module's variables and the depth of its types and calls, so that a driver never
-// receives a `float s[1 << 28]` or a chain of 50,000 functions. Private memory is the memory of one
-// invocation when every call is inlined, as drivers do. Sums saturate.
+// Checks the memory of a module's variables, and the depth of its types and calls. A driver then never gets
+// an array such as `float s[1 << 28]` or a chain of 50,000 functions. Private memory is counted for one
+// invocation, as if every call were inlined, because drivers do this. Sums that exceed 64 bits become the
+// largest number.
 #include <spirv.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ uint64_t times(uint64_t a, uint64_t b) {
 struct TypeSize {
     uint64_t bytes = 0;
     uint32_t depth = 0;
-    bool specialised = false;  // the array's length is a specialisation constant
+    bool specialised = false;  // True if a specialisation constant is the length of the array.
 };
 
 struct Variable {
@@ -42,7 +43,8 @@ struct Variable {
 struct Function {
     uint64_t own_bytes = 0, own_code_bytes = 0;
     std::vector<uint32_t> calls;
-    uint64_t bytes = 0, code_bytes = 0;  // total including all callees, counted once per call
+    // Sums over the function and all functions that it calls. A function that is called twice counts twice.
+    uint64_t bytes = 0, code_bytes = 0;
     uint32_t depth = 0;
     enum class State : uint8_t { unseen, open, done } state = State::unseen;
 };
@@ -166,16 +168,18 @@ class StorageCheck {
         }
     }
 
-    // Copying a whole array or struct needs a private value of that size.
+    // Counts a loaded value as private memory: copying a whole array or struct needs a temporary copy of that
+    // size.
     void value(const TypeSize& size) {
-        constexpr uint64_t kMostInRegisters = 64;  // the size of a mat4
+        constexpr uint64_t kMostInRegisters = 64;  // A value up to the size of a mat4 is in registers.
         if (size.bytes <= kMostInRegisters) return;
         uint64_t& own = functions_[function_].own_bytes;
         own = plus(own, size.bytes);
     }
 
-    // Sums the call tree below the entry point without recursion, because a module can have a call chain of
-    // any length.
+    // Adds up the memory and code size of all functions that the entry point calls, directly or indirectly.
+    // The traversal uses its own stack instead of recursion, because the call chain of a module can have any
+    // length.
     void add_up_calls() {
         std::vector<std::pair<uint32_t, size_t>> open{{entry_, 0}};
         while (!open.empty()) {
@@ -255,7 +259,8 @@ class StorageCheck {
                                raise_limit_text("shader.sharedBytes");
     }
 
-    // The fault is reported at the largest variable.
+    // Reports an error if the variables of a storage class need more bytes than `limit`. The error is shown
+    // at the largest variable.
     void report(uint32_t storage, const std::string& what, uint64_t limit, std::string help, uint64_t bytes) {
         if (bytes <= limit) return;
         const Variable* largest = nullptr;

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int kGlslVersion = 460;
 constexpr const char* kPortSetText = "1";
-// Increase this number when a change of the options below changes the SPIR-V of the same text.
+// Part of the cache key. It must be increased when a change of the options below changes the SPIR-V of the
+// same text.
 constexpr int kOptionsRevision = 1;
 
-// glslang must be initialised once per process; the static variable does this at the first compilation,
-// thread-safely.
+// Initialises glslang at the first call, once per process. Initialising a static variable is thread-safe.
 void start_glslang() {
     struct Process {
         Process() { glslang::InitializeProcess(); }
@@ -47,14 +47,14 @@ class Includer final : public glslang::TShader::Includer {
     }
 
  private:
-    // glslang tries the including file's folder first and the include root second. An empty name with a text
-    // reports a failure to glslang.
+    // Answers an include request of glslang. An empty name tells glslang that the file was not found; the
+    // text is then the reason.
     IncludeResult* include(const IncludeRequest& request) {
         IncludeAnswer answer = reader_(request);
         auto text = std::make_unique<std::string>(std::move(answer.text));
         auto result = std::make_unique<IncludeResult>(answer.found ? answer.name : std::string(),
                                                       text->data(), text->size(), text.get());
-        static_cast<void>(text.release());  // result owns it: see releaseInclude()
+        static_cast<void>(text.release());  // `result` owns the text now; releaseInclude() frees it.
         return result.release();
     }
 
@@ -103,9 +103,10 @@ std::set<std::string> unplaced_variables(const glslang::TIntermediate& intermedi
 
 std::vector<uint32_t> to_spirv(const glslang::TIntermediate& intermediate) {
     glslang::SpvOptions options;
-    options.generateDebugInfo = true;  // reflection and validation messages need the names
+    options.generateDebugInfo = true;  // The names in the SPIR-V are needed for reflection and messages.
     options.disableOptimizer = true;
-    spv::SpvBuildLogger logger;  // its messages are ignored: spirv-val reports the same faults more clearly
+    // The messages of this logger are ignored, because spirv-val reports the same errors more clearly.
+    spv::SpvBuildLogger logger;
     std::vector<uint32_t> words;
     glslang::GlslangToSpv(intermediate, words, &logger, &options);
     return words;

@@ -1,8 +1,8 @@
-// Purpose: runs glslang on the text of one stage and returns SPIR-V. It opens no file; a callback supplies
-// includes. glslang does not limit memory or time: a few hundred bytes of macros can use gigabytes, and deep
-// nesting can overflow the stack. The worker program therefore runs it under limits (shader/worker); all
-// other code calls glsl_compile.h. Binding numbers and free locations are provisional until link_stages().
-// Errors: `log`, in glslang's format.
+// Purpose: compiles the text of one stage to SPIR-V with glslang. A callback supplies included files, and no
+// file is opened here. glslang does not limit memory or time: a few hundred bytes of macros can use
+// gigabytes, and deep nesting can overflow the stack. Therefore the worker program calls this function with
+// limits (shader/worker), and all other code uses glsl_compile.h. Binding numbers and missing locations are
+// provisional until link_stages(). Errors are in `log`, in the format of glslang.
 #pragma once
 
 #include <cstddef>
@@ -17,30 +17,32 @@
 namespace weft::shader {
 
 struct IncludeRequest {
-    std::string name;      // the text between the quotes
-    std::string includer;  // the name of the including text
+    std::string name;      // The file name between the quotes of the #include.
+    std::string includer;  // Name of the file that contains the #include.
     size_t depth = 1;
-    bool beside = false;  // true for "x", which may lie beside the including file; false for <x>
+    // True for #include "x", which is searched beside the including file first; false for <x>.
+    bool beside = false;
 };
 
 struct IncludeAnswer {
     bool found = false;
-    std::string name;  // the name that the compiler uses for this text
-    std::string text;  // the text, or the reason why it is unavailable
+    std::string name;  // Name that the compiler uses for the included file.
+    std::string text;  // Text of the file, or the reason why it cannot be included.
 };
 using IncludeReader = std::function<IncludeAnswer(const IncludeRequest&)>;
 
 struct GlslOutcome {
     bool good = false;
     std::vector<uint32_t> spirv;
-    std::set<std::string> unplaced;  // stage inputs and outputs without an explicit location
-    std::string log;                 // glslang's log, when the compilation failed
+    std::set<std::string> unplaced;  // Names of stage inputs and outputs whose declaration has no location.
+    std::string log;                 // Log of glslang if the compilation failed.
 };
 
 [[nodiscard]] GlslOutcome run_glslang(ShaderStage stage, const std::string& name, const std::string& text,
                                       const IncludeReader& includes);
 
-// Changes whenever the same text may compile to different SPIR-V.
+// Returns a text that changes whenever the same GLSL may compile to different SPIR-V. The shader cache uses
+// it as part of its keys.
 [[nodiscard]] std::string compiler_version();
 
 }  // namespace weft::shader

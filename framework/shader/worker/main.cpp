@@ -1,6 +1,7 @@
-// weft-shader-worker MEMORY_BYTES STAGE_MS: compiles GLSL in a process of its own, isolated from its caller.
-// It sets its own limits before it reads any input, opens no file, and gets all data through descriptor 0.
-// Exit codes: 0 the caller closed the connection, 2 bad arguments, 86 out of memory.
+// weft-shader-worker MEMORY_BYTES STAGE_MS: compiles GLSL in a separate process, isolated from the program
+// that starts it. The worker sets its own limits before it reads any input. It opens no file and gets all
+// data through file descriptor 0. Exit codes: 0 the caller closed the connection, 2 wrong arguments, 86 out
+// of memory.
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -19,12 +20,13 @@
 namespace weft::shader {
 namespace {
 
-// Requests come from the trusted parent process; this limit only catches mistakes.
+// Largest size of a request. Requests come from the trusted parent process, so this limit only catches
+// mistakes.
 constexpr uint64_t kMostFrameBytes = 1ull << 31;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kCanLimitAddresses = false;  // sanitizers reserve terabytes of shadow memory; the caller
-                                            // watches the resident memory instead
+// Sanitizers reserve terabytes of address space, so the caller watches the resident memory instead.
+constexpr bool kCanLimitAddresses = false;
 #else
 constexpr bool kCanLimitAddresses = true;
 #endif
@@ -46,8 +48,9 @@ bool set_limit(int resource, uint64_t soft, uint64_t hard) {
     return setrlimit(static_cast<__rlimit_resource_t>(resource), &limit) == 0;
 }
 
-// Sets the limit for the next stage, in addition to the time already used. It is a soft limit, because the
-// process can raise only a soft limit again, up to its initial hard limit.
+// Limits the processor time for the next stage. The limit is the time that the process has used so far plus
+// the time for one stage. Only the soft limit is set, because a process can raise its soft limit again for
+// the next stage, up to the hard limit.
 bool limit_cpu_time(const WorkerLimits& limits) {
     rusage used{};
     rlimit limit{};
@@ -57,7 +60,8 @@ bool limit_cpu_time(const WorkerLimits& limits) {
     return set_limit(RLIMIT_CPU, std::min(soft, limit.rlim_max), limit.rlim_max);
 }
 
-// The input may make the compiler misbehave, so nothing may affect other processes.
+// Restricts this process. The input may make the compiler misbehave, and this must not affect other
+// processes.
 bool lock_up(const WorkerLimits& limits) {
     std::set_new_handler([] { _exit(kOutOfMemoryExit); });
     const bool memory = !kCanLimitAddresses || set_limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);
@@ -65,7 +69,7 @@ bool lock_up(const WorkerLimits& limits) {
            set_limit(RLIMIT_NOFILE, 0, 0) && limit_cpu_time(limits);
 }
 
-// Returns false when the caller has closed the connection.
+// Reads exactly `bytes` bytes from the caller. Returns false if the caller has closed the connection.
 bool receive(char* to, size_t bytes) {
     while (bytes > 0) {
         const ssize_t got = read(STDIN_FILENO, to, bytes);

@@ -1,5 +1,5 @@
-// Purpose: serialises numbers and texts, for cache files and for the messages between compiler worker and
-// caller. Layout: numbers are u64 little-endian; a text is its length followed by its bytes.
+// Purpose: serialises numbers and texts, for cache files and for messages between the shader worker and its
+// caller. A number is stored as u64, little-endian. A text is stored as its length followed by its bytes.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class PayloadWriter {
     std::string payload_;
 };
 
-// After a read past the end, that read and all later ones fail.
+// Reads numbers and texts from a payload. After an attempt to read past the end, all further reads fail.
 class PayloadReader {
  public:
     explicit PayloadReader(std::string_view payload) : rest_(payload) {}

@@ -1,8 +1,8 @@
-// Purpose: the messages between compiler worker and caller, over one stream socket. A frame is the length of
-// its payload as u64, little-endian, followed by the payload: kind, number, count of texts, texts (see
-// shader/payload.h). The worker starts with `hello`. For each `compile` it requests includes one by one and
-// ends with `done` or `failed`. No side trusts its input: frames have a maximum size, and a malformed payload
-// is treated like a missing one.
+// Purpose: the messages between the shader worker and its caller, over a stream socket. A frame is the length
+// of its payload as u64, little-endian, followed by the payload: kind, number, count of texts, texts (see
+// framework/shader/worker/payload.h). The worker first sends `hello`. After each `compile`, the worker
+// requests the included files one by one with `include`, and ends with `done` or `failed`. Neither side
+// trusts its input: the size of frames is limited, and a malformed payload counts as no answer.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,15 @@
 namespace weft::shader {
 
 enum class MessageKind : uint64_t {
-    hello,      // text: compiler_version()
-    compile,    // number: the stage; texts: name, source text
-    include,    // number: 2 × depth + beside; texts: name, includer
-    source,     // texts: name, source text
-    no_source,  // text: the reason
-    done,       // texts: SPIR-V, then the names of unplaced variables
-    failed,     // text: glslang's log
+    hello,    // The worker has started. Text: compiler_version().
+    compile,  // Request to compile. Number: the stage; texts: name and source text.
+    // The worker asks for an included file. Number: 2 × depth, plus 1 if the file may be beside the including
+    // file; texts: the name in the #include, and the name of the including file.
+    include,
+    source,     // Answer to `include`. Texts: name and source text.
+    no_source,  // Answer to `include`: the file cannot be included. Text: the reason.
+    done,       // The stage compiled. Texts: SPIR-V, then names of variables without location.
+    failed,     // The stage did not compile. Text: log of glslang.
 };
 
 struct Message {
@@ -30,14 +32,15 @@ struct Message {
 };
 
 inline constexpr size_t kFrameHeaderBytes = 8;
-inline constexpr int kOutOfMemoryExit = 86;  // the worker's exit code when an allocation fails
+inline constexpr int kOutOfMemoryExit = 86;  // Exit code of the worker when an allocation fails.
 inline constexpr size_t kMostLogBytes = 64 << 10;
 
 [[nodiscard]] std::string to_frame(const Message& message);
 [[nodiscard]] uint64_t payload_bytes(std::string_view header);
 [[nodiscard]] std::optional<Message> parse_payload(std::string_view payload);
 
-// SPIR-V as bytes, little-endian. bytes_to_words() returns nullopt when the size is not a multiple of 4.
+// Converts SPIR-V to bytes, little-endian. bytes_to_words() returns nullopt if the number of bytes is not a
+// multiple of four.
 [[nodiscard]] std::string words_to_bytes(const std::vector<uint32_t>& words);
 [[nodiscard]] std::optional<std::vector<uint32_t>> bytes_to_words(std::string_view bytes);
 

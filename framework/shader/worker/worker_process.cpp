@@ -19,7 +19,7 @@ namespace weft::shader {
 namespace {
 
 constexpr std::chrono::milliseconds kWatchEvery{20};
-// Allowance for data other than SPIR-V: names of variables, and request frames.
+// Memory that a frame may need in addition to the SPIR-V: for names of variables, or for the request.
 constexpr uint64_t kFrameSlackBytes = 1 << 20;
 
 Diagnostic cannot_start(const std::filesystem::path& program, const std::string& why) {
@@ -35,7 +35,8 @@ std::chrono::milliseconds milliseconds_of(const timeval& time) {
     return std::chrono::milliseconds(time.tv_sec * 1000 + time.tv_usec / 1000);
 }
 
-// Returns 0 or the error. The child has only descriptors 0 to 2; 0 is the socket, the others are /dev/null.
+// Starts the worker. Returns 0 on success, or a value of errno. The new process has only the file descriptors
+// 0 to 2: descriptor 0 is the socket, the others are /dev/null.
 int spawn(const std::filesystem::path& program, const ShaderLimits& limits, int socket, pid_t& pid) {
     posix_spawn_file_actions_t actions;
     if (const int error = posix_spawn_file_actions_init(&actions); error != 0) return error;
@@ -44,7 +45,7 @@ int spawn(const std::filesystem::path& program, const ShaderLimits& limits, int 
         posix_spawn_file_actions_addopen(&actions, output, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
 
-    // The child must not inherit the caller's ignored or blocked signals.
+    // Reset the signals, because the worker must not inherit the ignored or blocked signals of the caller.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none, all;
@@ -99,7 +100,8 @@ void WorkerProcess::kill() {
     kill_for(WorkerEnd::protocol_error);
 }
 
-// If the worker ended by itself, its exit status replaces `reason`.
+// Kills the worker and stores the reason of its end. If the worker had already ended by itself, the reason
+// follows from its exit status instead of the argument.
 void WorkerProcess::kill_for(WorkerEnd reason) {
     if (pid_ < 0) return;
     close(socket_);
@@ -131,8 +133,8 @@ bool WorkerProcess::observe() {
     const std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.data(), "re"), &std::fclose);
     std::array<char, 1024> line{};
     if (!file || std::fgets(line.data(), line.size(), file.get()) == nullptr) return false;
-    // The second field is the program's name in brackets and may contain any character; the third is the
-    // state.
+    // The second field of the line is the name of the program in brackets. It may contain any character, so
+    // the search starts at the last bracket. The third field is the state of the process.
     const char* rest = std::strrchr(line.data(), ')');
     char state = 0;
     unsigned long long user = 0, system = 0;
@@ -155,7 +157,8 @@ std::chrono::milliseconds WorkerProcess::used() {
     return used_;
 }
 
-// Waits in short steps and checks the worker's memory and time after each.
+// Waits until the socket can be read or written. After each step of 20 ms, the function checks the memory and
+// time of the worker and kills the worker if it has exceeded them. Returns false if the worker has ended.
 bool WorkerProcess::ready(short events) {
     while (pid_ >= 0) {
         pollfd socket{socket_, events, 0};
@@ -189,7 +192,8 @@ bool WorkerProcess::send(const Message& message) {
     return true;
 }
 
-// The worker closed its socket, so it is about to exit. Waits for its exit status, unless it only sleeps.
+// Waits for the exit of the worker, which has closed its socket. The wait ends early if the worker sleeps for
+// one second or has used up its time.
 void WorkerProcess::wait_for_end() {
     constexpr std::chrono::milliseconds kStep{1}, kMostSleep{1000};
     std::chrono::milliseconds slept{0};

@@ -1,9 +1,9 @@
-// Purpose: the compiler worker, seen from its caller: a process that is started without a shell, with only
-// its socket as descriptor and an empty environment. It is killed when it exceeds its time or memory or sends
-// invalid messages. The worker limits its own address space; sanitizer builds cannot, so this class also
-// watches its resident memory. Time is the worker's processor time, or the time it sleeps while an answer is
-// due; waiting for a processor on a busy machine does not count. Errors: X570 the worker cannot be started,
-// or has another version.
+// Purpose: starts and watches the shader worker process. The worker is started without a shell, with an empty
+// environment, and with its socket as the only open file descriptor besides /dev/null. It is killed if it
+// exceeds its time or memory, or sends invalid messages. The worker limits its own address space. Builds with
+// sanitizers cannot do this, so this class also watches the resident memory. The time limit counts processor
+// time, and the time that the worker sleeps although an answer is due. Waiting for a processor on a busy
+// machine does not count. Error X570: the worker cannot be started, or has another version.
 #pragma once
 
 #include <sys/types.h>
@@ -24,7 +24,7 @@ enum class WorkerEnd : uint8_t { running, out_of_memory, out_of_time, crashed, p
 
 class WorkerProcess {
  public:
-    // `version`: the compiler_version() that the worker must report.
+    // Starts the worker program. The worker must report `version` as its compiler_version().
     [[nodiscard]] static Result<std::unique_ptr<WorkerProcess>> start(const std::filesystem::path& program,
                                                                       const ShaderLimits& limits,
                                                                       const std::string& version);
@@ -32,18 +32,19 @@ class WorkerProcess {
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-    // Sets the time limit, counted from now.
+    // Sets the time that the worker may use from now on.
     void allow(std::chrono::milliseconds time);
-    // Processor time since the worker's start.
+    // Returns the processor time that the worker has used since its start.
     [[nodiscard]] std::chrono::milliseconds used();
 
-    // After a failure of either function the process has ended, and end() has the reason.
+    // If send() or receive() fails, the process has ended, and end() returns the reason.
     [[nodiscard]] bool send(const Message& message);
     [[nodiscard]] std::optional<Message> receive();
     [[nodiscard]] WorkerEnd end() const { return end_; }
-    [[nodiscard]] int signal() const { return signal_; }  // signal of a crash; 0: the worker exited normally
+    // Returns the signal that ended the worker; 0 if the worker exited normally.
+    [[nodiscard]] int signal() const { return signal_; }
 
-    // Kills the worker after it sent an invalid message.
+    // Kills the worker because it sent an invalid message.
     void kill();
 
  private:
@@ -52,7 +53,7 @@ class WorkerProcess {
 
     [[nodiscard]] bool ready(short events);
     [[nodiscard]] bool read_exactly(char* to, size_t bytes);
-    // Updates used_ from the system. Returns true if the process sleeps.
+    // Updates used_ from /proc. Returns true if the process sleeps.
     bool observe();
     [[nodiscard]] uint64_t resident_bytes() const;
     void wait_for_end();
