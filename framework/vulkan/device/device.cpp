@@ -17,7 +17,8 @@ Device::~Device() {
 void Device::tear_down() {
     if (!owned_ || abandoned_) return;
     owned_ = false;
-    // The messenger goes after the device, so that it hears of objects left alive.
+    // The messenger is destroyed after the device, so that it also reports objects that were still alive when
+    // the device was destroyed.
     if (device_ != VK_NULL_HANDLE) functions_->vkDestroyDevice(device_, nullptr);
     if (messenger_ != VK_NULL_HANDLE) {
         instance_functions_->vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
@@ -49,7 +50,7 @@ void Device::name(VkObjectType type, uint64_t handle, const std::string& text) c
     info.objectType = type;
     info.objectHandle = handle;
     info.pObjectName = text.c_str();
-    // A failure costs a name in a message and nothing else.
+    // If the call fails, only the name of the object in messages is lost, so the result is ignored.
     (void)instance_functions_->vkSetDebugUtilsObjectNameEXT(device_, &info);
 }
 

@@ -14,13 +14,14 @@ namespace weft::vk {
 
 namespace {
 
-// For each family, the number of queues that `count` logical queues can use.
+// Returns, for each queue family of the device, the number of queues to create for `count` logical queues of
+// a plan. A family that has fewer queues gives all that it has.
 std::vector<uint32_t> queue_counts(const DeviceProfile& profile, uint32_t main_family, uint32_t count) {
     std::vector<uint32_t> counts(profile.queue_families.size(), 0);
     counts[main_family] = 1;
     bool first = true;
     for (const LogicalQueue& queue : logical_queues(profile, count)) {
-        // The first queue is the main queue, in whatever family it was found.
+        // The first logical queue is the main queue, which is already counted above, in `main_family`.
         if (!std::exchange(first, false)) ++counts[queue.family];
     }
     for (size_t family = 0; family < counts.size(); ++family)
@@ -150,7 +151,8 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
 
 namespace {
 
-// Vulkan cannot report the features that a device was created with, so the embedder states them.
+// Returns the features and queues that an embedder's own device lacks. Vulkan cannot report the features that
+// a device was created with, so the embedder states them in `own.enabled`.
 std::vector<std::string> missing_in(const EmbedderDevice& own, const DeviceInfo& info,
                                     const std::vector<QueueFamily>& families) {
     std::vector<std::string> missing = missing_features(*own.enabled);

@@ -33,8 +33,8 @@ constexpr std::array kRequired12{
     Feature<F12>{"separateDepthStencilLayouts", &F12::separateDepthStencilLayouts},
     Feature<F12>{"uniformBufferStandardLayout", &F12::uniformBufferStandardLayout},
 };
-// `maintenance4` is for LocalSizeId of SPIR-V 1.6; the shader features are for the possible translations of
-// GLSL's `discard`.
+// Weft needs `maintenance4` because SPIR-V 1.6 modules use LocalSizeId. It needs the last two features
+// because shader compilers translate GLSL's `discard` to one of the two.
 constexpr std::array kRequired13{
     Feature<F13>{"dynamicRendering", &F13::dynamicRendering},
     Feature<F13>{"synchronization2", &F13::synchronization2},
@@ -56,8 +56,8 @@ constexpr std::array kOptional10{
                          &OptionalFeatures::storage_read_without_format},
 };
 
-// Enabled where available, but nothing depends on it: it keeps out-of-range accesses to storage and uniform
-// buffers inside the buffer's memory.
+// robustBufferAccess keeps out-of-range accesses to storage and uniform buffers inside the memory of the
+// buffer. Weft enables the feature where the device has it, but nothing depends on it.
 constexpr VkBool32 F10::*kRobustBuffers = &F10::robustBufferAccess;
 
 template <class Table, class Struct>

@@ -71,7 +71,8 @@ constexpr std::array<std::pair<VkSubgroupFeatureFlagBits, ShaderCapabilityMask>,
     {VK_SUBGROUP_FEATURE_QUAD_BIT, sc::kSubgroupQuad},
 }};
 
-// Support for subgroup operations is a property; no feature enables them.
+// Reads the supported subgroup operations from the device's properties, because Vulkan has no feature that
+// enables them.
 ShaderCapabilityMask subgroup_capabilities(const VkPhysicalDeviceVulkan11Properties& properties) {
     if ((properties.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) == 0) return 0;
     ShaderCapabilityMask mask = 0;
@@ -90,8 +91,8 @@ void add_queue_families(const InstanceFunctions& fn, VkPhysicalDevice physical, 
     for (const VkQueueFamilyProperties& family : families) {
         const bool computes = (family.queueFlags & VK_QUEUE_COMPUTE_BIT) != 0;
         const bool draws = (family.queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0;
-        // A graphics queue must run every pass, so a queue that draws but cannot compute is treated as a
-        // compute or transfer queue.
+        // Weft requires that a graphics queue can run every pass, compute passes included. So a family that
+        // draws but cannot compute is treated as a transfer family.
         const QueueKind kind = draws && computes ? QueueKind::graphics
                                : computes        ? QueueKind::compute
                                                  : QueueKind::transfer;

@@ -1,7 +1,7 @@
-// Purpose: the executor's errors as diagnostics. Each names the pass or resource concerned. Codes: V411
-// transient memory, image or view, V412 pipeline, V413 descriptors, V414 import that is missing or has the
-// wrong shape, V415 draw source, V416 vertex format, V417 a plan that this executor cannot replay, V418 frame
-// slots, V419 reading an image. Time-outs, lost devices and exhausted memory have the codes of vk_result.h.
+// Purpose: turns errors of the executor into diagnostics, which name the pass or resource concerned. Codes:
+// V411 memory, image or view, V412 pipeline, V413 descriptors, V414 import that is missing or has the wrong
+// shape, V415 draw source, V416 vertex format, V417 a plan that this executor cannot run, V418 recording,
+// submitting or reading back. Time-outs, lost devices and exhausted memory have the codes of vk_result.h.
 #pragma once
 
 #include <string>
@@ -12,12 +12,14 @@
 
 namespace weft::vk {
 
-// The operation `what` failed with `result`.
+// Returns the error for an operation (`what`: "making the descriptor pool") that failed with `result`. The
+// error has the code `code`, unless vk_error() has a special code for `result`, such as V408 for a lost
+// device.
 [[nodiscard]] Diagnostic failed_call(const char* code, const std::string& what, VkResult result);
-// A fault of `pass`, located at its declaration in the graph.
+// Returns an error of a pass, with the place in the graph file where the pass is declared.
 [[nodiscard]] Diagnostic pass_error(const FramePlan& plan, const PassDecl& pass, const char* code,
                                     const std::string& what);
-// A failed Vulkan call that was made for `pass`.
+// Returns the error for a Vulkan call that failed with `result` while it worked for `pass`.
 [[nodiscard]] Diagnostic failed_pass_call(const FramePlan& plan, const PassDecl& pass, const char* code,
                                           const std::string& what, VkResult result);
 

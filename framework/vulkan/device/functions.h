@@ -1,7 +1,7 @@
 // Purpose: Vulkan's functions as plain tables, one per instance and one per device. Weft does not link to
 // libvulkan's symbols, defines none of their names, and has no global table. So two devices, a fault
-// injector, and a program that links to libvulkan can coexist. Errors: without a loader library the optional
-// is empty; missing functions are null.
+// injector, and a program that links to libvulkan can coexist. Errors: load_loader() returns an empty
+// optional if there is no loader library; functions that do not exist are null in the tables.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -13,7 +13,7 @@ namespace weft::vk {
 
 inline constexpr const char* kLoaderLibrary = "libvulkan.so.1";
 
-// Functions that need no instance.
+// The functions that can be called without a VkInstance.
 struct LoaderFunctions {
     PFN_vkGetInstanceProcAddr vkGetInstanceProcAddr = nullptr;
     PFN_vkCreateInstance vkCreateInstance = nullptr;
@@ -34,7 +34,7 @@ struct InstanceFunctions {
     PFN_vkEnumerateDeviceExtensionProperties vkEnumerateDeviceExtensionProperties = nullptr;
     PFN_vkCreateDevice vkCreateDevice = nullptr;
     PFN_vkGetDeviceProcAddr vkGetDeviceProcAddr = nullptr;
-    // Null without VK_EXT_debug_utils.
+    // The functions from here to the end of the struct are null if VK_EXT_debug_utils is not enabled.
     PFN_vkCreateDebugUtilsMessengerEXT vkCreateDebugUtilsMessengerEXT = nullptr;
     PFN_vkDestroyDebugUtilsMessengerEXT vkDestroyDebugUtilsMessengerEXT = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT vkSetDebugUtilsObjectNameEXT = nullptr;
@@ -135,12 +135,13 @@ struct DeviceFunctions {
 #undef WEFT_MEMBER
 };
 
-// The library stays loaded until the process ends, because unloading can crash drivers.
+// Loads the Vulkan loader library. The library stays loaded until the process ends, because unloading can
+// crash drivers.
 [[nodiscard]] std::optional<LoaderFunctions> load_loader(const char* library = kLoaderLibrary);
 [[nodiscard]] InstanceFunctions load_instance_functions(const LoaderFunctions& loader, VkInstance instance);
 [[nodiscard]] DeviceFunctions load_device_functions(const InstanceFunctions& functions, VkDevice device);
 
-// "1.3.239"
+// Returns a Vulkan version as text, such as "1.3.239".
 [[nodiscard]] std::string version_text(uint32_t version);
 
 }  // namespace weft::vk

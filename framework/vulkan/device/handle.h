@@ -1,5 +1,5 @@
-// Purpose: owns one Vulkan object. Move-only; destroyed with the device's function table while the device
-// exists.
+// Purpose: a Handle owns one Vulkan object, and destroys it through the device's function table. A Handle can
+// be moved but not copied. The Device must outlive it.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,8 @@
 
 namespace weft::vk {
 
-// `Destroy` is the member of the device's table with the arguments (device, object, allocator).
+// `Destroy` is the member of DeviceFunctions that destroys an object of type T, such as
+// &DeviceFunctions::vkDestroyImage. Its arguments are device, object and allocator.
 template <class T, auto Destroy>
 class Handle {
  public:

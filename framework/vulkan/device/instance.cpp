@@ -92,7 +92,8 @@ Result<Instance> make_instance(const LoaderFunctions& loader, MessageCollector* 
                                         [](const LayerInfo& l) { return l.name == kValidationLayer; });
         if (layer == installed.end()) return missing_layer_error();
         instance.layers.push_back(*layer);
-        instance.debug_utils = true;  // if the loader does not support the extension, the layer does
+        // The validation layer provides VK_EXT_debug_utils even if the loader does not.
+        instance.debug_utils = true;
         layers.push_back(kValidationLayer);
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
         messenger = messenger_create_info(*collector);

@@ -15,12 +15,13 @@ struct Instance {
     VkInstance handle = VK_NULL_HANDLE;
     InstanceFunctions functions;
     bool debug_utils = false;
-    std::vector<LayerInfo> layers;  // the enabled layers
+    // The enabled layers, with their versions.
+    std::vector<LayerInfo> layers;
 };
 
 [[nodiscard]] Result<LoaderFunctions> require_loader(const char* library = kLoaderLibrary);
-// With `collector`, the validation layer is enabled and reports to it, even during the creation of the
-// instance.
+// If `collector` is not null, the validation layer is enabled and reports to `collector`, even while the
+// instance is being created.
 [[nodiscard]] Result<Instance> make_instance(const LoaderFunctions& loader, MessageCollector* collector);
 [[nodiscard]] std::vector<LayerInfo> installed_layers(const LoaderFunctions& loader);
 

@@ -11,7 +11,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
                                           VkDebugUtilsMessageTypeFlagsEXT /*types*/,
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     static_cast<MessageCollector*>(user)->add(message_from(severity, *data));
-    return VK_FALSE;  // the call continues as it would without the layer
+    // VK_FALSE lets the Vulkan call that caused the message continue as it would without the layer.
+    return VK_FALSE;
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ Message message_from(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                            : MessageSeverity::info;
     message.id = text_or_empty(data.pMessageIdName);
     message.text = text_or_empty(data.pMessage);
-    // The layer lists the most recent label first.
+    // The layer lists the most recent label first, so element 0 is the innermost label: the pass.
     if (data.cmdBufLabelCount > 0) {
         message.pass = text_or_empty(data.pCmdBufLabels[0].pLabelName);
     } else if (data.queueLabelCount > 0) {

@@ -11,7 +11,7 @@
 namespace weft::vk {
 namespace {
 
-// A smaller rank is better.
+// Returns how well a kind of device suits; the device with the smallest rank is chosen.
 int rank(VkPhysicalDeviceType type) {
     switch (type) {
         case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
@@ -42,7 +42,8 @@ void find_family(const InstanceFunctions& fn, Candidate& candidate) {
 void find_missing(const InstanceFunctions& fn, Candidate& candidate, uint32_t api_version) {
     if (api_version < VK_API_VERSION_1_3) {
         candidate.info.missing.push_back("Vulkan 1.3 (it offers " + version_text(api_version) + ")");
-        return;  // without Vulkan 1.3, its feature structs cannot be queried
+        // The feature structs of Vulkan 1.3 must not be queried on an older device.
+        return;
     }
     FeatureChain supported;
     fn.vkGetPhysicalDeviceFeatures2(candidate.handle, &supported.head());
@@ -70,8 +71,8 @@ const Candidate* find_wanted(const std::vector<Candidate>& candidates, const std
     return it == candidates.end() ? nullptr : &*it;
 }
 
-// Words of device names for suggestions: part of a name selects a device, as "llvmpipe" does for "llvmpipe
-// (LLVM 15.0.6, 256 bits)".
+// Returns the words of all device names, for a suggestion "did you mean". One word is enough to select a
+// device: "llvmpipe" selects "llvmpipe (LLVM 15.0.6, 256 bits)".
 std::vector<std::string> name_words(const std::vector<Candidate>& candidates) {
     std::vector<std::string> words;
     for (const Candidate& candidate : candidates) {

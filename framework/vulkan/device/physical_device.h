@@ -1,5 +1,6 @@
 // Purpose: describes the devices of this machine as plain data, and chooses one of them with a pure function.
-// Errors: V402 no device, V403 no device of that name, V404 it lacks a feature that Weft requires.
+// Errors: V402 (no device), V403 (no device has the wanted name), V404 (the device lacks a feature that Weft
+// requires).
 #pragma once
 
 #include <string>
@@ -13,27 +14,34 @@ namespace weft::vk {
 struct Candidate {
     VkPhysicalDevice handle = VK_NULL_HANDLE;
     VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
-    DeviceInfo info;      // info.missing has the reasons why the device cannot be used
-    uint32_t family = 0;  // a queue family for graphics and compute
+    // Properties of the device. info.missing lists the reasons why Weft cannot use the device; it is empty
+    // for a usable one.
+    DeviceInfo info;
+    // Index of the first queue family that supports graphics and compute.
+    uint32_t family = 0;
 };
 
-// Reads name, driver, version, missing features, and the first family for graphics and compute.
+// Reads the name, driver, Vulkan version and missing features of a device, and finds its first queue family
+// for graphics and compute.
 [[nodiscard]] Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical);
 [[nodiscard]] std::vector<Candidate> list_devices(const InstanceFunctions& fn, VkInstance instance);
-// `wanted` is an index, part of a name, or empty.
+// Chooses a device. `wanted` is an index into `candidates`, part of a device name, or empty. If `wanted` is
+// empty, a discrete GPU is preferred to an integrated GPU, and both to a virtual GPU or a CPU.
 [[nodiscard]] Result<Candidate> choose_device(const std::vector<Candidate>& candidates,
                                               const std::string& wanted);
-// The capabilities of the families; their numbers of queues are not set yet.
+// Returns the capabilities of each queue family. The lists of queues are empty, because no VkDevice exists
+// yet.
 [[nodiscard]] std::vector<QueueFamily> describe_families(const InstanceFunctions& fn,
                                                          VkPhysicalDevice physical);
-// V404, naming the missing features.
+// Returns error V404, which names the features that `candidate` lacks.
 [[nodiscard]] Diagnostic unsuitable_error(const Candidate& candidate);
-// V402, naming packages that contain a driver.
+// Returns error V402 (no Vulkan device); its help text names packages that contain a driver.
 [[nodiscard]] Diagnostic no_device_error();
 
-// Adds the parts of a profile that depend on features, for the features enabled on the device.
+// Sets the members of `profile` that depend on optional features. `enabled` says which of these features the
+// device has enabled.
 void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profile);
-// Converts the device's properties to the profile that the compiler uses.
+// Converts the properties of a physical device to a DeviceProfile, from which the compiler makes plans.
 [[nodiscard]] DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physical);
 
 }  // namespace weft::vk

@@ -1,5 +1,6 @@
-// Purpose: maps the logical queues of a plan to the device's queues. Logical queues share a queue if the
-// device has fewer. A family in which the device has no queue is replaced by the family of its main queue.
+// Purpose: maps the logical queues of a plan to the device's queues. Several logical queues share a queue if
+// the device has fewer queues. A family in which the device has no queue is replaced by the family of the
+// device's main queue.
 #pragma once
 
 #include <vector>
@@ -12,15 +13,19 @@ namespace weft::vk {
 struct PlanQueue {
     VkQueue handle = VK_NULL_HANDLE;
     uint32_t family = 0;
-    bool labels = false;  // the queue supports debug labels, because it draws or computes
+    // True if command buffers of this queue may contain debug labels, which Vulkan allows only on queues that
+    // draw or compute.
+    bool labels = false;
     bool timestamps = false;
 };
 
-// Indexed by QueueIndex. The first one is always Device::queue().
+// Returns one queue for each logical queue of a plan, indexed by QueueIndex. Element 0 is always
+// Device::queue().
 [[nodiscard]] std::vector<PlanQueue> map_queues(const Device& device,
                                                 const std::vector<LogicalQueue>& logical);
 
-// The device's family that is used for `family` of the plan.
+// Returns the queue family of the device that is used for family `family` of a plan: the same family if the
+// device has a queue in it, else the family of the main queue.
 [[nodiscard]] uint32_t device_family(const Device& device, uint32_t family);
 
 }  // namespace weft::vk

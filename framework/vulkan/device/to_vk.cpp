@@ -7,7 +7,8 @@
 namespace weft::vk {
 namespace {
 
-// The table has one entry per bit, lowest first. `Flags` may be 32 or 64 bits wide.
+// Translates each set bit of `mask`. `bits` has the Vulkan flag of each bit of `mask`, lowest bit first.
+// `Flags` may be 32 or 64 bits wide.
 template <class Flags, class Mask, size_t N>
 Flags translate_bits(Mask mask, const std::array<Flags, N>& bits) {
     assert((static_cast<uint64_t>(mask) >> N) == 0);
@@ -18,7 +19,7 @@ Flags translate_bits(Mask mask, const std::array<Flags, N>& bits) {
     return flags;
 }
 
-// Indexed by enumerator.
+// Returns the element of `table` whose index is the number of the enumerator `value`.
 template <class To, class From, size_t N>
 To look_up(From value, const std::array<To, N>& table) {
     const auto index = static_cast<size_t>(value);
@@ -261,7 +262,8 @@ VkImageViewType view_type_to_vk(ImageKind kind) {
 
 VkSampleCountFlagBits samples_to_vk(uint32_t samples) {
     assert(samples >= 1 && samples <= 64 && (samples & (samples - 1)) == 0);
-    return static_cast<VkSampleCountFlagBits>(samples);  // Vulkan's bits equal the counts
+    // Each of Vulkan's sample-count bits equals its sample count: VK_SAMPLE_COUNT_4_BIT is 4.
+    return static_cast<VkSampleCountFlagBits>(samples);
 }
 
 VkExtent3D to_vk(const Extent3D& extent) {
@@ -318,8 +320,9 @@ VkStencilOp to_vk(StencilOp op) {
     return look_up(op, kStencilOps);
 }
 VkColorComponentFlags write_mask_to_vk(uint8_t mask) {
+    // Weft and Vulkan number the components with the same bits: red 1, green 2, blue 4, alpha 8.
     return mask & 0xFu;
-}  // r 1, g 2, b 4, a 8, in Weft as in Vulkan
+}
 VkAttachmentLoadOp to_vk(LoadOp op) {
     return look_up(op, kLoadOps);
 }

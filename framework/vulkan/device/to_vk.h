@@ -1,5 +1,5 @@
-// Purpose: the only translation of Weft's enumerations to Vulkan's, and back for formats. Every enumerator
-// has an entry. Masks are translated bit by bit.
+// Purpose: the only place where Weft's enumerations are translated to Vulkan's. Formats can also be
+// translated back to Weft's. Every enumerator has a Vulkan value. Masks are translated bit by bit.
 #pragma once
 
 #include "vulkan/device/functions.h"
@@ -12,28 +12,31 @@
 namespace weft::vk {
 
 [[nodiscard]] VkFormat to_vk(Format format);
-[[nodiscard]] Format from_vk(VkFormat format);  // undefined for a format that graphs cannot name
+// Returns Format::undefined for a format that graphs cannot name.
+[[nodiscard]] Format from_vk(VkFormat format);
 
 [[nodiscard]] VkImageLayout to_vk(Layout layout);
 [[nodiscard]] VkPipelineStageFlags2 stages_to_vk(StageMask stages);
 [[nodiscard]] VkAccessFlags2 access_to_vk(AccessMask access);
 [[nodiscard]] VkImageAspectFlags aspects_to_vk(AspectMask aspects);
 [[nodiscard]] VkImageSubresourceRange to_vk(const SubresourceRange& range);
-// The layers of one mip, for copies.
+// Returns the layers of the one mip level range.mip, for copy commands.
 [[nodiscard]] VkImageSubresourceLayers layers_to_vk(const SubresourceRange& range);
 
-[[nodiscard]] VkImageUsageFlags image_usage_to_vk(
-    UsageMask usage);  // bits that only apply to buffers are ignored
-[[nodiscard]] VkBufferUsageFlags buffer_usage_to_vk(UsageMask usage);  // bits that only apply to images
-                                                                       // (kSampled, attachments) are ignored
+// Bits of `usage` that only apply to buffers are ignored.
+[[nodiscard]] VkImageUsageFlags image_usage_to_vk(UsageMask usage);
+// Bits of `usage` that only apply to images (kSampled and the attachment bits) are ignored.
+[[nodiscard]] VkBufferUsageFlags buffer_usage_to_vk(UsageMask usage);
+
 [[nodiscard]] VkImageType image_type_to_vk(ImageKind kind);
 [[nodiscard]] VkImageViewType view_type_to_vk(ImageKind kind);
-[[nodiscard]] VkSampleCountFlagBits samples_to_vk(uint32_t samples);  // 1, 2, 4, … 64
+// `samples` is a power of two from 1 to 64.
+[[nodiscard]] VkSampleCountFlagBits samples_to_vk(uint32_t samples);
 [[nodiscard]] VkExtent3D to_vk(const Extent3D& extent);
 
 [[nodiscard]] VkShaderStageFlagBits to_vk(ShaderStage stage);
 [[nodiscard]] VkShaderStageFlags shader_stages_to_vk(ShaderStageMask stages);
-// A sampled image is a combined image sampler.
+// A sampled image becomes a combined image sampler: VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER.
 [[nodiscard]] VkDescriptorType to_vk(BindingKind kind);
 
 [[nodiscard]] VkFilter to_vk(SamplerFilter filter);
@@ -41,7 +44,8 @@ namespace weft::vk {
 [[nodiscard]] VkSamplerAddressMode to_vk(SamplerWrap wrap);
 
 [[nodiscard]] VkCompareOp to_vk(CompareOp op);
-// For `material` the cull mode is set for each draw; the initial value is no culling.
+// CullMode::material means that every draw sets its own cull mode. Its translation, the value before the
+// first draw, is VK_CULL_MODE_NONE.
 [[nodiscard]] VkCullModeFlags to_vk(CullMode mode);
 [[nodiscard]] VkFrontFace to_vk(FrontFace face);
 [[nodiscard]] VkPrimitiveTopology to_vk(Topology topology);
@@ -50,7 +54,8 @@ namespace weft::vk {
 [[nodiscard]] VkBlendOp to_vk(BlendOp op);
 [[nodiscard]] VkStencilOp to_vk(StencilOp op);
 [[nodiscard]] VkColorComponentFlags write_mask_to_vk(uint8_t mask);
-// Vulkan 1.3 has no LOAD_OP_NONE, so `none` becomes a load, which also keeps the content.
+// LoadOp::none becomes VK_ATTACHMENT_LOAD_OP_LOAD, which also keeps the content, because Vulkan 1.3 has no
+// VK_ATTACHMENT_LOAD_OP_NONE.
 [[nodiscard]] VkAttachmentLoadOp to_vk(LoadOp op);
 [[nodiscard]] VkAttachmentStoreOp to_vk(StoreOp op);
 

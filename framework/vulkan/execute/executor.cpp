@@ -11,7 +11,8 @@
 namespace weft::vk {
 namespace {
 
-// Limit on timings that wait to be read: a program that never reads them must not use more and more memory.
+// Maximum number of frame timings that wait until the program reads them. Without this limit, a program that
+// never reads them would use more and more memory.
 constexpr size_t kMostTimings = 32;
 
 class Stopwatch {
@@ -31,7 +32,8 @@ std::string pass_names(const FramePlan& plan, uint32_t first) {
     return names;
 }
 
-// Draw counts of the unfinished passes, which may explain a time-out: "gbuffer 4096, sunShadows#0 4096".
+// Returns how many objects each pass draws, from schedule position `first` on, because many draws may explain
+// a time-out. Example: "gbuffer 4096, sunShadows#0 4096".
 std::string draw_counts(const FramePlan& plan, const DrawSource* draws, uint32_t first) {
     std::string counts;
     for (size_t position = first; draws != nullptr && position < plan.schedule.order.size(); ++position) {
@@ -60,8 +62,8 @@ void end_label(const Device& device, VkCommandBuffer commands) {
 ReplayExecutor::~ReplayExecutor() {
     bool idle = true;
     for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
-        // After a time-out, do not wait a second time, but check whether the late frame has finished in the
-        // meantime.
+        // After a time-out, the destructor does not wait a second time. It only checks whether the late frame
+        // has finished in the meantime.
         idle &= timed_out_ ? slots_->is_over(slot) : slots_->wait(slot) == VK_SUCCESS;
     if (!idle)
         device_.abandon();
@@ -193,7 +195,8 @@ Status ReplayExecutor::submit_frame(uint32_t slot) {
         return Unit{};
     }
     const Diagnostic failed = failed_call("V418", "submitting passes " + all_passes, result);
-    // If only part of a frame ran, the state of its resources is unknown, so no further frame can run.
+    // If only part of a frame was submitted, the state of its resources is unknown, so no further frame can
+    // run.
     if (slots_->in_flight(slot)) lost_ = {failed};
     return failed;
 }

@@ -1,4 +1,5 @@
-// Replacing an executor by another one, or a running executor's values and pipelines.
+// This file contains the functions by which one executor replaces another, and amend(), which replaces only
+// the values and pipelines of a running executor.
 #include <algorithm>
 #include <cassert>
 #include <iterator>
@@ -32,7 +33,8 @@ Status ReplayExecutor::take_over(Predecessor predecessor) {
         return quiet;
     }
     objects_->resources.rings.inherit(old.objects_->resources.rings, old.frames_run_, predecessor.transition);
-    // The program's own data has one copy per slot, which frames of the old executor may still read.
+    // The new executor goes on counting frames, and so uses the frame slots in the same order. The program's
+    // data has one copy per frame slot, which a frame of the old executor in that slot may still read.
     frames_begun_ = old.frames_begun_;
     predecessor_ = std::move(predecessor);
     return Unit{};
@@ -44,12 +46,14 @@ Status ReplayExecutor::be_followed(const FramePlan& next) {
         if (Status started = start_without_frame(); !started) return started;
     }
     followed_ = true;
-    // Work on a single queue runs in order. With several queues, the host must wait for the old frames.
+    // If both plans use a single queue, its work runs in order. With several queues, the host must wait for
+    // the old frames.
     const bool one_queue = plan().submissions.batches.size() <= 1 && next.submissions.batches.size() <= 1;
     return one_queue ? Status(Unit{}) : finish();
 }
 
-// Records the initial state of an executor that is replaced before its first frame.
+// Writes the first contents of this executor's persistent resources. Needed if another executor replaces this
+// one before its first frame, because the other executor copies these contents.
 Status ReplayExecutor::start_without_frame() {
     Status started = immediate_submit(device_, "the first contents of persistent resources",
                                       [&](VkCommandBuffer commands) { record_start(commands); });
@@ -71,8 +75,8 @@ void ReplayExecutor::inherit_results() {
     move_to_front(readbacks_, predecessor_->executor->take_readbacks());
 }
 
-// Waits until the old executor's frame in `slot` has finished, because this executor will use the same copy
-// of the program's data.
+// Waits until the replaced executor's frame in frame slot `slot` has finished, because this executor will
+// overwrite the copy of the program's data for that slot.
 Status ReplayExecutor::complete_predecessor(uint32_t slot) {
     if (!predecessor_) return Unit{};
     Status completed = executor_of(*predecessor_).complete(slot);
@@ -81,7 +85,8 @@ Status ReplayExecutor::complete_predecessor(uint32_t slot) {
     return completed;
 }
 
-// Called when this executor's first frame has finished.
+// Destroys the replaced executor. Called after the first frame of this executor has finished, because that
+// frame copies contents from the resources of the replaced executor.
 Status ReplayExecutor::retire_predecessor() {
     if (!predecessor_) return Unit{};
     Status finished = predecessor_->executor->finish();
@@ -105,7 +110,8 @@ void ReplayExecutor::amend(std::unique_ptr<Amendment> amendment) {
     drop_retired();
 }
 
-// Frames in a slot that is no longer in flight no longer use the retired pipelines.
+// Destroys the retired pipelines that no frame in flight can use any more. A frame slot whose frame has
+// finished needs no retired pipeline.
 void ReplayExecutor::drop_retired() {
     for (Retired& old : retired_)
         for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)

@@ -9,8 +9,9 @@
 namespace weft::vk {
 namespace {
 
-// Waits and signals apply to all commands. Not vkQueueSubmit2: the validation layer of Vulkan 1.3.239 tracks
-// hazards between submissions only for vkQueueSubmit.
+// Submits `commands` so that all of them run after the points `waits` and before the point `signal`. Calls
+// vkQueueSubmit instead of vkQueueSubmit2, because the validation layer of Vulkan 1.3.239 tracks hazards
+// between submissions only for vkQueueSubmit.
 VkResult submit_between(const Device& device, VkQueue queue, std::span<const VkCommandBuffer> commands,
                         const std::vector<TimelinePoint>& waits, const TimelinePoint& signal) {
     std::vector<VkSemaphore> semaphores;
@@ -51,8 +52,9 @@ VkResult wait_for(const Device& device, const std::vector<TimelinePoint>& points
     return device.fn().vkWaitSemaphores(device.handle(), &info, device.timeout_ns());
 }
 
-// lavapipe (Mesa 22.3) ignores barriers at the start and end of a command buffer, although earlier
-// submissions may still be running. Another command before and after the barriers avoids this.
+// Records a command that does nothing useful at the start or end of a command buffer. lavapipe (Mesa 22.3)
+// ignores barriers that are the first or last commands of a command buffer, although earlier submissions may
+// still be running.
 void fence_off_barriers(const Device& device, VkCommandBuffer commands, uint32_t family) {
     if ((device.families()[family].flags & VK_QUEUE_GRAPHICS_BIT) == 0) return;
     const VkRect2D anywhere{{0, 0}, {1, 1}};

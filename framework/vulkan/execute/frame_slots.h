@@ -1,6 +1,6 @@
-// Purpose: manages the frames in flight: command buffers for the batches of each frame, their submission, and
-// the check whether a frame has finished. Errors: V418; the executor converts time-outs to V407 and a lost
-// device to V408.
+// Purpose: manages the frame slots of the frames in flight: command buffers for the batches of each frame (a
+// batch is one submission to a queue), their submission, and the check whether a frame has finished. Errors:
+// V418; the executor changes the code to V407 for a time-out and to V408 for a lost device.
 #pragma once
 
 #include <array>
@@ -12,10 +12,11 @@
 
 namespace weft::vk {
 
-// The command buffer and queue of one batch.
+// The command buffer of one batch of a frame.
 struct BatchCommands {
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    bool labels = false;  // the queue supports debug labels
+    // True if the command buffer may contain debug labels, because its queue draws or computes.
+    bool labels = false;
 };
 
 class FrameSlots {
@@ -23,31 +24,39 @@ class FrameSlots {
     [[nodiscard]] static Result<FrameSlots> create(Device& device, const FramePlan& plan);
 
     [[nodiscard]] bool in_flight(uint32_t slot) const { return slots_[slot].in_flight; }
-    // Returns VK_SUCCESS immediately if nothing is in flight.
+    // Waits until the frame in `slot` has finished. Returns VK_SUCCESS immediately if no frame is in flight
+    // there.
     [[nodiscard]] VkResult wait(uint32_t slot);
-    // Call this after all frames have finished and before the semaphores are destroyed, unless something else
-    // was submitted to their queues since: lavapipe (Mesa 22.3) signals the end of a submission slightly
-    // before it releases the semaphores.
+    // Waits until the queues are idle. Call this after all frames have finished and before the semaphores are
+    // destroyed, because lavapipe (Mesa 22.3) signals the end of a submission slightly before it releases the
+    // semaphores. The call is not needed if something else was submitted to the queues since.
     void let_go() const;
-    // Does not wait. On a lost device the result is always true.
+    // True if the frame in `slot` has finished, or if the device is lost. This function does not wait.
     [[nodiscard]] bool is_over(uint32_t slot) const;
 
-    // Resets the slot for frame `frame`; commands are recorded between begin() and submit().
+    // Resets the command buffers of the slot for frame number `frame`. Commands are recorded between begin()
+    // and submit().
     [[nodiscard]] Status begin(uint32_t slot, uint64_t frame);
     [[nodiscard]] BatchCommands batch(uint32_t slot, uint32_t batch) const;
-    // Used in frame 0 only: runs before all batches, on the first queue.
+    // Returns the command buffer that is used in frame 0 only. It runs before all batches, on queue 0, and
+    // initialises persistent resources.
     [[nodiscard]] VkCommandBuffer prologue(uint32_t slot) const { return slots_[slot].prologue; }
-    // Submits the batches in order. After an error, part of the frame may be in flight.
+    // Submits the batches of a frame in the order of the plan. If this fails, some of the batches may be in
+    // flight.
     [[nodiscard]] VkResult submit(uint32_t slot, uint64_t frame);
 
  private:
     struct Slot {
-        std::vector<CommandPoolHandle> pools;   // index: queue
-        std::vector<VkCommandBuffer> commands;  // index: batch
+        // One command pool for each logical queue.
+        std::vector<CommandPoolHandle> pools;
+        // One command buffer for each batch of the plan.
+        std::vector<VkCommandBuffer> commands;
         VkCommandBuffer prologue = VK_NULL_HANDLE;
-        FenceHandle fence;                // for a frame of one batch
-        std::vector<TimelinePoint> last;  // for a frame of several batches: the end of the last batch on each
-                                          // queue
+        // Signalled at the end of the frame, if the plan has only one batch per frame.
+        FenceHandle fence;
+        // Used if a frame has several batches: the end of the frame's last batch on each queue. The frame has
+        // finished when all these points are reached.
+        std::vector<TimelinePoint> last;
         bool in_flight = false;
     };
     [[nodiscard]] VkResult open(Slot& slot) const;
@@ -57,10 +66,12 @@ class FrameSlots {
 
     Device* device_ = nullptr;
     std::vector<PlanQueue> queues_;
-    std::vector<QueueIndex> queue_of_;  // index: batch
+    // Index of the queue of each batch.
+    std::vector<QueueIndex> queue_of_;
     QueueTimelines timelines_;
     std::array<Slot, kFramesInFlight> slots_;
-    bool submitted_ = false;  // true after the first submission
+    // True after the first call of submit().
+    bool submitted_ = false;
 };
 
 }  // namespace weft::vk

@@ -1,5 +1,6 @@
 // Purpose: the timeline semaphores of a plan, one per logical queue, and the values that each batch waits for
-// and signals. A plan with one batch needs none. Frames count from 0. Errors: V418.
+// and signals. A batch is one submission of a frame to a queue. A plan with only one batch needs no
+// semaphores. Frames count from 0. Errors: V418 (a semaphore could not be created).
 #pragma once
 
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace weft::vk {
 
-// A point on one queue's timeline.
+// A point on the timeline of one queue. It is reached when `semaphore` has the value `value`.
 struct TimelinePoint {
     VkSemaphore semaphore = VK_NULL_HANDLE;
     uint64_t value = 0;
@@ -22,21 +23,26 @@ class QueueTimelines {
 
     [[nodiscard]] bool in_use() const { return !semaphores_.empty(); }
     [[nodiscard]] TimelinePoint end_of(uint32_t batch, uint64_t frame) const;
-    // The ends of other batches, of this frame or the previous one. The first frame also waits for everything
-    // that the first queue did before: the prologue, and uploads to imports.
+    // Returns the points that a batch waits for: the ends of other batches of the same frame or of the
+    // previous frame. In frame 0, every batch also waits for all earlier work of queue 0: the prologue, and
+    // uploads to imports.
     [[nodiscard]] std::vector<TimelinePoint> waits_of(uint32_t batch, uint64_t frame) const;
-    // The point that the first queue signals before the first frame.
+    // Returns the point that queue 0 signals before frame 0, after the prologue has initialised persistent
+    // resources.
     [[nodiscard]] TimelinePoint ready() const { return {ready_.get(), 1}; }
 
  private:
     struct BatchPlace {
         QueueIndex queue = 0;
-        uint64_t rank = 0;  // position among the batches of its queue
+        // Position of this batch among the batches of its queue in a frame, from 0.
+        uint64_t rank = 0;
         std::vector<QueueWait> waits;
     };
-    std::vector<SemaphoreHandle> semaphores_;  // index: queue
+    // One timeline semaphore for each logical queue.
+    std::vector<SemaphoreHandle> semaphores_;
     std::vector<BatchPlace> batches_;
-    std::vector<uint64_t> counts_;  // index: queue; number of batches
+    // Number of batches of each logical queue in a frame.
+    std::vector<uint64_t> counts_;
     SemaphoreHandle ready_;
 };
 

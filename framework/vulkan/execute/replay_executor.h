@@ -1,5 +1,5 @@
-// Purpose: the implementation of Executor::create(): runs frames (executor.cpp), and continues the work of a
-// previous executor (executor_handover.cpp).
+// Purpose: the class that Executor::create() makes. It runs frames (executor.cpp), and can continue the work
+// of an executor that it replaces (executor_handover.cpp).
 #pragma once
 
 #include <array>
@@ -40,7 +40,8 @@ class ReplayExecutor final : public Executor {
         uint64_t frame_index = 0;
         FrameTiming timing;
     };
-    // Pipelines that the plan no longer uses, and the frames that may still use them.
+    // Pipelines that amend() replaced by new ones, and the frame slots whose frames in flight may still use
+    // them.
     struct Retired {
         std::vector<std::vector<DrawPipeline>> passes;
         std::array<bool, kFramesInFlight> in_flight{};
@@ -54,7 +55,8 @@ class ReplayExecutor final : public Executor {
     void record_epilogue(const RecordContext& context);
     void record_start(VkCommandBuffer commands) const;
     [[nodiscard]] Status submit_frame(uint32_t slot);
-    // Prepares this executor for the first frame of the executor that replaces it.
+    // Called when another executor is about to replace this one. Prepares this executor's resources, so that
+    // the first frame of the new executor, which runs the plan `next`, can copy their contents.
     [[nodiscard]] Status be_followed(const FramePlan& next);
     [[nodiscard]] Status start_without_frame();
     [[nodiscard]] Status complete_predecessor(uint32_t slot);
@@ -67,15 +69,20 @@ class ReplayExecutor final : public Executor {
     ExecutorHooks hooks_;
     std::array<InFlight, kFramesInFlight> in_flight_;
     uint64_t frames_begun_ = 0;
-    uint32_t slot_ = kNoId;    // slot of the frame that has begun but not run yet
-    uint64_t frames_run_ = 0;  // excludes frames that could not be submitted
+    // Frame slot of the frame that has begun but not run yet; kNoId if there is none.
+    uint32_t slot_ = kNoId;
+    // Number of frames that were submitted successfully.
+    uint64_t frames_run_ = 0;
     std::vector<Retired> retired_;
     std::vector<FrameTiming> timings_;
     std::vector<ReadbackData> readbacks_;
-    Diagnostics lost_;  // set after a time-out or a lost device; no further frame runs
+    // The error of a time-out, a lost device, or a frame that was submitted only in part. If not empty, no
+    // further frame runs.
+    Diagnostics lost_;
     bool timed_out_ = false;
-    bool followed_ = false;  // another executor has taken over
-    // The replaced executor; kept until this executor's first frame has finished.
+    // True if another executor has replaced this one.
+    bool followed_ = false;
+    // The executor that this one replaces. It is kept until the first frame of this executor has finished.
     std::optional<Predecessor> predecessor_;
 };
 

@@ -17,7 +17,7 @@ VkImageSubresourceLayers layers_of(const ResourceDecl& decl, uint32_t mip) {
     return layers_to_vk(range);
 }
 
-// The end corner of a mip, in the form that blits use.
+// Returns the size of a mip level in pixels as an offset, which is the end corner in a VkImageBlit.
 VkOffset3D end_of(const ResourceDecl& decl, uint32_t mip) {
     const Extent3D extent = mip_extent(decl.extent, mip);
     return {static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height),

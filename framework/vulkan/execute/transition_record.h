@@ -1,5 +1,5 @@
-// Purpose: initialises the persistent resources of a plan that follows another plan: records the copies,
-// scaling blits and clears of a TransitionPlan, in place of the prologue.
+// Purpose: records the commands that initialise the persistent resources of a plan that replaces another
+// plan: the copies, scaling blits and clears of a TransitionPlan. They run in place of the plan's prologue.
 #pragma once
 
 #include "vulkan/memory/resource_table.h"
@@ -7,7 +7,8 @@
 
 namespace weft::vk {
 
-// The resources of one plan, in the frame after its last one.
+// One of the two plans of a transition, and the Vulkan objects that its resources have in the frame that
+// would run next.
 struct PlanSide {
     const FramePlan& plan;
     FrameResources resources;

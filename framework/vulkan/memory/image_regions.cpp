@@ -8,7 +8,8 @@
 namespace weft::vk {
 namespace {
 
-// Bytes per texel when copying one aspect; for colour, the size of the format.
+// Returns the number of bytes per texel when one aspect is copied. For colour this is the texel size of the
+// format.
 uint64_t texel_bytes(Format format, AspectMask aspect) {
     if (aspect == aspect::kStencil) return 1;
     if (aspect == aspect::kDepth) return format == Format::d16 ? 2 : 4;

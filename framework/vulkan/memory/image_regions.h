@@ -1,7 +1,7 @@
-// Purpose: converts an image range to copy regions between the image and linear memory: mips one after
-// another, all layers of a mip together, texels tightly packed. Colour ranges have no gaps. A depth or
-// stencil region starts at a multiple of four bytes, as Vulkan requires, so its data is packed after reading.
-// Units: bytes, pixels.
+// Purpose: converts an image range to copy regions between the image and linear memory. In linear memory, one
+// mip level follows another, with all layers of a level together and texels tightly packed. Colour ranges
+// have no gaps. A depth or stencil region starts at a multiple of four bytes, as Vulkan requires; pack()
+// removes these gaps after reading. Units: bytes, pixels.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,20 @@ namespace weft::vk {
 
 struct ImageRegions {
     std::vector<VkBufferImageCopy> copies;
-    std::vector<uint64_t> sizes_bytes;  // index: copy region
-    uint64_t staging_bytes = 0;         // size with gaps
-    uint64_t packed_bytes = 0;          // size without gaps
+    // Size of each copy region in bytes.
+    std::vector<uint64_t> sizes_bytes;
+    // Size of all regions in staging memory in bytes, including the gaps between them.
+    uint64_t staging_bytes = 0;
+    // Size of all regions in bytes, without the gaps.
+    uint64_t packed_bytes = 0;
 };
 
-// Offsets start at `base_bytes`, which must be a multiple of 16.
+// Returns one copy region for each mip level and aspect of `range`. The buffer offsets of the regions start
+// at `base_bytes`, which must be a multiple of 16.
 [[nodiscard]] ImageRegions image_regions(const ResourceDecl& decl, const SubresourceRange& range,
                                          uint64_t base_bytes);
-// Returns the texels without gaps. The regions' offsets refer to `staging`.
+// Returns the texels of all regions without gaps. The buffer offsets of the regions are offsets into
+// `staging`.
 [[nodiscard]] std::vector<std::byte> pack(const ImageRegions& regions, std::span<const std::byte> staging);
 
 }  // namespace weft::vk

@@ -17,7 +17,7 @@ Result<MachineReport> inspect_machine() {
 
     Result<Instance> instance = make_instance(*loader, nullptr);
     if (!instance) {
-        // A machine without a driver is a valid result here, not an error.
+        // If the machine has no driver, the report has no devices; this is a valid result, not an error.
         if (instance.errors().front().code == "V402") return report;
         return instance.take_errors();
     }

@@ -26,7 +26,8 @@ VkMemoryPropertyFlags wanted_properties(Buffer::Memory memory) {
     return 0;
 }
 
-// Cached and device-local memory is preferred, but types without these properties work too.
+// Returns a memory type with the properties `wanted`. If there is none, host-cached and device-local are not
+// required, because memory without them works too.
 uint32_t pick_memory_type(const Device& device, uint32_t type_bits, VkMemoryPropertyFlags wanted) {
     const uint32_t type = device.memory_type(type_bits, wanted);
     if (type != UINT32_MAX) return type;
@@ -50,7 +51,8 @@ Result<VkDeviceMemory> allocate(Device& device, const VkMemoryRequirements& need
     return memory;
 }
 
-// Number of mips down to one texel. The device's own limit is that of its largest image.
+// Returns the number of mip levels from the full size down to one texel. The limit that Vulkan reports
+// (maxMipLevels) is that of the largest image.
 uint32_t mips_of(const VkExtent3D& extent) {
     const uint32_t largest = std::max({extent.width, extent.height, extent.depth});
     return static_cast<uint32_t>(std::bit_width(largest));
@@ -78,12 +80,13 @@ Status check_supported(const Device& device, const VkImageCreateInfo& info, cons
     return error;
 }
 
-// Additional usage of persistent content, which is cleared before the first frame.
+// Returns the usage that a persistent resource needs in addition: transfer destination, because the prologue
+// clears the resource before the first frame.
 UsageMask before_first_frame(const ResourceDecl& decl) {
     return decl.lifetime == ResourceLifetime::persistent ? usage::kTransferDst : 0;
 }
 
-// Usages for which an image view may be created.
+// The usages that permit an image view. An image with none of them gets no view.
 constexpr UsageMask kViewUsages =
     usage::kSampled | usage::kStorage | usage::kColorAttachment | usage::kDepthAttachment;
 
@@ -126,10 +129,10 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
     if (decl.image_kind == ImageKind::cube || decl.image_kind == ImageKind::cube_array) {
         info.flags |= VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
     }
-    // Never use VK_IMAGE_CREATE_ALIAS_BIT: it promises that images in the same memory share their texels, but
-    // memory taken over from another resource always starts undefined. (The validation layer would also treat
-    // equal images at the same place as one image, and miss the barriers of a third resource that used the
-    // memory in between.)
+    // The flag VK_IMAGE_CREATE_ALIAS_BIT is never set. It promises that images in the same memory share their
+    // texels, but in Weft a resource that takes over memory always starts with undefined content. With the
+    // flag, the validation layer would also treat equal images at the same place as one image, and would miss
+    // the barriers of a third resource that used the memory in between.
     info.imageType = image_type_to_vk(decl.image_kind);
     info.format = to_vk(decl.format);
     info.extent = to_vk(decl.extent);
@@ -138,7 +141,8 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
     info.samples = samples_to_vk(decl.samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = image_usage_to_vk(decl.usage | before_first_frame(decl));
-    // Depth is sampled in a read-only depth layout, which requires the attachment usage.
+    // Weft samples depth images in a read-only depth layout, and Vulkan allows that layout only for images
+    // with the attachment usage.
     if ((decl.aspects & aspect::kColor) == 0) info.usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
@@ -148,7 +152,8 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
 Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsageFlags usage, Memory memory,
                               const std::string& name) {
     assert(size_bytes > 0 && usage != 0);
-    Buffer buffer;  // destroyed on return if a later step fails
+    // If a later step fails, the destructor of this incomplete buffer frees what has been created.
+    Buffer buffer;
     buffer.device_ = &device;
     buffer.size_bytes_ = size_bytes;
     VkBufferCreateInfo info{};
@@ -180,7 +185,8 @@ Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsage
 Buffer::~Buffer() {
     if (device_ == nullptr || device_->abandoned()) return;
     device_->fn().vkDestroyBuffer(device_->handle(), buffer_, nullptr);
-    device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);  // also unmaps the memory
+    // vkFreeMemory also unmaps the memory.
+    device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);
 }
 
 Buffer::Buffer(Buffer&& other) noexcept {
@@ -200,7 +206,8 @@ Result<Image> Image::create(Device& device, const ResourceDecl& decl) {
     VkImageCreateInfo info = image_create_info(decl);
     if (!decl.import || decl.import->concurrent) share(info, concurrent_sharing(device));
     if (Status supported = check_supported(device, info, decl); !supported) return supported.take_errors();
-    Image image;  // destroyed on return if a later step fails
+    // If a later step fails, the destructor of this incomplete image frees what has been created.
+    Image image;
     image.device_ = &device;
     image.decl_ = decl;
     const DeviceFunctions& fn = device.fn();

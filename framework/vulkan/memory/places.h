@@ -1,11 +1,12 @@
-// Purpose: places of copied data in one staging buffer.
+// Purpose: computes the offset of each piece of data in a staging buffer.
 #pragma once
 
 #include <cstdint>
 
 namespace weft::vk {
 
-// The next place at or behind this offset. Units: bytes.
+// Returns the first multiple of 16 bytes that is not smaller than `offset_bytes`. The next piece of data
+// starts there.
 [[nodiscard]] inline uint64_t aligned_place(uint64_t offset_bytes) {
     constexpr uint64_t kAlignmentBytes = 16;
     return (offset_bytes + kAlignmentBytes - 1) / kAlignmentBytes * kAlignmentBytes;

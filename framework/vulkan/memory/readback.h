@@ -1,5 +1,6 @@
-// Purpose: host memory for readback passes: one host-visible copy per frame slot, which the program gets when
-// that slot's frame has finished. Errors: V410, V411.
+// Purpose: host memory for readback passes, which copy a resource to the host. There is one host-visible copy
+// per frame slot; the program gets the copy when the slot's frame has finished. Errors: V410 (out of memory),
+// V417 (the pass does not read exactly one resource).
 #pragma once
 
 #include <array>
@@ -15,13 +16,15 @@ class ReadbackMemory {
  public:
     [[nodiscard]] static Result<ReadbackMemory> create(Device& device, const FramePlan& plan);
 
-    // Records the copy of the readback pass at schedule position `position`.
+    // Records the copy commands of the readback pass at schedule position `position`.
     void record(const Device& device, VkCommandBuffer commands, uint32_t position, uint32_t slot,
                 const FramePlan& plan, const FrameResources& resources) const;
-    // Makes the copies of a batch visible to the host; must be recorded last in a batch.
+    // Records a barrier that makes the readback copies of a batch visible to the host. Call this after all
+    // passes of the batch are recorded.
     void record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot,
                            const Batch& batch) const;
-    // One entry per readback pass, in schedule order. Call it after the slot's fence is signalled.
+    // Appends the data of each readback pass to `out`, in schedule order. Call this after the frame in `slot`
+    // has finished.
     void deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index,
                  std::vector<ReadbackData>& out) const;
 
@@ -29,15 +32,17 @@ class ReadbackMemory {
     struct Place {
         uint32_t position = 0;
         uint64_t offset_bytes = 0;
-        uint64_t buffer_bytes = 0;  // for a pass that reads a buffer
-        ImageRegions regions;       // for a pass that reads an image
+        // Size of the buffer that the pass reads, in bytes; 0 if the pass reads an image.
+        uint64_t buffer_bytes = 0;
+        // Copy regions of the image that the pass reads; empty if the pass reads a buffer.
+        ImageRegions regions;
     };
     std::vector<Place> places_;
     std::array<Buffer, kFramesInFlight> memory_;
 };
 
-// Copies an image in the transfer_src layout to the host and waits for the copy. Errors: V407, V408, V410,
-// V419.
+// Copies an image to the host and waits for the copy. The image must be in the transfer_src layout. Errors:
+// V407 (time-out), V408 (device lost), V410 (out of memory), V418 (any other failure of the submission).
 [[nodiscard]] Result<ReadbackData> read_image_now(Device& device, const Image& image);
 
 }  // namespace weft::vk

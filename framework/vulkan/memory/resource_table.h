@@ -1,6 +1,6 @@
-// Purpose: maps every resource of a plan to a Vulkan object: transient and persistent ones from the heaps,
-// imports from the program. Errors: V414 when an import is missing or has another shape than in the resolved
-// graph.
+// Purpose: maps every resource of a plan to a Vulkan object. Transient and persistent resources come from the
+// plan's heaps, imports from the program. Errors: V414 if an import is missing, or if its format, size, mip
+// levels, layers or samples differ from those in the resolved graph.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,15 @@
 namespace weft::vk {
 
 struct ResourceTable {
-    std::vector<VkImage> images;    // indexed by the ResourceId placed there; null for buffers and unused
-                                    // resources
-    std::vector<VkBuffer> buffers;  // the same for buffers
+    // One image for each ResourceId; null for buffers and for resources that the plan does not use.
+    std::vector<VkImage> images;
+    // One buffer for each ResourceId; null for images and for resources that the plan does not use.
+    std::vector<VkBuffer> buffers;
     Rings rings;
 };
 
-// The table for one frame, in which each resource of a ring refers to one particular copy.
+// The resource table as one frame uses it. A resource with history has several copies, and in every frame
+// another copy is current; this class finds the copy for its frame.
 class FrameResources {
  public:
     FrameResources(const ResourceTable& table, uint64_t frame) : table_(&table), frame_(frame) {}

@@ -1,6 +1,7 @@
-// Purpose: finds the copies of resources with history. A ring of N + 1 resources (ages 0 to N) has N + 1
-// copies; in each frame every age moves to the next copy. Frames count from 0, from the creation of the
-// executor. Content written by a previous executor may be valid too.
+// Purpose: finds the copies of resources with history. A history of N frames is a ring of N + 1 resources,
+// for the ages 0 (this frame) to N, and of N + 1 copies in memory. In each frame every age moves to the next
+// copy. Frames count from 0, from the creation of the executor. Content that a replaced executor has written
+// may be valid too.
 #pragma once
 
 #include <vector>
@@ -15,16 +16,19 @@ class Rings {
     Rings() = default;
     explicit Rings(const FramePlan& plan);
 
-    // The resource whose placement holds the content of `resource` in this frame: itself, unless it belongs
-    // to a ring.
+    // Returns the resource whose memory contains the content of `resource` in frame `frame`. This is
+    // `resource` itself, unless it belongs to a ring.
     [[nodiscard]] ResourceId copy(ResourceId resource, uint64_t frame) const;
-    // The resources of the ring of `resource`, ordered by age; only itself if it belongs to none.
+    // Returns all resources of the ring that contains `resource`, ordered by age. If `resource` belongs to no
+    // ring, returns only `resource`.
     [[nodiscard]] std::vector<ResourceId> roles(ResourceId resource) const;
-    // The number of frames after which the pass uses the same copies again.
+    // Returns the number of frames after which `pass` uses the same copies of its resources again.
     [[nodiscard]] uint64_t period(const PassDecl& pass) const;
-    // Adds the frames that `old` has written, for rings whose content the transition keeps.
+    // Takes over the valid history of the rings of a replaced executor, which has run `frames` frames. Only
+    // rings whose content the transition keeps take part.
     void inherit(const Rings& old, uint64_t frames, const TransitionPlan& transition);
-    // True if a pass has written the content of `role` by this frame.
+    // True if a pass has written the content that resource `role` has in frame `frame`. `role` is one of the
+    // ages of a ring, such as the content of two frames ago.
     [[nodiscard]] bool valid(ResourceId role, uint64_t frame) const;
 
  private:
@@ -32,10 +36,14 @@ class Rings {
         ResourceId ring = kNoId;
         uint32_t age = 0;
     };
-    std::vector<Role> all_;                       // index: ResourceId
-    std::vector<std::vector<ResourceId>> roles_;  // indexed by ring, then age
-    std::vector<uint8_t> written_;                // index: ring; 1 if a live pass writes it
-    std::vector<uint64_t> inherited_;             // index: ring; number of frames written before frame 0
+    // Ring and age of each resource, indexed by ResourceId.
+    std::vector<Role> all_;
+    // The resources of each ring: roles_[ring][age].
+    std::vector<std::vector<ResourceId>> roles_;
+    // For each ring, 1 if a pass of the plan writes it.
+    std::vector<uint8_t> written_;
+    // For each ring, the number of frames that a replaced executor wrote before frame 0.
+    std::vector<uint64_t> inherited_;
 };
 
 }  // namespace weft::vk

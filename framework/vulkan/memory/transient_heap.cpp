@@ -34,8 +34,8 @@ MemoryNeed buffer_need(Device& device, const ResourceDecl& decl, const Sharing& 
     return to_need(answer.memoryRequirements);
 }
 
-// Only the plan decides which resources several queue families share, so the memory must suit both sharing
-// modes.
+// Returns memory requirements that suit both sharing modes of a resource, exclusive and concurrent. The plan
+// decides later which resources several queue families share.
 MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
     const auto need = decl.kind == ResourceKind::image ? image_need : buffer_need;
     MemoryNeed exclusive = need(device, decl, Sharing{});
@@ -46,7 +46,8 @@ MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
             exclusive.type_bits & concurrent.type_bits};
 }
 
-// The copies of a ring rotate, so a copy is concurrent if any resource of the ring is.
+// True if the plan shares `resource`, or another resource of its ring, between queue families. The copies of
+// a ring rotate, so one concurrent resource makes all copies of its ring concurrent.
 bool is_concurrent(const FramePlan& plan, const Rings& rings, ResourceId resource) {
     const std::vector<uint8_t>& concurrent = plan.barriers.concurrent;
     const std::vector<ResourceId> roles = rings.roles(resource);
@@ -60,7 +61,8 @@ MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph) {
     MemoryNeeds needs(graph.resources.size());
     for (size_t i = 0; i < graph.resources.size(); ++i) {
         const ResourceDecl& decl = graph.resources[i];
-        // A resource that no pass names has no usage, and Vulkan objects need one.
+        // A resource that no pass uses has no usage flags. Vulkan forbids objects without usage flags, so
+        // such a resource gets no object.
         if (decl.lifetime == ResourceLifetime::imported || decl.usage == 0) continue;
         needs[i] = any_need(device, decl);
     }

@@ -1,7 +1,7 @@
 // Purpose: the memory of a plan: one allocation per heap, with images and buffers bound at the offsets in the
-// plan. Also computes the memory requirements that alias() places. Units: bytes. Errors: V411, and V410 when
-// memory is exhausted. Aliasing by placement follows Y. O'Donnell, "FrameGraph: Extensible Rendering
-// Architecture in Frostbite", GDC 2017.
+// plan. Also asks the device for memory requirements; from these, alias() computes the offsets. Units: bytes.
+// Errors: V410 (out of memory), V411 (any other failure). Resources that share memory: after Y. O'Donnell,
+// "FrameGraph: Extensible Rendering Architecture in Frostbite", GDC 2017.
 #pragma once
 
 #include <vector>
@@ -17,10 +17,10 @@ class TransientHeap {
  public:
     [[nodiscard]] static Result<TransientHeap> create(Device& device, const FramePlan& plan);
 
-    // VK_NULL_HANDLE for resources that the plan does not place.
+    // Returns VK_NULL_HANDLE for buffers and for resources that are not in the plan's heaps, such as imports.
     [[nodiscard]] VkImage image(ResourceId resource) const { return images_[resource].get(); }
     [[nodiscard]] VkBuffer buffer(ResourceId resource) const { return buffers_[resource].get(); }
-    // Total bytes, without persistent resources.
+    // Returns the size of the transient heaps in bytes; heaps of persistent resources do not count.
     [[nodiscard]] uint64_t bytes() const { return bytes_; }
 
  private:
@@ -30,10 +30,13 @@ class TransientHeap {
     [[nodiscard]] Status place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement,
                                       const Sharing& sharing);
 
-    // Declared before the objects bound to it, so that it is freed after them.
+    // The memory is declared before the images and buffers bound to it. Members are destroyed in reverse
+    // order, so the memory is freed last.
     std::vector<MemoryHandle> memory_;
-    std::vector<ImageHandle> images_;    // index: ResourceId
-    std::vector<BufferHandle> buffers_;  // index: ResourceId
+    // One image for each ResourceId; empty for buffers and imports.
+    std::vector<ImageHandle> images_;
+    // One buffer for each ResourceId; empty for images and imports.
+    std::vector<BufferHandle> buffers_;
     uint64_t bytes_ = 0;
 };
 

@@ -13,9 +13,11 @@
 namespace weft::vk {
 namespace {
 
-// Copy offsets must be multiples of the texel size and of 4; no texel is larger than this.
+// Alignment of each mip level in staging memory, in bytes. Copy offsets must be multiples of the texel size
+// and of 4, and no texel is larger than 16 bytes.
 constexpr uint64_t kStagingAlignmentBytes = 16;
-constexpr size_t kStagingBytes = 16 << 20;  // the largest piece of a buffer's upload
+// The data for a buffer is uploaded in pieces of at most 16 MiB.
+constexpr size_t kStagingBytes = 16 << 20;
 
 uint64_t align_up(uint64_t value) {
     return (value + kStagingAlignmentBytes - 1) / kStagingAlignmentBytes * kStagingAlignmentBytes;
@@ -36,7 +38,8 @@ uint64_t level_bytes(const ResourceDecl& decl, uint32_t mip) {
            format_info(decl.format).bytes_per_texel;
 }
 
-// The offset of each level in staging memory, or the fault in the levels.
+// Returns the copy region of each mip level, with its offset in staging memory. Returns an error if the
+// number or the size of the levels is wrong.
 Result<std::vector<VkBufferImageCopy>> plan_copies(const ResourceDecl& decl,
                                                    std::span<const std::span<const std::byte>> levels) {
     if (levels.empty() || levels.size() > decl.mips) {
@@ -115,7 +118,8 @@ void record_buffer_copy(const DeviceFunctions& fn, VkCommandBuffer commands, con
     fn.vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-// Fills staging memory, records the copy from it, and waits for the copy.
+// Creates staging memory, fills it with `fill`, records the copy to the target with `record`, and waits until
+// the copy has finished.
 Status copy_from_staging(Device& device, const std::string& what, uint64_t size_bytes,
                          const std::function<void(std::span<std::byte>)>& fill,
                          const std::function<void(VkCommandBuffer, const Buffer&)>& record) {
@@ -133,7 +137,7 @@ Status upload_buffer(Device& device, const Buffer& target, std::span<const std::
     if (bytes.size() > target.size_bytes()) {
         return size_error("an upload into a buffer", bytes.size(), target.size_bytes());
     }
-    // Uploads in pieces, so that the staging memory stays small for any size of buffer.
+    // The data is uploaded in pieces, so that the staging memory stays small for any size of buffer.
     for (size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {
         const std::span<const std::byte> piece =
             bytes.subspan(offset, std::min<size_t>(kStagingBytes, bytes.size() - offset));

@@ -1,6 +1,7 @@
-// Purpose: transfers host data of C++ passes to the device: upload memory for every output port that is
-// written by copies, one copy per frame slot, and the Uploads and Recorder objects that passes use. Errors:
-// V410, V411.
+// Purpose: transfers host data of custom passes, which are written in C++, to the device. Every output port
+// that copies write has upload memory, with one copy per frame slot. The pass fills it through an Uploads
+// object and records copies from it through a Recorder object. Errors: V410 (out of memory), V409 (any other
+// failure).
 #pragma once
 
 #include <array>
@@ -13,30 +14,36 @@
 
 namespace weft::vk {
 
-// The upload memory of one port.
+// The part of the upload memory that belongs to one port of a pass.
 struct UploadPlace {
     std::string port;
-    uint32_t use = kNoId;  // index into PassDecl::uses
+    // Index of the port's use in PassDecl::uses.
+    uint32_t use = kNoId;
     uint64_t offset_bytes = 0;
     uint64_t capacity_bytes = 0;
-    ImageRegions regions;  // if the port is an image
+    // Copy regions of the port's image; empty if the port is a buffer.
+    ImageRegions regions;
 };
 
 class UploadMemory {
  public:
     [[nodiscard]] static Result<UploadMemory> create(Device& device, const FramePlan& plan);
 
-    // Calls `prepare` of the pass at schedule position `position`; it fills this slot's memory.
+    // Calls the `prepare` function of the pass at schedule position `position`. This function fills the
+    // upload memory of frame slot `slot`.
     void prepare(uint32_t position, const PassType& type, const PassDecl& pass, const HostInputs& host,
                  uint32_t slot);
-    // Calls `record` of the pass at schedule position `position`.
+    // Calls the `record` function of the pass at schedule position `position`. This function records copies
+    // from the upload memory of frame slot `slot`.
     void record(const Device& device, VkCommandBuffer commands, uint32_t position, const PassType& type,
                 const PassDecl& pass, uint32_t slot, const FrameResources& resources) const;
 
  private:
-    std::vector<std::vector<UploadPlace>> places_;  // index: schedule position
-    std::array<std::vector<std::vector<uint64_t>>, kFramesInFlight>
-        filled_bytes_;  // indexed by slot, schedule position, place
+    // The upload memory of each port of a pass: places_[schedule position][n].
+    std::vector<std::vector<UploadPlace>> places_;
+    // Number of bytes that the pass has put into a port's upload memory for the current frame of a slot:
+    // filled_bytes_[slot][schedule position][n].
+    std::array<std::vector<std::vector<uint64_t>>, kFramesInFlight> filled_bytes_;
     std::array<Buffer, kFramesInFlight> memory_;
 };
 

@@ -34,7 +34,7 @@ Result<VkImageView> ViewCache::shader_view(const UseDecl& use, const ShaderBindi
 }
 
 Result<VkImageView> ViewCache::attachment_view(const UseDecl& use, uint64_t frame) {
-    // An attachment view needs all aspects of its format, even if the pass uses only one.
+    // An attachment view must have all aspects of its format, even if the pass uses only one of them.
     SubresourceRange range = use.range;
     range.aspects = plan_->graph.resources[use.resource].aspects;
     return get(resources_->rings.copy(use.resource, frame), range, view_type(ImageDim::d2, range.layers > 1));

@@ -1,5 +1,6 @@
-// Purpose: image views for all uses of images, with the range, aspect and dimension that the shader's binding
-// or the attachment needs. Equal views are created once. Errors: V411.
+// Purpose: creates image views for all uses of images. Range, aspect and dimension of a view are those that
+// the shader's binding or the attachment needs. Equal views are created only once. Errors: V411 (a view could
+// not be created).
 #pragma once
 
 #include <map>
@@ -14,15 +15,17 @@ class ViewCache {
     ViewCache(Device& device, const FramePlan& plan, const ResourceTable& resources)
         : device_(&device), plan_(&plan), resources_(&resources) {}
 
-    // The view for a shader's `binding` in this frame.
+    // Returns the image view that a shader's `binding` needs in frame `frame`.
     [[nodiscard]] Result<VkImageView> shader_view(const UseDecl& use, const ShaderBinding& binding,
                                                   uint64_t frame);
-    // The view for an attachment: one mip; several layers give an array view.
+    // Returns the image view for an attachment. The view has one mip level; with several layers it is an
+    // array view.
     [[nodiscard]] Result<VkImageView> attachment_view(const UseDecl& use, uint64_t frame);
 
  private:
     using Key = std::tuple<ResourceId, SubresourceRange, VkImageViewType>;
-    // `copy`: the resource whose memory holds the content in this frame.
+    // `copy` is the resource whose memory contains the content in the current frame. For a resource with
+    // history this changes from frame to frame; see Rings::copy().
     [[nodiscard]] Result<VkImageView> get(ResourceId copy, const SubresourceRange& range,
                                           VkImageViewType type);
 
@@ -33,7 +36,8 @@ class ViewCache {
 };
 
 [[nodiscard]] VkImageViewType view_type(ImageDim dim, bool arrayed);
-// The aspect of a sampled view of a depth-stencil image: such a view must have exactly one aspect.
+// Returns the aspect of a shader's view of an image. A view of a depth-stencil image must have exactly one
+// aspect: stencil if the shader reads unsigned integers, else depth.
 [[nodiscard]] AspectMask shader_aspects(AspectMask aspects, NumericClass numeric);
 
 }  // namespace weft::vk

@@ -10,7 +10,8 @@
 namespace weft::vk {
 namespace {
 
-// The writes of one set and the infos that they point to; deques keep the addresses of elements valid.
+// The writes of one descriptor set, and the infos to which the writes point. The infos are in deques, so that
+// their addresses stay valid when more are added.
 struct SetWrites {
     std::vector<VkWriteDescriptorSet> writes;
     std::deque<std::vector<VkDescriptorImageInfo>> images;

@@ -1,7 +1,8 @@
 // Purpose: the descriptor sets for the ports of passes (set 1). The bindings of a pass never change during
-// the lifetime of a plan, except for resources with history, whose copies rotate. So every set is written
-// only once: one set per ring phase and frame slot. The sets of different slots differ only in the
-// memory of their Params. Errors: V411, V413.
+// the lifetime of a plan, except for resources with history: their copies rotate, and return after a period
+// of some frames. So every set is written only once. A pass has one set for each frame of the period and each
+// frame slot. Sets of different slots differ only in the memory of their Params block. Errors: V411 (view),
+// V413 (pool or set).
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@ namespace weft::vk {
 
 using SlotSets = std::array<VkDescriptorSet, kFramesInFlight>;
 
-// The objects that descriptors refer to; all must live as long as the sets.
+// The objects that descriptors refer to. All of them must live as long as the descriptor sets.
 struct DescriptorSources {
     const FramePlan& plan;
     FrameResources resources;
@@ -26,15 +27,18 @@ struct DescriptorSources {
     DummyDescriptors& dummies;
 };
 
-// Number of sets that one pass needs from the pool.
+// The descriptor sets that one pass needs from the pool.
 struct SetDemand {
     const ShaderInterface* interface = nullptr;
-    uint32_t ring_phases = 1;  // one ring phase has a set for each slot
+    // Number of frames after which the pass uses the same copies of resources with history again. Each of
+    // these frames needs a set for every frame slot.
+    uint32_t ring_phases = 1;
 };
 [[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device,
                                                                 const std::vector<SetDemand>& demands);
 
-// The sets of the ring phase that `sources` describes.
+// Makes the descriptor sets that a pass needs in one frame of its period, one for each frame slot.
+// sources.resources selects the copies of resources with history for that frame.
 [[nodiscard]] Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool,
                                               DescriptorSources sources, uint32_t position,
                                               const ShaderInterface& interface, const PassLayout& layout);

@@ -1,6 +1,7 @@
-// Purpose: dummy descriptors for bindings that a graph leaves unconnected. The shader's constant HAS_x is
-// false then, so its code does not access them, but a descriptor that a shader uses statically must still be
-// valid. Errors: V411, V413.
+// Purpose: dummy descriptors for bindings that a graph leaves unconnected. For an unconnected binding `x`,
+// the shader's constant HAS_x is false, so the shader does not access the binding. But Vulkan requires a
+// valid descriptor for every binding that a shader uses statically. Errors: V410 (out of memory), V409 (any
+// other failure).
 #pragma once
 
 #include <deque>
@@ -15,19 +16,20 @@ class DummyDescriptors {
  public:
     explicit DummyDescriptors(Device& device) : device_(&device) {}
 
-    // A view of one texel (six for cubes), and its layout after record_layouts() has run; the caller adds the
-    // sampler.
+    // Creates an image of one texel (six for cubes) for an unconnected binding. Returns its view, and the
+    // layout that it has after record_layouts() has run. The caller adds the sampler.
     [[nodiscard]] Result<VkDescriptorImageInfo> image(const ShaderBinding& binding);
-    // A buffer of at least `size_bytes`, with undefined content.
+    // Creates a buffer of at least `size_bytes` bytes with undefined content, for an unconnected binding.
     [[nodiscard]] Result<VkBuffer> buffer(uint64_t size_bytes);
-    // Records the layout transitions, for submission before the first frame. This class submits nothing
-    // itself.
+    // Records the layout transitions of all dummy images. The caller must submit them before the first frame,
+    // because this class submits nothing itself.
     void record_layouts(VkCommandBuffer commands) const;
 
  private:
     Device* device_;
     std::deque<Image> images_;
-    std::vector<VkImageMemoryBarrier2> first_layouts_;  // one transition per image
+    // The layout transition of each dummy image.
+    std::vector<VkImageMemoryBarrier2> first_layouts_;
     std::deque<Buffer> buffers_;
 };
 

@@ -12,7 +12,7 @@
 
 namespace weft::vk {
 
-// Cannot be moved: its structures point to its own members.
+// GraphicsState cannot be moved, because its structures contain pointers to its own members.
 class GraphicsState {
  public:
     // `vertices` may be null for shaders without vertex inputs.
@@ -21,10 +21,10 @@ class GraphicsState {
     GraphicsState(const GraphicsState&) = delete;
     GraphicsState& operator=(const GraphicsState&) = delete;
 
-    // All members except stages and layout are filled in.
+    // Returns the create info with all members filled in, except the shader stages and the pipeline layout.
     [[nodiscard]] VkGraphicsPipelineCreateInfo info() const;
-    // Names of shader vertex inputs that are missing in the vertex format; if there are any, do not use the
-    // state.
+    // Returns the names of the shader's vertex inputs that the vertex format lacks. If there are any, do not
+    // create a pipeline from this state.
     [[nodiscard]] const std::vector<std::string>& missing_inputs() const { return missing_inputs_; }
 
  private:

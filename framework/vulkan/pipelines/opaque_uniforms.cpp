@@ -9,8 +9,8 @@
 namespace weft::vk {
 namespace {
 
-// SPIR-V 1.6: a header of five words; the fourth is an upper bound of all ids. An instruction is a word with
-// its length and opcode, followed by its operands.
+// A SPIR-V 1.6 module has a header of five words; word 3 (counted from 0) is an upper bound of all ids. Each
+// instruction is a word with its length and opcode, followed by its operands.
 constexpr size_t kHeaderWords = 5, kBoundWord = 3;
 enum Opcode : uint32_t {
     kOpLine = 8,
@@ -37,14 +37,17 @@ enum Opcode : uint32_t {
 };
 enum Decoration : uint32_t { kBlock = 2, kBinding = 33, kDescriptorSet = 34, kOffset = 35 };
 enum StorageClass : uint32_t { kUniform = 2, kPushConstant = 9 };
-constexpr uint32_t kUniformBufferArrayDynamicIndexing = 28;  // number of that capability
+// Number of the SPIR-V capability UniformBufferArrayDynamicIndexing.
+constexpr uint32_t kUniformBufferArrayDynamicIndexing = 28;
 
 struct Instruction {
     uint32_t opcode = 0;
-    std::span<const uint32_t> words;  // including the first word
+    // All words of the instruction, including the first, which contains its length and opcode.
+    std::span<const uint32_t> words;
 };
 
-// For a valid module, in which each length leads to the next instruction.
+// Calls `visit` for every instruction. The module must be valid: the length of each instruction leads to the
+// next one.
 template <class Visit>
 void for_each_instruction(std::span<const uint32_t> spirv, const Visit& visit) {
     for (size_t word = kHeaderWords; word < spirv.size(); word += spirv[word] >> 16)
@@ -93,22 +96,26 @@ class Rewriter {
     void copy(const Instruction& at) { out_.insert(out_.end(), at.words.begin(), at.words.end()); }
 
     void rewrite(const Instruction& at) {
-        // All types come after all decorations; line information may come in between.
+        // Decorations come before types in a module, and the new declarations have both. So declare() runs at
+        // the first type, or at line information in front of it.
         const bool is_type = at.opcode >= kOpTypeVoid && at.opcode <= kOpTypeForwardPointer;
         if (!declared_ && (is_type || at.opcode == kOpLine)) declare();
-        if (at.opcode == kOpTypeInt && at.words[1] == uint_) return;  // the type is already declared
+        // declare() has already declared this type, and a module must not declare it twice.
+        if (at.opcode == kOpTypeInt && at.words[1] == uint_) return;
         const size_t start = out_.size();
         if (at.opcode == kOpVariable && is_uniform(at.words[3])) return rewrite_variable(at);
         if (is_access_chain(at.opcode) && blocks_.contains(at.words[3])) return rewrite_access(at);
         copy(at);
-        if (at.opcode == kOpEntryPoint) {  // its last operands are the variables that it uses
+        // The last operands of OpEntryPoint list the variables that the shader uses. The new push constant is
+        // added to this list.
+        if (at.opcode == kOpEntryPoint) {
             out_.push_back(index_block_);
             out_[start] += 1u << 16;
         }
         if (at.opcode == kOpTypePointer && at.words[2] == kPushConstant) out_[start + 2] = kUniform;
     }
 
-    // Declares the push constant that is always 0.
+    // Declares the push constant that is always 0, and its types and constants.
     void declare() {
         declared_ = true;
         emit(kOpDecorate, {index_struct_, kBlock});
@@ -139,7 +146,8 @@ class Rewriter {
         emit(kOpVariable, {type, at.words[2], kUniform});
     }
 
-    // Its operands are: type, result, variable, indices.
+    // Rewrites an access to a block so that the push constant is the array index. The operands of the
+    // instruction are: type, result, variable, indices.
     void rewrite_access(const Instruction& at) {
         const uint32_t place = new_id();
         uint32_t index = new_id();
@@ -161,9 +169,13 @@ class Rewriter {
     std::span<const uint32_t> spirv_;
     BlockPlace place_;
     uint32_t bound_;
-    std::map<uint32_t, uint32_t> pointees_;  // index: pointer type
-    std::set<uint32_t> arrays_;              // ids of types
-    std::map<uint32_t, bool> blocks_;        // variables; true if the variable was an array of blocks before
+    // The type that each pointer type points to; both are ids of types.
+    std::map<uint32_t, uint32_t> pointees_;
+    // The ids of all array types.
+    std::set<uint32_t> arrays_;
+    // The ids of all variables that are uniform blocks or push constants; true if the variable was an array
+    // of blocks before.
+    std::map<uint32_t, bool> blocks_;
     uint32_t found_uint_ = 0, uint_ = 0;
     const uint32_t zero_ = new_id(), one_ = new_id();
     const uint32_t index_struct_ = new_id(), index_pointer_ = new_id(), index_block_ = new_id();

@@ -9,7 +9,7 @@
 namespace weft::vk {
 namespace {
 
-// The largest minUniformBufferOffsetAlignment that Vulkan allows.
+// Alignment of each block in bytes: the largest minUniformBufferOffsetAlignment that Vulkan allows.
 constexpr uint64_t kUniformAlignmentBytes = 256;
 
 double builtin_value(const ParamWrite& write, const FrameInput& frame, const FrameResources& resources) {
@@ -40,7 +40,8 @@ uint32_t bits_of(ScalarType scalar, double value) {
             std::memcpy(&bits, &narrowed, sizeof bits);
             return bits;
         }
-        // A frame index wraps at 2^32, because converting a larger value would overflow.
+        // The value is converted to 64 bits and then cut to 32 bits, so a frame index wraps at 2^32. A direct
+        // conversion of a larger value to 32 bits would overflow.
         case ScalarType::i32:
         case ScalarType::u32:
             return static_cast<uint32_t>(saturated<int64_t>(value));

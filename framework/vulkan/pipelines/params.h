@@ -1,6 +1,7 @@
-// Purpose: the `Params` blocks of all passes in one frame: literals from the plan, per-frame values from the
-// caller. Push constants are written during recording. Other blocks lie in uniform memory with one copy per
-// frame slot, so that they can be written while the previous frame is still running. Errors: V410, V411.
+// Purpose: writes the `Params` blocks of all passes for one frame: literals come from the plan, per-frame
+// values such as the time from the caller. Push constants are written while commands are recorded. Other
+// blocks are in uniform memory with one copy per frame slot, so that they can be written while the previous
+// frame is still running. Errors: V410 (out of memory), V409 (any other failure).
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@
 
 namespace weft::vk {
 
-// Bytes that belong to no parameter are zero. The size of `bytes` is PassDecl::params_bytes.
+// Writes the parameter values of a pass to `bytes`, which has PassDecl::params_bytes bytes. Bytes that belong
+// to no parameter become zero.
 void write_params(const PassDecl& pass, const FrameInput& frame, const FrameResources& resources,
                   std::span<std::byte> bytes);
 
@@ -21,18 +23,22 @@ class ParamsMemory {
  public:
     [[nodiscard]] static Result<ParamsMemory> create(Device& device, const FramePlan& plan);
 
-    // `position` is a schedule position; only for passes whose Params are in a buffer.
+    // Returns the memory of the Params block of the pass at schedule position `position`. Call it only for
+    // passes whose Params are in a buffer.
     [[nodiscard]] VkDescriptorBufferInfo descriptor(uint32_t position, uint32_t slot) const;
-    // Writes the blocks of all passes to this slot's memory; call it before the frame is submitted.
+    // Writes the Params blocks of all passes to the memory of frame slot `slot`. Call it before the frame is
+    // submitted.
     void write(const FramePlan& plan, const FrameInput& frame, const FrameResources& resources,
                uint32_t slot);
 
  private:
     struct Block {
         uint64_t offset_bytes = 0;
-        uint64_t size_bytes = 0;  // 0: no uniform block
+        // Size of the Params block in bytes; 0 if the pass has no block in uniform memory.
+        uint64_t size_bytes = 0;
     };
-    std::vector<Block> blocks_;  // index: schedule position
+    // One block for each schedule position.
+    std::vector<Block> blocks_;
     std::array<Buffer, kFramesInFlight> memory_;
 };
 

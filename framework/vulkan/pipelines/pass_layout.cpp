@@ -32,7 +32,8 @@ VkResult make_set_layout(Device& device, const std::vector<VkDescriptorSetLayout
     return result;
 }
 
-// The layouts of all sets up to the highest one in use; errors name sets for which no layout exists.
+// Returns the layouts of all sets up to the highest one in use. Errors name the sets that the draw source
+// does not have.
 Result<std::vector<VkDescriptorSetLayout>> choose_sets(const FramePlan& plan, const PassDecl& pass,
                                                        const PassLayout& layout, const DrawSource* draws) {
     std::vector<VkDescriptorSetLayout> sets;

@@ -1,5 +1,6 @@
-// Purpose: the pipeline layout of a pass: set 1 from its shader's ports, sets 0, 2 and 3 from the draw source
-// if the shader declares them, and the range of its push constants. Errors: V413, V415.
+// Purpose: makes the pipeline layout of a pass: set 1 from the shader's ports, sets 0 (frame), 2 (material)
+// and 3 (draw) from the draw source if the shader uses them, and the range of push constants. Errors: V413 (a
+// layout could not be created), V415 (the draw source does not have the set).
 #pragma once
 
 #include <array>
@@ -18,24 +19,28 @@ inline constexpr uint32_t kMaterialSet = 2;
 inline constexpr uint32_t kInstanceSet = 3;
 inline constexpr uint32_t kSetCount = 4;
 
-// The Params block is a uniform buffer of the port set, not push constants.
+// True if the shader's Params block is a uniform buffer in set kPortSet instead of push constants.
 [[nodiscard]] inline bool params_in_buffer(const ShaderInterface& interface) {
     return interface.has_params && !interface.params.push_constants;
 }
 
 struct PassLayout {
     SetLayoutHandle ports;
-    SetLayoutHandle empty;  // used for unused sets below the highest one in use
+    // A layout without bindings, for unused sets below the highest set in use.
+    SetLayoutHandle empty;
     PipelineLayoutHandle pipeline;
-    std::array<bool, kSetCount> declares{};  // index: set; true if the shader uses it
-    VkShaderStageFlags push_stages = 0;      // 0: no push constants
-    VkShaderStageFlags index_stages = 0;     // with hidden uniforms: stages of the push constant that is
-                                             // always 0, see opaque_uniforms.h
+    // For each set number, true if the shader uses the set.
+    std::array<bool, kSetCount> declares{};
+    // The stages that read Params as push constants; 0 if Params are not push constants.
+    VkShaderStageFlags push_stages = 0;
+    // On llvmpipe, the stages that read the push constant that is always 0 (see opaque_uniforms.h); 0 on
+    // other drivers.
+    VkShaderStageFlags index_stages = 0;
 
     [[nodiscard]] bool has_ports() const { return declares[kPortSet]; }
 };
 
-// `draws` may be null if the shader declares none of the draw source's sets.
+// `draws` may be null if the shader uses none of the sets 0, 2 and 3, which a draw source provides.
 [[nodiscard]] Result<PassLayout> make_pass_layout(Device& device, const FramePlan& plan, const PassDecl& pass,
                                                   const ShaderInterface& interface, const DrawSource* draws);
 

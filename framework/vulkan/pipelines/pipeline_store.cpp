@@ -29,8 +29,8 @@ Result<PipelineLease> PipelineStore::get(const std::string& hash, const Make& ma
         if (const auto found = entries_.find(hash); found != entries_.end())
             return lease(hash, found->second);
     }
-    // Creation may take long, so it happens without the lock. If two threads create the same pipeline, one is
-    // dropped.
+    // The lock is not held here, because creating a pipeline may take long. If two threads create the same
+    // pipeline, the one that finishes later is destroyed.
     Result<PipelineHandle> pipeline = make();
     if (!pipeline) return pipeline.take_errors();
     ++made;
@@ -41,7 +41,9 @@ Result<PipelineLease> PipelineStore::get(const std::string& hash, const Make& ma
 }
 
 void PipelineStore::give_back(const std::string& hash) {
-    PipelineHandle last;  // destroyed after the lock is released
+    // This variable is declared before the lock, so that the pipeline is destroyed after the lock is
+    // released.
+    PipelineHandle last;
     const std::lock_guard lock(mutex_);
     const auto found = entries_.find(hash);
     assert(found != entries_.end() && found->second.leases > 0);

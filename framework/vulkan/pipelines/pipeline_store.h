@@ -1,6 +1,6 @@
-// Purpose: stores pipelines by a hash of their inputs (graph/plan/pipeline_hash.h). Consecutive plans, and
-// passes of one plan, hold leases on the same pipeline; the last lease destroys it. Plans that share a store
-// must share a draw source too. Thread-safe.
+// Purpose: shares pipelines by a hash of their inputs (graph/plan/pipeline_hash.h). Passes of one plan, and
+// plans that follow each other, can have leases on the same pipeline; when the last lease ends, the pipeline
+// is destroyed. Plans that share a store must also share a draw source. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace weft::vk {
 
 class PipelineStore;
 
-// Move-only. The store must outlive it.
+// The right to use one pipeline of a store. A lease can be moved but not copied. The store must outlive it.
 class PipelineLease {
  public:
     PipelineLease() = default;
@@ -48,7 +48,8 @@ class PipelineStore {
     PipelineStore& operator=(const PipelineStore&) = delete;
 
     using Make = std::function<Result<PipelineHandle>()>;
-    // Calls `make` if the store has no such pipeline, and adds 1 to `made`.
+    // Returns a lease on the pipeline with this hash. If the store does not have the pipeline, the function
+    // creates it with `make` and adds 1 to `made`.
     [[nodiscard]] Result<PipelineLease> get(const std::string& hash, const Make& make, uint32_t& made);
 
  private:

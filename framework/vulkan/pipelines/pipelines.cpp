@@ -35,7 +35,7 @@ Diagnostic missing_inputs(const PipelineRequest& request, const std::string& lis
                                         : ", which draw list \"" + list + "\" doesn't have"));
 }
 
-// The properties of a draw list that affect a pipeline.
+// The properties of a draw list on which a pipeline depends.
 struct ListPart {
     std::string list;
     const DrawVariant* variant = nullptr;

@@ -1,5 +1,6 @@
-// Purpose: the pipelines of a pass: one, or for raster passes one per variant of each draw list. Pipelines
-// that are already in the store are reused. Errors: V412, V416.
+// Purpose: makes the pipelines of a pass: one per variant of each draw list if the pass has draw lists,
+// otherwise one. A pipeline that is already in the store is reused. Errors: V412 (a pipeline could not be
+// created), V416 (a vertex input is missing).
 #pragma once
 
 #include <string>
@@ -14,7 +15,8 @@
 namespace weft::vk {
 
 struct DrawPipeline {
-    std::string list;  // empty for passes without draw lists
+    // Name of the draw list, such as "opaque"; empty if the pass has no draw lists.
+    std::string list;
     uint32_t variant = 0;
     PipelineLease pipeline;
 };
@@ -24,13 +26,15 @@ struct PipelineRequest {
     const PassDecl& pass;
     const ShaderProgram& program;
     const PassLayout& layout;
-    const ImportCatalog* imports;  // required if the pass has draw lists
+    // The imports of the program, which include the draw lists. Must not be null if the pass has draw lists.
+    const ImportCatalog* imports;
     VkPipelineCache cache;
     PipelineStore& store;
     PipelineCounts& counts;
 };
 
-// In drawing order: lists in the order of the pass, then variants.
+// Returns the pipelines in drawing order: the draw lists in the order of the pass, and the variants of each
+// list.
 [[nodiscard]] Result<std::vector<DrawPipeline>> make_pipelines(Device& device,
                                                                const PipelineRequest& request);
 [[nodiscard]] Result<PipelineCacheHandle> make_pipeline_cache(Device& device);

@@ -1,4 +1,5 @@
-// Purpose: creates the samplers that graphs declare; equal samplers are created once. Errors: V413.
+// Purpose: creates the samplers that graphs declare. Equal samplers are created only once. Errors: V413 (a
+// sampler could not be created).
 #pragma once
 
 #include <map>
@@ -13,8 +14,8 @@ namespace weft::vk {
 class SamplerCache {
  public:
     explicit SamplerCache(Device& device) : device_(&device) {}
-    // Integer images need an integer border colour. Border colours are zero: transparent black, or the far
-    // plane of a shadow map.
+    // `integer_border` must be true for integer images, because these need an integer border colour. All
+    // border colours are zero: transparent black, or the far plane in a shadow map.
     [[nodiscard]] Result<VkSampler> get(const SamplerDecl& decl, bool integer_border);
 
  private:

@@ -24,7 +24,8 @@ uint32_t constant_bits(ScalarType type, double value) {
 std::unique_ptr<ShaderStages::Constants> ShaderStages::make_constants(const PassDecl& pass,
                                                                       const ShaderInterface& interface,
                                                                       const DrawVariant* variant) {
-    std::map<uint32_t, uint32_t> bits;  // values by constant id
+    // The value of each specialisation constant as 32 bits, by its constant id.
+    std::map<uint32_t, uint32_t> bits;
     for (const SpecValue& value : pass.spec_values) bits[value.id] = value.bits;
     if (variant != nullptr)
         for (const NamedValue& value : variant->spec_constants)

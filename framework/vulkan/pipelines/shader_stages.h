@@ -1,5 +1,6 @@
-// Purpose: the pipeline stages of a program, with the specialisation constants of a pass and, for draws, of a
-// variant. Shader modules live only while pipelines are being created. Errors: V412.
+// Purpose: the shader stages of a pipeline, with the specialisation constants of a pass and, for draws, of a
+// variant of the draw list. The shader modules live only while the pipeline is being created. Errors: V412 (a
+// module could not be created).
 #pragma once
 
 #include <memory>
@@ -14,8 +15,8 @@ namespace weft::vk {
 
 class ShaderStages {
  public:
-    // `variant` may be null. A constant of the variant is used if the shader declares a constant of that
-    // name.
+    // `variant` may be null. If the shader declares a specialisation constant with the name of one of the
+    // variant's constants, the shader's constant gets the variant's value.
     [[nodiscard]] static Result<ShaderStages> create(Device& device, const FramePlan& plan,
                                                      const PassDecl& pass, const ShaderProgram& program,
                                                      const DrawVariant* variant);
@@ -23,7 +24,8 @@ class ShaderStages {
     [[nodiscard]] const std::vector<VkPipelineShaderStageCreateInfo>& infos() const { return infos_; }
 
  private:
-    // Allocated on the heap, because the stages point to it.
+    // The constants are allocated on the heap, so that pointers to them stay valid when a ShaderStages object
+    // is moved.
     struct Constants {
         std::vector<VkSpecializationMapEntry> entries;
         std::vector<uint32_t> words;

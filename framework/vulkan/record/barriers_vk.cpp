@@ -18,8 +18,9 @@ Families families_of(const Device& device, const BarrierDecl& barrier) {
     return families.src == families.dst ? Families{} : families;
 }
 
-// Both halves of an ownership transfer contain the layout change. If the device has one family for both, no
-// transfer happens, and only the first half changes the layout.
+// Returns the old layout of an image barrier. Both barriers of an ownership transfer, release and acquire,
+// contain the layout change. If both families of the plan are one family of the device, there is no transfer.
+// Then only the release changes the layout.
 VkImageLayout old_layout(const BarrierDecl& barrier, const Families& families) {
     const bool done = barrier.reason == BarrierReason::acquire_queue && families.src == families.dst;
     return to_vk(done ? barrier.dst.layout : barrier.src.layout);
@@ -53,9 +54,9 @@ VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffe
     return out;
 }
 
-// An alias barrier waits for accesses to another resource in the same memory. No range of the new resource
-// covers these accesses, so this part is a global memory barrier. For images the image barrier adds
-// visibility.
+// Returns the memory barrier of an alias transition. It waits for accesses to another resource in the same
+// memory. No range of the new resource covers these accesses, so the barrier is global. For an image, the
+// image barrier adds the visibility.
 VkMemoryBarrier2 memory_barrier(const BarrierDecl& barrier, bool is_image) {
     VkMemoryBarrier2 out{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
     out.srcStageMask = stages_to_vk(barrier.src.stages);

@@ -1,6 +1,6 @@
-// Purpose: records the plan's barriers; every list becomes one vkCmdPipelineBarrier2. If the device has fewer
-// families than the plan, a transfer between two plan families that are one family of the device becomes an
-// ordinary barrier.
+// Purpose: records the plan's barriers. Every list of barriers becomes one vkCmdPipelineBarrier2. If the
+// device has fewer queue families than the plan, two families of the plan can be one family of the device; an
+// ownership transfer between them becomes an ordinary barrier.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace weft::vk {
 
-// Records nothing for an empty list.
+// Records all barriers of a list with one command; records nothing if the list is empty.
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
                      const FramePlan& plan, const FrameResources& resources);
 

@@ -1,5 +1,5 @@
-// Purpose: fills resources with one value, outside any rendering scope: for clear passes, and for the
-// first-frame values of persistent resources.
+// Purpose: fills resources with one value, outside any rendering scope. Clear passes use this, and persistent
+// resources before their first frame.
 #pragma once
 
 #include <array>
@@ -9,8 +9,9 @@
 
 namespace weft::vk {
 
-// An image must be in `layout`; the value is interpreted by its format, depth first, then stencil. A buffer
-// is filled as a whole with words of the value's integer part, so that 7 becomes the integer 7.
+// A range of a resource, and the value that fills it. An image must be in `layout`; value is a colour or, for
+// depth-stencil images, first depth, then stencil. A buffer is filled as a whole with 32-bit words of the
+// value's integer part, so that 7 becomes the integer 7.
 struct ClearTarget {
     ResourceId resource = kNoId;
     SubresourceRange range;
@@ -21,12 +22,12 @@ struct ClearTarget {
 void record_clear_of(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
                      const FrameResources& resources, const ClearTarget& target);
 
-// Fills persistent resources, which must be in transfer_dst, with their first-frame values.
+// Fills persistent resources with their first-frame values. The resources must be in the transfer_dst layout.
 void record_first_content(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
                           const FrameResources& resources, std::span<const ResourceId> cleared);
 
-// Recorded once, before the first frame: fills all copies of persistent resources with their first-frame
-// values.
+// Fills all copies of persistent resources with their first-frame values. Recorded once, before the first
+// frame.
 void record_prologue(const Device& device, VkCommandBuffer commands, const FramePlan& plan,
                      const ResourceTable& resources);
 

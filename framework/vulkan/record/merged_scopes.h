@@ -1,4 +1,5 @@
-// Purpose: rendering scopes that several passes of a plan share.
+// Purpose: finds the passes of a plan that share one rendering scope (vkCmdBeginRendering to
+// vkCmdEndRendering).
 #pragma once
 
 #include "weft/plan.h"
@@ -8,7 +9,8 @@ namespace weft::vk {
 // True if the next pass on the same queue continues the rendering scope of the pass at `position`.
 [[nodiscard]] bool scope_goes_on(const FramePlan& plan, uint32_t position);
 
-// The step at `position`, with the store operations of the last pass in its scope.
+// Returns the plan's step at `position`, but with the store operations of the last pass in the same rendering
+// scope, because attachments are stored when the scope ends.
 [[nodiscard]] PassStep step_of_scope(const FramePlan& plan, uint32_t position);
 
 }  // namespace weft::vk

@@ -10,23 +10,24 @@
 namespace weft::vk {
 namespace {
 
-// Limit on the ring phases of a pass, each of which has descriptor sets. 840 is a multiple of all ring
-// lengths up to eight.
+// Largest ring period of a pass: the number of frames after which its resources with history are in the same
+// copies again. Each of these frames needs descriptor sets of its own. 840 is a multiple of all ring lengths
+// from 1 to 8.
 constexpr uint64_t kMaxRingPhases = 840;
 
 bool runs_shader(PassKind kind) {
     return kind == PassKind::compute || kind == PassKind::fullscreen || kind == PassKind::raster;
 }
 
-// True if the copy moves one whole range to another range of the same shape.
+// True if the pass has exactly two uses, and both are images or both are buffers.
 bool copies_like_to_like(const FramePlan& plan, const PassDecl& pass) {
     if (pass.uses.size() != 2) return false;
     return plan.graph.resources[pass.uses[0].resource].kind ==
            plan.graph.resources[pass.uses[1].resource].kind;
 }
 
-// Works around a fault of llvmpipe (Mesa 22.3): it always resolves from and to layer 0, whatever layers the
-// views have.
+// True if llvmpipe would resolve this pass wrongly: llvmpipe (Mesa 22.3) always resolves from layer 0 to
+// layer 0, whatever layers the views have.
 bool is_resolved_elsewhere(const Device& device, const PassDecl& pass) {
     if (!device.info().driver.starts_with("llvmpipe")) return false;
     return std::any_of(pass.colors.begin(), pass.colors.end(), [&](const AttachmentDecl& color) {
@@ -75,7 +76,7 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
     return errors;
 }
 
-// Creates memory, and objects that depend only on the plan.
+// Creates the memory of a plan, and the other objects that depend only on the plan.
 Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& objects) {
     Result<TransientHeap> heap = TransientHeap::create(device, objects.plan);
     if (!heap) return heap.take_errors();
@@ -98,7 +99,8 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
     return Unit{};
 }
 
-// Prepares the bindings of the pass at `position` in `frame`, which are the same after each full period.
+// Makes the descriptor sets and the rendering scope of the pass at schedule position `position` for frame
+// `frame` of its ring period.
 Status prepare_ring_phase(Device& device, PlanObjects& objects, uint32_t position,
                           const ShaderInterface& interface, uint64_t frame) {
     PreparedPass& prepared = objects.passes[position];
@@ -160,7 +162,8 @@ Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const Execu
                                                      VkPipelineCache cache, PlanAmendment& amendment,
                                                      const PassDecl& pass) {
     const ShaderProgram& program = input.shaders->find(pass.shader)->second;
-    // A pipeline works with every compatible layout; this layout is only needed to create it.
+    // A pipeline works with every compatible pipeline layout. This layout is only needed to create the
+    // pipeline.
     Result<PassLayout> layout =
         make_pass_layout(device, amendment.plan, pass, program.interface, input.draws);
     if (!layout) return layout.take_errors();

@@ -1,6 +1,6 @@
-// Purpose: all Vulkan objects of a plan, created once: heap, views, layouts, descriptor sets, pipelines, and
-// memory for transfers between host and device. Frames only use them. Errors: V410 to V418, all errors of a
-// plan together.
+// Purpose: all Vulkan objects of a plan: heaps, views, layouts, descriptor sets, pipelines, and memory for
+// transfers between host and device. They are created once; frames only use them. Errors: V409 to V418; all
+// errors of a plan are reported together.
 #pragma once
 
 #include <memory>
@@ -15,16 +15,16 @@
 
 namespace weft::vk {
 
-// Data for recording one pass, in addition to its declaration; the kind of pass determines which members are
-// set.
+// The Vulkan objects needed to record one pass. The kind of the pass determines which members are set.
 struct PreparedPass {
     PassLayout layout;
-    // Both are indexed by the frame's ring phase: resources with history return to the same copies after that
-    // many frames.
+    // port_sets and scopes have one element for each frame of the ring period. After that number of frames,
+    // all resources with history are back in the same copies.
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
     std::vector<DrawPipeline> pipelines;
-    std::optional<PassType> type;  // for custom passes
+    // The program's callbacks for the pass; set only for custom passes.
+    std::optional<PassType> type;
 
     [[nodiscard]] const RenderingScope& scope(uint64_t frame) const { return scopes[frame % scopes.size()]; }
     [[nodiscard]] const VkDescriptorSet& port_set(uint64_t frame, uint32_t slot) const {
@@ -32,7 +32,7 @@ struct PreparedPass {
     }
 };
 
-// Cannot be moved: its parts refer to each other.
+// PlanObjects cannot be moved, because its members refer to each other.
 struct PlanObjects {
     PlanObjects(Device& device, FramePlan frame_plan)
         : plan(std::move(frame_plan)), views(device, plan, resources), samplers(device), dummies(device) {}
@@ -40,7 +40,8 @@ struct PlanObjects {
     PlanObjects& operator=(const PlanObjects&) = delete;
 
     FramePlan plan;
-    std::unique_ptr<PipelineStore> own_pipelines;  // used if the program provides no store
+    // A store for the pipelines; null if the program provides a store.
+    std::unique_ptr<PipelineStore> own_pipelines;
     PipelineCounts pipeline_counts;
     TransientHeap heap;
     ResourceTable resources;
@@ -53,16 +54,18 @@ struct PlanObjects {
     PassTimer timer;
     PipelineCacheHandle cache;
     DescriptorPoolHandle pool;
-    std::vector<PreparedPass> passes;  // index: schedule position
+    // One element for each schedule position.
+    std::vector<PreparedPass> passes;
     const DrawSource* draws = nullptr;
 };
 
 [[nodiscard]] Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input);
 
-// The objects that amend() replaces.
+// The new plan and pipelines that Executor::amend() puts in place of the old ones.
 struct PlanAmendment final : Amendment {
     FramePlan plan;
-    std::vector<std::vector<DrawPipeline>> passes;  // index: schedule position
+    // The pipelines of each pass, indexed by schedule position.
+    std::vector<std::vector<DrawPipeline>> passes;
     PipelineCounts counts;
 
     PipelineCounts pipelines() const override { return counts; }

@@ -6,8 +6,8 @@
 namespace weft::vk {
 namespace {
 
-// Binds sets 0 and 1 and the push constants; the draw source binds sets 2 and 3. A pipeline of the pass must
-// be bound.
+// Binds descriptor sets 0 (frame) and 1 (ports), and writes the push constants. The draw source binds sets 2
+// and 3. Call this after a pipeline of the pass is bound.
 void bind_pass(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                VkPipelineBindPoint point) {
     const DeviceFunctions& fn = context.device.fn();
@@ -31,7 +31,7 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
                           bytes.data());
 }
 
-// Draws a number of vertices without vertex buffers; the shader gets only the vertex index.
+// Draws a number of vertices without vertex buffers. The shader gets only the vertex index.
 void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                    uint32_t vertices, uint32_t instances) {
     const DeviceFunctions& fn = context.device.fn();
@@ -45,7 +45,8 @@ void draw_list(const RecordContext& context, const PassDecl& pass, const Prepare
                const DrawPipeline& draw) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
-    // All variants share one layout, but previous draws may have bound other sets.
+    // Binds sets 0 and 1 again for every variant. All variants share one pipeline layout, but earlier draws
+    // may have bound other sets.
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
     DrawContext draws;
     draws.fn = &fn;

@@ -8,7 +8,8 @@ namespace weft::vk {
 struct RecordContext {
     Device& device;
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    bool labels = false;  // the queue supports debug labels
+    // True if the queue supports debug labels.
+    bool labels = false;
     uint32_t slot = 0;
     const FrameInput& frame;
     const PlanObjects& objects;

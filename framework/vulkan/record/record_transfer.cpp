@@ -1,4 +1,4 @@
-// Clear, copy and blit passes.
+// This file records clear, copy and blit passes.
 #include <algorithm>
 
 #include "vulkan/device/functions.h"
@@ -33,7 +33,7 @@ VkOffset3D far_corner(const Extent3D& extent) {
             static_cast<int32_t>(extent.depth)};
 }
 
-// Blits each mip of one range to the mip with the same position in the other range.
+// Blits each mip level of the range `from` to the mip level with the same position in the range `to`.
 void blit_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
     const FramePlan& plan = context.objects.plan;
     std::vector<VkImageBlit> blits;

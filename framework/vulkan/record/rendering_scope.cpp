@@ -9,14 +9,16 @@
 namespace weft::vk {
 namespace {
 
-// The plan's load and store operations of one attachment; unlisted attachments keep their content.
+// Returns the plan's load and store operations of one attachment. An attachment that the plan does not list
+// keeps its content: it is loaded and stored.
 AttachmentOps ops_of(const PassStep& step, uint32_t use) {
     for (const AttachmentOps& ops : step.attachments)
         if (ops.use == use) return ops;
     return {use, LoadOp::load, StoreOp::store};
 }
 
-// Resolves multisampled pixels: the mean for float formats; integer formats have no mean.
+// Adds the resolve of a multisampled attachment to `info`: float formats resolve to the mean of the samples,
+// integer formats to sample 0.
 Status add_resolve(const FramePlan& plan, const UseDecl& target, ViewCache& views, uint64_t frame,
                    VkRenderingAttachmentInfo& info) {
     Result<VkImageView> view = views.attachment_view(target, frame);

@@ -1,5 +1,6 @@
-// Purpose: one dynamic rendering scope with the attachments of a pass and their operations. Several passes
-// may share it: the first begins it, the last ends it. Errors: V411.
+// Purpose: one dynamic rendering scope (vkCmdBeginRendering to vkCmdEndRendering) with the attachments of a
+// pass and their load and store operations. Several passes may share a scope: the first of them begins it,
+// the last ends it. Errors: V411 (an image view could not be created).
 #pragma once
 
 #include <vector>
@@ -9,26 +10,29 @@
 namespace weft::vk {
 
 struct RenderingScope {
-    std::vector<VkRenderingAttachmentInfo> colors;  // indexed by location; an unused location has no view
+    // Colour attachments, indexed by the shader's output location. An unused location has no view.
+    std::vector<VkRenderingAttachmentInfo> colors;
     VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     VkRenderingAttachmentInfo stencil{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     VkRect2D area{};
     uint32_t layers = 1;
-    bool begins = true;  // false: the pass continues the scope of the previous pass
-    bool ends = true;    // false: the next pass on the queue continues the scope
+    // False if the pass continues the rendering scope of the previous pass.
+    bool begins = true;
+    // False if the next pass on the queue continues the rendering scope.
+    bool ends = true;
 };
 
 [[nodiscard]] Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassStep& step,
                                                           ViewCache& views, uint64_t frame);
 
-// Begins the scope unless the previous pass did, and sets the pass's dynamic state: viewport, scissor, cull
-// mode, front face.
+// Begins the rendering scope, unless a previous pass has begun it. Sets the dynamic state of the pass:
+// viewport, scissor, cull mode, front face.
 void begin_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
                      const RasterState& state);
-// Ends the scope unless the next pass continues it.
+// Ends the rendering scope, unless the next pass continues it.
 void end_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope);
 
-// The clear value for a colour format; integer formats get integers.
+// Returns the clear value in the type of a colour format: integers for integer formats, else floats.
 [[nodiscard]] VkClearColorValue clear_color(Format format, const std::array<float, 4>& value);
 
 }  // namespace weft::vk

@@ -46,16 +46,16 @@ uint32_t PassTimer::end_query(size_t position) const {
 void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query, bool inside_scope) const {
     const DeviceFunctions& fn = device_->fn();
     fn.vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pools_[slot].get(), query);
-    // lavapipe writes a timestamp only at its next flush. This barrier causes a flush. It has no stages or
-    // accesses, so it cannot hide a missing barrier of the plan. Barriers are not allowed inside a rendering
-    // scope, and lavapipe runs a scope as a whole.
+    // lavapipe writes a timestamp only at its next flush, and this empty barrier causes a flush. The barrier
+    // has no stages and no accesses, so it cannot hide a missing barrier of the plan. Inside a rendering
+    // scope, barriers are not allowed, and lavapipe runs the scope as a whole.
     if (inside_scope) return;
     const VkDependencyInfo nothing{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     fn.vkCmdPipelineBarrier2(commands, &nothing);
 }
 
 void PassTimer::reset(uint32_t slot) const {
-    // Resets on the host, because a transfer queue cannot reset queries.
+    // The host resets the queries, because a transfer queue cannot.
     if (pools_[slot])
         device_->fn().vkResetQueryPool(device_->handle(), pools_[slot].get(), 0, end_query(before_.size()));
 }

@@ -1,6 +1,7 @@
-// Purpose: measures GPU times of passes with timestamp queries: one at the start of each batch and one after
-// each pass. The time of a pass includes waiting for its own barriers, but not the wait of its batch; the
-// store operations of a rendering scope count in the time of its last pass. Times in ms. Errors: V418.
+// Purpose: measures the GPU time of each pass with timestamp queries: one query at the start of each batch
+// and one after each pass. The time of a pass includes the wait at its own barriers, but not the wait of its
+// batch for semaphores. The store operations of a rendering scope count in the time of its last pass. Times
+// are in ms. Errors: V418 (the queries could not be created).
 #pragma once
 
 #include <array>
@@ -13,17 +14,19 @@ namespace weft::vk {
 
 class PassTimer {
  public:
-    // Does nothing unless `enabled`. Passes on queues without timestamps have negative times.
+    // If `enabled` is false, the timer does nothing. A pass on a queue without timestamps gets a negative
+    // time.
     [[nodiscard]] static Result<PassTimer> create(Device& device, const FramePlan& plan, bool enabled);
 
-    // Resets the slot's queries, after its last frame has finished.
+    // Resets the queries of a frame slot. Call this after the slot's last frame has finished.
     void reset(uint32_t slot) const;
     void record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch) const;
     void record_pass_end(VkCommandBuffer commands, uint32_t slot, uint32_t position) const;
-    // Indexed by schedule position; call this after the slot's frame has finished.
+    // Returns the time of each pass in ms, indexed by schedule position. Call this after the slot's frame has
+    // finished.
     [[nodiscard]] std::vector<double> read_ms(uint32_t slot) const;
-    // The first position whose end has not been reached; the number of passes if unknown. For a slot that
-    // hangs.
+    // Finds the pass in which a frame hangs: the first schedule position whose end the GPU has not reached.
+    // Returns the number of passes if this is unknown.
     [[nodiscard]] uint32_t first_unfinished(uint32_t slot) const;
 
  private:
@@ -32,15 +35,18 @@ class PassTimer {
         uint64_t available = 0;
     };
     void write(VkCommandBuffer commands, uint32_t slot, uint32_t query, bool inside_scope) const;
-    [[nodiscard]] std::vector<Stamp> stamps(uint32_t slot) const;  // index: query; empty when disabled
+    // Reads all queries of a frame slot; returns an empty list if the timer is disabled.
+    [[nodiscard]] std::vector<Stamp> stamps(uint32_t slot) const;
     [[nodiscard]] uint32_t end_query(size_t position) const;
 
     Device* device_ = nullptr;
-    std::vector<uint8_t> batch_timed_;   // index: batch
-    std::vector<uint8_t> inside_scope_;  // index: schedule position; 1 if the next pass continues the same
-                                         // rendering scope
-    std::vector<uint32_t> before_;  // index: schedule position; the previous query on its queue; kNoId if not
-                                    // timed
+    // For each batch, 1 if its passes are timed.
+    std::vector<uint8_t> batch_timed_;
+    // For each schedule position, 1 if the next pass continues the same rendering scope.
+    std::vector<uint8_t> inside_scope_;
+    // For each schedule position, the query that precedes the pass on its queue, from which its time counts;
+    // kNoId if the pass is not timed.
+    std::vector<uint32_t> before_;
     std::array<QueryPoolHandle, kFramesInFlight> pools_;
 };
 
