@@ -21,7 +21,7 @@ std::string base64(const std::vector<uint8_t>& bytes) {
     return text;
 }
 
-// Four positions, followed by six indices.
+// Returns the content of the buffer: four positions, followed by six indices of two triangles.
 std::vector<uint8_t> square_bytes() {
     constexpr std::array<float, 12> kPositions{-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1};
     constexpr std::array<uint16_t, 6> kIndices{0, 2, 1, 0, 3, 2};

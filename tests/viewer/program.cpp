@@ -21,7 +21,8 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
 }
 
-// Runs in the child after fork: code after the setup of descriptors must not allocate, and only calls exec.
+// Turns the forked child process into the program: connects stdin, stdout and stderr, sets the environment,
+// and calls exec. The child must not return from this function.
 [[noreturn]] void become(std::vector<char*>& arguments, const Environment& environment,
                          const std::filesystem::path& folder, const char* out, const char* err) {
     const int out_file = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -44,7 +45,7 @@ void reset_signals() {
 
 void limit_time(unsigned most_cpu_s) {
     rlimit limit{};
-    // The hard limit stays, because the program sets its own limit and only root may raise it again.
+    // The hard limit keeps its value: `weft` sets a limit itself, and only root may raise a hard limit again.
     if (getrlimit(RLIMIT_CPU, &limit) == 0) {
         limit.rlim_cur = std::min<rlim_t>(most_cpu_s, limit.rlim_max);
         setrlimit(RLIMIT_CPU, &limit);

@@ -1,4 +1,5 @@
-// Runs the `weft` program as a user does, and measures its time and memory. Names contain the units.
+// Runs the `weft` program as a user does, and measures its processor time and memory. Names of numbers end
+// with their units.
 #pragma once
 
 #include <filesystem>
@@ -9,42 +10,46 @@
 namespace weft::test {
 
 struct RunResult {
-    int exit_code = -1;  // 128 + signal if it was killed
+    // Exit code of the program; 128 + the number of the signal if a signal killed the program.
+    int exit_code = -1;
     std::string out;
     std::string err;
-    double cpu_s = 0;            // CPU time including all child processes; it does not depend on the load of
-                                 // the machine
-    uint64_t max_rss_bytes = 0;  // of the largest process, including child processes
+    // Processor time in seconds, including all child processes. It does not depend on the load of the
+    // machine.
+    double cpu_s = 0;
+    // Most memory that one process used, in bytes; child processes are compared too.
+    uint64_t max_rss_bytes = 0;
 
-    // Output as text for failure messages.
+    // Returns the exit code, time, memory and output as one text for failure messages.
     [[nodiscard]] std::string text() const;
 };
 
-// Much higher than any test needs, so that only a hanging program exceeds them. No test result depends on
-// elapsed real time.
+// Limits of processor time and of elapsed time for one program, in seconds. They are much higher than any
+// test needs, so only a program that hangs exceeds them. No test result depends on elapsed time.
 inline constexpr unsigned kMostCpu_s = 1200;
 inline constexpr unsigned kMostWall_s = 1500;
 
-// For a child: signals end it, also where the tests run in the background, in which a shell ignores some of
-// them.
+// Restores the default actions of signals in a child process. A shell ignores some signals in background
+// jobs, and a child would inherit this, so that the signals could not end it.
 void reset_signals();
-// Sets the limits above; call it in a child before exec, which keeps them.
+// Sets the limits of processor time and elapsed time. Call it in a child process before exec, which keeps the
+// limits.
 void limit_time(unsigned most_cpu_s = kMostCpu_s);
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-// `environment` is added to the test's environment. The program is killed after kMostCpu_s of CPU time, or
-// kMostWall_s if it sleeps.
+// Runs `weft` in `folder` and waits for its end. `environment` is added to the environment of the test. The
+// program is killed after kMostCpu_s of processor time, or after kMostWall_s of elapsed time.
 [[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments,
                                  const Environment& environment = {},
                                  const std::filesystem::path& folder = {});
 
-// Runs any program, given by path or name; otherwise as above.
+// Runs any program in the same way as run_weft(). The first word is the path or name of the program.
 [[nodiscard]] RunResult run_program(const std::vector<std::string>& words,
                                     const Environment& environment = {},
                                     const std::filesystem::path& folder = {});
 
-// An empty folder, removed in the destructor.
+// Creates an empty temporary folder, and removes it with its content in the destructor.
 class ScratchFolder {
  public:
     ScratchFolder();
@@ -62,10 +67,10 @@ class ScratchFolder {
 
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 
-// True if the complete test matrices shall run (WEFT_EXTENDED).
+// Returns true if the environment variable WEFT_EXTENDED asks for the complete test matrices.
 [[nodiscard]] bool extended();
 
-// True if a Vulkan device is available; tests that need one are skipped otherwise.
+// Returns true if a Vulkan device is available. Otherwise, tests that need a device are skipped.
 [[nodiscard]] bool has_device();
 
 }  // namespace weft::test

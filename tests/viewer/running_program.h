@@ -1,4 +1,5 @@
-// Purpose: a running `weft` program: reads its output so far, and can end it.
+// Purpose: runs a `weft` program in the background; a test can read the output so far, send signals, and end
+// the program.
 #pragma once
 
 #include <sys/types.h>
@@ -12,7 +13,8 @@ namespace weft::test {
 
 class RunningProgram {
  public:
-    // `environment` is added to the test's environment. The program is killed after this much processor time.
+    // Starts `weft`. `environment` is added to the environment of the test. The program is killed after
+    // `most_cpu_s` seconds of processor time.
     explicit RunningProgram(const std::vector<std::string>& arguments, const Environment& environment = {},
                             unsigned most_cpu_s = kMostCpu_s);
     ~RunningProgram();
@@ -20,12 +22,14 @@ class RunningProgram {
     RunningProgram& operator=(const RunningProgram&) = delete;
 
     [[nodiscard]] std::string err() const { return read_text(scratch_ / "err"); }
-    // Waits until stderr contains `text` this many times, or the program has ended.
+    // Waits until stderr contains `text` at least `times` times, or until the program has ended. Returns
+    // whether the text was found.
     [[nodiscard]] bool says(const std::string& text, int times = 1) const;
     [[nodiscard]] pid_t id() const { return child_; }
     void close_stdin();
     void send(int signal) const;
-    // Waits for the end of the program. 128 + signal if it was killed.
+    // Waits for the end of the program. Returns its exit code, or 128 + the number of the signal that killed
+    // it.
     [[nodiscard]] int exit_code();
 
  private:

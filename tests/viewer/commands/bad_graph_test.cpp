@@ -1,5 +1,5 @@
-// Faulty graphs in the `weft` program: exit code 3 within 5 s and 1 GiB, the fault's place, and a remedy.
-// diagnostics_test.cpp tests each fault separately.
+// Tests that `weft` refuses faulty graphs with exit code 3, within 5 s and 1 GiB, and that the message names
+// the place of the fault and a remedy. diagnostics_test.cpp tests each kind of fault separately.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/program.h"
@@ -46,7 +46,8 @@ TEST(BadGraph, AllFaultsAreReportedAtOnce) {
                    {"2:73: error[W102]", "3:24: error[W116]", "4:53: error[W101]"});
 }
 
-// Typical attacks on parsers: depth, size, and bytes that are not text.
+// The files of this test attack a parser: with deep nesting, with a large size, and with bytes that are not
+// text.
 TEST(BadGraph, HostileFilesAreRefusedQuickly) {
     const ScratchFolder scratch;
     scratch.write("deep.json", std::string(200'000, '['));

@@ -1,5 +1,6 @@
-// Faulty and hostile scenes in the `weft` program: exit code 3 within 5 s and 1 GiB, file and JSON pointer,
-// and a remedy. No device is needed, because scenes are read first.
+// Tests that `weft` refuses faulty and hostile scenes with exit code 3, within 5 s and 1 GiB, and that the
+// message names the file, the JSON pointer and a remedy. No device is needed, because `weft` reads the scene
+// before it opens a device.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -12,10 +13,13 @@ namespace {
 
 struct BadScene {
     const char* name;
-    const char* from;  // text to replace in a valid scene
-    const char* to;    // its replacement
+    // Text in a valid scene that the test replaces.
+    const char* from;
+    // Text that replaces `from`, so that the scene becomes faulty.
+    const char* to;
     const char* code;
-    const char* pointer;  // expected JSON pointer, or line and column
+    // JSON pointer that the message must name, or the line and column if the JSON itself is invalid.
+    const char* pointer;
     const char* help;
 };
 
@@ -77,7 +81,8 @@ class BadSceneTest : public testing::TestWithParam<BadScene> {};
 TEST_P(BadSceneTest, IsRefusedByFileAndPointer) {
     const BadScene& bad = GetParam();
     const ScratchFolder scratch;
-    // Large enough to serve as the buffer, if it could be read.
+    // The secret file is as large as the scene's buffer. So only a check of the path can stop `weft` from
+    // reading it.
     scratch.write("secret.bin", std::string(64, 's'));
     scratch.write("scene/a/keep", "");
     scratch.write("scene/scene.gltf", replaced(square_gltf(), bad.from, bad.to));
@@ -118,7 +123,8 @@ TEST(BadScene, AnEnvironmentIsJudgedByItsHeader) {
     const ScratchFolder scratch;
     const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
     scratch.write("huge.hdr", header + "-Y 16384 +X 16384\n");
-    // The file ends inside a coded row; a decoder without a check would never return.
+    // The file ends inside a run-length-coded row. A decoder that does not check for the end of the file
+    // would never return.
     scratch.write("cut.hdr", header + "-Y 512 +X 1024\n" + std::string("\2\2\4\0\377", 5));
     scratch.write("text.hdr", "no picture");
     const auto with = [&](const std::string& env) {

@@ -1,4 +1,4 @@
-// Runs `weft bench frame` on the available device.
+// Tests `weft bench frame` on the available Vulkan device.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

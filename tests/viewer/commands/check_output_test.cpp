@@ -1,4 +1,4 @@
-// The output of `weft check` for users (colours on a terminal) and for programs (SARIF).
+// Tests the output of `weft check`: colours for users on a terminal, and SARIF for programs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,14 +15,15 @@ constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 const std::string kBad = WEFT_SOURCE_DIR "/tests/diagnostics/W103_port.json";
 constexpr const char* kEscape = "\x1b[";
 
-// Isolates the result from the environment of the test.
+// Returns the environment variables of a run. Variables that control colours get fixed values, so that the
+// result does not depend on the environment of the test.
 Environment colors(Environment more) {
     Environment all{{"NO_COLOR", ""}, {"FORCE_COLOR", ""}, {"CLICOLOR_FORCE", ""}, {"TERM", "xterm"}};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 
-// Output on a terminal: stdout and stderr together.
+// Runs `weft` on a pseudo-terminal. The result contains stdout and stderr together.
 RunResult on_terminal(const std::string& arguments, const Environment& more = {}) {
     return run_program({"script", "-qec", "'" WEFT_PROGRAM "' " + arguments, "/dev/null"}, colors(more));
 }
@@ -70,7 +71,7 @@ TEST(CheckColors, OtherCommandsHaveThemToo) {
         EXPECT_NE(run_weft(command, forced).err.find("\x1b[1;31merror"), std::string::npos) << command[0];
 }
 
-// Control characters in a file must not reach the terminal.
+// The graph file contains control characters. `weft` must not pass them to the terminal.
 TEST(CheckColors, AFileCannotBringItsOwn) {
     const ScratchFolder folder;
     folder.write("a.json", "{ \"version\": 1, \"\x1b[31mx\": 1 }");
@@ -78,7 +79,7 @@ TEST(CheckColors, AFileCannotBringItsOwn) {
     EXPECT_EQ(run.err.find("\x1b[31m"), std::string::npos) << run.text();
 }
 
-// Checks the requirements of the standard that apply to this log.
+// Expects that a location in a SARIF log meets the requirements of the SARIF standard.
 void expect_location(const Json& location, const Json& run) {
     if (location.contains("physicalLocation")) {
         const Json& physical = location.at("physicalLocation");
@@ -129,7 +130,7 @@ Json expect_log(const std::string& text) {
         EXPECT_FALSE(rule.at("shortDescription").at("text").get<std::string>().empty()) << ids.back();
         const std::string help = rule.at("help").at("text");
         EXPECT_NE(help.find("docs/diagnostics.md, section \""), std::string::npos) << help;
-        // A local address would be invalid on another machine.
+        // A link to the local documentation would be invalid on another machine, so no rule has a `helpUri`.
         EXPECT_FALSE(rule.contains("helpUri"));
     }
     EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
@@ -175,7 +176,8 @@ TEST(CheckSarif, IsWellFormedForEveryBadFile) {
     EXPECT_GT(expect_log(run.out).at("runs")[0].at("results").size(), 5u);
 }
 
-// é is two bytes and one UTF-16 unit, 🎈 is four bytes and two units.
+// SARIF counts columns in UTF-16 units. The letter é has two bytes and one unit; 🎈 has four bytes and two
+// units.
 TEST(CheckSarif, ColumnsAreUtf16AndPathsAreUris) {
     const ScratchFolder folder;
     folder.write("a b%ü.json", "{ \"version\": 1, /* \xC3\xA9 \xF0\x9F\x8E\x88 */ \"nmae\": 1 }\n");
@@ -195,7 +197,8 @@ TEST(CheckSarif, ColumnsAreUtf16AndPathsAreUris) {
         6);
 }
 
-// Notes become related locations, for example the file that includes a faulty shader.
+// The notes of a message become related locations in SARIF. An example is a note that names the file which
+// includes a faulty shader.
 TEST(CheckSarif, NotesAreRelatedLocations) {
     const ScratchFolder folder;
     folder.write("x/x.comp",

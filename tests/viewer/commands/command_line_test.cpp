@@ -1,4 +1,4 @@
-// Behaviour that scripts rely on: exit codes, data on stdout, and messages of the commands.
+// Tests the behaviour that scripts rely on: exit codes, data on stdout, and the messages of the commands.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -64,13 +64,15 @@ const std::vector<BadUsage>& bad_usages() {
     return usages;
 }
 
-// Every flag with a number, and its range: other values, and texts that are not finite numbers, are refused.
+// A flag that takes a number, and the range of the number. The command must refuse values outside the range,
+// and texts that are not finite numbers.
 struct NumberFlag {
     const char* name;
     std::vector<std::string> command;
     const char* flag;
     const char* range;
-    const char* below;  // slightly out of range
+    // A value slightly below the range.
+    const char* below;
     const char* above;
 };
 
@@ -329,7 +331,7 @@ TEST(NoDevice, AnUnknownDeviceIsOneToo) {
 TEST(TimeOut, IsExitCode7NamingThePassesInFlight) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
-    // One pass never ends; the rest of the frame needs a thousandth of the time limit.
+    // Pass "turning" never ends. The remaining passes need only a thousandth of the time limit.
     folder.write("endless.comp", R"(#version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 writeonly uniform image2D x;
@@ -354,8 +356,8 @@ void main() {
     EXPECT_NE(run.err.find("turning"), std::string::npos) << run.text();
 }
 
-// Such a short time limit may expire anywhere: in an upload, in a frame, or not at all. The shader need not
-// be faulty: a scene may have more objects than the device can draw in that time.
+// The shader loops for a very long time. The message must name the number of objects that the passes draw,
+// because a scene with too many objects is another possible cause of a time-out.
 TEST(TimeOut, CountsTheObjectsThatThePassesInFlightDraw) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
@@ -376,6 +378,7 @@ TEST(TimeOut, CountsTheObjectsThatThePassesInFlightDraw) {
         << run.text();
 }
 
+// A time limit of 1 ms may expire anywhere: during an upload, during a frame, or not at all.
 TEST(TimeOut, NeverCrashesWhereverItStrikes) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;

@@ -1,4 +1,4 @@
-// Runs `weft compare`: numbers, limits, formats, and untrusted pictures.
+// Tests `weft compare`: its numbers and limits, the picture formats, and pictures that cannot be trusted.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr uint32_t kWidth_px = 13, kHeight_px = 9;
 
-// Texels of 8-bit values.
+// Returns a picture with random 8-bit values, 0 to 255.
 std::vector<Texel> noise(uint32_t seed) {
     std::mt19937 random(seed);
     std::vector<Texel> texels(size_t{kWidth_px} * kHeight_px);
@@ -31,7 +31,7 @@ std::vector<Texel> map_values(std::vector<Texel> texels, float (*function)(float
     return texels;
 }
 
-// Converts 8-bit values to linear values.
+// Converts an 8-bit sRGB value, 0 to 255, to a linear value, 0 to 1.
 float to_linear(float step) {
     const float v = step / 255;
     return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
@@ -57,7 +57,7 @@ class Compare : public testing::Test {
         scratch_.write(name, file);
     }
 
-    // Expects exit code 3 with this code, and no data on stdout.
+    // Expects exit code 3, an error with this code and a help text, and no data on stdout.
     void expect_refused(const std::string& a, const std::string& b, const std::string& code,
                         const std::vector<std::string>& more = {}) const {
         const RunResult run = compare(a, b, more);
@@ -132,7 +132,8 @@ TEST_F(Compare, TheHeatMapHasThePicturesSize) {
         EXPECT_EQ(heat.at("width"), kWidth_px);
         EXPECT_EQ(heat.at("height"), kHeight_px);
     }
-    // The map is written even when the limit is exceeded; the darkest colour of magma means no difference.
+    // The heat map is written even if the difference exceeds the limit. In the map, the darkest colour (0, 0,
+    // 4) means no difference.
     EXPECT_EQ(compare("a.png", "b.png", {"--max", "0", "--output", "over.png"}).exit_code, 6);
     EXPECT_EQ(compare("over.png", "over.png").exit_code, 0);
     EXPECT_EQ(compare("a.png", "a.png", {"-o", "none.png"}).exit_code, 0);
@@ -160,7 +161,7 @@ TEST_F(Compare, ReadsRawPicturesOfAllKinds) {
     EXPECT_EQ(compare("grey.pfm", "white.pfm", {"--metric", "max"}).out, "0\n");
 }
 
-// The content of a file determines its format, not its name.
+// The content of a file determines its picture format; the file name does not.
 TEST_F(Compare, EncodesRawPicturesToCompareThemWithDisplayValues) {
     write_raw("linear.exr", map_values(noise(1), to_linear));
     write_raw("linear.pfm", map_values(noise(1), to_linear));
@@ -204,7 +205,7 @@ TEST_F(Compare, RefusesTexelsThatAreNoNumbersUnlessRawOnesAreCompared) {
     EXPECT_EQ(compare("nan.exr", "good.pfm", {"--metric", "max", "--max", "1e30"}).exit_code, 6);
 }
 
-// Memory for the size in a header is allocated only after that size is checked.
+// `weft compare` must check the size in a file's header before it allocates memory for that size.
 TEST_F(Compare, RefusesHugePicturesByTheirHeaders) {
     const std::vector<Texel> one{{0, 0, 0}};
     scratch_.write("wide.png", png_file(16385, 1, one));
@@ -224,14 +225,14 @@ TEST_F(Compare, RefusesHugePicturesByTheirHeaders) {
     }
 }
 
-// The limit covers all memory of a comparison: files, pictures, and maps of differences.
+// The memory limit covers all memory of a comparison: files, pictures, and maps of differences.
 TEST_F(Compare, TakesNoMoreMemoryThanTheLimitSays) {
     const auto black = [&](const char* name, const std::string& size, uint64_t texels) {
         scratch_.write(name, "PF\n" + size + "\n-1.0\n");
         const std::filesystem::path file = scratch_.path() / name;
         std::filesystem::resize_file(file,
-                                     std::filesystem::file_size(file) + texels * 12);  // a sparse file,
-                                                                                       // without disk space
+                                     // The file grows without using disk space, because it is sparse.
+                                     std::filesystem::file_size(file) + texels * 12);
     };
     black("more.pfm", "8192 4096", uint64_t{8192} * 4096);
     const RunResult refused = compare("more.pfm", "more.pfm");
@@ -240,7 +241,8 @@ TEST_F(Compare, TakesNoMoreMemoryThanTheLimitSays) {
         << refused.text();
     black("most.pfm", "4096 2048", uint64_t{4096} * 2048);
     for (const char* metric : {"flip", "psnr", "max"}) {
-        if (!extended() && std::string(metric) == "flip") continue;  // takes seconds
+        // FLIP takes seconds for a picture of this size.
+        if (!extended() && std::string(metric) == "flip") continue;
         const RunResult run = compare("most.pfm", "most.pfm", {"--metric", metric});
         EXPECT_EQ(run.exit_code, 0) << run.text();
         EXPECT_LE(run.max_rss_bytes, uint64_t{768} << 20) << metric;
@@ -284,7 +286,7 @@ TEST_F(Compare, AgreesWithImageMagickOnPsnr) {
     EXPECT_NEAR(std::stod(ours.out), std::strtod(theirs.c_str(), nullptr), 0.01) << theirs;
 }
 
-// `compare` reads all formats that `render` writes.
+// `weft compare` must read all picture formats that `weft render` writes.
 TEST_F(Compare, ReadsWhatRenderWrites) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     for (const char* name : {"r.png", "r.exr", "r.pfm"}) {

@@ -1,4 +1,4 @@
-// Pictures are equal in every bit, for every run and every number of driver threads.
+// Tests that pictures are equal in every bit, in every run and for every number of driver threads.
 #include <gtest/gtest.h>
 
 #include <set>

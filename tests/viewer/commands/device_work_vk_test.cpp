@@ -1,5 +1,5 @@
-// Runs the graph of the documentation's section on samples, blits and indirect work, and compares each result
-// with the pictures that it was computed from.
+// Runs the example graph for samples, blits and indirect work of the documentation. Compares each result with
+// a value computed from other pictures of the same graph.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace {
 
 using Json = nlohmann::json;
 using Texel = std::array<float, 3>;
-constexpr uint32_t kDraws = 50;  // objects in builtin:spheres: 7 x 7 spheres, and the ground
+// Number of objects in builtin:spheres: 7 x 7 spheres and the ground.
+constexpr uint32_t kDraws = 50;
 constexpr uint32_t kWidth = 121, kHeight = 86;
 
 class DeviceWork : public testing::Test {
@@ -27,7 +28,8 @@ class DeviceWork : public testing::Test {
         graph_ = read_text(folder_ / "sparse.json");
     }
 
-    // Renders a resource of the graph at its own size; the validation layer must give no message.
+    // Renders one resource of the graph at its own size, and expects that the validation layer gives no
+    // message.
     PfmImage picture(const std::string& graph, const std::string& resource, uint32_t every, uint32_t first) {
         std::vector<std::string> arguments{
             "render",     "builtin:spheres",
@@ -60,8 +62,9 @@ TEST_F(DeviceWork, DrawingByTheListsOwnCommandsIsDrawingTheList) {
     EXPECT_EQ(indirect.texels, direct.texels);
 }
 
-// Away from edges, where all samples see one object, each pixel of the whole picture equals that of one of
-// the two halves.
+// The three pictures show all objects, only the even ones, and only the odd ones. Inside an object, each
+// pixel of the first picture must equal the pixel of the second or third picture. Pixels at edges are
+// averages of several samples.
 TEST_F(DeviceWork, CulledDrawsAreGoneAndTheOthersAreThere) {
     const PfmImage all = picture("sparse.json", "color", 1, 0), even = picture("sparse.json", "color", 2, 0),
                    odd = picture("sparse.json", "color", 2, 1);
@@ -105,7 +108,8 @@ TEST_F(DeviceWork, TheThumbnailIsThePictureFilteredLinearly) {
         for (uint32_t x = 0; x < small.width_px; ++x) {
             const Texel wanted =
                 bilinear(color, (x + 0.5) * kWidth / small.width_px, (y + 0.5) * kHeight / small.height_px);
-            // Tolerance: half floats of values up to 1, and eight bits for positions between two texels.
+            // The tolerance covers two roundings: values up to 1 are half floats, and the device uses eight
+            // bits for a position between two texels.
             for (size_t c = 0; c < 3; ++c) ASSERT_NEAR(small.at(x, y)[c], wanted[c], 0.005) << x << ", " << y;
         }
 }

@@ -1,4 +1,4 @@
-// The output of `weft diff` for two plans.
+// Tests the output of `weft diff` for two plans.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
-// The shipped graph with one text replaced by another.
+// Returns the text of the shipped graph deferred.json with the text `what` replaced by `by`.
 std::string changed_graph(const std::string& what, const std::string& by) {
     std::ifstream in(kDeferred);
     std::ostringstream content;

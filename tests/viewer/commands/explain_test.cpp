@@ -1,5 +1,5 @@
-// Every kind of question to `weft explain`, about the shipped graph: the answers contain lines and columns of
-// its file.
+// Tests every kind of question to `weft explain` about a shipped graph. The answers must contain lines and
+// columns of the graph file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
-// The first place of `text` in a file after `after`: "file:line:column".
+// Returns the first place of `text` in a file as "file:line:column". The search starts at the first
+// occurrence of `after`.
 std::string place_of(const std::string& file, const std::string& text, const std::string& after = "") {
     std::ifstream in(file);
     std::ostringstream content;
@@ -56,7 +57,8 @@ TEST(Explain, ALivePassNamesWhoNeedsIt) {
          "it is there for \"tonemap\" (" + pass_place("tonemap") + ")", "writes \"backbuffer\", the output"});
 }
 
-// A pass without readers, and a pass that only the first pass reads.
+// Pass "second" has no reader, so it is culled. Only "second" reads the output of pass "first", so "first" is
+// culled too.
 TEST(Explain, ACulledPassNamesItsReasonAndItsReaders) {
     const ScratchFolder scratch;
     scratch.write("graph.json", R"({

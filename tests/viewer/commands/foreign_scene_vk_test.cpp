@@ -1,4 +1,4 @@
-// Renders glTF files as a user does, and checks pixels and messages.
+// Renders glTF files that other programs could have made, as a user does, and checks the pixels and messages.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,8 @@ class ForeignScene : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Graphs, ForeignScene, testing::Values("deferred", "forward"),
                          [](const auto& tested) { return std::string(tested.param); });
 
-// The point where the ray of a pixel meets the ground, for the camera of square_gltf().
+// A point on the ground in metres: the place where the ray through a pixel's centre meets the ground, for the
+// camera of square_gltf().
 struct Ground {
     double x, z;
 };
@@ -44,7 +45,8 @@ Ground ground_at(uint32_t i, uint32_t j, uint32_t width_px, uint32_t height_px) 
 }
 
 TEST_P(ForeignScene, VertexColoursOfAnUnlitSquareAreItsPixels) {
-    // Positions, clamped, are used as colours: red increases with x and blue with z.
+    // The file uses the positions as vertex colours too, clamped to 0 and above. So red increases with x, and
+    // blue increases with z.
     std::string gltf = replaced(square_gltf(), R"("POSITION": 0)", R"("POSITION": 0, "COLOR_0": 0)");
     gltf = replaced(gltf, R"([0.8, 0.2, 0.1, 1],)", R"([0.5, 1, 0.25, 1],)");
     gltf = replaced(gltf, R"("doubleSided": true,)",
@@ -83,7 +85,7 @@ TEST_P(ForeignScene, WhatIsDrawnIsNotMissed) {
 TEST(ForeignSceneLeftOut, IsSaidOnce) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
-    // The shipped pipeline without its pass for transparent surfaces.
+    // The graph is the shipped deferred pipeline without its pass "glass", which draws transparent surfaces.
     std::string graph = read_text(WEFT_SOURCE_DIR "/graphs/deferred.json");
     const size_t begin = graph.find("\"glass\":"), end = graph.find("\"tonemap\":");
     ASSERT_LT(begin, end);

@@ -1,5 +1,5 @@
-// The pictures of tests/golden: equal in every bit on the driver that made them, and visually equal on other
-// drivers.
+// Compares rendered pictures with the pictures in tests/golden. They must be equal in every bit on the driver
+// that made the stored pictures, and visually equal on other drivers.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace weft::test {
 namespace {
 
 const std::filesystem::path kFolder = WEFT_SOURCE_DIR "/tests/golden";
-// A FLIP value of 0.005 is invisible.
+// Limit for the FLIP difference of two pictures. A mean difference of 0.005 is invisible.
 constexpr const char* kSame = "0.005";
 
 class Golden : public testing::TestWithParam<GoldenView> {};

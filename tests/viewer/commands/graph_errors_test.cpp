@@ -1,4 +1,5 @@
-// Errors of graphs: messages use the user's own paths, and appear before slow work begins.
+// Tests error messages of graphs: the messages show file paths as the user wrote them, and appear before slow
+// work begins.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -42,7 +43,8 @@ TEST_F(GraphErrors, OfShadersNameFilesAsTheGraphWasNamed) {
     EXPECT_TRUE(absolute.err.starts_with(folder_ / "mine/tone.glsl")) << absolute.text();
 }
 
-// Compiled programs of two folders are not confused, although their relative names are equal.
+// Two folders contain files with the same relative names. The cache of compiled shaders must not use the
+// result of one folder for the other.
 TEST_F(GraphErrors, FoldersThatAreCalledTheSameAreNotTakenForEachOther) {
     std::filesystem::create_directories(folder_.path() / "yours");
     folder_.write("mine/tone.glsl", "float tone(float x) { return x; }\n");

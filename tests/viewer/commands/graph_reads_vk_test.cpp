@@ -1,4 +1,4 @@
-// `weft render` reads its graph file, and each file that this includes, once.
+// Tests that `weft render` reads its graph file, and each included file, exactly once.
 #include <gtest/gtest.h>
 #include <sys/inotify.h>
 #include <unistd.h>
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Counts how often files are opened from now on.
+// Counts how often each watched file is opened, beginning with the call of watch().
 class OpenCounter {
  public:
     OpenCounter() : events_(inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {}
@@ -21,7 +21,7 @@ class OpenCounter {
     OpenCounter& operator=(const OpenCounter&) = delete;
 
     void watch(const std::string& file) {
-        // Without IN_CLOSE, the system would merge successive events of one file.
+        // IN_CLOSE is necessary, because the kernel merges successive identical events of one file.
         const int id = inotify_add_watch(events_, file.c_str(), IN_OPEN | IN_CLOSE);
         ASSERT_GE(id, 0) << file;
         files_[id] = file;
@@ -47,7 +47,8 @@ TEST(GraphReads, RenderReadsEachGraphFileOnce) {
     const std::string graph = folder / "deferred.json";
     OpenCounter opened;
     opened.watch(graph);
-    opened.watch(folder / "modules/sun_shadows.json");  // the graph includes it
+    // The graph file includes this module.
+    opened.watch(folder / "modules/sun_shadows.json");
     const RunResult run = run_weft(
         {"render", "builtin:spheres", "--graph", graph, "--size", "32x18", "-o", folder / "frame.png"});
     ASSERT_EQ(run.exit_code, 0) << run.text();

@@ -1,4 +1,5 @@
-// `weft check --run`: tests inside graphs, both shipped ones and some that must fail; also debug views.
+// Tests `weft check --run`, which runs the tests inside graphs: those of the shipped graphs, and some that
+// must fail. Also tests debug views.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ class GraphTests : public testing::Test {
         if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     }
 
-    // Checks a graph that fills x with `value`; `rest` contains further sections.
+    // Checks a graph whose shader fills image x with `value`. `rest` contains further sections of the graph.
     RunResult check(const std::string& value, const std::string& rest) const {
         folder_.write("value.comp", R"(#version 460
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -43,7 +44,8 @@ void main() { imageStore(x, ivec2(gl_GlobalInvocationID.xy), vec4(params.zero + 
         return run_weft({"check", folder_ / "g.json", "--run"});
     }
 
-    // "$$" marks the place that the message must name, in line 10 or later.
+    // Expects that the check fails, and that the message names the place of "$$" in `rest`. `rest` begins in
+    // line 10 of the graph.
     void expect_failure(const std::string& value, std::string rest, const std::string& message) const {
         const size_t mark = rest.find("$$");
         rest.erase(mark, 2);
@@ -126,7 +128,7 @@ TEST_F(GraphTests, WhatATestNamesMustBeThere) {
         EXPECT_NE(run.err.find(code), std::string::npos) << code << "\n" << run.text();
 }
 
-// The graph's number of frames is an expression, whose value is known only at run time.
+// The number of frames is an expression with a parameter, so `weft` knows its value only when the tests run.
 TEST_F(GraphTests, FramesOfAllRunsAreLimited) {
     const RunResult run = check("0.5", R"("frames": "10000 + zero", "tests": [
       { "size": [32, 32], "frames": 2 }, { "size": [32, 32], "params": { "zero": 6383 } } ])");
@@ -137,7 +139,7 @@ TEST_F(GraphTests, FramesOfAllRunsAreLimited) {
     EXPECT_NE(run.err.find("raise graph.testFrames"), std::string::npos) << run.text();
 }
 
-// --- debug views
+// The following tests render debug views (`weft render --debug VIEW`).
 
 class DebugViews : public GraphTests {
  protected:
@@ -185,7 +187,7 @@ TEST_F(DebugViews, ThePictureIsNoneOfTheirBusiness) {
     EXPECT_NE(read_text(folder_ / "view.png"), read_text(folder_ / "plain.png"));
 }
 
-// Rows from the top, three numbers per pixel.
+// A picture in memory: rows from top to bottom, three numbers per pixel.
 struct Picture {
     size_t width = 0, height = 0;
     std::vector<float> numbers;
@@ -206,7 +208,8 @@ Picture read_pfm(const std::string& text) {
     const size_t row = picture.width * 3;
     if (kind != "PF" || scale >= 0) return {};
     picture.numbers.resize(row * picture.height);
-    for (size_t y = picture.height; y-- > 0;)  // the file stores rows from the bottom
+    // A PFM file stores the bottom row first.
+    for (size_t y = picture.height; y-- > 0;)
         in.read(reinterpret_cast<char*>(&picture.numbers[y * row]),
                 static_cast<std::streamsize>(row * sizeof(float)));
     return picture;
@@ -239,7 +242,8 @@ TEST_F(DebugPictures, WhereNothingWasDrawnTheyAllShowTheSameStripes) {
 }
 
 TEST_F(DebugPictures, NumbersAsColoursHaveALegend) {
-    // The middle row of the colour bar: 120 pixels, starting at the tenth, 10 above the bottom.
+    // Returns the middle row of the colour bar, which is 120 px wide. The bar starts 10 px from the left edge
+    // and 10 px above the bottom edge.
     const auto bar = [](const Picture& shown) {
         std::vector<std::array<float, 3>> colors;
         for (size_t x = 10; x < 130; ++x) colors.push_back(shown.at(x, 180 - 16));
@@ -253,7 +257,8 @@ TEST_F(DebugPictures, NumbersAsColoursHaveALegend) {
         << "each number has a colour of its own";
     EXPECT_EQ(heats.front()[0], 0);
     EXPECT_EQ(heats.back()[0], 1);
-    // Numbers are shown in white on black; views in plain colours have none.
+    // Counts the white pixels above the colour bar, where the legend shows its numbers in white. A view that
+    // shows plain colours has no legend.
     const auto letters = [](const Picture& shown) {
         size_t count = 0;
         for (size_t y = 180 - 25; y < 180 - 20; ++y)

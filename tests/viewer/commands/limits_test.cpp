@@ -1,4 +1,4 @@
-// The table of limits: docs/SECURITY.md must show it unchanged, and --limits changes the values.
+// Tests the table of limits: docs/SECURITY.md shows the same values, and --limits changes them.
 #include "weft/limits.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(LimitTable, TheDocumentedTableIsTheOneInTheCode) {
     EXPECT_EQ(documented, real);
 }
 
-// Every member needs a row; otherwise it could not be changed.
+// Every member of Limits needs a row in the table; otherwise --limits could not change the member.
 TEST(LimitTable, HasARowForEachLimit) {
     EXPECT_EQ(limit_table().size(), sizeof(Limits) / sizeof(uint64_t));
     Limits limits;

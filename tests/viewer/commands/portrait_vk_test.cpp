@@ -1,4 +1,4 @@
-// A portrait picture shows the full width of a built-in scene.
+// Tests that a picture in portrait format shows the full width of a built-in scene.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/commands/render_stats.h"

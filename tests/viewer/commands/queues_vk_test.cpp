@@ -1,4 +1,5 @@
-// The picture is the same for any number of queues in the plan, and the validation layer gives no message.
+// Tests that the picture is the same for any number of queues in the plan, and that the validation layer
+// gives no message.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -10,7 +11,8 @@
 namespace weft::test {
 namespace {
 
-// The shipped pipeline with queue hints of all kinds in its passes.
+// Returns the shipped deferred graph with additional queue hints for the transfer queue and the async compute
+// queue.
 std::string graph_with_hints() {
     std::string graph = read_text(WEFT_SOURCE_DIR "/graphs/deferred.json");
     const auto hint = [&](const std::string& pass, const std::string& queue) {
@@ -40,7 +42,7 @@ TEST(Queues, OnePictureForAnyNumber) {
     EXPECT_GE(plans.size(), 3u) << "plans for one, two and three queues differ";
 }
 
-// Without changed hints.
+// Renders the shipped graphs with the queue hints that they already have.
 TEST(Queues, EveryShippedGraphGivesOnePicture) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;

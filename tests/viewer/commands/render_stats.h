@@ -1,4 +1,4 @@
-// Reads the statistics of frames that `weft render --stats` writes.
+// Runs `weft render --stats` and reads the statistics of the frames that the command writes.
 #pragma once
 
 #include <gtest/gtest.h>

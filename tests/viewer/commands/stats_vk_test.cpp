@@ -1,4 +1,4 @@
-// The statistics about the run itself in `weft render --stats`.
+// Tests the statistics of `weft render --stats` that describe the run itself.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/commands/render_stats.h"

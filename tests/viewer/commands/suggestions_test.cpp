@@ -1,4 +1,4 @@
-// For every kind of name on the command line, a misspelt name gets a suggestion.
+// Tests that a misspelt name on the command line gets a suggestion, for every kind of name.
 #include <gtest/gtest.h>
 
 #include <filesystem>

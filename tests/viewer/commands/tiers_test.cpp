@@ -1,5 +1,5 @@
-// Tiers in the program: all tiers are checked together with one message per cause; each can be planned and
-// compared.
+// Tests quality tiers on the command line: `weft check` checks all tiers together with one message per cause,
+// and each tier can be planned and compared.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 namespace weft::test {
 namespace {
 
-// A graph whose tiers differ; only tier "high" uses `rays`.
+// Returns a graph with these tiers. The passes use `rays` only if `more` or a tier adds such a pass.
 std::string graph_with(const std::string& tiers, const std::string& more = "") {
     return R"({
   "version": 1, "name": "tiers", "imports": { "backbuffer": "output" },
@@ -87,7 +87,8 @@ TEST(TiersOfAFile, ArePlannedAndCompared) {
     EXPECT_NE(unknown.err.find("did you mean \"low\""), std::string::npos) << unknown.err;
 }
 
-// Only tier "high" stores to `x`, which rgba8_srgb does not support, so `x` is rgba8 without a tier too.
+// Only tier "high" uses `x` as a storage image, which the format rgba8_srgb does not support. All tiers share
+// one format for `x`, so it is rgba8 for every tier.
 TEST(TiersOfAFile, ShareTheirFormats) {
     const ScratchFolder folder;
     folder.write("store.comp", R"(#version 460

@@ -1,5 +1,5 @@
-// Every scene at every size renders without a message of the validation layer. To prove that the layer is
-// active, a pass's barriers are removed, which must give a message.
+// Tests that every scene renders at every size without a message of the validation layer. To prove that the
+// layer is active, one test removes the barriers of a pass and expects a message.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,8 @@ struct ValidationRun {
     const char* scene;
     const char* size;
     const char* name;
-    bool quick;  // also runs without WEFT_EXTENDED, for two frames
+    // True if the run also happens without WEFT_EXTENDED, then for two frames only.
+    bool quick;
 };
 
 void PrintTo(const ValidationRun& run, std::ostream* out) {

@@ -1,5 +1,5 @@
-// `weft view --headless` during ten minutes of edits: it compiles only changed files, and its memory does not
-// grow.
+// Edits files for ten minutes while `weft view --headless` runs. `weft view` must compile only the changed
+// files, and its memory must not grow.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kFirst = std::chrono::minutes(1), kAll = std::chrono::minutes(10);
-constexpr unsigned kMostSoakCpu_s = 36000;  // it renders without a pause, on all cores
+// Limit of processor time, in seconds. The program renders without a pause, on all cores.
+constexpr unsigned kMostSoakCpu_s = 36000;
 constexpr int64_t kMiB = 1 << 20;
 
 class ViewSoak : public ::testing::Test {
@@ -38,7 +39,7 @@ class ViewSoak : public ::testing::Test {
             kMostSoakCpu_s);
         ASSERT_TRUE(program_->says("weft: watching")) << program_->err();
     }
-    // Replaces the file by renaming, as most editors do.
+    // Changes a file as most editors do: writes a new file and renames it over the old one.
     void replace(const std::string& name, const std::string& from, const std::string& to) const {
         std::string text = read_text(folder_ / name);
         const size_t at = text.find(from);
@@ -58,7 +59,7 @@ class ViewSoak : public ::testing::Test {
         numbers >> pages >> resident;
         return resident * sysconf(_SC_PAGESIZE);
     }
-    // Makes one edit of each kind, and reverts it.
+    // Makes one edit of each kind, then reverts it: a parameter value, a size in the graph, and a shader.
     void edit_all() {
         edit("live.json", "\"default\": 0.5", "\"default\": 0.8", " ms: values");
         edit("live.json", "\"default\": 0.8", "\"default\": 0.5", " ms: values");

@@ -1,4 +1,4 @@
-// `weft view --headless`, used by a person or a script: files change while it renders.
+// Tests `weft view --headless` as a person or a script uses it: files change while the program renders.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -29,7 +29,7 @@ class View : public ::testing::Test {
     [[nodiscard]] nlohmann::json stats() const {
         return nlohmann::json::parse(read_text(folder_ / "stats.json"));
     }
-    // Saves the file by renaming, as most editors do.
+    // Saves a file as most editors do: writes a new file and renames it over the old one.
     void save(const std::string& name, const std::string& text) const {
         folder_.write(name + "~", text);
         fs::rename(folder_ / (name + "~"), folder_ / name);
@@ -120,8 +120,8 @@ TEST_F(View, EndsWhileItWaitsForAGraph) {
     ASSERT_TRUE(program.says("weft: waiting for the graph to be mended")) << program.err();
     program.send(SIGINT);
     EXPECT_EQ(program.exit_code(), 3) << program.err();
-    // Cases in which no edit can correct the fault: the input has ended, a script gives a number of frames,
-    // the file is missing.
+    // In the following cases no edit can correct the fault, so `weft view` must end: stdin has ended, the
+    // command line gives a number of frames, or the graph file is missing.
     EXPECT_EQ(run_weft(arguments()).exit_code, 3);
     const RunResult script = run_weft(arguments({"--frames", "5"}));
     EXPECT_EQ(script.exit_code, 3);
@@ -145,7 +145,7 @@ TEST_F(View, WritesThePictureAfterEachReload) {
     EXPECT_EQ(program.exit_code(), 0) << program.err();
 }
 
-// The input is closed, as in a script: the command ends immediately, but renders one picture first.
+// Stdin is closed, as in a script. `weft view` then ends immediately, but must render one picture first.
 TEST_F(View, DrawsAFrameThoughItsInputHasEnded) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;

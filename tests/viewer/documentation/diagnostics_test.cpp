@@ -1,6 +1,7 @@
-// Every diagnostic of a graph: tests/diagnostics/ has a failing file for each, in which a comment below the
-// fault marks its column ("// ^ W103"), and a corrected file. "// args: …" gives further arguments; the mark
-// "// nowhere: W120" is for a fault without a place in a file.
+// Tests every diagnostic of graphs. tests/diagnostics/ has a failing file for each diagnostic, and a
+// corrected file. In a failing file, a comment line below the fault marks its column ("// ^ W103"). The mark
+// "// nowhere: W120" stands for a fault without a place in a file. A first line "// args: …" gives further
+// arguments of `weft check`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ constexpr size_t kCodeLength = 4;
 constexpr double kMostTime_s = 5;
 constexpr uint64_t kMostMemory_bytes = uint64_t{1} << 30;
 
-// Codes that no graph file can cause.
+// Diagnostic codes that no graph file can cause, each with the reason.
 const std::map<std::string, std::string> kWithoutFile{
     {"W162", "a validation message is a fault of Weft or of the driver: plans are proved not to cause any"},
     {"W177", "of files, W108 and W201 come first; a program may hand in shaders that it compiled itself"},
@@ -34,7 +35,8 @@ const std::map<std::string, std::string> kWithoutFile{
 
 struct Place {
     std::string code;
-    std::string file;  // file name only; empty: no place
+    // File name without folders; empty for a diagnostic without a place in a file.
+    std::string file;
     uint32_t line = 0;
     uint32_t column = 0;
     auto operator<=>(const Place&) const = default;
@@ -55,13 +57,14 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-// The text after `mark`, or nullopt.
+// Returns the text of the line after `mark`, or nullopt if the line does not contain `mark`.
 std::optional<std::string> after_mark(const std::string& line, std::string_view mark) {
     const size_t at = line.find(mark);
     return at == std::string::npos ? std::nullopt : std::optional(line.substr(at + mark.size()));
 }
 
-// Adds the marks of a comment line that contains only carets and codes.
+// Adds a mark for each "^ W..." in a comment line. The mark means that line `of_line` has this diagnostic in
+// the caret's column.
 void add_carets(const std::string& line, const std::string& file, uint32_t of_line, std::set<Place>& marks) {
     for (size_t at = line.find("^ W"); at != std::string::npos; at = line.find("^ W", at + 1))
         marks.insert({line.substr(at + 2, kCodeLength), file, of_line, static_cast<uint32_t>(at + 1)});
@@ -71,7 +74,8 @@ std::set<Place> marks_in(const fs::path& path) {
     std::set<Place> marks;
     std::istringstream lines(read_text(path));
     const std::string file = path.filename().string();
-    uint32_t number = 0, last = 0;  // the last line that is not a mark
+    // `last` is the number of the last line that is not a mark.
+    uint32_t number = 0, last = 0;
     for (std::string line; std::getline(lines, line);) {
         ++number;
         const size_t begin = line.find_first_not_of(' ');
@@ -107,7 +111,7 @@ bool needs_device(const fs::path& path) {
     return std::ranges::find(arguments, "--run") != arguments.end();
 }
 
-// Failing files, sorted by name.
+// Returns the names of all failing files without the suffix ".json", sorted.
 std::vector<std::string> failing_files() {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(kFolder)) {
@@ -132,7 +136,8 @@ class Diagnosed : public testing::TestWithParam<std::string> {
     static fs::path corrected() { return kFolder / (GetParam() + std::string(kGood)); }
 };
 
-// Marks in shaders and included files are considered if a message names the file.
+// `weft check` must report exactly the marked diagnostics. Shaders and included files may contain marks too;
+// these count if a message names the file.
 TEST_P(Diagnosed, AtTheMarkedPlacesAndNowhereElse) {
     const RunResult run = check(failing());
     const Json list = Json::parse(run.out, nullptr, false);
@@ -166,7 +171,7 @@ TEST_P(Diagnosed, NotInTheCorrectedFile) {
 INSTANTIATE_TEST_SUITE_P(All, Diagnosed, testing::ValuesIn(failing_files()),
                          [](const auto& row) { return row.param; });
 
-// For each code, the documentation names the files that show it.
+// In docs/diagnostics.md, the row of each code must link to the files that show the diagnostic.
 TEST(DiagnosticFiles, AreThereForEveryCodeOfThePage) {
     const std::vector<std::string> files = failing_files();
     std::istringstream page(read_text(WEFT_SOURCE_DIR "/docs/diagnostics.md"));

@@ -1,4 +1,5 @@
-// Quotations in the README and docs/ agree with the program's output, and tables are complete. No device.
+// Tests that messages quoted in the README and docs/ agree with the output of the program, and that tables
+// are complete. These tests need no Vulkan device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 const std::filesystem::path kRoot = WEFT_SOURCE_DIR;
 
-// A fenced block, and the comment directly before it.
+// A fenced block of a Markdown page, and the comment directly before the block.
 struct Fence {
     std::string page, comment, text;
     size_t line = 0;
@@ -50,8 +51,8 @@ std::vector<Fence> fences_of(const std::filesystem::path& page) {
     return fences;
 }
 
-// "<!-- message of FILE, OLD becomes NEW -->": for a copy of FILE with that edit, the program prints the
-// quoted message.
+// Checks a quoted message. The comment "<!-- message of FILE, OLD becomes NEW -->" stands before the quote.
+// The program must print the quoted text for a copy of FILE in which OLD is replaced by NEW.
 void expect_quote(const Fence& fence) {
     static const std::regex form("<!-- message of ([^,]+), (.+) becomes (.+) -->");
     std::smatch parts;
@@ -65,7 +66,7 @@ void expect_quote(const Fence& fence) {
     EXPECT_NE(run.err.find(fence.text), std::string::npos) << "it says\n" << run.err;
 }
 
-// tutorial_vk_test.cpp compares the tutorial's messages while it follows the steps.
+// The tutorial is left out here, because tutorial_vk_test.cpp follows its steps and compares its messages.
 TEST(Documentation, QuotedMessagesAreWhatTheProgramPrints) {
     static const std::regex message(R"((error|warning)\[[A-Z]\d{3}\]:)");
     size_t quoted = 0;
@@ -81,7 +82,7 @@ TEST(Documentation, QuotedMessagesAreWhatTheProgramPrints) {
     EXPECT_GE(quoted, 2u);
 }
 
-// The members of a struct shared by C++ and GLSL, with their types: "vec4[9]".
+// Returns the members of a struct that C++ and GLSL share, with their types, such as "vec4[9]".
 std::map<std::string, std::string> members_of(const std::string& file, const std::string& name) {
     const std::string text = read_text(kRoot / "shaders/include/shared" / file);
     const size_t begin = text.find("struct " + name + " {"), end = text.find("};", begin);

@@ -1,5 +1,5 @@
-// Runs the examples of the pages in docs/: their files are written to a folder and run with the built
-// program. Only shaders are compiled.
+// Runs the examples of the pages in docs/: writes their files to a folder and runs them with the built
+// program. No C++ code is compiled, only shaders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ using Json = nlohmann::json;
 constexpr const char* kPage = "writing-a-pass.md";
 constexpr double kStrength = 0.9;
 
-// Two roundings of half a step: in storing `display`, and in storing the output.
+// Largest difference caused by two roundings to 8 bits: when the pass stores `display`, and when it stores
+// the output. Each rounding is at most half a step of 1/255.
 constexpr double kTwoRoundings = 1.01 / 255;
 
 void write_snippets(const std::string& page, const ScratchFolder& folder) {
@@ -28,7 +29,7 @@ void write_snippets(const std::string& page, const ScratchFolder& folder) {
     for (const auto& [name, content] : snippets) folder.write(name, content);
 }
 
-// Renders in `folder` with the page's commands, at an odd size.
+// Renders in `folder` as the commands of the page do, at a size that is odd in both directions.
 RunResult render(const ScratchFolder& folder, const std::string& graph, std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", "builtin:spheres", "--graph",   graph,
                                        "--size", "61x43",           "--validate"};
@@ -109,7 +110,7 @@ TEST(Documentation, TheGraphPageRuns) {
     EXPECT_LE(farthest, 1.0f);
 }
 
-// Graphs and shaders in a project's own folders, and the script for CI.
+// The example project has its own folders for graphs and shaders, and a script for continuous integration.
 TEST(Documentation, TheProjectPageRuns) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;

@@ -1,5 +1,6 @@
-// Follows the tutorial literally, in its order, in an empty folder: writes its files, runs its commands,
-// makes its mistakes. Pictures are small, and spheres replace the court except with WEFT_EXTENDED.
+// Follows the tutorial step by step in an empty folder: writes its files, runs its commands, makes its
+// mistakes. To save time, pictures are small and show builtin:spheres; with WEFT_EXTENDED they show the
+// tutorial's own scene.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@ std::string substituted(std::string text, const std::string& from, const std::st
     return text;
 }
 
-// The same command with a small size, validation, and a picture of raw values.
+// Returns the tutorial's command with a small picture size, with the validation layer, and with a PFM file
+// instead of PNG, so that the test can read raw values.
 std::string as_tested(std::string command) {
     command = substituted(command, "--size 480x270", "--size 64x36 --validate");
     command = substituted(command, "--headless", "--headless --frames 3");
@@ -35,7 +37,8 @@ std::string as_tested(std::string command) {
     return substituted(command, "./weft render", "./weft render builtin:spheres --frames 2");
 }
 
-// Difference between the darkest and the lightest value of a channel.
+// Returns the difference between the smallest and the greatest value, for the channel with the largest
+// difference.
 float contrast(const PfmImage& image) {
     float most = 0;
     for (size_t c = 0; c < 3; ++c) {
@@ -58,7 +61,7 @@ class Tutorial : public testing::Test {
         return run_program({"sh", "-c", command + " 2>&1"}, {}, folder_.path());
     }
 
-    // All pictures except the first step's must have contrast.
+    // Expects that the picture has contrast. Only the picture of the first step has none.
     void expect_picture(const std::string& command) {
         const size_t at = command.find("-o ") + 3;
         const std::string file = command.substr(at, command.find(' ', at) - at);
@@ -97,7 +100,8 @@ class Tutorial : public testing::Test {
     size_t printed_ = 0;
 };
 
-// The marks are comments, which readers do not see.
+// The file names in "<!-- file: NAME -->" are comments, which readers of the page do not see. So the page
+// must also show each name above its file.
 TEST(TutorialPage, NamesEachFileAboveIt) {
     std::istringstream page(read_text(WEFT_SOURCE_DIR "/docs/tutorial.md"));
     size_t files = 0;

@@ -1,4 +1,5 @@
-// Graphs, profiles and limits files that request too much: they are refused before memory or time is spent.
+// Tests that graphs, profiles and limits files which request too much are refused before they cost memory or
+// time.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/hostile/hostile_run.h"
@@ -57,7 +58,7 @@ TEST_F(HostileGraph, UnknownKeysByTheHundredThousand) {
 TEST_F(HostileGraph, LargeFiles) {
     expect_refused_cheaply(check("{ \"name\": \"" + std::string(9u << 20, 'x') + "\" }"),
                            {"graph.json: error[W004]", "more than 8 MiB", "graph.jsonBytes"});
-    // A sparse file of two gigabytes, which must not be read.
+    // A sparse file of two gigabytes. `weft` must refuse the file because of its size, without reading it.
     scratch_.write("graph.json", "{");
     std::filesystem::resize_file(scratch_ / "graph.json", uint64_t{2} << 30);
     const RunResult run = run_weft({"check", scratch_ / "graph.json"});
@@ -127,7 +128,8 @@ TEST_F(HostileGraph, ImagesBeyondTheLimits) {
                   {"--profile", scratch_ / "big.json"}),
             {"graph.json:2:", "at /resources/x", message});
     };
-    // A device without limits of its own.
+    // This profile describes a device with practically unlimited image sizes, so that only the limits of
+    // `weft` apply.
     std::string profile = run_weft({"doctor", "--json"}).out;
     if (profile.empty()) profile = read_text(WEFT_SOURCE_DIR "/framework/profiles/lavapipe.json");
     const auto raised = [&](const char* key) {

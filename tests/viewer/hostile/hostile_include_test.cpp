@@ -1,5 +1,6 @@
-// Includes that lead out of the graph's folder: links, "..", pipes. No outside file is opened, and no message
-// quotes one. hostile_scene_test.cpp has similar tests for scenes, hostile_shader_test.cpp for shaders.
+// Tests includes that lead out of the graph's folder through links, ".." or pipes. `weft` must not open such
+// a file, and no message may quote its content. hostile_scene_test.cpp has similar tests for scenes,
+// hostile_shader_test.cpp for shaders.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -70,7 +71,8 @@ TEST_F(HostileInclude, PipesDevicesAndFoldersAreNotRead) {
 TEST_F(HostileInclude, LinksInsideAndTheGraphItselfMayBeLinks) {
     EXPECT_EQ(check("inside.json").exit_code, 0);
     EXPECT_EQ(check("parts/good.json").exit_code, 0);
-    // The user named the link, so includes are searched beside the link.
+    // The user named the link on the command line, so `weft` searches for includes beside the link, not
+    // beside its target.
     scratch_.write("elsewhere/graph.json", including("parts/good.json"));
     fs::create_symlink(scratch_ / "elsewhere/graph.json", scratch_.path() / "graphs/named.json");
     const RunResult named = run_weft({"check", scratch_ / "graphs/named.json"});

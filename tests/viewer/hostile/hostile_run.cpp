@@ -39,8 +39,8 @@ bool WatchedFolder::was_opened() {
 
 namespace {
 
-// One log per thread, so that no call is interrupted by those of another thread; the first log is the first
-// thread's.
+// Returns the logs of strace. There is one log per thread, so that no log entry is split by a call of another
+// thread. The log of the first thread comes first.
 std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> logs;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) logs.push_back(entry.path());
@@ -51,8 +51,8 @@ std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder) 
     return logs;
 }
 
-// Matches "openat(AT_FDCWD</folder>, "name", …) = 3</folder/name>", in which strace shows the files of
-// descriptors.
+// Collects the opened files, the started programs and the use of the network from a log. The pattern matches
+// lines such as "openat(AT_FDCWD</folder>, "name", …) = 3</folder/name>".
 void read_log(const std::filesystem::path& log, TracedRun& traced) {
     static const std::regex call(
         R"re(^(open|openat|openat2|creat|execve)\((?:[A-Z_0-9]+<([^>]*)>, )?"([^"]*)".* = (-?\d+)(?:<([^>]*)>)?)re");
@@ -65,8 +65,8 @@ void read_log(const std::filesystem::path& log, TracedRun& traced) {
             traced.executed.push_back(parts[3]);
             continue;
         }
-        // The file shown for the descriptor has all links resolved; a deleted file is shown as "…/#17
-        // (deleted)".
+        // strace shows the file of the returned descriptor with all links resolved. A deleted file appears as
+        // "…/#17 (deleted)".
         traced.opened.push_back(parts[5].matched ? parts[5].str() : parts[3].str());
     }
 }
@@ -84,7 +84,7 @@ std::optional<TracedRun> run_weft_traced(const std::vector<std::string>& argumen
                                    "-o",        scratch / "logs/log",
                                    WEFT_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    // LeakSanitizer cannot run under strace, because both use ptrace.
+    // LeakSanitizer cannot run under strace, because both of them use ptrace.
     TracedRun traced{run_program(words, {{"ASAN_OPTIONS", "detect_leaks=0"}}, folder), {}, {}, false};
     for (const std::filesystem::path& log : logs_in(scratch.path() / "logs")) read_log(log, traced);
     if (traced.executed.empty()) return std::nullopt;

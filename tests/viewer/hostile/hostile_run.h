@@ -1,5 +1,5 @@
-// The required result for every hostile file: exit code 3 with a place and a remedy, within 5 s and 1 GiB,
-// and no file opened outside its folder.
+// Checks the result that is required for every hostile file: exit code 3, a message with a place and a
+// remedy, at most 5 s and 1 GiB, and no opened file outside the allowed folder.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,12 @@
 
 namespace weft::test {
 
-// `wanted`: texts that the message must contain.
+// Expects that the program refused its input within these limits. The message must contain each text of
+// `wanted`.
 void expect_refused_cheaply(const RunResult& run, const std::vector<std::string>& wanted);
 
-// A folder that must not be read, watched with inotify, which needs no privileges and works in any container.
+// Watches a folder that the program must not read. The class uses inotify, which needs no privileges and
+// works in any container.
 class WatchedFolder {
  public:
     explicit WatchedFolder(const std::filesystem::path& folder);
@@ -29,11 +31,14 @@ class WatchedFolder {
     int inotify_ = -1;
 };
 
-// Runs the same command under strace. nullopt if strace is missing or may not trace.
+// Result of run_weft_traced(), which runs `weft` under strace. The function returns nullopt if strace is
+// missing or is not allowed to trace.
 struct TracedRun {
     RunResult run;
-    std::vector<std::string> opened;    // absolute paths with links resolved
-    std::vector<std::string> executed;  // started programs, including the first
+    // Absolute paths of the opened files, with links resolved.
+    std::vector<std::string> opened;
+    // Paths of the started programs, including `weft` itself.
+    std::vector<std::string> executed;
     bool used_network = false;
 };
 [[nodiscard]] std::optional<TracedRun> run_weft_traced(const std::vector<std::string>& arguments,

@@ -1,5 +1,5 @@
-// Scenes that lead out of their folder, give wrong sizes, or expand to far more than their own size.
-// tests/viewer/commands/bad_scene_test.cpp tests ordinary faults.
+// Tests scenes that refer to files outside their folder, give wrong sizes, or expand to far more data than
+// their own size. tests/viewer/commands/bad_scene_test.cpp tests ordinary faults.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ constexpr const char* kData = "\"uri\": \"data:application/octet-stream;base64,"
 class HostileScene : public testing::Test {
  protected:
     HostileScene() {
-        // Large enough to serve as the buffer, if it could be read.
+        // The secret file is as large as the scene's buffer. So only a check of the path can stop `weft` from
+        // reading it.
         scratch_.write("outside/secret.bin", std::string(64, 's'));
         scratch_.write("outside/secret.png", black_png(4, 4));
         scratch_.write("scene/a/keep", "");
@@ -32,7 +33,7 @@ class HostileScene : public testing::Test {
     static std::string with_buffer(const std::string& uri) {
         return replaced(square_gltf(), kData, "\"uri\": \"" + uri + "\", \"rest\": \"");
     }
-    // A scene whose material uses these images.
+    // Returns a scene whose material uses these images as textures.
     static std::string with_images(const std::vector<std::string>& uris) {
         static constexpr std::array kSlots{"normalTexture", "occlusionTexture", "emissiveTexture"};
         std::string images, textures, slots;
@@ -108,7 +109,7 @@ TEST_F(HostileScene, CountsThatTheBytesDoNotHold) {
     expect_refused_cheaply(sparse("4000000000", "0"), {"error[S108]", "at /accessors/0/sparse/count"});
     expect_refused_cheaply(sparse("4", "9007199254740990"), {"at /accessors/0/sparse/indices"});
     expect_refused_cheaply(sparse("4", "2147483646"), {"at /accessors/0/sparse/indices"});
-    // Zeros without stored bytes.
+    // An accessor without a buffer view consists of zeros, so a huge count costs no bytes in the file.
     expect_refused_cheaply(
         render(replaced(square_gltf(), "\"bufferView\": 0, \"componentType\": 5126, \"count\": 4",
                         "\"componentType\": 5126, \"count\": 4000000000")),
@@ -147,7 +148,7 @@ TEST_F(HostileScene, PicturesThatUnfold) {
     const RunResult one = render(with_images({"large.png"}));
     expect_refused_cheaply(one, {"error[S106]", "at /images/0", "20000×20000"});
     EXPECT_LE(one.max_rss_bytes, uint64_t{128} << 20);
-    // Each picture is accepted, but all together exceed the limit.
+    // Each of the three pictures is below the limit, but together they exceed it.
     for (const char* name : {"a.png", "b.png", "c.png"})
         scratch_.write(std::string("scene/") + name, black_png(7'000, 7'000));
     const RunResult three = render(with_images({"a.png", "b.png", "c.png"}));
@@ -155,7 +156,8 @@ TEST_F(HostileScene, PicturesThatUnfold) {
     EXPECT_LE(three.max_rss_bytes, uint64_t{128} << 20);
 }
 
-// Each worker thread would inflate all data, so a picture with more data than its size needs is refused.
+// Several worker threads decode pictures at the same time, so each could inflate all data of its picture.
+// `weft` must refuse a picture with more data than its size needs.
 TEST_F(HostileScene, APictureOfOneTexelWithHundredsOfMegabytesBehindIt) {
     std::vector<std::string> names;
     for (const char* name : {"a.png", "b.png", "c.png"}) {
@@ -168,7 +170,7 @@ TEST_F(HostileScene, APictureOfOneTexelWithHundredsOfMegabytesBehindIt) {
     EXPECT_LE(run.max_rss_bytes, uint64_t{128} << 20);
 }
 
-// A kilobyte of JSON that expands to gigabytes of zero vertices.
+// A kilobyte of JSON describes gigabytes of vertices: an accessor without a buffer view consists of zeros.
 TEST_F(HostileScene, VerticesThatNoBytesStandBehind) {
     const auto zeros = [&](const std::string& count) {
         return render(
@@ -184,7 +186,8 @@ TEST_F(HostileScene, VerticesThatNoBytesStandBehind) {
     expect_refused_cheaply(run, {"error[S107]", "scene.memoryBytes with --limits"});
 }
 
-// The maximum number of nodes with one mesh; consecutive instances become one draw command.
+// The scene has as many nodes as the limit allows, all with the same mesh. Consecutive instances of a mesh
+// become one draw command.
 TEST_F(HostileScene, AQuarterOfAMillionNodesAreDrawn) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     std::string gltf =
@@ -200,7 +203,8 @@ TEST_F(HostileScene, AQuarterOfAMillionNodesAreDrawn) {
     EXPECT_LE(run.max_rss_bytes, uint64_t{1} << 30) << run.text();
 }
 
-// The counted memory, including the copy on the GPU, stays below a gigabyte together with the program.
+// The limit counts the memory of the textures and of their copies on the GPU. This memory and that of the
+// program must stay below 1 GiB together.
 TEST_F(HostileScene, TexturesWithinTheLimitsStayBelowAGigabyte) {
     if (!extended()) GTEST_SKIP() << "takes seconds: WEFT_EXTENDED=1 runs it";
     std::vector<std::string> names;
@@ -215,8 +219,8 @@ TEST_F(HostileScene, TexturesWithinTheLimitsStayBelowAGigabyte) {
     EXPECT_GE(run.max_rss_bytes, uint64_t{400} << 20) << "the textures were not loaded";
 }
 
-// tests/scene loads such scenes in every run; here they are also rendered. The message of a failure contains
-// its seed.
+// Renders random hostile scenes. tests/scene loads such scenes in every run, without rendering. The message
+// of a failure contains the seed of the scene.
 TEST_F(HostileScene, RandomOnesAreDrawnOrRefused) {
     if (!extended()) GTEST_SKIP() << "takes minutes: WEFT_EXTENDED=1 runs it";
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
@@ -231,8 +235,8 @@ TEST_F(HostileScene, RandomOnesAreDrawnOrRefused) {
     }
 }
 
-// The address space is limited to the needs of the program alone, without the scene, and to somewhat more:
-// memory can run out at any place.
+// Limits the address space to sizes that suffice for the program alone, but not for the scene. So memory runs
+// out at various places, and the program must always end with error X571.
 TEST_F(HostileScene, MemoryThatRunsOutIsAnErrorOfItsOwn) {
     std::string extras;
     for (int i = 0; i < 400'000; ++i) extras += std::string(i > 0 ? "," : "") + R"({"a":0})";

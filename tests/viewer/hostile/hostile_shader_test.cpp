@@ -1,4 +1,4 @@
-// Shaders that are too expensive to compile, or include files outside the allowed folders.
+// Tests shaders that are too expensive to compile, or that include files outside the allowed folders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,8 @@ class HostileShader : public testing::Test {
     static std::string including(const std::string& line) {
         return std::string(kHead) + "#include " + line + "\nvoid main() { " + kStore + " }\n";
     }
-    // Each macro expands to two copies of the previous one.
+    // Returns a shader with the macros A0 to A30. A0 is `core`, and each other macro expands to two copies of
+    // the previous one. So A30 expands to 2^30 copies of `core`.
     static std::string bomb(const std::string& core) {
         std::string text = kHead;
         text += "#define A0 " + core + "\n";
@@ -103,7 +104,7 @@ TEST_F(HostileShader, NothingOutsideTheShaderFoldersIsOpened) {
     EXPECT_TRUE(outside.was_opened()) << "the watch sees nothing";
 }
 
-// Also shows that weft starts only its worker.
+// Records the opened files with strace, and also shows that `weft` starts no program except its own worker.
 TEST_F(HostileShader, NothingOutsideTheShaderFoldersIsOpenedAsStraceSeesIt) {
     scratch_.write("graph/good.glsl", "float good;\n");
     scratch_.write("graph/hostile.comp", including("\"good.glsl\"\n#include \"up/secret.glsl\""));
@@ -150,7 +151,8 @@ TEST_F(HostileShader, MoreFilesThanAShaderMayHave) {
     expect_refused_cheaply(check(including("\"large.glsl\"")), {"error[W203]", "larger than 1 MiB"});
 }
 
-// Authors do not write SPIR-V, but another program may write to the cache.
+// The compiled SPIR-V in the cache is damaged here. `weft` must not trust the cache, because another program
+// may write to it.
 TEST_F(HostileShader, WhatIsInTheCacheIsNotBelieved) {
     ASSERT_EQ(check(including("\"good.glsl\"")).exit_code, 3);
     scratch_.write("graph/good.glsl", "\n");

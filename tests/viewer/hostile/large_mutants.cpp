@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t kMostBytes = 1u << 20;
 
-// The text of each section of a graph, without its braces.
+// Texts of the sections of a graph, without the outer braces of each section.
 struct Sections {
     std::string consts, sizes, params, resources, passes, debug, tests, tiers, other;
 };
@@ -65,7 +65,7 @@ class Maker {
     bool once_in(size_t n) { return below(n) == 0; }
     static std::string text_of(size_t i) { return std::to_string(i); }
 
-    // Adds members until the section has its randomly chosen size.
+    // Appends members to the section until it has its randomly chosen size.
     void fill(std::string& section, const std::function<std::string(size_t)>& member) {
         for (size_t i = 0; section.size() < bytes_; ++i) section += (i == 0 ? "" : ",\n") + member(i);
     }
@@ -75,7 +75,7 @@ class Maker {
         while (word.size() < bytes) word += "abcdefgh_0123"[below(13)];
         return word;
     }
-    // Adds, removes or changes one letter.
+    // Removes, inserts or changes one letter of the word.
     std::string misspell(std::string word) {
         const size_t at = below(word.size());
         switch (below(3)) {

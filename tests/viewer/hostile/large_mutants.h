@@ -1,5 +1,5 @@
-// Purpose: very large graphs up to 1 MiB (deep, wide, chained, misspelt), which are then damaged. The same
-// seed gives the same graph.
+// Purpose: makes very large graphs of up to 1 MiB (deep, wide, chained, misspelt) and damages them. The same
+// seed always gives the same graph.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,10 @@ namespace weft::test {
 
 struct LargeMutant {
     uint32_t seed = 0;
-    std::string how;   // description, such as "wide ports, 421337 bytes, a byte changed"
-    std::string text;  // text of the graph file
+    // Description of the graph, such as "wide ports, 421337 bytes, a byte changed".
+    std::string how;
+    // Text of the graph file.
+    std::string text;
 };
 [[nodiscard]] LargeMutant make_large_mutant(uint32_t seed);
 

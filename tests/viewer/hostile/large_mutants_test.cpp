@@ -1,4 +1,4 @@
-// Large and damaged graphs: `weft check` ends within 5 s of CPU time and 1 GiB for all of them.
+// Tests that `weft check` ends within 5 s of processor time and 1 GiB of memory for large and damaged graphs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -8,7 +8,8 @@ namespace {
 
 using Text = std::string;
 
-// `more` comes before the passes; unless empty, it must end with a comma.
+// Returns the text of a graph with these sections. The text `more` comes before the resources; it is empty or
+// ends with a comma.
 Text graph(const Text& more, const Text& resources, const Text& passes) {
     return "{ \"version\": 1, \"imports\": { \"backbuffer\": \"output\" },\n" + more + "\"resources\": { " +
            resources + " },\n\"passes\": { " + passes + (passes.empty() ? "" : ", ") +
@@ -47,7 +48,8 @@ void json_depth(const ScratchFolder& folder, uint64_t count) {
 }
 
 void json_values(const ScratchFolder& folder, uint64_t count) {
-    constexpr uint64_t kOthers = 14;  // values in graph() and in the parameter
+    // Number of other JSON values in the file: those of graph() and of the parameter.
+    constexpr uint64_t kOthers = 14;
     write_graph(folder, "\"params\": { \"p\": { \"default\": 0, \"enum\": [" +
                             joined(count - kOthers, [](uint64_t) { return Text("0"); }) + "] } },\n");
 }
@@ -80,7 +82,7 @@ void tiers(const ScratchFolder& folder, uint64_t count) {
                 "\"x\": \"rgba8\"", "\"p\": { \"type\": \"clear\", \"out\": [\"x\"] }");
 }
 
-// A chain in which each constant depends on the next.
+// Writes a graph with `count` constants, each of which depends on the next one.
 void constants(const ScratchFolder& folder, uint64_t count) {
     write_graph(folder, "\"consts\": { " + joined(count, [&](uint64_t i) {
                             return numbered("c", i) + ": " +
@@ -88,7 +90,8 @@ void constants(const ScratchFolder& folder, uint64_t count) {
                         }) + " },\n");
 }
 
-// 1+1+1…, with a sign in front if the count is even.
+// Returns an expression with `parts` parts: "1+1+1…", with a minus sign in front if the number of parts is
+// even.
 Text sum_of(uint64_t parts) {
     Text sum = parts % 2 == 0 ? "-1" : "1";
     for (uint64_t i = 0; i < (parts - 1) / 2; ++i) sum += "+1";
@@ -131,7 +134,7 @@ void test_frames(const ScratchFolder& folder, uint64_t count) {
                         }) + "],\n");
 }
 
-// Eight bytes per texel.
+// Writes a graph with a test whose picture needs `count` bytes. The picture has 8 bytes per texel.
 void test_bytes(const ScratchFolder& folder, uint64_t count) {
     const uint64_t width = count >= (1u << 20) ? 8192 : 64;
     const uint64_t height = (count + width * 8 - 1) / (width * 8);
@@ -139,9 +142,10 @@ void test_bytes(const ScratchFolder& folder, uint64_t count) {
                             "] }],\n");
 }
 
-// A chain of passes; each reads the result of the previous one.
+// Writes a graph with a chain of `count` passes, each of which reads the result of the previous pass.
 void passes(const ScratchFolder& folder, uint64_t count) {
-    const uint64_t chain = count - 1;  // "show" is also a pass
+    // The pass "show" of graph() is one more pass.
+    const uint64_t chain = count - 1;
     write_graph(
         folder, "",
         joined(chain, [](uint64_t i) { return numbered("r", i) + ": { \"format\": \"r8\", \"size\": 4 }"; }),
@@ -159,10 +163,12 @@ void pass_ports(const ScratchFolder& folder, uint64_t count) {
                 "\"p\": { " + clear_of(0, count) + " }");
 }
 
-// Each round writes its own layers: many writers of one layer would exceed graph.steps first.
+// Writes a graph with `count` ports in total. Each iteration of pass "p" writes a layer of its own. If many
+// passes wrote the same layer, the graph would exceed the limit graph.steps first.
 void ports(const ScratchFolder& folder, uint64_t count) {
     constexpr uint64_t kEach = 128;
-    const uint64_t others = count - 1;  // "show" has one port
+    // The pass "show" of graph() has one more port.
+    const uint64_t others = count - 1;
     const uint64_t rounds = others / kEach, rest = others % kEach;
     const auto layer = [](uint64_t i) { return "\"r" + std::to_string(i) + ".layer(i)\""; };
     write_graph(folder, "",
@@ -177,7 +183,7 @@ void ports(const ScratchFolder& folder, uint64_t count) {
 }
 
 void resources(const ScratchFolder& folder, uint64_t count) {
-    // The output is also a resource.
+    // The output image is one more resource.
     write_graph(folder, "", joined(count - 1, [](uint64_t i) { return numbered("r", i) + ": \"rgba8\""; }));
 }
 
@@ -208,7 +214,8 @@ void transient_bytes(const ScratchFolder& folder, uint64_t count) {
                             "], \"layers\": " + std::to_string(layers));
 }
 
-// The number of steps is about the number of pairs.
+// Writes a graph that needs about `count` steps. Each pair of an iteration of "p" and an iteration of "q"
+// costs about four steps.
 void steps(const ScratchFolder& folder, uint64_t count) {
     constexpr uint64_t kStepsPerPair = 4;
     uint64_t each = 1;

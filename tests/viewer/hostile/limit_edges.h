@@ -1,4 +1,4 @@
-// Purpose: the worst input at the edge of each limit on graph files: a text with exactly as many things as
+// Purpose: makes the most expensive input at each limit on graph files: a graph with exactly as many parts as
 // the limit allows.
 #pragma once
 
@@ -12,10 +12,14 @@
 namespace weft::test {
 
 struct LimitEdge {
-    const char* limit;    // "graph.passes"
-    uint64_t small = 0;   // a lower value, for quick runs
-    bool is_good = true;  // at the edge the graph is accepted; false: it is refused for another reason
-    // Writes graph.json and the files that it includes.
+    // Name of the limit, such as "graph.passes".
+    const char* limit;
+    // A lower limit for quick runs; 0 if a test of its own covers the limit.
+    uint64_t small = 0;
+    // True if `weft` accepts the graph at the limit. False if it refuses the graph for a reason other than
+    // the limit.
+    bool is_good = true;
+    // Writes a graph.json that needs `count` of the limited things, and the files that it includes.
     void (*write)(const ScratchFolder& folder, uint64_t count) = nullptr;
 };
 [[nodiscard]] std::span<const LimitEdge> limit_edges();

@@ -1,5 +1,6 @@
-// Tests each limit at its edge: the worst input is accepted, one more is refused at a place, and both end
-// within 5 s of CPU time and 1 GiB. A new limit without such an input fails.
+// Tests each limit on graph files with the most expensive input. `weft` must accept the input at the limit
+// and refuse an input with one more, and both within 5 s of processor time and 1 GiB. The test also fails if
+// a limit has no such input.
 #include "tests/viewer/hostile/limit_edges.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 constexpr double kMostCpu_s = 5;
 constexpr uint64_t kMostMemory_bytes = uint64_t{1} << 30;
 
-// Limits of files other than graphs, and the test suite that covers them.
+// Limits on files other than graphs, by the first part of their names, and the test suite that covers them.
 const std::map<std::string, std::string> kSuites{
     {"shader", "HostileShader"}, {"scene", "HostileScene"}, {"picture", "Compare"}};
 
@@ -83,7 +84,8 @@ TEST_F(LimitEdges, AreSharpWhereverTheyAreSet) {
     }
 }
 
-// For every graph there is a number of steps that is enough, and one step fewer is not.
+// Searches for the number of steps that the graph needs. The graph must be accepted with exactly this limit,
+// and refused with a limit of one step less.
 TEST_F(LimitEdges, StepsAreCountedExactly) {
     const auto edge = std::ranges::find(limit_edges(), std::string_view("graph.steps"), &LimitEdge::limit);
     edge->write(scratch_, 400);
@@ -101,8 +103,8 @@ TEST_F(LimitEdges, StepsAreCountedExactly) {
     EXPECT_EQ(run_with(enough).exit_code, 0);
 }
 
-// The most expensive input for the checker within graph.steps: thousands of parts changed by separate
-// barriers, and thousands of passes that read all of them.
+// This is the most expensive input for the checker within the limit graph.steps: separate barriers change
+// thousands of subresources, and hundreds of passes read all of them.
 TEST_F(LimitEdges, HoldForPlansOfManyParts) {
     const auto check_graph = [&](const std::string& written, int readers) {
         scratch_.write("graph.json", R"json({ "version": 1, "imports": { "backbuffer": "output" },
@@ -118,7 +120,7 @@ TEST_F(LimitEdges, HoldForPlansOfManyParts) {
     check_graph(R"json("out": ["x"])json", 830);
 }
 
-// Thousands of resources that reuse the same memory, mip by mip.
+// Thousands of resources use the same memory one after another. Passes write the resources one mip at a time.
 TEST_F(LimitEdges, HoldForManyResourcesInOneMemory) {
     constexpr int kGroups = 1300, kEach = 12;
     std::string resources, passes;
@@ -159,7 +161,7 @@ TEST_F(LimitEdges, HoldWithTheWorstInput) {
                     static_cast<double>(most.max_rss_bytes) / 1048576.0);
         edge->write(scratch_, row.of(defaults) + 1);
         const RunResult more = check();
-        // Some limits are also limits of the device, which are checked first.
+        // A device may have a lower limit, which `weft` checks before its own limit.
         EXPECT_TRUE(more.exit_code == 3 || !edge->is_good) << row.name << more.text();
     }
 }

@@ -1,4 +1,4 @@
-// The texts that are accepted as numbers on the command line.
+// Tests the texts that the command line accepts as numbers.
 #include "viewer/options/numbers.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(Numbers, MayBeFractionsWhereTheFlagSaysSo) {
     for (const char* text :
          {"1/0", "0/0", "nan/1", "1/inf", "1/2/3", "/2", "1/", "/", "1e300/1e-300", "1 / 2"})
         EXPECT_FALSE(finite_fraction(text)) << text;
-    // The text written by decimal() must give the same number when read again.
+    // decimal() must write enough digits that reading its text gives the same number again.
     EXPECT_EQ(finite_number(decimal(1.0 / 60)), 1.0 / 60);
 }
 

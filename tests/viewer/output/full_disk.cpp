@@ -11,7 +11,8 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-// Root needs no user namespace, and may be unable to create one.
+// Returns a command that runs the shell script with its own mount points. Root needs no user namespace for
+// this, and may be unable to create one.
 std::vector<std::string> own_mounts(const std::string& script) {
     return {"unshare", geteuid() == 0 ? "-m" : "-rm", "sh", "-c", script};
 }

@@ -1,4 +1,4 @@
-// Runs programs where writing must fail: on a full disk, and without root's privileges.
+// Runs programs in situations where writing must fail: on a full disk, and without the privileges of root.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace weft::test {
 
-// Runs a shell script with the folder $DISK on its own file system of `size` ("64k"), which is removed
-// afterwards. The script may call fill_disk to fill it. Requires can_mount().
+// Runs a shell script. The folder $DISK is on a file system of its own with the given size, such as "64k"; it
+// is removed afterwards. The script may call fill_disk to fill it. Requires can_mount().
 [[nodiscard]] RunResult run_on_small_disk(const std::string& size, const std::string& script,
                                           const Environment& environment = {});
-// True if this user may create a namespace with its own file system.
+// Returns true if the user of the test may create a mount namespace and mount a file system in it.
 [[nodiscard]] bool can_mount();
 
-// Runs a shell script as a user who is restricted by file permissions: root loses its privileges.
+// Runs a shell script as a user to whom file permissions apply. If the test runs as root, the script runs
+// without root's privileges.
 [[nodiscard]] RunResult run_without_privileges(const std::string& script);
 
-// A `weft` command with these arguments, quoted for a shell script.
+// Returns a `weft` command with these arguments, quoted for a shell script.
 [[nodiscard]] std::string weft_in_shell(const std::vector<std::string>& arguments);
 
 }  // namespace weft::test

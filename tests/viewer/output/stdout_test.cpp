@@ -1,4 +1,4 @@
-// Every write to standard output is checked: lost data is an error.
+// Tests that every command checks its writes to standard output, and reports lost data as an error.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -15,7 +15,8 @@ constexpr const char* kBroken = WEFT_SOURCE_DIR "/tests/diagnostics/W103_port.js
 struct Printer {
     const char* name;
     std::vector<std::string> arguments;
-    int exit_code = 0;  // exit code of a successful run
+    // Exit code of the command if all its output could be written.
+    int exit_code = 0;
 };
 
 void PrintTo(const Printer& printer, std::ostream* out) {
@@ -66,7 +67,8 @@ TEST_P(Printed, ToAFullDevice) {
 }
 
 TEST_P(Printed, ToAPipeThatNobodyReads) {
-    // Descriptor 3 allows opening the pipe for writing, and is then closed.
+    // Opening a pipe for writing waits for a reader. So the shell first opens the pipe for reading and
+    // writing (descriptor 3), then for writing (4), and then closes descriptor 3, so that no reader remains.
     const ScratchFolder scratch;
     const std::string pipe = scratch / "pipe";
     const std::string open = "mkfifo " + pipe + "; exec 3<>" + pipe + " 4>" + pipe + " 3<&-; ";

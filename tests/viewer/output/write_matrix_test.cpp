@@ -1,6 +1,6 @@
-// Every file written by `weft` is complete or absent, and an old file stays until the new one is complete.
-// Tests each kind of file with each cause of failure. Kinds that need a device run only with WEFT_EXTENDED,
-// unless nothing is rendered.
+// Tests that every file written by `weft` is either complete or absent, and that an old file stays until the
+// new one is complete. Tests each kind of file with each cause of failure. Kinds that need a device run only
+// with WEFT_EXTENDED, except those marked as quick.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -22,10 +22,13 @@ constexpr const char* kOld = "the old file";
 struct Writer {
     const char* name;
     const char* extension;
-    std::vector<std::string> arguments;  // "OUT" is replaced by the file
+    // Arguments of `weft`. The word "OUT" is replaced by the path of the file.
+    std::vector<std::string> arguments;
     bool needs_device = false;
-    bool quick = false;         // runs always, although it needs a device
-    const char* end = nullptr;  // for a file that differs in each run: its expected end
+    // True if the kind is always tested, although it needs a device.
+    bool quick = false;
+    // Expected end of the file, for a file whose content differs in each run; otherwise null.
+    const char* end = nullptr;
 };
 
 void PrintTo(const Writer& writer, std::ostream* out) {
@@ -87,7 +90,7 @@ class Written : public testing::TestWithParam<Writer> {
         EXPECT_EQ(shell(command(fresh)).exit_code, 0);
         return !found.empty() && found == read_text(fresh);
     }
-    // Expects only the files that the test created.
+    // Expects that the command left no temporary file, whose name would begin with ".weft-".
     void expect_no_drafts() const {
         for (const auto& entry : fs::directory_iterator(scratch_.path()))
             EXPECT_FALSE(entry.path().filename().string().starts_with(".weft-")) << entry.path();
@@ -115,7 +118,7 @@ TEST_P(Written, OntoAFullDiskTheOldFileStays) {
     if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     if (!can_mount()) GTEST_SKIP() << "this user may not mount a file system";
     const std::string file = std::string("$DISK/out") + GetParam().extension;
-    // The shell must expand $DISK, so it must not be quoted.
+    // The file name contains $DISK, which the shell must expand. So the name is quoted with " instead of '.
     std::string write = command("OUT_ON_DISK");
     const size_t at = write.find("'OUT_ON_DISK'");
     ASSERT_NE(at, std::string::npos);
@@ -192,7 +195,7 @@ TEST_P(Written, IntoAPipe) {
     EXPECT_TRUE(is_whole(got));
 }
 
-// The program is killed after it has written the data and calls fsync. write_signals_test.cpp has further
+// Kills the program after it has written the data, when it calls fsync. write_signals_test.cpp has further
 // cases.
 TEST_P(Written, KilledWhileItWritesTheOldFileStays) {
     if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
@@ -200,7 +203,8 @@ TEST_P(Written, KilledWhileItWritesTheOldFileStays) {
     const std::string strace =
         "strace -f -qq -o " + (scratch_ / "trace") + " -e trace=fsync -e inject=fsync:";
     if (shell(strace + "error=EIO true").exit_code != 0) GTEST_SKIP() << "strace is missing or may not trace";
-    // strace ends in the same way as the program, so the shell reports that it was killed.
+    // If the program is killed, strace kills itself with the same signal. So the shell reports exit code 128
+    // + 9.
     const RunResult run = shell(strace + "signal=KILL " + command(out()));
     EXPECT_EQ(run.exit_code, 128 + 9) << run.text();
     EXPECT_EQ(read_text(out()), kOld);
@@ -218,7 +222,8 @@ TEST(WrittenFirst, WhatCanBeKnownIsSaidBeforeAnythingIsRead) {
     EXPECT_EQ(run.err.find("none.json:"), std::string::npos) << run.text();
 }
 
-// If it rendered before checking, the test would take hours for a million frames.
+// No output file may replace an input file or another output file of the same command. The program must
+// refuse such names before it writes anything.
 TEST(WrittenFirst, NoFileIsWrittenOverAnInputOrAnotherOutput) {
     const ScratchFolder scratch;
     const std::string graph =
@@ -249,6 +254,7 @@ TEST(WrittenFirst, NoFileIsWrittenOverAnInputOrAnotherOutput) {
     EXPECT_EQ(shared.exit_code, 0) << shared.text();
 }
 
+// A check after rendering would take hours here, because the command asks for a million frames.
 TEST(WrittenFirst, AnUnknownExtensionIsRefusedBeforeAFrameIsRendered) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder scratch;

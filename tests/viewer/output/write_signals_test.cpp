@@ -1,5 +1,5 @@
-// If the program is killed while it writes, the old file stays; a file in its final place is stored on the
-// disk.
+// Tests that the old file stays if the program is killed while it writes, and that the data is stored on the
+// disk before the new file takes the place of the old one.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -22,7 +22,7 @@ class Interrupted : public testing::Test {
         whole_ = read_text(out());
         scratch_.write("folder/out.json", kOld);
     }
-    // Runs `weft schema` under strace, which injects `faults` ("fsync:signal=KILL") into system calls.
+    // Runs `weft schema` under strace, which injects faults such as "fsync:signal=KILL" into system calls.
     [[nodiscard]] RunResult write_under_strace(const std::vector<std::string>& faults) const {
         std::vector<std::string> words{"strace",
                                        "-f",
@@ -40,7 +40,7 @@ class Interrupted : public testing::Test {
         const fs::directory_iterator folder(scratch_.path() / "folder");
         return static_cast<size_t>(std::distance(begin(folder), end(folder)));
     }
-    // True if the file system supports unnamed files.
+    // Returns true if the file system supports files without names (O_TMPFILE).
     [[nodiscard]] bool has_nameless_files() const {
         const int file = open((scratch_ / "folder").c_str(), O_TMPFILE | O_WRONLY, 0600);
         if (file >= 0) close(file);
@@ -64,7 +64,8 @@ TEST_F(Interrupted, KilledBeforeTheFirstFileIsThereNothingIsThere) {
     EXPECT_EQ(files(), has_nameless_files() ? 0u : 1u) << "a draft was left";
 }
 
-// Without /proc, or on a file system without unnamed files.
+// Without /proc, or on a file system without unnamed files, `weft` writes a temporary file with a name. The
+// injected error of linkat causes this case.
 TEST_F(Interrupted, ADraftWithANameTakesThePlaceAsWell) {
     const RunResult run = write_under_strace({"linkat:error=ENOENT"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
@@ -100,7 +101,8 @@ TEST_F(Interrupted, AnErrorOfTheDiskLeavesTheOldFileAndNoDraft) {
     }
 }
 
-// Otherwise a power failure could leave an empty file in place of the old one.
+// The program must call fsync before it renames the file. Otherwise a power failure could leave an empty file
+// in place of the old one.
 TEST_F(Interrupted, TheDataIsOnTheDiskBeforeItTakesItsPlace) {
     ASSERT_EQ(write_under_strace({}).exit_code, 0);
     const std::string trace = read_text(scratch_ / "trace");

@@ -9,7 +9,8 @@
 namespace weft::test {
 namespace {
 
-// The text between `begin` and the end of a comment; nullopt for other lines.
+// Returns the text between `begin` and the end of an HTML comment, or nullopt if the line is not such a
+// comment.
 std::optional<std::string> comment(const std::string& line, std::string_view begin) {
     constexpr std::string_view kEnd = " -->";
     if (!line.starts_with(begin) || !line.ends_with(kEnd)) return std::nullopt;

@@ -1,9 +1,9 @@
-// A page of the documentation as a list of steps, in the order of the page: files to write, commands to run,
-// output to expect.
-//   <!-- file: NAME -->                      the next fence is that file; it replaces an earlier one
-//   ```sh                                    commands, one per line
-//   ```console                               "$ COMMAND" and its output
-//   <!-- mistake: FILE: OLD => NEW -->       the next fence uses FILE with every OLD replaced by NEW
+// Reads a page of the documentation as a list of steps, in the order of the page: files to write, commands to
+// run, output to expect.
+//   <!-- file: NAME -->                      the next fence is the content of file NAME
+//   ```sh                                    the fence contains commands, one per line
+//   ```console                               the fence contains "$ COMMAND" and its output
+//   <!-- mistake: FILE: OLD => NEW -->       for the next fence, FILE has every OLD replaced by NEW
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@
 namespace weft::test {
 
 struct PageMistake {
-    std::string file;  // empty: none
+    // File in which the mistake is made; empty if the step makes no mistake.
+    std::string file;
     std::string right;
     std::string wrong;
 };
@@ -20,13 +21,16 @@ struct PageMistake {
 struct PageEvent {
     enum class Kind { file, commands, console };
     Kind kind = Kind::file;
-    std::string name;                // name of the file
-    std::vector<std::string> lines;  // lines inside the fence
+    // Name of the file to write, if the step is a file.
+    std::string name;
+    // Lines inside the fenced block.
+    std::vector<std::string> lines;
     PageMistake mistake;
-    int line = 0;  // first line of the fence, from 1
+    // Line number of the fence on the page; the first line is 1.
+    int line = 0;
 };
 
-// For a page in docs/. Other kinds of fences are ignored.
+// Returns the steps of a page in docs/. Fences of other languages are ignored.
 [[nodiscard]] std::vector<PageEvent> events_of(const std::string& page);
 
 [[nodiscard]] std::string joined(const std::vector<std::string>& lines);

@@ -1,4 +1,4 @@
-// `weft plan --format html` for every shipped graph. With WEFT_EXTENDED a browser opens the pages.
+// Tests `weft plan --format html` for every shipped graph. With WEFT_EXTENDED, a browser opens the pages.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace {
 
 const std::string kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
-// A chain of 500 passes.
+// Returns a graph with a chain of 500 passes, each of which copies the result of the previous pass.
 std::string long_graph() {
     std::string resources, passes;
     for (int i = 0; i < 500; ++i) {

@@ -26,7 +26,8 @@ uint32_t crc32(const std::string& bytes) {
     return ~crc;
 }
 
-// RFC 1951: Huffman codes start with the highest bit, all other values with the lowest.
+// Writes single bits into bytes. By RFC 1951, the highest bit of a Huffman code comes first, and the lowest
+// bit of any other value comes first.
 class BitWriter {
  public:
     void bits(uint32_t value, int count) {
@@ -54,11 +55,14 @@ class BitWriter {
     int used_ = 0;
 };
 
-// `count` zero bytes as a zlib stream (RFC 1950): one literal, then copies of 258 bytes at distance 1.
+// Returns `count` zero bytes as a zlib stream (RFC 1950): one literal zero, then commands that copy 258 bytes
+// from distance 1.
 std::string zeros(uint64_t count) {
     BitWriter out;
-    out.bits(1, 1);  // marks the last block
-    out.bits(1, 2);  // fixed Huffman codes
+    // This bit marks the last block of the stream.
+    out.bits(1, 1);
+    // The value 1 selects fixed Huffman codes.
+    out.bits(1, 2);
     const auto literal = [&] { out.code(0x30, 8); };
     uint64_t left = count;
     if (left > 0) literal(), --left;
@@ -67,9 +71,11 @@ std::string zeros(uint64_t count) {
         out.code(0, 5);
     }
     for (; left > 0; --left) literal();
-    out.code(0, 7);  // end of block
+    // Seven zero bits are the code for the end of the block.
+    out.code(0, 7);
     std::string stream = "\x78\x9c" + out.take();
-    append_big_endian(stream, static_cast<uint32_t>(count % 65521) << 16 | 1);  // Adler-32 of zeros
+    // Adler-32 checksum of `count` zero bytes.
+    append_big_endian(stream, static_cast<uint32_t>(count % 65521) << 16 | 1);
     return stream;
 }
 
@@ -90,7 +96,8 @@ std::string black_png_with(uint32_t width_px, uint32_t height_px, uint64_t data_
     std::string header;
     append_big_endian(header, width_px);
     append_big_endian(header, height_px);
-    header += std::string("\1\0\0\0\0", 5);  // one bit per texel, grey
+    // The image has one bit per texel, grey, and is not interlaced.
+    header += std::string("\1\0\0\0\0", 5);
     return std::string("\x89PNG\r\n\x1a\n") + png_chunk("IHDR", header) +
            png_chunk("IDAT", zeros(data_bytes)) + png_chunk("IEND", "");
 }

@@ -1,5 +1,5 @@
-// Large pictures in small files: black PNGs of one bit per texel, with the best compression of fixed Huffman
-// codes.
+// Makes large pictures in small files: black PNG files with one bit per texel, compressed as far as fixed
+// Huffman codes allow.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace weft::test {
 
-// A completely valid file of width × height texels.
+// Returns a valid PNG file of width × height black texels.
 [[nodiscard]] std::string black_png(uint32_t width_px, uint32_t height_px);
 
-// A file with one texel according to its header, whose data inflates to `data_bytes`.
+// Returns a PNG file whose header announces one texel, but whose image data inflates to `data_bytes` bytes.
 [[nodiscard]] std::string swollen_png(uint64_t data_bytes);
 
-// A chunk with its length and checksum.
+// Returns a PNG chunk with its length and checksum.
 [[nodiscard]] std::string png_chunk(std::string_view type, std::string_view data);
 
 }  // namespace weft::test

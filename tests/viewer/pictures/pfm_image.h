@@ -1,4 +1,4 @@
-// Raw pictures written by `weft render -o x.pfm`.
+// Reads the raw pictures that `weft render -o x.pfm` writes.
 #pragma once
 
 #include <array>
@@ -12,14 +12,15 @@ namespace weft::test {
 struct PfmImage {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
-    std::vector<std::array<float, 3>> texels;  // row 0 on top
+    // Pixels row by row; row 0 is the top row.
+    std::vector<std::array<float, 3>> texels;
 
     [[nodiscard]] const std::array<float, 3>& at(uint32_t x, uint32_t y) const {
         return texels[size_t{y} * width_px + x];
     }
 };
 
-// Reads little-endian files with three channels; nullopt for other files.
+// Reads a PFM file with little-endian numbers and three channels. Returns nullopt for any other file.
 [[nodiscard]] std::optional<PfmImage> read_pfm(const std::string& path);
 
 }  // namespace weft::test

@@ -39,8 +39,8 @@ std::string exr_header(uint32_t width_px, uint32_t height_px) {
     std::string channels;
     for (const char* name : {"B", "G", "R"}) {
         put_name(channels, name);
-        channels += packed(int32_t{2}, int32_t{0}, int32_t{1}, int32_t{1});  // float channel without
-                                                                             // subsampling
+        // The fields mean: 32-bit float (2), no flags, and no subsampling in x and y.
+        channels += packed(int32_t{2}, int32_t{0}, int32_t{1}, int32_t{1});
     }
     channels += '\0';
     const std::string window = packed(int32_t{0}, int32_t{0}, static_cast<int32_t>(width_px) - 1,

@@ -1,4 +1,4 @@
-// Writes picture files without the program's own writers.
+// Makes picture files for tests, without the code of `weft` that writes pictures.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@ namespace weft::test {
 
 using Texel = std::array<float, 3>;
 
-// Row 0 on top. Values are stored unchanged.
+// Returns a PFM file with these values, unchanged. Row 0 of `texels` is the top row.
 [[nodiscard]] std::string pfm_file(uint32_t width_px, uint32_t height_px, std::span<const Texel> texels,
                                    bool big_endian = false);
-// Uncompressed scan lines of 32-bit floats.
+// Returns an OpenEXR file with uncompressed scan lines of 32-bit floats.
 [[nodiscard]] std::string exr_file(uint32_t width_px, uint32_t height_px, std::span<const Texel> texels);
-// 8-bit values, 0 to 255, opaque.
+// Returns an opaque PNG file with 8 bits per channel. The values of `texels` are 0 to 255.
 [[nodiscard]] std::string png_file(uint32_t width_px, uint32_t height_px, std::span<const Texel> texels);
 
 }  // namespace weft::test

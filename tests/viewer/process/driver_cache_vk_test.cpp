@@ -1,5 +1,5 @@
-// A full disk below the caches: Mesa's shader cache, which ends a program with SIGBUS in that case, and
-// Weft's own.
+// Tests a full disk below the shader caches: the cache of the Mesa driver, which ends a program with SIGBUS
+// in that case, and the cache of Weft.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/output/full_disk.h"
@@ -14,7 +14,7 @@ class FullCache : public testing::Test {
         if (!has_device()) GTEST_SKIP() << "no Vulkan device";
         if (!can_mount()) GTEST_SKIP() << "this user may not mount a file system";
     }
-    // Renders with all caches on a disk of that size. The script `before` sets the initial content of the
+    // Renders with all caches on a disk of this size. The shell script `before` prepares the content of the
     // caches.
     [[nodiscard]] static RunResult render(const std::string& size, const std::string& before = "") {
         const ScratchFolder out;
@@ -44,14 +44,14 @@ TEST_F(FullCache, RendersWithoutMesasCacheAndSaysSo) {
     EXPECT_NE(run.err.find("No space left on device"), std::string::npos) << run.text();
 }
 
-// The program reserves the index's disk space at the start; nothing else fits on the disk.
+// `weft` reserves disk space for the index of Mesa's cache when it starts. On this disk nothing else fits.
 TEST_F(FullCache, RendersWhereOnlyTheIndexHasRoom) {
     const RunResult run = render("1292k");
     expect_picture(run);
     EXPECT_FALSE(warns(run)) << run.text();
 }
 
-// As another program leaves it: the index has its full size, but no disk space.
+// The index has its full size but uses no disk space (a sparse file), as another program may leave it.
 TEST_F(FullCache, TakesTheSpaceOfAnIndexThatHasNone) {
     const RunResult run = render(
         "64k", "mkdir \"$DISK/mesa_shader_cache\"; truncate -s 1310728 \"$DISK/mesa_shader_cache/index\"");

@@ -1,5 +1,6 @@
-// A fake Vulkan driver that acts like malicious code: when it is loaded it attempts forbidden operations, and
-// prints the result of each on a line. WEFT_HOSTILE_FOLDER names a folder that it must not access.
+// A fake Vulkan driver that behaves like malicious code. When it is loaded, it attempts forbidden operations
+// and prints the result of each on one line. The environment variable WEFT_HOSTILE_FOLDER names a folder that
+// the driver must not be able to access.
 #include <fcntl.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
@@ -39,7 +40,8 @@ bool sends_to_others() {
     return true;
 }
 
-// The owner of a descriptor gets a signal when the descriptor becomes ready.
+// Attempts to send signals to another process: the owner of a descriptor gets a signal when the descriptor
+// becomes ready.
 bool owns_signals_of(pid_t process) {
     int pair[2];
     if (pipe(pair) != 0) return false;
@@ -53,7 +55,8 @@ bool writes_to_descriptor(const char* number) {
     return number != nullptr && write(std::atoi(number), "x", 1) == 1;
 }
 
-// Starts a process that outlives this one and keeps no files open.
+// Starts a process that continues after the driver's process has ended. It closes its files, so that no
+// reader waits for it.
 void leave_behind() {
     const pid_t child = fork();
     if (child == 0) {
@@ -82,7 +85,7 @@ __attribute__((constructor)) void attack() {
     say("owns signals of its parent", owns_signals_of(getppid()));
     say("writes to a file left open", writes_to_descriptor(std::getenv("WEFT_HOSTILE_DESCRIPTOR")));
     if (std::getenv("WEFT_HOSTILE_CHILD") != nullptr) leave_behind();
-    // Tracing ends with this process, and stops no other process.
+    // PTRACE_SEIZE does not stop the parent, and the trace ends with this process.
     say("traces its parent", ptrace(PTRACE_SEIZE, getppid(), nullptr, nullptr) == 0);
     say("makes memory that runs", mmap(nullptr, 4096, PROT_READ | PROT_WRITE | PROT_EXEC,
                                        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED);

@@ -1,5 +1,6 @@
-// The files that `weft` opens, observed with strace: the graph's folder, the scene's folder, files on the
-// command line, and files of the program itself. Links that lead elsewhere are refused without being opened.
+// Tests which files `weft` opens, as observed with strace. Allowed are the folders of the graph and the
+// scene, files named on the command line, and files of the program itself. `weft` must refuse links that lead
+// elsewhere without opening them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void main() { backbuffer = texelFetch(x, ivec2(gl_FragCoord.xy), 0); }
 )";
 constexpr const char* kValue = "const float value = 0.5;\n";
 
-// Files of the system: libraries, the loader and drivers, devices, time zones.
+// Folders of the system that `weft` may read: libraries, the Vulkan loader and drivers, devices, time zones.
 constexpr std::array kSystem{"/usr/",       "/lib/",      "/lib64/",        "/etc/ld.so",
                              "/etc/vulkan", "/etc/drirc", "/etc/localtime", "/etc/ssl/",
                              "/proc/",      "/sys/",      "/dev/"};
@@ -60,7 +61,8 @@ class Opens : public testing::Test {
                 "-o",      scratch_ / "out/a.png",
                 "--stats", scratch_ / "out/a.json"};
     }
-    // Files of the program itself: shipped files, its own folder, its caches.
+    // Returns the paths of the program itself, which `weft` may open: shipped files, its own folder, its
+    // caches.
     [[nodiscard]] static std::vector<std::string> of_the_tool() {
         const std::string source = WEFT_SOURCE_DIR;
         std::vector<std::string> all{source + "/graphs/",
@@ -69,7 +71,7 @@ class Opens : public testing::Test {
                                      source + "/docs/diagnostics.md",
                                      fs::path(WEFT_PROGRAM).parent_path().string() + "/",
                                      fs::weakly_canonical(WEFT_TEST_CACHE).string()};
-        // This user's settings of drivers.
+        // Drivers read settings in the user's home folder.
         if (const char* home = std::getenv("HOME")) all.push_back(std::string(home) + "/.");
         all.insert(all.end(), kSystem.begin(), kSystem.end());
         return all;
@@ -85,7 +87,7 @@ class Opens : public testing::Test {
         for (const std::string& program : traced.executed)
             EXPECT_EQ(fs::path(program).parent_path(), fs::path(WEFT_PROGRAM).parent_path()) << program;
     }
-    // Moves a file out of its folder and replaces it by a link.
+    // Moves a file to another folder and puts a link to it in the old place.
     void link_away(const std::string& name) const {
         fs::rename(root_ / name, root_ / "elsewhere" / fs::path(name).filename());
         fs::create_symlink(root_ / "elsewhere" / fs::path(name).filename(), root_ / name);
@@ -115,8 +117,10 @@ TEST_F(Opens, RenderReadsTheSceneToo) {
 
 struct Link {
     const char* name;
-    const char* file;   // the file that is moved and replaced by a link
-    const char* error;  // expected error
+    // The file that the test moves away and replaces by a link.
+    const char* file;
+    // The error that `weft` must report.
+    const char* error;
 };
 
 void PrintTo(const Link& link, std::ostream* out) {
@@ -134,7 +138,8 @@ TEST_P(OpensLink, ThatLeadsElsewhereIsRefusedUnopened) {
     expect_only(*traced, {"graph"});
 }
 
-// The graph file is named on the command line, so it may be a link. Its folder is that of the link.
+// Each of these files is replaced by a link that leads out of the graph's folder. The graph file itself is
+// not in this list, because a file named on the command line may be a link.
 INSTANTIATE_TEST_SUITE_P(All, OpensLink,
                          testing::Values(Link{"Shader", "graph/draw.comp", "error[W20"},
                                          Link{"ShaderInclude", "graph/value.glsl", "error[W203]"},

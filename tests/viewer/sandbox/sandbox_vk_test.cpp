@@ -1,5 +1,5 @@
-// --sandbox: a command inside renders the same picture and can access nothing else; if the kernel does not
-// support the sandbox, nothing runs.
+// Tests --sandbox: a command renders the same picture inside the sandbox and can access nothing else. If the
+// kernel does not support the sandbox, the command must not run.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/landlock.h>
@@ -36,7 +36,8 @@ class Sandbox : public testing::Test {
         if (sandbox) words.emplace_back("--sandbox");
         return words;
     }
-    // Runs with a driver that attacks when it is loaded. The program inherits an open file.
+    // Runs `weft` with a driver that attacks when it is loaded. `weft` also inherits an open file, to which
+    // the driver tries to write.
     [[nodiscard]] RunResult attack(bool sandbox, const Environment& more = {}) const {
         const int left_open =
             open((scratch_ / "elsewhere/open.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -66,7 +67,8 @@ constexpr const char* kAttacks[] = {
     "changes rights",        "makes a network socket",     "makes a local socket",
     "makes a datagram pair", "owns signals of its parent", "writes to a file left open"};
 
-// Without a sandbox each attack works, so the test can detect them.
+// Without the sandbox each attack must succeed. This proves that the tests with the sandbox can detect a
+// successful attack.
 TEST_F(Sandbox, CodeOutsideReachesEverything) {
     const RunResult run = attack(false);
     for (const char* what : kAttacks)
@@ -92,7 +94,7 @@ TEST_F(Sandbox, CodeInsideReachesNothing) {
     expect_only({"keep.txt"});
 }
 
-// The output's folder also contains other files.
+// The folder of the output file contains other files, which the driver must not reach.
 TEST_F(Sandbox, CodeInsideReachesNoFileBesideTheOutput) {
     const RunResult run = attack(true, {{"WEFT_HOSTILE_FOLDER", scratch_ / "out"}});
     EXPECT_NE(run.err.find("hostile: makes a file refused"), std::string::npos) << run.text();
@@ -111,7 +113,7 @@ TEST_F(Sandbox, NoProcessOutlivesIt) {
     kill(left, SIGKILL);
 }
 
-// An example is a process substitution of the shell.
+// The output is /dev/fd/N, as in a process substitution of the shell.
 TEST_F(Sandbox, AnOutputMayBeAnOpenDescriptor) {
     const int file = open((scratch_ / "elsewhere/plan.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const RunResult plan = run_weft({"plan", WEFT_SOURCE_DIR "/graphs/deferred.json", "--sandbox", "-o",
@@ -150,7 +152,7 @@ constexpr const char* kGraph = R"({ "version": 1, "imports": { "backbuffer": "ou
   "tests": [{ "size": [32, 32], "expect": { "finite": ["x"] } }]
 })";
 
-// A worker process compiles the graph's own shader, in the same sandbox.
+// A worker process of `weft` compiles the shader beside the graph. The worker runs in the same sandbox.
 TEST_F(Sandbox, AGraphBesideItsShadersIsCheckedAndRun) {
     scratch_.write("graph/graph.json", kGraph);
     scratch_.write("graph/own.comp",
@@ -177,7 +179,7 @@ TEST_F(Sandbox, FaultsKeepTheirExitCodes) {
     expect_only({"keep.txt", "plan.txt"});
 }
 
-// Without sandbox support the command must not run unprotected.
+// If the sandbox is not available, `weft` must refuse the command instead of running it without protection.
 TEST_F(Sandbox, WithoutLandlockNothingRuns) {
     std::vector<std::string> words{WEFT_WITHOUT_LANDLOCK, WEFT_PROGRAM};
     for (const std::string& word : render(scratch_ / "out/frame.png", true)) words.push_back(word);

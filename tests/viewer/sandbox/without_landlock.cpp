@@ -1,4 +1,6 @@
-// without_landlock PROGRAM ARGUMENT…: runs a program as if the kernel did not support Landlock.
+// Usage: without_landlock PROGRAM ARGUMENT…
+// Runs a program as if the kernel did not support Landlock: a seccomp filter makes the system call
+// landlock_create_ruleset fail with ENOSYS.
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
