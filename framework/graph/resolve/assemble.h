@@ -1,4 +1,4 @@
-// Purpose: the stage of resolve() that combines the results of the other stages.
+// Purpose: the stage of resolve() that combines the results of the other stages into one ResolvedGraph.
 #pragma once
 
 #include "graph/resolve/attach.h"
@@ -7,8 +7,8 @@
 
 namespace weft {
 
-// Does not fill in the parameters of C++ passes and the costs of the graph's parameters, which need the whole
-// graph.
+// Combines the results of the earlier stages. Leaves the parameters of C++ passes and the costs of the
+// graph's parameters empty, because later stages compute them from the whole graph.
 [[nodiscard]] ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph,
                                      const Attachments& attachments, const Dispatches& dispatches,
                                      const Blocks& blocks);

@@ -52,9 +52,11 @@ class PassAttacher {
         const auto own = desc().clear_ports.find(use.port);
         if (own != desc().clear_ports.end()) return evaluator_.color(own->second);
         const ResourceDecl& resource = graph_.resources[use.resource];
-        // The pass's own value is a colour, so it does not clear depth.
+        // The "clear" of a pass is a colour, so it applies to its colour attachments and not to its depth
+        // attachment.
         if (desc().clear && !(resource.aspects & aspect::kDepth)) return evaluator_.color(*desc().clear);
-        // Depth is reversed: 0 is infinitely far.
+        // If no clear value is given, attachments are cleared to 0. For depth, 0 means infinitely far,
+        // because depth is reversed.
         return resource.clear.value_or(std::array<float, 4>{0, 0, 0, 0});
     }
 
@@ -88,8 +90,8 @@ class PassAttacher {
               "\"stencil\"");
     }
 
-    // A viewport may be as large as the largest image that the device can draw to, and may extend to twice
-    // that size.
+    // Checks the size and the place of the viewport. Vulkan allows a viewport up to the size of the largest
+    // image that the device can draw to (s pixels), and places from -2 s to 2 s - 1.
     void check_viewport() {
         if (!draft_.decl.state.viewport) return;
         const RectPx& view = *draft_.decl.state.viewport;
@@ -108,7 +110,8 @@ class PassAttacher {
 
     void add_resolve(const ResolveDesc& resolve) {
         const auto port = std::ranges::find(bound_.ports, &resolve.target, &PortDraft::desc);
-        if (port == bound_.ports.end()) return;  // reported
+        // If the port is missing, bind() has already reported an error.
+        if (port == bound_.ports.end()) return;
         const auto target = static_cast<uint32_t>(port - bound_.ports.begin());
         const auto color = std::ranges::find_if(result_.colors, [&](const AttachmentDecl& c) {
             return bound_.uses[c.use].port == resolve.output;

@@ -1,5 +1,6 @@
-// Purpose: the stage of resolve() that makes attachments of the uses of raster and fullscreen passes, and
-// finds the one extent that the attachments of a pass share. Errors: W119, W169, W174, W179 to W182.
+// Purpose: the stage of resolve() that lists the attachments of each raster and fullscreen pass, with their
+// clear values and blending, and finds the extent that all attachments of a pass must share. Errors: W119,
+// W169, W174, W179 to W182.
 #pragma once
 
 #include <optional>
@@ -10,12 +11,14 @@
 namespace weft {
 
 struct PassAttachments {
-    std::vector<AttachmentDecl> colors;  // by location
+    // Colour attachments, sorted by their location in the fragment shader.
+    std::vector<AttachmentDecl> colors;
     std::optional<AttachmentDecl> depth;
     Extent3D render_extent;
 };
 struct Attachments {
-    std::vector<PassAttachments> passes;  // by PassId
+    // The attachments of each pass, indexed by PassId.
+    std::vector<PassAttachments> passes;
     Suspects suspects;
 };
 [[nodiscard]] Attachments attach(const Declared& declared, const VersionedGraph& graph, Reporter& reporter);

@@ -1,6 +1,7 @@
-// Purpose: the stage of resolve() that binds ports: references become resources, ranges and pins; each port
-// meets what the shader or the pass type declares under its name, which says how it is accessed. Draw lists,
-// views and specialisation constants are bound too.
+// Purpose: the stage of resolve() that binds the ports of passes. A reference becomes a resource, a range of
+// the resource and a pinned pass. Each port is matched by name with the shader's binding or with the port
+// that the pass type declares, which determines the kind of access. Draw lists, views and specialisation
+// constants are bound too.
 // Errors: W103 to W106, W109, W110, W112 to W114, W118, W121 to W123, W165, W167, W168, W170, W171, W173,
 // W175, W176, W182, W185, W186. Warnings: W137.
 #pragma once
@@ -12,43 +13,62 @@
 
 namespace weft {
 
-// How a write treats the content that was there before.
+// Says how a write treats the earlier content of the resource.
 enum class WriteRank : uint8_t {
-    fresh,     // makes a new version: nothing of the old content is seen
-    resumes,   // continues a preceding version if this frame has one (a loaded attachment, a read-write
-               // buffer)
-    in_place,  // modifies the previous version
+    // The write replaces all content: nothing of the earlier content is seen afterwards.
+    fresh,
+    // The write continues an earlier version if this frame has one, for example an attachment that is loaded
+    // or a buffer that is read and written. Without an earlier version, it starts from cleared or undefined
+    // content.
+    resumes,
+    // The write changes a part of the previous version, and the rest of that version stays visible.
+    in_place,
 };
 
-// Facts about a use beyond its UseDecl.
+// Information about the use of a port that later stages need but UseDecl does not contain.
 struct PortDraft {
     const PortDesc* desc = nullptr;
-    const ShaderBinding* binding = nullptr;       // in set 1
-    const StageVariable* color_output = nullptr;  // colour attachments
-    std::vector<PassId> pins;  // `@pass`: all passes of that name, in the order of their repeat
+    // The shader's binding in descriptor set 1 that the port is bound to; null for attachments and passes
+    // without a shader.
+    const ShaderBinding* binding = nullptr;
+    // The fragment output of the shader; null unless the port is a colour attachment.
+    const StageVariable* color_output = nullptr;
+    // The passes that `@pass` in the reference names. If the named pass has a repeat, all its passes in the
+    // order of the repeat. Empty: the reference pins no version.
+    std::vector<PassId> pins;
     WriteRank rank = WriteRank::fresh;
     bool is_depth_port = false;
-    bool is_resolve = false;      // receives the averages of a multisampled attachment
-    bool is_indirect = false;     // contains the size of the dispatch
-    bool reads_own_port = false;  // "in" and "out" both name this port: one binding, in place
+    // True if the port receives the averaged samples of a multisampled attachment.
+    bool is_resolve = false;
+    // True if the port is the buffer with the group counts of an indirect dispatch or with indirect draw
+    // commands.
+    bool is_indirect = false;
+    // True if "in" and "out" both name this port. The two are then one binding, which is read and written in
+    // place.
+    bool reads_own_port = false;
 
     [[nodiscard]] bool pinned() const { return !pins.empty(); }
 };
 
 struct BoundPass {
-    std::vector<UseDecl> uses;             // inputs first, then outputs, each in name order
-    std::vector<PortDraft> ports = {};     // by use
-    std::vector<std::string> absent = {};  // optional ports without a resource
+    // The bound ports: inputs first, then outputs, each group sorted by name.
+    std::vector<UseDecl> uses;
+    // Further information about each use; ports[i] belongs to uses[i].
+    std::vector<PortDraft> ports = {};
+    // Names of the optional ports that have no resource.
+    std::vector<std::string> absent = {};
     std::vector<SpecValue> spec_values = {};
     std::vector<std::string> draw_lists = {};
-    uint32_t vertices = 0;  // instead of draw lists
+    // Number of vertices per instance, for raster passes without draw lists. Otherwise 0.
+    uint32_t vertices = 0;
     uint32_t instances = 0;
     std::string view = PassDecl{}.view;
     std::array<float, 4> clear{0, 0, 0, 0};
 };
 
 struct BoundPasses {
-    std::vector<BoundPass> passes;  // by PassId
+    // The bound ports of each pass, indexed by PassId.
+    std::vector<BoundPass> passes;
     Suspects suspects;
 };
 [[nodiscard]] BoundPasses bind(const Declared& declared, Reporter& reporter);

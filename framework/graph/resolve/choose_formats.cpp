@@ -11,12 +11,15 @@
 namespace weft {
 namespace {
 
-// Requirements of one resource in addition to its usages.
+// Format features that a resource needs besides those that follow from its usage flags.
 struct Needs {
     bool blend = false;
     bool blit_from = false, blit_to = false;
-    bool linear_always = false;    // a sampler that states it
-    bool linear_if_float = false;  // the default sampler
+    // True if a port states a sampler with linear filtering, so that the format must support it.
+    bool linear_always = false;
+    // True if a port uses the default sampler. The default sampler filters linearly only if the format is a
+    // float format.
+    bool linear_if_float = false;
 };
 
 struct FeatureRow {
@@ -74,13 +77,15 @@ bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
            (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
 
-// Each memory of a ring is used by all its roles in turn, so they share one set of requirements.
+// Returns the resource of age 0 in a ring of history copies, or `id` itself for other resources. The copies
+// of a ring rotate through all ages, so all of them must meet the requirements of all.
 ResourceId base_of(const std::vector<ResourceDecl>& resources, ResourceId id) {
     const ResourceId ring = resources[id].ring;
     return ring == kNoId ? id : ring;
 }
 
-// The content of the first frame comes from a clear, or from a copy from another plan.
+// Adds transfer usage to persistent resources. Their first content comes from a clear, or from a copy of the
+// same resource in another plan.
 void need_transfers(std::vector<ResourceDecl>& resources) {
     for (ResourceDecl& resource : resources) {
         if (resource.lifetime == ResourceLifetime::persistent)
@@ -88,7 +93,8 @@ void need_transfers(std::vector<ResourceDecl>& resources) {
     }
 }
 
-// Content that is kept when its resource changes size is blitted.
+// Adds the features for a blit to images with "onResize": "resample". When such an image changes its size,
+// its old content is scaled to the new size by a blit.
 void need_resampling(const std::vector<ResourceDecl>& resources, std::vector<Needs>& needs) {
     for (ResourceId id = 0; id < resources.size(); ++id) {
         const ResourceDecl& decl = resources[id];
@@ -101,7 +107,7 @@ bool is_filtered(Access a) {
     return a == Access::sampled_read || a == Access::blit_read;
 }
 
-// Adds all usages to the resources.
+// Adds the usage flags of all uses to the resources, and returns the further requirements of each resource.
 std::vector<Needs> gather_needs(const Declared& declared, FormattedGraph& graph) {
     std::vector<Needs> needs(graph.resources.size());
     for (PassId id = 0; id < graph.passes.size(); ++id) {
@@ -155,7 +161,8 @@ std::string counts_text(SampleCountMask counts) {
     return text;
 }
 
-// The format determines the supported sample counts.
+// Checks the sample count of an image. The format must already be chosen, because it determines which sample
+// counts the device supports.
 bool check_samples(const DeviceProfile& profile, const ResourceDecl& decl, Reporter& reporter) {
     const SampleCountMask offered = profile.samples(decl.format);
     if (decl.samples == 1 || (offered & decl.samples) != 0) return true;
@@ -169,7 +176,8 @@ bool check_samples(const DeviceProfile& profile, const ResourceDecl& decl, Repor
     return false;
 }
 
-// False: reported.
+// Chooses the first format of the list that the device supports for all usages. Returns false after reporting
+// an error.
 bool choose_format(const ResolveInput& input, const ResourceDesc& desc, const Needs& needs,
                    ResourceDecl& decl, Reporter& reporter) {
     const std::optional<std::vector<Format>> formats = list_candidates(desc, reporter);
@@ -204,7 +212,7 @@ void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& 
         use.range.aspects = aspect::kColor;
     } else if (use.range.aspects == aspect::kNone) {
         use.range.aspects = resource.aspects;
-        // A sampled view shows one aspect.
+        // A sampled image view of a depth-stencil format can only show one aspect; the default is depth.
         if (use.access == Access::sampled_read && (resource.aspects & aspect::kDepth))
             use.range.aspects = aspect::kDepth;
     }
@@ -213,12 +221,13 @@ void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& 
         use.sampler.filter = use.sampler.mip_filter = SamplerFilter::nearest;
     }
     if (!port.binding) return;
-    // A single mip has no neighbours to filter between.
+    // With a single mip there are no neighbouring mips to filter between.
     if (use.range.mips == 1) use.sampler.mip_filter = SamplerFilter::nearest;
     use.sampler.compare_greater_equal = port.binding->shadow;
 }
 
-// Compares as floating point first, because the product could pass 2^64.
+// Returns true if the resource has at most `limit_bytes` bytes. First compares the size of the first mip as
+// floating point, because the integer product could exceed 2^64.
 bool fits(const ResourceDecl& resource, uint64_t limit_bytes) {
     const Extent3D& e = resource.extent;
     const double first_mip_bytes = double{1} * e.width * e.height * e.depth * resource.layers *
@@ -228,8 +237,8 @@ bool fits(const ResourceDecl& resource, uint64_t limit_bytes) {
     return content_bytes(resource) <= limit_bytes;
 }
 
-// Reports each resource that is too large to be allocated, at its place in the file. The plan checks their
-// sum.
+// Reports each resource that alone exceeds the limit graph.transientBytes, with its place in the file. The
+// sum of all resources is checked later, when a plan is made.
 void check_sizes(const Declared& declared, FormattedGraph& graph, Reporter& reporter) {
     const uint64_t limit_bytes = declared.input.limits.transient_bytes;
     for (ResourceId id = 0; id < graph.resources.size(); ++id) {

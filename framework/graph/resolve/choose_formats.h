@@ -1,6 +1,6 @@
-// Purpose: the stage of resolve() that chooses formats: for each resource, the first format that the device
-// supports for all its usages. Aspects and default samplers follow from the format, and then every use is
-// complete. Errors: W109, W116, W117, W119, W125.
+// Purpose: the stage of resolve() that chooses the format of each image: the first format of its list that
+// the device supports for all its usages. Then the aspects and the default samplers are known too, so every
+// use is complete except for its final access. Errors: W109, W116, W117, W119, W125.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,12 @@
 namespace weft {
 
 struct FormattedGraph {
-    std::vector<ResourceDecl> resources;  // complete
+    // The resources with their formats, usage flags and aspects.
+    std::vector<ResourceDecl> resources;
     std::vector<BoundPass> passes;
     Suspects suspects;
 };
-// Extends the bound passes.
+// Chooses the formats and completes the uses of the bound passes.
 [[nodiscard]] FormattedGraph choose_formats(const Declared& declared, BoundPasses bound, Reporter& reporter);
 
 }  // namespace weft

@@ -1,5 +1,5 @@
-// Needed passes: those with side effects, those that write the output, and all from which these read. An
-// `after` edge only orders passes that run anyway; it does not keep a pass.
+// Finds the passes that a frame needs: passes with side effects, passes that write the output, and all passes
+// whose results a needed pass reads. An `after` only orders two passes; it does not make a pass needed.
 #include <algorithm>
 
 #include "graph/resolve/cull.h"
@@ -20,7 +20,7 @@ void keep(PassId pass, LiveGraph& live, std::vector<PassId>& pending) {
     pending.push_back(pass);
 }
 
-// index: resource; the passes that write it.
+// Returns for each resource, indexed by ResourceId, the passes that write it.
 std::vector<std::vector<PassId>> writers_by_resource(const ResolvedGraph& graph) {
     std::vector<std::vector<PassId>> writers(graph.resources.size());
     for (PassId id = 0; id < graph.passes.size(); ++id)
@@ -29,7 +29,8 @@ std::vector<std::vector<PassId>> writers_by_resource(const ResolvedGraph& graph)
     return writers;
 }
 
-// The copies of a ring rotate from frame to frame: if one of them is in use, all are kept.
+// Keeps either all copies of a ring or none. The copies of a resource with history rotate from frame to
+// frame, so each copy is used if one of them is.
 void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
     std::vector<uint8_t> used(graph.resources.size(), 0);
     for (ResourceId id = 0; id < graph.resources.size(); ++id)
@@ -38,7 +39,8 @@ void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
         if (graph.resources[id].ring != kNoId) live.live_resources[id] = used[graph.resources[id].ring];
 }
 
-// Content from before the frame was made by the previous frame, so its reader keeps its writers.
+// Marks the passes and resources that the frame needs. If a pass reads content from before the frame, the
+// writers of that resource are needed too, because they write the content in the previous frame.
 void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     const std::vector<std::vector<PassId>> writers = writers_by_resource(graph);
     std::vector<PassId> pending;
@@ -60,7 +62,7 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     }
 }
 
-// index: pass; the passes that read its outputs.
+// Returns for each pass, indexed by PassId, the passes that read its outputs.
 std::vector<std::vector<PassId>> readers_by_producer(const ResolvedGraph& graph) {
     std::vector<std::vector<PassId>> readers(graph.passes.size());
     for (PassId id = 0; id < graph.passes.size(); ++id)

@@ -1,4 +1,4 @@
-// Purpose: finds the passes and resources that a frame needs.
+// Purpose: finds the passes and resources that a frame needs, so that the others can be left out.
 #pragma once
 
 #include "weft/declaration.h"

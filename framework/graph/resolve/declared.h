@@ -1,4 +1,4 @@
-// Purpose: the results of the first stages of resolve(), which all later stages read.
+// Purpose: collects the results of the first stages of resolve(), which all later stages read.
 #pragma once
 
 #include "graph/resolve/expand.h"
@@ -12,11 +12,11 @@ struct Declared {
     const Shapes& shapes;
     const Expansion& expansion;
 
-    // For expressions outside of passes.
+    // Returns an evaluator for expressions that belong to no pass, for example the size of a resource.
     [[nodiscard]] Evaluator evaluator(const Suspects& suspects, Reporter& reporter) const {
         return {values, shapes, suspects, reporter};
     }
-    // For expressions of one pass.
+    // Returns an evaluator for expressions of one pass, which may name the indices of its repeat.
     [[nodiscard]] Evaluator evaluator(PassId pass, const Suspects& suspects, Reporter& reporter) const {
         const PassDraft& draft = expansion.passes[pass];
         return evaluator(suspects, reporter).in_repeat(draft.indices, draft.instance > 0);
@@ -28,9 +28,10 @@ struct Declared {
     [[nodiscard]] const std::string& resource_name(ResourceId id) const { return shapes.resources[id].name; }
 };
 
-// "pass \"blur#2\"" or "the observer": the subject of a message.
+// Returns the name of a reading pass for the beginning of a message: `pass "blur#2"`, or "the observer" for a
+// pass that reads back an observed resource.
 [[nodiscard]] std::string name_reader(const PassDraft& pass);
-// The names of all passes in the graph, including those that `if` removes.
+// Returns the names of all passes in the graph file, including passes that `if` removes.
 [[nodiscard]] std::vector<std::string> described_pass_names(const GraphDesc& graph);
 
 }  // namespace weft

@@ -1,5 +1,5 @@
-// Purpose: finds the pass that would write a resource if `if` had not removed the pass. Messages of several
-// stages name this pass.
+// Purpose: finds a pass that would write a resource if its `if` or its empty repeat did not remove it.
+// Several stages name this pass in their messages.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace weft {
 
-// Null: none.
+// Returns the description of the removed pass that writes the resource, or null if there is none.
 [[nodiscard]] const PassDesc* dropped_writer(const Expansion& expansion, const std::string& resource,
                                              Reporter& reporter);
 

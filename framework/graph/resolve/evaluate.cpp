@@ -61,8 +61,9 @@ void add_params(const ResolveInput& input, Values& values, Reporter& reporter) {
     }
 }
 
-// Constants and sizes may refer to each other in any order, so each is evaluated when another first needs it.
-// A chain of them may be as long as the file, so it is followed without recursion.
+// Evaluates constants and sizes. They may refer to each other in any order, so a name is evaluated when
+// another expression first needs it. A chain of such references can be as long as the file, so the chain is
+// kept in a list instead of on the call stack.
 class NamedEvaluator {
  public:
     NamedEvaluator(const GraphDesc& graph, Values& values, Reporter& reporter)
@@ -74,14 +75,15 @@ class NamedEvaluator {
     }
 
  private:
-    // A constant or size that waits for the names in its expression.
+    // A constant or size that cannot be evaluated yet, because its expression names other constants or sizes.
     struct Waiting {
         const std::string* name;
         const Expr* expression;
-        size_t next = 0;  // the next part of the expression
+        // Index of the next part of the expression to examine.
+        size_t next = 0;
     };
 
-    // Null: it is neither a constant nor a size.
+    // Returns the expression of a constant or size, or null if the name is neither.
     const Expr* find(const std::string& name) const {
         const auto constant = graph_.consts.find(name);
         if (constant != graph_.consts.end()) return &constant->second;
@@ -100,7 +102,8 @@ class NamedEvaluator {
         }
     }
 
-    // False: its value is known, or cannot be found.
+    // Begins to evaluate a name and adds it to the path of waiting names. Returns false if the value is
+    // already known, or if it cannot be found because of an error.
     bool begin(const std::string& name) {
         const Expr* expression = find(name);
         if (!expression || values_.by_name.contains(name) || is_faulty(name)) return false;
@@ -112,7 +115,8 @@ class NamedEvaluator {
         return true;
     }
 
-    // Begins with the next name for which the last one of the path waits; false: there is none.
+    // Begins to evaluate the next name in the expression of the last element of the path. Returns false if
+    // the expression has no more names that need evaluation.
     bool begin_next() {
         const std::vector<ExprNode>& parts = path_.back().expression->postfix;
         while (path_.back().next < parts.size()) {
@@ -164,7 +168,8 @@ class NamedEvaluator {
     std::set<std::string_view> on_path_;
 };
 
-// The lengths of the imported draw lists: "opaqueDraws". A name that the author declares takes precedence.
+// Gives each imported draw list a name for its number of draws: "opaqueDraws" for the list "opaque". If the
+// author declares the same name, the author's declaration is used instead.
 void count_draws(const ResolveInput& input, Values& values) {
     for (const auto& [list, import] : input.graph.imports) {
         if (import.kind != import_kind_name(ImportKind::draw_list)) continue;
@@ -173,13 +178,15 @@ void count_draws(const ResolveInput& input, Values& values) {
         if (taken || values.by_name.contains(name)) continue;
         const auto offered = input.imports.imports.find(list);
         if (offered == input.imports.imports.end())
-            values.faulty.insert(name);  // the import is reported
+            // The missing import itself is reported later, by shape_resources().
+            values.faulty.insert(name);
         else
             values.by_name[name] = number_value(offered->second.draws);
     }
 }
 
-// The catalogue's numbers for expressions. A name that the author declares takes precedence.
+// Adds the numbers that the program offers to expressions, such as the number of lights. If the author
+// declares the same name, the author's declaration is used instead.
 void add_offered_numbers(const ResolveInput& input, Values& values) {
     for (const auto& [name, number] : input.imports.numbers) {
         const bool taken = input.graph.sizes.contains(name) || input.graph.consts.contains(name);

@@ -1,5 +1,5 @@
-// Purpose: the first stage of resolve(). Makes parameters, constants and sizes available as names for all
-// later expressions. Errors: W106, W107, W109, W120.
+// Purpose: the first stage of resolve(). Finds the values of parameters, constants and sizes, which all later
+// expressions can name. Errors: W106, W107, W109, W120.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,10 @@ namespace weft {
 
 struct Values {
     std::map<std::string, ExprValue> by_name;
-    std::set<std::string, std::less<>> faulty;  // names whose faults are reported
-    std::vector<GraphParam> params;             // sorted by name; their costs come later
+    // Names without a value, because an error in their definition was reported.
+    std::set<std::string, std::less<>> faulty;
+    // The parameters of the graph, sorted by name. weigh_params() fills in their costs later.
+    std::vector<GraphParam> params;
     uint32_t frames = 1;
 };
 [[nodiscard]] Values evaluate(const ResolveInput& input, Reporter& reporter);

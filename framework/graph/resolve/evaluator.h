@@ -1,5 +1,5 @@
-// Purpose: evaluates expressions at one place of the graph and reports their faults. Reports nothing about an
-// expression with a name whose fault was already reported.
+// Purpose: evaluates the expressions of a graph and reports their errors. Reports nothing about an expression
+// that contains a name whose own error was already reported.
 #pragma once
 
 #include <array>
@@ -14,23 +14,25 @@ namespace weft {
 
 class Evaluator {
  public:
-    // For parameters, constants and sizes. Keeps references to all arguments.
+    // Makes an evaluator that knows parameters, constants and sizes. Keeps references to all arguments.
     Evaluator(const Values& values, Reporter& reporter) : values_(&values), reporter_(&reporter) {}
-    // Also for the mips of resources.
+    // Makes an evaluator that also knows the mip counts of resources, for the function mips().
     Evaluator(const Values& values, const Shapes& shapes, const Suspects& suspects, Reporter& reporter)
         : values_(&values), shapes_(&shapes), suspects_(&suspects), reporter_(&reporter) {}
-    // The same for a pass with these indices of its repeat. A later pass of a repeat finds the faults that
-    // the first one found; they are reported once.
+    // Returns the same evaluator for a pass of a repeat, with the values of the repeat's indices. `is_later`
+    // is true for all passes of the repeat but the first: these would repeat the errors of the first pass, so
+    // an error that is already known is not reported again.
     [[nodiscard]] Evaluator in_repeat(const std::map<std::string, double>& indices, bool is_later) const;
 
-    // nullopt: reported.
+    // Returns the value of an expression, or nullopt after reporting an error.
     [[nodiscard]] std::optional<ExprValue> value(const Expr& expression) const;
-    // A number within bounds; nullopt: reported. `what` names it: "the history of \"color\"".
+    // Returns a number between `least` and `most`, or nullopt after reporting an error. `what` names the
+    // number in the message, for example "the history of \"color\"".
     [[nodiscard]] std::optional<double> number(const Expr& expression, const std::string& what, double least,
                                                double most, bool whole = true) const;
-    // A faulty channel is reported, and its value is 0.
+    // Returns the value of a colour. Reports each channel that has an error, and gives it the value 0.
     [[nodiscard]] std::array<float, 4> color(const ColorDesc& color) const;
-    // The value of a name; nullopt: it has none.
+    // Returns the value of a name, or nullopt if the name has no value.
     [[nodiscard]] std::optional<ExprValue> find(const std::string& name) const;
 
  private:

@@ -37,8 +37,8 @@ PassDecl declare(const PassDesc& desc, std::string name) {
     return decl;
 }
 
-// Divides a repeat among frames: `each` of its passes run in a frame, in order. 0 (or false) means all of
-// them.
+// Divides the passes of a repeat with "perFrame" into slices; each frame runs one slice. The value of
+// "perFrame" is the number of passes per slice. 0 or false means that every frame runs all passes.
 void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
     if (draft.desc->per_frame.empty()) return;
     constexpr double kMost = 1u << 20;
@@ -51,7 +51,8 @@ void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
     draft.decl.frame_slices = (passes + at_once - 1) / at_once;
 }
 
-// index: name of the pass.
+// Makes the passes of all descriptions. The key of the returned map is the name of the pass, such as
+// "blur#2".
 std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const Evaluator& evaluator,
                                               const Shapes& shapes, Expansion& expansion,
                                               Reporter& reporter) {
@@ -74,7 +75,7 @@ std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const E
     return drafts;
 }
 
-// Ids are in the order of the names.
+// Stores the passes sorted by name; the index of a pass in this order is its PassId.
 void name_passes(const Evaluator& evaluator, std::map<std::string, PassDraft> drafts, Expansion& expansion) {
     for (auto& [name, draft] : drafts) {
         std::vector<PassId>& instances = expansion.instances[draft.desc->name];

@@ -1,7 +1,7 @@
-// Purpose: the stage of resolve() that finds the passes of the graph. A description results in one pass, in
-// several (`repeat`), or in none (`if`); an observed reference becomes a separate pass. Each gets its kind,
-// its shader and its fixed-function state. Errors: W106, W107, W109, W115, W125, W177, W187, and those of
-// references.
+// Purpose: the stage of resolve() that makes the passes of the graph from their descriptions. A description
+// results in one pass, in several passes (`repeat`), or in none (`if`). An observed reference becomes a
+// separate pass that reads the resource back. Each pass gets its kind, shader and fixed-function state.
+// Errors: W106, W107, W109, W115, W125, W177, W187, and those of references.
 #pragma once
 
 #include <functional>
@@ -14,26 +14,38 @@
 
 namespace weft {
 
-// A pass before its ports are bound.
+// A pass whose ports are not yet bound.
 struct PassDraft {
-    PassDecl decl;  // everything known without ports: name, kind, state, frames in which it runs
+    // The parts that do not depend on ports: name, kind, state, and the frames in which the pass runs.
+    PassDecl decl;
     const PassDesc* desc = nullptr;
-    std::map<std::string, double> indices = {};  // of its repeat
-    uint32_t instance = 0;                       // its index within the repeat
-    const ShaderInterface* shader = nullptr;     // null: it has none, or that was reported
+    // The values of the indices of the pass's repeat, by name.
+    std::map<std::string, double> indices = {};
+    // Number of this pass within its repeat, from 0.
+    uint32_t instance = 0;
+    // The interface of the shader. Null if the pass has no shader, or if an error about the shader was
+    // reported.
+    const ShaderInterface* shader = nullptr;
     const PassType* custom = nullptr;
     bool is_observer = false;
 };
 
 struct Expansion {
-    std::vector<PassDraft> passes;  // sorted by name
-    // By the name that the author gave: the passes of a repeat, in order.
+    // All passes, sorted by name. The index is the PassId.
+    std::vector<PassDraft> passes;
+    // The passes that each description results in, by the name that the author gave. The passes of a repeat
+    // are in the order of the repeat.
     std::map<std::string, std::vector<PassId>, std::less<>> instances = {};
-    std::map<std::string, const PassDesc*, std::less<>> dropped = {};  // removed by `if` or an empty repeat
-    std::set<std::string, std::less<>> faulty = {};  // reported: it is unknown whether they run
-    std::map<std::string, PassDesc> observers = {};  // drafts point into it
-    uint64_t tried_ports = 0;                        // includes those of passes that `if` removes
-    bool too_large = false;                          // reported
+    // The descriptions that result in no pass, because their `if` is false or their repeat is empty.
+    std::map<std::string, const PassDesc*, std::less<>> dropped = {};
+    // Names of the passes for which an error was reported, so that it is unknown whether they run.
+    std::set<std::string, std::less<>> faulty = {};
+    // The descriptions of the passes that read back observed resources. PassDraft::desc points to them.
+    std::map<std::string, PassDesc> observers = {};
+    // Number of ports of all passes, including passes that `if` removes.
+    uint64_t tried_ports = 0;
+    // True if the graph has too many passes or ports. The error was reported.
+    bool too_large = false;
     Suspects suspects;
 };
 [[nodiscard]] Expansion expand(const ResolveInput& input, const Values& values, const Shapes& shapes,

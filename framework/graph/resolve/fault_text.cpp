@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-// A longer list does not help.
+// A list in a message shows at most this many names, because a longer list does not help the reader.
 constexpr size_t kMostListed = 64;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Purpose: parts of messages that several stages use.
+// Purpose: formats parts of messages that several stages of resolve() use.
 #pragma once
 
 #include <string>
@@ -11,13 +11,17 @@
 namespace weft {
 
 [[nodiscard]] std::string quote(std::string_view name);
-// "a", "b", "c"; of a long list the first ones.
+// Returns the names in quotes with commas between them: "a", "b", "c". Of a long list, only the first names
+// are listed.
 [[nodiscard]] std::string quote_all(const std::vector<std::string>& names);
-// A range in the syntax of graphs, without the axes that it covers completely.
+// Returns a range in the syntax of graphs, such as "hiz.mip(0..2)". Mips or layers are left out if the range
+// includes all of them.
 [[nodiscard]] std::string range_of(const ResourceDecl& resource, const SubresourceRange& range);
 [[nodiscard]] std::string extent_text(const Extent3D& extent);
-void add_help(Diagnostic& diagnostic, std::string help);  // unless empty
-// A note at a place of the file; does nothing for parts that a program made.
+// Adds a help text to a diagnostic, unless the text is empty.
+void add_help(Diagnostic& diagnostic, std::string help);
+// Adds a note at a location in a file. Adds nothing if the location is in no file, because a program made
+// that part of the graph.
 void add_note(Diagnostic& diagnostic, const SourceMap& sources, SourceLoc loc, std::string message);
 
 }  // namespace weft

@@ -97,7 +97,8 @@ class BlockFiller {
         report_unknown(member);
     }
 
-    // True if the name is the draw count of an imported list: "opaqueDraws".
+    // Returns true if the name stands for the number of draws in an imported draw list, such as "opaqueDraws"
+    // for the list "opaque".
     bool counts_draws(std::string_view name) const {
         if (!name.ends_with(kDrawsSuffix) || declared_.input.graph.sizes.contains(std::string(name)))
             return false;
@@ -107,7 +108,8 @@ class BlockFiller {
                import->second.kind == import_kind_name(ImportKind::draw_list);
     }
 
-    // Each from_… returns true for a known name, even if its value is wrong, which is reported.
+    // Gives the member the value that the pass's own "params" state. Returns false if "params" does not
+    // contain the name. Returns true for a known name even if its value has an error, which is reported.
     bool from_pass(const BlockMember& member, ParamWrite& write) {
         const auto param = std::ranges::find(draft_.desc->params, member.name, &ParamValueDesc::name);
         if (param == draft_.desc->params.end()) return false;
@@ -142,7 +144,8 @@ class BlockFiller {
         return from_port_size(member, write) || from_port_valid(member, write);
     }
 
-    // The port that "<port><suffix>" names; null: none.
+    // Returns the use of the port whose name and `suffix` form `name`, for example port "hdr" for "hdrSize".
+    // Null if there is no such port.
     const UseDecl* port_before(std::string_view name, std::string_view suffix) const {
         if (!name.ends_with(suffix)) return nullptr;
         name.remove_suffix(suffix.size());
@@ -150,15 +153,17 @@ class BlockFiller {
         return use == bound_.uses.end() ? nullptr : &*use;
     }
 
-    // True for an optional port without a resource: the block has the member, but the shader does not read
-    // it.
+    // Returns true if the name belongs to an optional port that has no resource. The block still contains the
+    // member, so the member gets the value 0, but the shader does not read it.
     bool stands_for_absent(std::string_view name, std::string_view suffix) const {
         if (!name.ends_with(suffix)) return false;
         name.remove_suffix(suffix.size());
         return std::ranges::find(bound_.absent, name) != bound_.absent.end();
     }
 
-    // Whether a frame has written the content of a port: always true, except for content of an earlier frame.
+    // Fills a member such as "colorValid", which says whether a frame has written the content of the port
+    // "color". The value is always 1, except for content of an earlier frame, which the first frames do not
+    // have.
     bool from_port_valid(const BlockMember& member, ParamWrite& write) {
         if (stands_for_absent(member.name, kValidSuffix)) {
             store(member, write, {0}, shader_loc());
@@ -182,7 +187,8 @@ class BlockFiller {
         }
         const UseDecl* use = port_before(member.name, kSizeSuffix);
         if (!use || graph_.resources[use->resource].kind == ResourceKind::buffer) {
-            // A port of a faulty pass may be missing because of a fault that was already reported.
+            // In a pass with an error, the port may be missing because of that error, so a second message
+            // about the member would not help.
             return suspects_.passes[pass_];
         }
         const Extent3D extent = use_extent(graph_.resources, *use);
@@ -214,7 +220,8 @@ class BlockFiller {
         result_.params.push_back(write);
     }
 
-    // The bits of a word may be a signed or an unsigned integer: -1 sets all bits.
+    // Returns true if the member can store the value. A 32-bit word may be given as a signed or as an
+    // unsigned integer; for example, -1 sets all bits.
     static bool fits_member(ScalarType scalar, double value) {
         if (scalar == ScalarType::f32) return fits_into_float(value);
         return scalar == ScalarType::boolean || fits_into<int32_t>(value) || fits_into<uint32_t>(value);

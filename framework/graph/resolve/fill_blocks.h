@@ -1,6 +1,6 @@
-// Purpose: the stage of resolve() that fills the block `Params` of each shader. Every member gets its value
-// by name from the pass, the graph, a constant or a built-in, and every parameter of the pass must be a
-// member. Errors: W106, W107, W113, W178.
+// Purpose: the stage of resolve() that fills the block `Params` of each shader. Each member gets its value by
+// name: from the pass, a parameter or constant of the graph, or a built-in value. Each parameter of the pass
+// must be a member of the block. Errors: W106, W107, W113, W178.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,8 @@ struct PassBlock {
     bool push_constants = false;
 };
 struct Blocks {
-    std::vector<PassBlock> passes;  // by PassId
+    // The values of the block of each pass, indexed by PassId.
+    std::vector<PassBlock> passes;
     Suspects suspects;
 };
 [[nodiscard]] Blocks fill_blocks(const Declared& declared, const VersionedGraph& graph, Suspects suspects,

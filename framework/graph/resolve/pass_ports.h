@@ -1,4 +1,4 @@
-// Purpose: queries about passes and ports that several stages need.
+// Purpose: small functions about passes and ports that several stages of resolve() need.
 #pragma once
 
 #include <string>
@@ -8,16 +8,17 @@
 
 namespace weft {
 
-// Outputs, depth attachment and resolve targets.
+// Returns all ports that a pass writes: outputs, the depth attachment and resolve targets.
 [[nodiscard]] std::vector<const PortDesc*> written_ports(const PassDesc& desc);
-// True if the port refers to the resource's content of this frame.
+// Returns true if the port refers to the resource in the current frame, not to its history.
 [[nodiscard]] bool names_this_frames(const PortDesc& port, const std::string& resource);
-// The port by which a pass writes a resource; null: none.
+// Returns the port through which a pass writes a resource, or null if the pass does not write it.
 [[nodiscard]] const PortDesc* output_of(const PassDesc& desc, const std::string& resource);
-// The state with the name "" applies to every output without its own state.
+// Returns the blend state of an output. The entry with the empty name applies to each output without its own
+// entry.
 [[nodiscard]] BlendState blend_of(const PassDesc& desc, const std::string& port);
 [[nodiscard]] bool has_shader(PassKind kind);
-// The extent of the first mip of the use's range.
+// Returns the extent of the first mip in the range of the use.
 [[nodiscard]] Extent3D use_extent(const std::vector<ResourceDecl>& resources, const UseDecl& use);
 
 }  // namespace weft

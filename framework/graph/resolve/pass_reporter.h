@@ -1,4 +1,5 @@
-// Purpose: reports faults of passes and marks those passes as suspect.
+// Purpose: reports errors of passes and marks these passes as suspect, so that no consequences of an error
+// are reported.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@ namespace weft {
 
 class PassReporter {
  public:
-    // Keeps references to all arguments.
+    // Makes a reporter. Keeps references to all arguments.
     PassReporter(const Shapes& shapes, const Expansion& expansion, Suspects& suspects, Reporter& reporter)
         : shapes_(shapes), expansion_(expansion), suspects_(suspects), reporter_(reporter) {}
 

@@ -71,7 +71,8 @@ bool Reporter::is_known(const Diagnostic& fault) const {
     });
 }
 
-// This error may be one more than kMostErrors.
+// Reports that the steps are used up and stops resolving. This error is added even if there are already
+// kMostErrors errors.
 void Reporter::stop_for_steps(SourceLoc loc) {
     Diagnostic& d = errors_.emplace_back(sources().error(
         loc, "W125",

@@ -1,7 +1,7 @@
-// Purpose: collects the errors and warnings of resolving one graph, and counts its steps. It is the only
-// object that the stages modify; they return everything else. Every stage reports each fault that it finds
-// and continues. Facts that are unknown because of a fault are marked in Suspects, and later stages report
-// nothing about them: one cause, one message.
+// Purpose: collects the errors and warnings of resolving one graph, and counts the steps of work. The
+// Reporter is the only object that all stages modify; each stage returns its other results. Each stage
+// reports all errors that it finds and continues. Results that are unknown because of an error are marked in
+// Suspects, and later stages report nothing about them, so that one mistake causes one message.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace weft {
 
-// Thrown by Reporter if there are too many errors or the steps are used up, after it has added the message
-// for that; only resolve() catches it. An exception stops a stage immediately, inside any loop, so that no
-// graph, however large or faulty, takes much time.
+// The exception that Reporter throws if there are too many errors or too many steps, after it has added a
+// message about that. Only resolve() catches it. The exception stops a stage immediately, inside any loop, so
+// that even a huge or very faulty graph takes little time.
 struct ResolveStopped {};
 
 class Reporter {
@@ -24,29 +24,31 @@ class Reporter {
     // `steps` is the limit graph.steps, which all tiers of the graph share. Warnings are added to `warnings`.
     Reporter(const GraphDesc& graph, uint64_t steps, Diagnostics& warnings);
 
-    // Each of these throws ResolveStopped if there are too many errors.
+    // Adds an error at a location and returns it. Throws ResolveStopped if there are too many errors.
     Diagnostic& error(SourceLoc loc, std::string code, std::string message);
     Diagnostic& add(Diagnostic fault);
-    // Does nothing if the same code was reported at the same place.
+    // Adds an error, unless an error with the same code was already reported at the same location.
     void add_once(Diagnostic fault);
-    // For the later passes of a repeat: a known fault is not reported again, and the result is a diagnostic
-    // that is discarded. The caller still searches for a similar name to suggest; `search_steps` are spent
-    // for that.
+    // Reports an error of a pass that may be a later pass of a repeat. If the same error is already known,
+    // returns a diagnostic that is thrown away. The caller still searches for similar names to suggest, so
+    // `search_steps` steps are counted for that search.
     Diagnostic& add_once(Diagnostic fault, SourceLoc loc, uint64_t search_steps);
 
     void warn(SourceLoc loc, std::string code, std::string message, std::string help);
 
-    // Counts work before it is done, where the file determines its amount: a step is about 100 ns or 32
-    // bytes. Throws ResolveStopped beyond the limit.
+    // Counts steps of work before the work is done. Used wherever the file determines the amount of work. One
+    // step is about 100 ns of time or 32 bytes of memory. Throws ResolveStopped if the steps exceed the
+    // limit.
     void spend(uint64_t count, SourceLoc loc);
-    // The part of graph.steps that one tier may use.
+    // Returns the number of steps that resolving one tier may take, an equal part of the limit graph.steps.
     [[nodiscard]] uint64_t most_steps() const;
 
     [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
     [[nodiscard]] size_t error_count() const { return errors_.size(); }
-    // Sorts the errors from the index `first` on by their place in the file.
+    // Sorts the errors from index `first` to the end by their location in the files.
     void sort_errors(size_t first);
-    // All errors. Call it once, at the end: it also reports the number of omitted warnings.
+    // Returns all errors. Must be called once, at the end, because it also adds the number of omitted
+    // warnings.
     [[nodiscard]] Diagnostics finish();
 
     [[nodiscard]] const SourceMap& sources() const { return graph_.sources; }

@@ -39,7 +39,7 @@ Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings) 
     try {
         graph = run_stages(input, reporter);
     } catch (const ResolveStopped&) {
-        // The reporter contains the reason.
+        // The reporter has already added an error that explains why resolving was stopped.
     }
     Diagnostics errors = reporter.finish();
     if (!errors.empty()) return errors;

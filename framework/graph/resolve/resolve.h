@@ -1,4 +1,5 @@
-// Purpose: makes a ResolvedGraph of a GraphDesc: every name, size, format and version is resolved.
+// Purpose: converts a GraphDesc into a ResolvedGraph, in which every name, size, format and version is
+// resolved.
 #pragma once
 
 #include <map>
@@ -23,15 +24,17 @@ struct ResolveInput {
     const ShaderCatalog& shaders;
     const ImportCatalog& imports;
     const DeviceProfile& profile;
-    GraphRequest request;  // its parameters, size and observed resources
+    // Parameter values, output size and observed resources. resolve() uses no other member.
+    GraphRequest request;
     GraphLimits limits = {};
-    // For images with alternatives, by name: how many of the first alternatives to skip, though the device
-    // supports them.
+    // For images with a list of formats, by name: how many formats at the start of the list to skip although
+    // the device supports them. Used to give an image the same format in all tiers.
     std::map<std::string, size_t> skipped_formats = {};
 };
-// W120: values that parameters may not have, defaults among them, and names that the graph does not declare.
+// Returns an error W120 for each parameter value that the graph does not allow (default values included), and
+// for each name that is not a parameter of the graph.
 [[nodiscard]] Diagnostics param_faults(const GraphDesc& graph, const std::map<std::string, double>& params);
-// Warnings are added to `warnings`.
+// Resolves a graph. Errors are in the result, and warnings are added to `warnings`.
 [[nodiscard]] Result<ResolvedGraph> resolve(const ResolveInput& input, Diagnostics& warnings);
 
 }  // namespace weft

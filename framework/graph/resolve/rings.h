@@ -1,5 +1,6 @@
-// Purpose: a resource with history is a ring of roles, "x", "x[-1]" and so on, which differ in name and age
-// only.
+// Purpose: resources with history. Such a resource is a ring of copies, which the graph names "x" (this
+// frame), "x[-1]" (one frame ago) and so on. Each of them is one ResourceDecl; they differ only in name and
+// age.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 namespace weft {
 
 [[nodiscard]] std::string role_name(const std::string& name, uint32_t age);
-// Each role of a ring gets the shape, format and usage of its role of age 0.
+// Copies shape, format and usage from the resource of age 0 to all other ages of its ring.
 void spread_over_rings(std::vector<ResourceDecl>& resources, Suspects& suspects);
 
 }  // namespace weft

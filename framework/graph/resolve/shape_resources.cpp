@@ -19,12 +19,12 @@ bool uses_mips_of(const ResourceDesc& desc) {
     return asks(desc.size) || asks(desc.mips) || asks(desc.layers) || asks(desc.count);
 }
 
-// Draw lists are not resources.
+// Returns true if an import is an image or buffer. Draw lists are imports, but not resources.
 bool becomes_resource(const ImportDesc& import) {
     return !is_draw_list(import);
 }
 
-// The number of earlier frames that it keeps.
+// Returns the number of earlier frames that the resource keeps.
 uint32_t count_history(const ResourceDesc& desc, const Evaluator& evaluator, Shapes& shapes) {
     if (desc.history.empty()) return 0;
     const std::optional<double> frames =
@@ -35,12 +35,15 @@ uint32_t count_history(const ResourceDesc& desc, const Evaluator& evaluator, Sha
     return copies;
 }
 
+// One ResourceDecl to be made: a resource, or an earlier frame of a resource with history.
 struct Role {
-    const ResourceDesc* desc = nullptr;  // null: an import
+    // The description in the graph file; null for an import.
+    const ResourceDesc* desc = nullptr;
     uint32_t age = 0;
 };
 
-// All resources by name, including those of earlier frames.
+// Lists everything that becomes a ResourceDecl, by name: imports, resources, and the earlier frames of
+// resources with history, such as "color[-1]".
 std::map<std::string, Role> find_roles(const ResolveInput& input, const Evaluator& evaluator, Shapes& shapes,
                                        Reporter& reporter) {
     std::map<std::string, Role> roles;
@@ -88,7 +91,8 @@ void name_resources(const ResolveInput& input, const Evaluator& evaluator, Shape
     shapes.suspects.writers.resize(roles.size());
 }
 
-// Called when all have their ids.
+// Makes resources with "history" or "keep" persistent, and links each earlier frame to the resource of age 0.
+// Called after all resources have their ids.
 void tie_rings(const Evaluator& evaluator, Shapes& shapes) {
     for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
         const ResourceDesc* desc = shapes.origins[id].desc;
@@ -132,7 +136,8 @@ Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter
     tie_rings(evaluator, shapes);
     check_draw_list_imports(input, reporter);
     shape_all_imports(input, shapes, reporter);
-    // Resources that need the mip counts of others are handled in the second round.
+    // The first iteration handles the resources that do not use mips(); the second handles those whose size
+    // depends on the mip count of another resource.
     for (const bool second : {false, true}) {
         for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
             const ResourceDesc* desc = shapes.origins[id].desc;

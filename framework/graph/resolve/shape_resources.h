@@ -1,6 +1,6 @@
-// Purpose: the stage of resolve() that finds extents, mips, layers and bytes of all images and buffers, and
-// the contents of imports. Formats are chosen later, when the usages are known. Errors: W105, W106, W109,
-// W116, W118, W119, W125.
+// Purpose: the stage of resolve() that finds the extents, mips, layers and sizes of all images and buffers,
+// and the properties of imports. Formats are chosen in a later stage, when all usages are known. Errors:
+// W105, W106, W109, W116, W118, W119, W125.
 #pragma once
 
 #include <functional>
@@ -16,25 +16,34 @@
 namespace weft {
 
 struct ResourceOrigin {
-    const ResourceDesc* desc = nullptr;  // null: an import
-    bool has_content = false;            // before the frame: of imports, history and "keep"
+    // The description in the graph file; null for an import.
+    const ResourceDesc* desc = nullptr;
+    // True if the resource has content before the frame begins: imports, history and resources with "keep".
+    bool has_content = false;
 };
 
 struct Shapes {
-    std::vector<ResourceDecl> resources;  // sorted by name; only imports have a format
-    std::vector<ResourceOrigin> origins;  // by ResourceId
+    // All resources, sorted by name. At this stage only imports have a format.
+    std::vector<ResourceDecl> resources;
+    // The origin of each resource, indexed by ResourceId.
+    std::vector<ResourceOrigin> origins;
     std::map<std::string, uint32_t> mip_counts;
-    std::map<std::string, uint32_t> histories;  // of resources that keep earlier frames
-    std::set<std::string> suspect_histories;    // reported
-    ResourceId output = kNoId;                  // the import of kind "output"
-    bool too_large = false;                     // reported
+    // Number of earlier frames that a resource keeps, by name. Only resources with history are in the map.
+    std::map<std::string, uint32_t> histories;
+    // Names of the resources whose "history" has an error that was reported.
+    std::set<std::string> suspect_histories;
+    // The import of kind "output", or kNoId if the graph has none.
+    ResourceId output = kNoId;
+    // True if the graph has too many resources. The error was reported.
+    bool too_large = false;
     Suspects suspects;
 };
 [[nodiscard]] Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter& reporter);
 
+// Returns the index of a resource by its name, or kNoId if there is no such resource.
 [[nodiscard]] ResourceId resource_id(const std::vector<ResourceDecl>& resources,
-                                     std::string_view name);  // kNoId: none
-// Without the roles of earlier frames.
+                                     std::string_view name);
+// Returns the names of all resources, without entries for earlier frames such as "color[-1]".
 [[nodiscard]] std::vector<std::string> resource_names(const std::vector<ResourceDecl>& resources);
 
 }  // namespace weft

@@ -12,9 +12,12 @@
 namespace weft {
 namespace {
 
-constexpr double kMaxGroups = 65535;  // Vulkan's guaranteed minimum
+// Number of workgroups along one side of a dispatch that every Vulkan device supports
+// (maxComputeWorkGroupCount).
+constexpr double kMaxGroups = 65535;
 
-// Floats cannot be counts.
+// Returns true if the elements of a buffer are floats. Such a buffer cannot contain workgroup counts or draw
+// commands.
 bool holds_floats(const Shapes& shapes, ResourceId resource) {
     const ResourceDesc* desc = shapes.origins[resource].desc;
     if (desc == nullptr || !desc->is_buffer) return false;
@@ -64,7 +67,8 @@ class DispatchSizer {
     void count_indirectly() {
         constexpr uint64_t kCountsBytes = 12;
         const auto port = std::ranges::find_if(bound_.ports, &PortDraft::is_indirect);
-        if (port == bound_.ports.end()) return;  // reported
+        // If the port is missing, bind() has already reported an error.
+        if (port == bound_.ports.end()) return;
         result_.indirect_use = static_cast<uint32_t>(port - bound_.ports.begin());
         const UseDecl& use = bound_.uses[result_.indirect_use];
         const ResourceDecl& resource = graph_.resources[use.resource];
@@ -92,7 +96,8 @@ class DispatchSizer {
               "make local_size smaller");
     }
 
-    // A number is (n, 1, 1), a size (x, y, 1), an array its items.
+    // Returns the three sides of a dispatch. A single number n means (n, 1, 1), a size means (x, y, 1), and
+    // an array gives each side.
     std::optional<std::array<double, 3>> evaluate_sides(const std::vector<Expr>& sides) {
         std::array<double, 3> result{1, 1, 1};
         for (size_t i = 0; i < std::min<size_t>(3, sides.size()); ++i) {
@@ -133,7 +138,8 @@ class DispatchSizer {
             const auto& e = *extents.begin();
             return std::array<double, 3>{double(e[0]), double(e[1]), double(e[2])};
         }
-        // A faulty pass may lack the output that determines the size.
+        // The output that determines the dispatch size may be missing because of an error of this pass that
+        // was already reported.
         if (suspects_.passes[pass_]) return std::nullopt;
         const std::string why = extents.empty() ? "it writes no image" : "its outputs differ: " + listed;
         error(draft_.decl.loc, "the dispatch size of pass " + quote(draft_.decl.name) + " is unknown: " + why,
@@ -170,7 +176,8 @@ class DispatchSizer {
     PassReporter report_;
 };
 
-// The buffer of a raster pass's draw commands: as many as its list has draws.
+// Finds the buffer with the draw commands of a raster pass, and checks that it has room for one command per
+// draw of the draw list.
 void find_draw_commands(const Declared& declared, const VersionedGraph& graph, PassId pass,
                         Dispatches& dispatches, PassReporter& report) {
     constexpr uint64_t kCommandBytes = 20;

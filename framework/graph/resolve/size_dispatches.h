@@ -1,6 +1,6 @@
-// Purpose: the stage of resolve() that counts workgroups: ceil(extent of the pass's output range / local
-// size), or the number given by the pass. It finds the buffers of indirect dispatches and draws, and checks
-// that the ends of copies fit. Errors: W106, W107, W114, W183.
+// Purpose: the stage of resolve() that counts the workgroups of compute passes: the counts that the pass
+// gives, or else ceil(extent of its output / local size of the shader). Also finds the buffers of indirect
+// dispatches and draws, and checks that source and target of each copy fit. Errors: W106, W107, W114, W183.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@ struct PassDispatch {
     uint32_t draw_commands_use = kNoId;
 };
 struct Dispatches {
-    std::vector<PassDispatch> passes;  // by PassId
+    // The group counts of each pass, indexed by PassId.
+    std::vector<PassDispatch> passes;
     Suspects suspects;
 };
 [[nodiscard]] Dispatches size_dispatches(const Declared& declared, const VersionedGraph& graph,

@@ -1,4 +1,5 @@
-// Purpose: facts that are unknown because of a reported fault. A stage does not report consequences of them.
+// Purpose: marks resources and passes about which something is unknown because of an error that was already
+// reported. Later stages do not report consequences of that error.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +7,17 @@
 
 namespace weft {
 
-// 1 where something is suspect.
+// Marks what is suspect because of a reported error. An element is 1 if it is suspect, else 0.
 struct Suspects {
-    std::vector<uint8_t> shapes;   // by ResourceId: extent, mips or format are unknown
-    std::vector<uint8_t> writers;  // by ResourceId: a faulty pass may write it
-    std::vector<uint8_t> passes;   // by PassId: the pass is faulty, and some of its uses may be missing
-    std::vector<std::vector<uint8_t>> uses;  // by PassId and use: its reference is reported
+    // Indexed by ResourceId: extent, mips or format of the resource are unknown.
+    std::vector<uint8_t> shapes;
+    // Indexed by ResourceId: it is unknown which passes write the resource, because a pass with an error may
+    // write it.
+    std::vector<uint8_t> writers;
+    // Indexed by PassId: the pass has an error, and some of its uses may be missing.
+    std::vector<uint8_t> passes;
+    // Indexed by PassId, then by use: an error about the reference of this use was reported.
+    std::vector<std::vector<uint8_t>> uses;
 };
 
 }  // namespace weft

@@ -6,7 +6,8 @@
 namespace weft {
 namespace {
 
-// A write is in place where the output's range overlaps an input of the same pass.
+// Marks each write that overlaps an input of the same pass as a write in place: the pass reads the previous
+// version and writes the next one.
 void find_in_place_writes(std::vector<BoundPass>& passes) {
     for (BoundPass& pass : passes) {
         for (size_t out = 0; out < pass.uses.size(); ++out) {

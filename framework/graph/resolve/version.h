@@ -1,5 +1,6 @@
-// Purpose: the stage of resolve() that finds the version of its resource that each use sees. The final access
-// of each use and the edges of the graph follow from it. Errors: W104, W110, W111, W124, W150.
+// Purpose: the stage of resolve() that finds, for each use, the version of the resource that the use sees:
+// the content after one particular write. From the versions follow the final access of each use and the edges
+// between passes. Errors: W104, W110, W111, W124, W150.
 #pragma once
 
 #include <vector>
@@ -10,11 +11,13 @@ namespace weft {
 
 struct VersionedGraph {
     std::vector<ResourceDecl> resources;
-    std::vector<BoundPass> passes;  // uses have their final access, state and sources
-    std::vector<EdgeDecl> edges;    // sorted by (to, from, kind, resource)
+    // The bound passes, whose uses now have their final access, state and sources.
+    std::vector<BoundPass> passes;
+    // The dependencies between passes, sorted by (to, from, kind, resource).
+    std::vector<EdgeDecl> edges;
     Suspects suspects;
 };
-// Extends the graph. `suspects` are those of the checks after choose_formats().
+// Finds the versions and adds them to the graph. `suspects` comes from the checks after choose_formats().
 [[nodiscard]] VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects suspects,
                                      Reporter& reporter);
 

@@ -23,12 +23,13 @@ constexpr std::array kKinds{
     KindName{"readback", PassKind::readback},
 };
 
-// An optional feature of devices, and the state that needs it.
+// An optional device feature, and the state of a pass that needs this feature.
 struct StateNeed {
     bool asked = false;
     bool offered = false;
     SourceLoc loc;
-    std::string state;  // `"depthClamp": true`
+    // The text of the state in the graph file, for messages: `"depthClamp": true`.
+    std::string state;
     std::string remedy;
 };
 
@@ -85,7 +86,7 @@ void find_shader(const ResolveInput& input, PassId id, PassDraft& draft, Suspect
     const PassDecl& decl = draft.decl;
     if (!has_shader(decl.kind)) return;
     const auto program = input.shaders.find(desc.shader);
-    // A program without modules failed to compile, and its compiler reported that.
+    // A program without modules failed to compile, and the shader compiler has already reported the error.
     if (program != input.shaders.end() && program->second.modules.empty()) {
         suspects.passes[id] = 1;
         return;

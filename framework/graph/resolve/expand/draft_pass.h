@@ -1,4 +1,4 @@
-// Purpose: determines the parts of a pass that follow from its own description: kind, shader, fixed-function
+// Purpose: finds the parts of a pass that follow from its own description: kind, shader and fixed-function
 // state. Private to expand().
 #pragma once
 
@@ -6,13 +6,15 @@
 
 namespace weft {
 
-// The fixed-function state. Its numbers may depend on the indices of a repeat.
+// Returns the fixed-function state of a pass. Its numbers are expressions that may depend on the indices of a
+// repeat.
 [[nodiscard]] RasterState evaluate_state(const PassDesc& desc, const Evaluator& evaluator);
-// Checks that the device supports the state. Errors: W187.
+// Checks that the device supports the fixed-function state of the pass. Errors: W187.
 void check_state(const DeviceProfile& profile, PassId id, const PassDraft& draft, PassReporter& report);
-// Errors: W115.
+// Finds the kind of a pass from its type: a built-in type or a C++ pass type. Errors: W115.
 void find_kind(const ResolveInput& input, PassId id, PassDraft& draft, PassReporter& report);
-// Errors: W177. A pass whose shader failed to compile is suspect.
+// Finds the shader of a pass and checks that it has the needed stage. If the shader failed to compile, marks
+// the pass as suspect, so that later stages report no consequences. Errors: W177.
 void find_shader(const ResolveInput& input, PassId id, PassDraft& draft, Suspects& suspects,
                  PassReporter& report);
 

@@ -11,7 +11,8 @@
 namespace weft {
 namespace {
 
-// Nested repeats take several steps per pass; with empty inner repeats there are steps but no passes.
+// Limits the loop iterations of all repeats, as a multiple of the limit graph.passes. Nested repeats need
+// several iterations for each pass, and with an empty inner repeat there are iterations but no passes.
 constexpr uint64_t kMostStepsPerPass = 16;
 
 class PassRepeater {
@@ -35,7 +36,8 @@ class PassRepeater {
  private:
     Evaluator evaluator() const { return evaluator_.in_repeat(indices_, is_later_); }
 
-    // False: reported.
+    // Runs the loop of the repeat at `level`, and inside it the loops of the deeper levels. Returns false
+    // after reporting an error.
     bool descend(size_t level) {
         if (level == desc_.repeat.size()) return add();
         const RepeatDesc& repeat = desc_.repeat[level];
@@ -78,7 +80,7 @@ class PassRepeater {
         return true;
     }
 
-    // Reports only the first pass that exceeds the limit.
+    // Reports that the graph has too many passes or ports, but only for the first pass that exceeds a limit.
     bool over(const char* what, const std::string& limit, uint64_t most) {
         if (std::exchange(expansion_.too_large, true)) return false;
         const SourceLoc loc = desc_.repeat.empty() ? desc_.loc : desc_.repeat.front().range_loc;
@@ -124,7 +126,8 @@ class PassRepeater {
         add_help(d, "use .x or .y of it");
     }
 
-    // "blur#2", of nested repeats "blur#2.0": the indices that the author wrote.
+    // Returns the name of one pass of a repeat, made of the author's name and the values of the indices:
+    // "blur#2", or "blur#2.0" for two nested repeats.
     std::string name() const {
         std::string text = desc_.name;
         for (const RepeatDesc& repeat : desc_.repeat) {
@@ -134,7 +137,8 @@ class PassRepeater {
         return text;
     }
 
-    // Marks the pass as suspect: it is unknown whether and where it writes.
+    // Marks the pass as suspect after an error: it is unknown whether the pass runs and what it writes, so
+    // later stages report no consequences.
     void suspect() {
         expansion_.faulty.insert(desc_.name);
         for (const PortDesc* port : written_ports(desc_)) {
@@ -151,7 +155,8 @@ class PassRepeater {
     Expansion& expansion_;
     Reporter& reporter_;
     std::map<std::string, double> indices_;
-    bool is_later_ = false;  // the faults were already found in the first pass
+    // True after the first pass of the repeat. Errors found again in later passes are not reported again.
+    bool is_later_ = false;
     std::vector<PassInstance> found_;
 };
 

@@ -1,4 +1,4 @@
-// Purpose: makes the passes of one description. Private to expand().
+// Purpose: makes all passes of one pass description: one for each value of its repeat. Private to expand().
 #pragma once
 
 #include "graph/resolve/expand.h"
@@ -10,13 +10,15 @@ struct PassInstance {
     std::map<std::string, double> indices;
 };
 
-// Counts of the whole graph so far, which have limits.
+// Numbers counted over the whole graph, which have limits.
 struct RepeatCounts {
     uint64_t steps = 0;
-    uint64_t passes = 0;  // includes passes that `if` removes
+    // Number of passes made so far, including passes that `if` removes.
+    uint64_t passes = 0;
 };
 
-// Extends `counts` and the expansion's `dropped`, `faulty`, `tried_ports`, `too_large` and `suspects`.
+// Returns the passes that one description results in. Adds to `counts`, and to these members of the
+// expansion: `dropped`, `faulty`, `tried_ports`, `too_large` and `suspects`.
 [[nodiscard]] std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Evaluator& evaluator,
                                                     const Shapes& shapes, const PassDesc& desc,
                                                     RepeatCounts& counts, Expansion& expansion,

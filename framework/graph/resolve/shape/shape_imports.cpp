@@ -11,7 +11,7 @@ std::vector<std::string> import_names(const ImportCatalog& catalog) {
     return names;
 }
 
-// Null: reported.
+// Returns the import that the program offers under this name. Returns null after reporting an error.
 const ImportDecl* find_offered(const ResolveInput& input, const ImportDesc& desc, Reporter& reporter) {
     const auto found = input.imports.imports.find(desc.name);
     if (found == input.imports.imports.end()) {

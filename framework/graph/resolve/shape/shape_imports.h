@@ -1,4 +1,4 @@
-// Purpose: checks the imports of a graph against those that the program provides. Private to
+// Purpose: compares the imports of a graph with those that the program provides. Private to
 // shape_resources().
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace weft {
 
-// Fills in the resource of an import. Errors: W118.
+// Fills in the resource of an import from the program's import catalogue. Errors: W118.
 void shape_import(const ResolveInput& input, const ImportDesc& desc, ResourceId id, Shapes& shapes,
                   Reporter& reporter);
 void check_draw_list_imports(const ResolveInput& input, Reporter& reporter);

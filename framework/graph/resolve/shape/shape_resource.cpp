@@ -15,8 +15,8 @@ namespace {
 
 constexpr uint32_t kCubeFaces = 6;
 
-// Rounds down, but values below 1 become 1, so repeated halving ends at 1. Values above every device's limit
-// are clamped here, and the check of the limits reports them.
+// Rounds down, but to 1 if the result would be less, so that repeated halving of a size ends at 1. Clamps
+// values far above the limits of any device; the check of the limits reports such values.
 uint32_t at_least_one(double value) {
     constexpr double kMost = 1u << 30;
     return saturated<uint32_t>(std::clamp(std::floor(value), 1.0, kMost));
@@ -64,7 +64,8 @@ class ResourceShaper {
     }
 
  private:
-    // `fallback` when absent; nullopt: reported.
+    // Returns the value of an expression, or `fallback` if the expression is absent. Returns nullopt after
+    // reporting an error.
     std::optional<ExprValue> value(const Expr& expression, ExprValue fallback) {
         if (expression.empty()) return fallback;
         const std::optional<ExprValue> found = evaluator_.value(expression);
@@ -89,7 +90,8 @@ class ResourceShaper {
         return std::nullopt;
     }
 
-    // Halving never gives zero or less, so that is a fault.
+    // Reports a size or count of zero or less. Such a value is a mistake of the author: halving a positive
+    // size repeatedly never gives zero or less.
     void report_nothing(const Expr& expression, const std::string& message) {
         is_suspect_ = 1;
         add_help(reporter_.error(expression.empty() ? desc_.loc : expression.loc, "W109", message),
@@ -177,7 +179,8 @@ class ResourceShaper {
         }
     }
 
-    // The device's limit is checked first: no other limit can be raised above it.
+    // Checks a value against two limits. The limit of the device comes first, because the user can raise the
+    // graph's limit but not that of the device.
     void check_limit(const std::string& what, uint32_t value, uint32_t device, uint64_t limit,
                      const std::string& name, const std::string& unit) {
         if (value > device) return over_limit(what, std::to_string(device) + unit);
@@ -220,7 +223,7 @@ class ResourceShaper {
         const uint64_t limit = input_.profile.max_storage_buffer_bytes;
         const double elements = std::max(1.0, std::floor(*count));
         decl_.stride_bytes = *stride;
-        // Compared as floating point, because the product could pass 2^64.
+        // Compares as floating point, because the integer product could exceed 2^64.
         if (elements * *stride > static_cast<double>(limit)) {
             over_limit("buffer " + quote(desc_.name) + " holds more than " + std::to_string(limit) + " bytes",
                        std::to_string(limit) + " bytes a buffer");
