@@ -1,4 +1,4 @@
-// PSNR and the largest difference, compared with values computed by hand.
+// Purpose: compares PSNR and the largest difference of two pictures with values computed by hand.
 #include "weft/image/channel_difference.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,9 @@ TEST(Psnr, IsInfiniteForTheSame) {
     EXPECT_EQ(psnr_db(picture, picture), std::numeric_limits<double>::infinity());
 }
 
-// Every channel off by one: 20 log10 255 = 48.1308 dB. One of three off by 16 in every fourth texel: the mean
-// square is 256 / 12, and 10 log10(65025 · 12 / 256) = 34.8399 dB. Black and white: 0 dB.
+// Three cases by hand. Every channel differs by 1: 20 log10 255 = 48.1308 dB. One of three channels differs
+// by 16 in every fourth texel: the mean square is 256 / 12, and 10 log10(65025 · 12 / 256) = 34.8399 dB.
+// Black and white: 0 dB.
 TEST(Psnr, IsWhatAHandComputes) {
     EXPECT_NEAR(psnr_db(constant(8, 8, {9, 99, 199}), constant(8, 8, {10, 98, 200})), 48.1308, 0.01);
     Image changed = constant(4, 1, {50, 60, 70});
@@ -30,7 +31,8 @@ TEST(Psnr, IsWhatAHandComputes) {
     EXPECT_NEAR(psnr_db(constant(3, 3, {0, 0, 0}), constant(3, 3, {255, 255, 255})), 0, 1e-9);
 }
 
-// Linear 0.2159 is 128 steps on the display; 2 is 255 steps like 1.
+// PSNR compares display values of 0 to 255. The linear value 0.2159 is the display value 128. The linear
+// value 2 is clamped to 255, like the linear value 1.
 TEST(Psnr, OfLinearPicturesIsOverDisplayValues) {
     EXPECT_EQ(psnr_db(raw({glm::vec3(2)}), raw({glm::vec3(1)})), std::numeric_limits<double>::infinity());
     EXPECT_NEAR(psnr_db(raw({glm::vec3(0.2159f)}), raw({glm::vec3(0)})), 20 * std::log10(255.0 / 128), 0.01);

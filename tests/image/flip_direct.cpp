@@ -8,7 +8,7 @@ namespace weft::image::test {
 namespace {
 
 const double kPi = std::acos(-1.0);
-using Matrix = std::array<Rgb, 3>;  // rows
+using Matrix = std::array<Rgb, 3>;  // A 3 × 3 matrix; each element of the array is a row.
 
 Rgb times(const Matrix& m, const Rgb& v) {
     Rgb result{};
@@ -17,7 +17,7 @@ Rgb times(const Matrix& m, const Rgb& v) {
     return result;
 }
 
-// Inverse by cofactors.
+// Returns the inverse of the matrix, computed with cofactors.
 Matrix inverse(const Matrix& m) {
     Matrix result;
     for (size_t i = 0; i < 3; ++i)
@@ -32,7 +32,8 @@ Matrix inverse(const Matrix& m) {
     return result;
 }
 
-// Computed from chromaticities: primaries are scaled so that their sum is white.
+// Returns the matrix from linear sRGB to XYZ, computed from the chromaticities of the primaries. The
+// primaries are scaled so that their sum is the white point.
 Matrix rgb_to_xyz() {
     const std::array<std::array<double, 2>, 3> primaries{{{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}}};
     Matrix unscaled;
@@ -92,7 +93,8 @@ double redistributed(double distance) {
     return 0.95 + 0.05 * (x - 0.4 * most) / (most - 0.4 * most);
 }
 
-// weight(dx, dy) over a square; positive and negative weights are normalised separately.
+// A filter: the weights weight(dx, dy) over a square of texels. Positive and negative weights are normalised
+// separately.
 struct Square {
     int radius = 0;
     std::vector<double> weights;
@@ -109,7 +111,8 @@ struct Square {
         for (double& w : weights) w /= w > 0 ? positive : negative > 0 ? negative : 1;
     }
 
-    // `value` at a texel; coordinates outside are clamped to the border.
+    // Returns the filtered value at a texel; `value` returns the unfiltered value by index. Coordinates
+    // outside of the picture are clamped to its border.
     [[nodiscard]] double at(const DirectImage& size, int x, int y,
                             const std::function<double(size_t)>& value) const {
         double sum = 0;
@@ -125,8 +128,9 @@ struct Square {
 };
 
 struct Filters {
-    std::vector<Square> blur;    // for Y, Cx, Cz
-    std::vector<Square> detect;  // edge along x, along y, point along x, along y
+    std::vector<Square> blur;    // Blur filters of the channels Y, Cx and Cz, in this order.
+    // Feature filters in this order: edge along x, edge along y, point along x, point along y.
+    std::vector<Square> detect;
 };
 
 Filters filters(double ppd) {

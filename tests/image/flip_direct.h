@@ -1,5 +1,6 @@
-// A second implementation of FLIP, for comparison: in double precision, every filter as one sum over a square
-// of texels, and the colour matrix computed from the primaries. Shares no code with framework/image.
+// Purpose: a second implementation of the FLIP metric, to check the one in framework/image. The two share no
+// code. This one uses double precision, computes every filter as one sum over a square of texels, and
+// computes the colour matrix from the primaries.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 
 namespace weft::image::test {
 
-using Rgb = std::array<double, 3>;  // display-encoded, 0 to 1
+using Rgb = std::array<double, 3>;  // A colour as three display-encoded channels, each from 0 to 1.
 
 struct DirectImage {
     int width_px = 0, height_px = 0;
@@ -18,7 +19,8 @@ struct DirectImage {
 [[nodiscard]] std::vector<double> flip_direct(const DirectImage& reference, const DirectImage& test,
                                               double pixels_per_degree);
 
-// The FLIP value of two constant pictures: filters do not change them and they have no features.
+// Returns the FLIP value of two constant pictures. Filters do not change constant pictures, and such pictures
+// have no features (edges or points).
 [[nodiscard]] double flip_of_constants(const Rgb& reference, const Rgb& test);
 
 }  // namespace weft::image::test

@@ -1,4 +1,4 @@
-// FLIP, compared with closed forms where they exist, and elsewhere with a second implementation.
+// Purpose: compares FLIP with closed formulas where they exist, and otherwise with a second implementation.
 #include "weft/image/flip.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ double worst_gap(const Image& a, const Image& b, float pixels_per_degree) {
     return worst;
 }
 
-// `a` with a rectangle of texels from `b`.
+// Returns `a` with one rectangle of its texels replaced by the texels of `b`.
 Image patched(Image a, const Image& b, uint32_t left, uint32_t top, uint32_t width, uint32_t height) {
     for (uint32_t y = top; y < top + height; ++y)
         for (uint32_t x = left; x < left + width; ++x)
@@ -49,7 +49,8 @@ TEST(Flip, OfAPictureAndItselfIsZeroEverywhere) {
     EXPECT_EQ(*std::max_element(map.values.begin(), map.values.end()), 0);
 }
 
-// ΔL* is 100 without chroma; 100^0.7 is above the knee at 0.4 · 203.3^0.7.
+// Black and white differ only in lightness, by ΔL* = 100. FLIP maps d^0.7 to an error with two straight lines
+// that meet at 0.4 · 203.3^0.7, where 203.3 is the largest distance. 100^0.7 lies on the upper line.
 TEST(Flip, OfBlackAndWhiteIsWhatThePaperNormalizesItTo) {
     const Plane map = flip_map(constant(16, 16, {0, 0, 0}), constant(16, 16, {255, 255, 255}));
     const double most = std::pow(203.3, 0.7), x = std::pow(100.0, 0.7);
@@ -57,7 +58,8 @@ TEST(Flip, OfBlackAndWhiteIsWhatThePaperNormalizesItTo) {
     for (const float error : map.values) EXPECT_NEAR(error, wanted, kTolerance);
 }
 
-// Mid grey 119 has Y = 0.1845 and L* = 50.03; 50.03^0.7 · 0.95 / (0.4 · 203.3^0.7) is below the knee.
+// Mid grey 119 has Y = 0.1845 and L* = 50.03, so its distance from black is 50.03. 50.03^0.7 lies on the
+// lower line of FLIP's mapping, so the error is 50.03^0.7 · 0.95 / (0.4 · 203.3^0.7).
 TEST(Flip, OfBlackAndGreyIsTheClosedForm) {
     const Plane map = flip_map(constant(9, 9, {0, 0, 0}), constant(9, 9, {119, 119, 119}));
     EXPECT_NEAR(map.values[40], 0.95 * std::pow(50.03, 0.7) / (0.4 * std::pow(203.3, 0.7)), kTolerance);
@@ -86,8 +88,8 @@ TEST(Flip, OfNoiseIsWhatTheDirectSumsGive) {
     EXPECT_LT(worst_gap(noise(32, 32, 3), constant(32, 32, {127, 127, 127}), kPixelsPerDegree), kTolerance);
 }
 
-// Noise in one part and constant colour in another: tests features, smooth areas, and kernels wider than the
-// picture.
+// The pictures have noise in one part and a constant colour in another. This tests features, smooth areas,
+// and filters that are wider than the picture.
 TEST(Flip, OfPartsIsWhatTheDirectSumsGive) {
     const Image a = noise(32, 32, 5), grey = constant(32, 32, {90, 120, 150});
     EXPECT_LT(worst_gap(grey, patched(grey, a, 3, 20, 9, 7), kPixelsPerDegree), kTolerance);
@@ -102,7 +104,7 @@ TEST(Flip, IsTheSameEitherWay) {
     EXPECT_EQ(flip_map(a, b).values, flip_map(b, a).values);
 }
 
-// An edge that only one picture has gives a larger error than the colour difference alone.
+// If only one of the pictures has an edge, FLIP's error is larger than that of the colour difference alone.
 TEST(Flip, SeesThinLinesThatComeAndGo) {
     const Image grey = constant(41, 41, {128, 128, 128});
     const Image line = patched(grey, constant(41, 41, {255, 255, 255}), 20, 0, 1, 41);
@@ -111,7 +113,8 @@ TEST(Flip, SeesThinLinesThatComeAndGo) {
     EXPECT_LT(map.values[20 * 41 + 5], 0.01f);
 }
 
-// Values above 1 look like 1; apart from that, encoding and decoding change nothing.
+// Linear values are clamped to 0..1 before the comparison: values above 1 count as white and negative values
+// as black.
 TEST(Flip, OfLinearPicturesClampsThem) {
     Image bright = constant(8, 8, {0, 0, 0}), white = bright, dark = bright;
     for (Image* image : {&bright, &white, &dark}) image->encoding = Encoding::linear;
@@ -159,8 +162,8 @@ TEST(ErrorSummary, CountsByHand) {
     EXPECT_EQ(summarize({2, 1, {0, 0}}).weighted_quartiles, (std::array<double, 3>{0, 0, 0}));
 }
 
-// Large pictures are compared in bands: texels at the border of two bands must have the same value as without
-// bands.
+// Large pictures are compared in bands. Texels at the border between two bands must have the same value as in
+// a comparison of the whole picture.
 TEST(Flip, OfBandsIsThatOfTheWholePicture) {
     constexpr uint32_t kWidth = 32, kHeight = (1 << 19) / kWidth + 300, kMeet = (1 << 19) / kWidth;
     const Image a = noise(kWidth, kHeight, 1), b = noise(kWidth, kHeight, 2);

@@ -1,4 +1,4 @@
-// Pictures for comparisons.
+// Purpose: makes pictures for tests of the image metrics.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace weft::image::test {
 
-// Channels have 8-bit values.
+// Makes a picture of one colour. The channels of `rgb` are 8-bit values from 0 to 255.
 [[nodiscard]] Image constant(uint32_t width_px, uint32_t height_px, glm::ivec3 rgb);
 
-// Noise of 8-bit values; the same seed gives the same noise on every machine.
+// Makes a picture of random 8-bit values. The same seed gives the same picture on every machine.
 [[nodiscard]] Image noise(uint32_t width_px, uint32_t height_px, uint32_t seed);
 
 }  // namespace weft::image::test

@@ -1,4 +1,5 @@
-// Lights with arbitrary numbers become finite lights that can be drawn, and corrections are reported.
+// Purpose: tests that lights with arbitrary numbers become finite lights that can be drawn, and that each
+// correction is reported.
 #include "scene/model/light_check.h"
 
 #include <gtest/gtest.h>

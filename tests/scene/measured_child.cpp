@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kThrew = 255;
 
-// ru_maxrss starts with the parent's value; VmHWM can be reset.
+// Reads a field of /proc/self/status in bytes. The test uses VmHWM (peak resident memory) because it can be
+// reset; ru_maxrss of a child process starts with the value of its parent.
 uint64_t resident_bytes(const char* field) {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
@@ -24,7 +25,8 @@ uint64_t resident_bytes(const char* field) {
 }
 
 [[noreturn]] void run(const std::function<int()>& work, int report) {
-    std::ofstream("/proc/self/clear_refs") << "5";  // resets VmHWM to the current resident memory
+    // Writing 5 to clear_refs resets VmHWM to the current resident memory.
+    std::ofstream("/proc/self/clear_refs") << "5";
     const uint64_t before = resident_bytes("VmRSS");
     int answer = kThrew;
     try {

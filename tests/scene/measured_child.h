@@ -1,5 +1,5 @@
-// Purpose: measures the cost of a function: runs it in a child process and reads the child's CPU time and
-// peak resident memory, which do not depend on the load of the machine. Names contain the units.
+// Purpose: measures the cost of a function. The function runs in a child process, whose CPU time and peak
+// resident memory do not depend on the load of the machine.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,11 @@
 namespace weft::test {
 
 struct Cost {
-    bool finished = false;     // false: ended by a signal or an exception
-    int answer = -1;           // return value of the function, 0 to 200
-    double cpu_s = 0;          // user and system time of all its threads
-    uint64_t grown_bytes = 0;  // peak resident memory minus the initial resident memory
+    bool finished = false;     // True if the function returned; false if a signal or an exception ended it.
+    int answer = -1;           // Return value of the function, 0 to 200.
+    double cpu_s = 0;          // User and system time of all threads of the child process, in seconds.
+    // Peak resident memory of the child process minus its initial resident memory, in bytes.
+    uint64_t grown_bytes = 0;
 };
 
 [[nodiscard]] Cost cost_of(const std::function<int()>& work);

@@ -1,5 +1,6 @@
-// Tests every limit on scenes: the worst input at the limit loads within 5 s of CPU time and the allowed
-// memory; one more is refused, with its place and the limit's name. A limit without a test case fails.
+// Purpose: tests every limit on scenes. The most expensive scene at the limit must load within 5 s of CPU
+// time and within the allowed memory. A scene with one more must be refused, with the place and the name of
+// the limit. The test fails if a limit has no test case.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -20,7 +21,7 @@ using weft::test::Cost;
 using weft::test::cost_of;
 
 constexpr double kMostCpu_s = 5;
-// Memory besides the scene: code, stacks, overhead of the allocator.
+// Memory in addition to the scene: code, stacks, and the overhead of the allocator.
 constexpr uint64_t kAllowance_bytes = 96 << 20;
 
 bool is_extended() {
@@ -42,7 +43,7 @@ std::string with_members(const std::string& members) {
     return R"({"asset":{"version":"2.0"},)" + members + "}";
 }
 
-// A glTF with a triangle as mesh 0, and the given members.
+// Returns a glTF file that has a triangle as mesh 0, and the given further members.
 std::string with_triangle(const std::string& members,
                           const std::string& primitives = R"({"attributes":{"POSITION":0}})") {
     return with_members(
@@ -50,7 +51,8 @@ std::string with_triangle(const std::string& members,
         primitives + "]}]," + members);
 }
 
-// Writes scene.gltf and its files, with `count` of the things that the limit counts.
+// A function that writes scene.gltf and the files that it uses. The scene contains `count` of the things that
+// the limit counts, for example nodes.
 using Write = std::function<void(const fs::path& folder, uint64_t count)>;
 
 void write_text(const fs::path& folder, const std::string& text) {
@@ -67,7 +69,8 @@ void json_bytes(const fs::path& folder, uint64_t count) {
     write_text(folder, text);
 }
 
-// Nested objects of one member below a known extension, so that all stages process them.
+// Writes nested objects that have one member each. They are in a known extension, because unknown extensions
+// are removed before later stages.
 void json_values(const fs::path& folder, uint64_t count) {
     constexpr uint64_t kDeep = 50;
     std::string chain, end;
@@ -76,7 +79,8 @@ void json_values(const fs::path& folder, uint64_t count) {
         end += '}';
     }
     chain += "0" + end;
-    // The rest of the file has 9 brackets and commas; each chain adds its own brackets and a comma.
+    // Brackets and commas count as values. The other parts of the file have 9 of them, and each chain adds
+    // its own brackets and one comma.
     const uint64_t chains = (count - 9) / (kDeep + 1), rest = (count - 9) % (kDeep + 1);
     std::string numbers;
     for (uint64_t i = 0; i < rest; ++i) numbers += ",0";
@@ -91,17 +95,19 @@ void json_depth(const fs::path& folder, uint64_t count) {
 
 void resource_bytes(const fs::path& folder, uint64_t count) {
     std::ofstream(folder / "zeros.bin", std::ios::binary).put(0);
-    fs::resize_file(folder / "zeros.bin", count);  // a sparse file, without disk space
+    // The file is sparse: it has this size but occupies no disk space.
+    fs::resize_file(folder / "zeros.bin", count);
     write_text(folder, with_members(R"("buffers":[{"byteLength":)" + std::to_string(count) +
                                     R"(,"uri":"zeros.bin"}])"));
 }
 
-// Each gets its own name, so that names also count.
+// Writes many nodes. Each node has a name, so that the names count for the memory too.
 void array_items(const fs::path& folder, uint64_t count) {
     write_text(folder, with_triangle(R"("nodes":[)" + repeated(R"({"mesh":0,"name":"n"})", count) + "]"));
 }
 
-// One image with a different cutoff per material, so that each material needs its own texture.
+// Writes one image and many materials with different alpha cutoffs, so that each material needs its own
+// texture.
 void materials(const fs::path& folder, uint64_t count) {
     write_png(folder, "a.png", 64, 64);
     std::string all;
@@ -119,13 +125,14 @@ void node_depth(const fs::path& folder, uint64_t count) {
     write_text(folder, with_triangle(R"("nodes":[)" + nodes + R"({"mesh":0}])"));
 }
 
-// Two instances per node.
+// Writes nodes whose mesh has two primitives, so that each node becomes two instances.
 void instances(const fs::path& folder, uint64_t count) {
     const std::string two = repeated(R"({"attributes":{"POSITION":0}})", 2);
     write_text(folder, with_triangle(R"("nodes":[)" + repeated(R"({"mesh":0})", (count + 1) / 2) + "]", two));
 }
 
-// Zeros without stored bytes, as one strip.
+// Writes one triangle strip whose vertices are all zero. An accessor without a buffer view needs no bytes in
+// the file.
 void vertices(const fs::path& folder, uint64_t count) {
     write_text(
         folder,
@@ -135,7 +142,8 @@ void vertices(const fs::path& folder, uint64_t count) {
             R"("nodes":[{"mesh":0}])"));
 }
 
-// A strip over three vertices whose uvs are mirrored in every second triangle.
+// Writes a strip over three vertices. The uvs are mirrored in every second triangle, so that vertices must be
+// split.
 void triangles(const fs::path& folder, uint64_t count) {
     Bytes bytes;
     append<float>(bytes, {0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -164,7 +172,8 @@ void image_side(const fs::path& folder, uint64_t count) {
                                     R"("materials":[{"normalTexture":{"index":0}}])"));
 }
 
-// As many textures of 2048 × 2048 as fit, at 22.4 million bytes each with mips, and one more.
+// Writes as many textures of 2048 × 2048 as the memory limit allows, or one more. A texture with its mips has
+// 22.4 million bytes.
 void memory_bytes(const fs::path& folder, uint64_t count) {
     constexpr uint64_t kEach = 22'369'620 + 2048, kLimit = 640ull << 20, kBeside = 68ull << 20;
     const uint64_t fitting = (kLimit - kBeside) / kEach;
@@ -183,10 +192,10 @@ void memory_bytes(const fs::path& folder, uint64_t count) {
 
 struct Edge {
     const char* limit;
-    bool is_quick;  // tested in every run; the others only with WEFT_EXTENDED=1
+    bool is_quick;  // True if the case runs in every test run. The other cases run only with WEFT_EXTENDED=1.
     Write write;
-    const char* code;   // code of the refusal
-    const char* place;  // beginning of its JSON pointer
+    const char* code;   // Code of the expected error.
+    const char* place;  // Beginning of the JSON pointer of the expected error.
 };
 
 void PrintTo(const Edge& edge, std::ostream* out) {
@@ -228,7 +237,8 @@ class SceneLimitEdge : public GltfTest, public ::testing::WithParamInterface<Edg
             if (std::string(row.name) == GetParam().limit) return row.of(defaults);
         return 0;
     }
-    // The child's result: 0 loaded, 1 refused with the expected error, 2 refused with another error.
+    // Loads the scene in a child process. The answer is 0 if the scene was loaded, 1 if it was refused with
+    // the expected error, 2 if it was refused with another error.
     [[nodiscard]] Cost load_cost() const {
         return cost_of([&] {
             Diagnostics warnings;

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Renders every .gltf and .glb below FOLDER with both shipped graphs, and successful ones also under the validation
-# layer. Prints a table of exit codes, seconds and first messages. Fails when a run ends in anything but exit 0
-# or 3, takes longer than 10 s, or ends in 3 without a message.
+# Renders every .gltf and .glb below FOLDER with both shipped graphs. Files that render are also rendered
+# under the validation layer. Prints a table of exit codes, seconds and first messages. Fails when a run has
+# an exit code other than 0 or 3, takes longer than 10 s, or has exit code 3 without a message. Usage:
 #   third_party_suite.sh WEFT FOLDER [PICTURES]
-# Debian's assimp-testmodels contains such files: third_party_suite.sh weft /usr/share/assimp/models/glTF2 pictures
+# Debian's package assimp-testmodels contains suitable files, for example:
+#   third_party_suite.sh weft /usr/share/assimp/models/glTF2 pictures
 set -uo pipefail
 weft=$1
 folder=${2%/}
@@ -16,13 +17,15 @@ if [ -n "$pictures" ]; then mkdir -p "$pictures"; fi
 faults=0
 runs=0
 
-# Prints the first error of the last run, else its first warning, without the file's name.
+# Prints the first error of the last run without the name of the file. If there is no error, prints the first
+# warning.
 said() {
   { grep -E 'error\[|validation:' "$scratch/err" || grep 'warning\[' "$scratch/err"; } | head -n 1 |
     sed -E 's/^[^ ]*: (error|warning)/\1/' | cut -c1-160
 }
 
-# LABEL FILE PICTURE [FLAGS]: prints one row; `code` is its exit code.
+# Usage: run LABEL FILE PICTURE [FLAGS]. Renders FILE, prints one row of the table and stores the exit code in
+# `code`.
 run() {
   local label=$1 file=$2 picture=$3 begin end seconds verdict=""
   shift 3

@@ -1,4 +1,5 @@
-// Properties of the default scene: enough detail, at a cost that a CPU renderer can handle.
+// Purpose: tests the default scene "atrium": it must have enough detail, at a cost that a CPU renderer can
+// handle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +50,8 @@ void expect_textured_materials_in_use(const Scene& scene) {
     EXPECT_GE(masked, 3u);
 }
 
-// Graphs may use only the first lights, so lamps that are off by day must come last.
+// Checks the sun and the lamps. Some graphs use only the first lights of a scene, so lamps that are off by
+// day must be the last lights in the list.
 void expect_sun_and_lamps(const Scene& scene, bool night) {
     size_t suns = 0, lit = 0;
     bool still_lit = true;
@@ -84,8 +86,8 @@ void expect_named_cameras_in_free_space(const Scene& scene) {
         const Bounds bounds = instance_bounds(scene, instance);
         const glm::vec3 size = bounds.max - bounds.min;
         if (std::max({size.x, size.y, size.z}) > 4)
-            continue;  // skips walls and floors, which surround the
-                       // cameras
+            // Skips instances larger than 4 m. They are walls and floors, whose bounds surround the cameras.
+            continue;
         for (const Camera& camera : scene.cameras) {
             const glm::vec3 eye(camera.transform[3]);
             const bool inside = glm::all(glm::greaterThan(eye, bounds.min - 0.1f)) &&
@@ -95,7 +97,8 @@ void expect_named_cameras_in_free_space(const Scene& scene) {
     }
 }
 
-// Texels per metre of a material's normal map over one triangle, from the ratio of areas.
+// Returns the texels per metre of a material's normal map on one triangle. The result is computed from the
+// ratio of the areas in texels and in metres.
 float texel_density(const Mesh& mesh, size_t first, const TextureSlot& slot, const Texture& texture,
                     float* area_m2) {
     const auto position = [&](size_t k) { return mesh.positions[mesh.indices[first + k]]; };
@@ -126,7 +129,7 @@ void expect_texels_of_one_order_of_size(const Scene& scene) {
     EXPECT_LT(odd, 0.03 * area);
 }
 
-// A single test, because generating the scene takes longer than checking it.
+// One test makes all checks, because generating the scene takes longer than the checks.
 TEST(BuiltinAtrium, KeepsItsPromises) {
     const Result<Scene> scene = make_builtin("atrium");
     ASSERT_TRUE(scene.ok());
@@ -147,7 +150,8 @@ TEST(BuiltinAtrium, LightsItsLampsAtNight) {
     expect_sun_and_lamps(*scene, true);
 }
 
-// Light changes smoothly from minute to minute, except at moonrise, when sun and moon are both dark.
+// The light must change smoothly from minute to minute. At dawn and dusk the light source changes between sun
+// and moon, but at these times its illuminance is zero.
 TEST(Daylight, GoesByDegrees) {
     for (int minute = 0; minute < 24 * 60; ++minute) {
         const Daylight a = daylight_at(static_cast<float>(minute) / 60),

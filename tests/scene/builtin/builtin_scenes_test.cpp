@@ -1,4 +1,4 @@
-// Properties of every built-in scene: valid meshes, complete textures, the same result on every run.
+// Purpose: tests every built-in scene: valid meshes, complete textures, and the same result on every run.
 #include "weft/scene/builtin_scenes.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Scene make(const std::string& name) {
     return std::move(scene).value();
 }
 
-// FNV-1a over all data that affects a picture.
+// Computes the FNV-1a hash of all scene data that affect a picture.
 class Digest {
  public:
     void add(const void* data, size_t size_bytes) {
@@ -58,7 +58,7 @@ uint64_t digest_of(const Scene& scene) {
 struct TriangleCounts {
     size_t total = 0;
     size_t degenerate = 0;
-    size_t facing_away = 0;  // number of triangles that face away from their vertex normals
+    size_t facing_away = 0;  // Number of triangles that face away from their vertex normals.
 };
 
 void count_triangles(const Mesh& mesh, TriangleCounts& counts) {
@@ -142,7 +142,7 @@ void expect_bounds_of_everything(const Scene& scene) {
 
 class BuiltinScene : public testing::TestWithParam<std::string> {};
 
-// A single test, because generating a scene takes longer than checking it.
+// One test makes all checks, because generating a scene takes longer than the checks.
 TEST_P(BuiltinScene, IsValidAndTheSameTwice) {
     const Scene scene = make(GetParam());
     for (const Mesh& mesh : scene.meshes) expect_valid_streams(mesh);

@@ -1,5 +1,5 @@
-// Equivalent glTF files give the same scene, and values that glTF 2.0 and its extensions define by a formula
-// follow that formula.
+// Purpose: tests that equivalent glTF files give the same scene, and that values follow the formulas of glTF
+// 2.0 and its extensions.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -10,7 +10,7 @@ namespace {
 
 class GltfConformance : public GltfTest {
  protected:
-    // Appends `bytes` to the buffer as the next buffer view; `more` contains further members of the view.
+    // Appends `bytes` to the buffer as a new buffer view. `more` contains further JSON members of the view.
     static void add_view(GltfText& text, const Bytes& bytes, const std::string& more = "") {
         while (text.buffer.size() % 4 != 0) text.buffer.push_back(0);
         const std::string offset = std::to_string(text.buffer.size());
@@ -24,7 +24,8 @@ class GltfConformance : public GltfTest {
         ASSERT_NE(at, std::string::npos) << from;
         text.replace(at, from.size(), to);
     }
-    // Gives the triangle uvs with the accessor `form`, which has no "bufferView" yet and uses view 4 (and 5).
+    // Returns a glTF file whose texture coordinates use the accessor with the JSON text `form`. `form` may
+    // use the buffer views 4 and 5, which the test adds afterwards.
     static GltfText with_uvs(const std::string& form) {
         GltfText text;
         replace(text.members["accessors"], R"({"bufferView":2,"componentType":5126,"count":3,"type":"VEC2"})",
@@ -49,8 +50,8 @@ TEST_F(GltfConformance, SparseAccessorsAreTheDenseOnes) {
 
     for (const auto& [type, indices] :
          std::map<int, Bytes>{{5121, {0, 1}}, {5123, {0, 0, 1, 0}}, {5125, {0, 0, 0, 0, 1, 0, 0, 0}}}) {
-        // Two sparse elements replace those of view 2; then the same without a base view, where the base is
-        // zero.
+        // Two sparse elements replace elements of buffer view 2. The second case has no buffer view for the
+        // base, so the base is zero.
         for (const char* base : {R"("bufferView":2,)", ""}) {
             GltfText sparse =
                 with_uvs("{" + std::string(base) + R"("componentType":5126,"count":3,"type":"VEC2",
@@ -74,7 +75,9 @@ TEST_F(GltfConformance, QuantisedUvsAreTheirFloats) {
     struct Form {
         int type;
         bool normalized;
-        double scale;  // scale of the stored integer
+        // Divisor from the stored integer to the value: 255 for normalised 8-bit integers, 1 for integers
+        // that are not normalised.
+        double scale;
     };
     for (const Form& form : {Form{5121, true, 255}, Form{5123, true, 65535}, Form{5120, true, 127},
                              Form{5122, true, 32767}, Form{5121, false, 1}, Form{5122, false, 1}}) {
@@ -151,7 +154,7 @@ TEST_F(GltfConformance, TextureTransformsScaleThenTurnThenMove) {
     for (const glm::dvec2 uv :
          {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(-0.3, 0.8)}) {
         const glm::dvec2 scaled = uv * glm::dvec2(2, 0.5);
-        // Counter-clockwise in a space whose v axis points down.
+        // The extension rotates counter-clockwise in a coordinate system whose v axis points down.
         const glm::dvec2 turned(c * scaled.x + s * scaled.y, -s * scaled.x + c * scaled.y);
         const glm::dvec2 expected = turned + glm::dvec2(0.25, -0.5);
         const glm::vec2 found = matrix * glm::vec3(uv, 1);
@@ -174,7 +177,8 @@ TEST_F(GltfConformance, LightsAndCamerasStandAnywhereInTheTree) {
     text.members["extensions"] =
         R"({"KHR_lights_punctual":{"lights":[{"type":"spot","intensity":5,"spot":{}}]}})";
     text.members["cameras"] = R"([{"type":"perspective","perspective":{"yfov":0.7,"znear":0.1}}])";
-    // The light is the grandchild of a mesh node, with non-uniform scale and a mirroring.
+    // The node with the light and the camera is a grandchild of the node with the mesh. Its scale is
+    // non-uniform and contains a mirroring.
     text.members["nodes"] = R"([{"mesh":0,"translation":[1,2,3],"children":[1]},
         {"rotation":[0,0.3894183423,0,0.9210609940],"children":[2]},
         {"translation":[0,0,-2],"rotation":[0.1986693308,0,0,0.9800665778],"scale":[-3,0.5,7],"camera":0,

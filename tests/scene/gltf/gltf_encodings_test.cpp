@@ -1,4 +1,4 @@
-// Geometry stored as quantised integers, and files that contain several scenes.
+// Purpose: tests geometry that is stored as quantised integers, and files that contain several scenes.
 #include <cmath>
 
 #include "tests/scene/gltf/gltf_fixture.h"
@@ -8,7 +8,8 @@ namespace {
 
 class GltfEncodings : public GltfTest {
  protected:
-    // One triangle whose positions are `bytes`; `form` has members of the accessor.
+    // Returns a glTF file with one triangle whose positions are stored in `bytes`. `form` has further JSON
+    // members of the accessor.
     static GltfText triangle(const Bytes& bytes, const std::string& form, uint32_t stride_bytes) {
         GltfText text;
         text.buffer = bytes;

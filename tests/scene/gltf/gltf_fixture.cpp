@@ -32,7 +32,7 @@ void append_png_chunk(Bytes& out, const char* type, const Bytes& body) {
     append_big_endian(out, crc32(checked));
 }
 
-// zlib's format with uncompressed blocks.
+// Writes `raw` in zlib's format with uncompressed blocks, so that the tests need no compressor.
 Bytes store(const Bytes& raw) {
     Bytes out{0x78, 0x01};
     uint32_t a = 1;
@@ -91,10 +91,10 @@ Bytes png(uint32_t width_px, uint32_t height_px, std::span<const uint8_t> rgba) 
 }
 
 GltfText::GltfText() {
-    append<float>(buffer, {0, 0, 0, 1, 0, 0, 0, 1, 0});  // view 0, positions
-    append<float>(buffer, {0, 0, 1, 0, 0, 1, 0, 0, 1});  // view 1, normals
-    append<float>(buffer, {0, 1, 1, 1, 0, 0});           // view 2, uvs
-    append<uint16_t>(buffer, {0, 1, 2, 0});              // view 3, indices
+    append<float>(buffer, {0, 0, 0, 1, 0, 0, 0, 1, 0});  // Buffer view 0 contains the positions.
+    append<float>(buffer, {0, 0, 1, 0, 0, 1, 0, 0, 1});  // Buffer view 1 contains the normals.
+    append<float>(buffer, {0, 1, 1, 1, 0, 0});           // Buffer view 2 contains the texture coordinates.
+    append<uint16_t>(buffer, {0, 1, 2, 0});              // Buffer view 3 contains the indices.
     members["asset"] = R"({"version":"2.0"})";
     members["scenes"] = R"([{"nodes":[0]}])";
     members["nodes"] = R"([{"mesh":0}])";

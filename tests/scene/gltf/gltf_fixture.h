@@ -1,5 +1,5 @@
-// Purpose: writes small glTF files to a temporary folder from separate parts, so that a test shows only the
-// relevant ones.
+// Purpose: writes small glTF files to a temporary folder. A file is put together from separate parts, so that
+// a test shows only the parts that matter for it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,18 +30,20 @@ void append(Bytes& bytes, std::initializer_list<T> values) {
 [[nodiscard]] std::string base64(std::span<const uint8_t> bytes);
 [[nodiscard]] std::string data_uri(std::span<const uint8_t> bytes);
 
-// An uncompressed 8-bit RGBA PNG. `rgba` may be shorter than the size in the header, to make a broken file.
+// Makes an uncompressed 8-bit RGBA PNG. `rgba` may be shorter than the size in the header says: then the file
+// is broken.
 [[nodiscard]] Bytes png(uint32_t width_px, uint32_t height_px, std::span<const uint8_t> rgba);
 
-// The top-level members of a glTF as JSON text. Starts as one triangle: positions (0,0,0) (1,0,0) (0,1,0),
-// uvs that put (0,0) at the top left of the image, normals +z, indices 0 1 2 as u16, one material, one node.
+// The top-level members of a glTF file as JSON text. The initial file has one triangle with the positions
+// (0,0,0) (1,0,0) (0,1,0), normals +z, 16-bit indices 0 1 2, one material and one node. The position (0,0,0)
+// shows the lower left corner of a texture.
 struct GltfText {
     GltfText();
     [[nodiscard]] std::string json() const;
     [[nodiscard]] Bytes glb(const Bytes& binary) const;
 
     std::map<std::string, std::string> members;
-    Bytes buffer;  // content for "buffers", unless `members` contains "buffers"
+    Bytes buffer;  // Content of "buffers" in the file. It is ignored if `members` has a member "buffers".
 };
 
 class GltfTest : public ::testing::Test {
@@ -54,10 +56,10 @@ class GltfTest : public ::testing::Test {
     void write(const std::string& name, std::span<const uint8_t> bytes) const;
     void write(const std::string& name, const std::string& text) const;
 
-    // Loads the scene and fails the test on an error.
+    // Loads the scene. An error makes the test fail.
     Scene load(const GltfText& text);
     Scene load_file(const std::string& name);
-    // Expects that loading fails, and returns the first error.
+    // Expects that loading fails. Returns the first error.
     Diagnostic fail(const GltfText& text, const SceneLimits& limits = {});
     Diagnostic fail_file(const std::string& name, const SceneLimits& limits = {});
     [[nodiscard]] bool warned(const std::string& code) const;
@@ -67,7 +69,7 @@ class GltfTest : public ::testing::Test {
     Diagnostics errors_;
 };
 
-// Code and pointer of a diagnostic as one text: "S104 /accessors/0/count".
+// Returns the code and the JSON pointer of a diagnostic as one text, for example "S104 /accessors/0/count".
 [[nodiscard]] std::string where(const Diagnostic& diagnostic);
 
 }  // namespace weft::scene::test

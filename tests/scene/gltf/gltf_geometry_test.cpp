@@ -53,8 +53,8 @@ TEST_F(GltfGeometry, ReadsEveryIndexType) {
 
 TEST_F(GltfGeometry, KeepsOnlyTheVerticesThatAreUsed) {
     GltfText text;
-    append<float>(text.buffer, {9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0});  // at byte 104: an unused vertex, then
-                                                                       // three used ones
+    // At byte 104 of the buffer: one vertex that no index uses, then the three used vertices.
+    append<float>(text.buffer, {9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0});
     append<uint16_t>(text.buffer, {1, 2, 3, 0});
     text.members["bufferViews"] = R"([{"buffer":0,"byteOffset":104,"byteLength":48},
         {"buffer":0,"byteOffset":152,"byteLength":8}])";
@@ -77,7 +77,8 @@ TEST_F(GltfGeometry, MissingNormalsAreFlat) {
 }
 
 TEST_F(GltfGeometry, TangentsFollowUAndTheGreenChannelPointsUp) {
-    // u increases along +x, and v decreases along +y: the image is upright.
+    // In the texture coordinates of the triangle, u increases along +x and v decreases along +y: the image
+    // stands upright.
     const Mesh mesh = load(GltfText()).meshes.at(0);
     for (size_t i = 0; i < 3; ++i) {
         expect_near(glm::vec3(mesh.tangents[i]), {1, 0, 0});
@@ -87,8 +88,8 @@ TEST_F(GltfGeometry, TangentsFollowUAndTheGreenChannelPointsUp) {
 
 TEST_F(GltfGeometry, ReadsSparseAccessors) {
     GltfText text;
-    append<uint16_t>(text.buffer, {1, 0});  // at byte 104
-    append<float>(text.buffer, {7, 0, 0});  // at byte 108
+    append<uint16_t>(text.buffer, {1, 0});  // The index of the sparse element, at byte 104 of the buffer.
+    append<float>(text.buffer, {7, 0, 0});  // The value of the sparse element, at byte 108 of the buffer.
     text.members["bufferViews"].insert(text.members["bufferViews"].size() - 1,
                                        R"(,{"buffer":0,"byteOffset":104,"byteLength":2},
                                        {"buffer":0,"byteOffset":108,"byteLength":12})");
@@ -141,7 +142,8 @@ TEST_F(GltfGeometry, StripsAndFansBecomeTriangles) {
         EXPECT_TRUE(gltf::triangle_list(mode, {1, 2}).empty());
 }
 
-// A quad stored as a strip gives the same mesh as two triangles: same corners, same front sides.
+// A quad that is stored as a triangle strip gives the same mesh as two separate triangles: the same corners
+// and the same front sides.
 TEST_F(GltfGeometry, AStripIsDrawnLikeItsTriangles) {
     const auto quad = [&](const std::string& mode, const std::vector<uint16_t>& corners) {
         GltfText text;

@@ -9,7 +9,7 @@ namespace {
 
 class GltfHostile : public GltfTest {
  protected:
-    // A glTF with the first `from` in a member replaced.
+    // Returns a glTF file in which the first `from` in one member is replaced by `to`.
     static GltfText with(const std::string& member, const std::string& from, const std::string& to) {
         GltfText text;
         std::string& json = text.members.at(member);
@@ -103,7 +103,8 @@ TEST_F(GltfHostile, SparsePartsPastTheirBytes) {
     EXPECT_EQ(where(fail(broken("3", "2"))), "S104 /accessors/0/sparse/values");
     EXPECT_EQ(where(fail(broken("3", "77"))), "S110 /accessors/0/sparse/values/bufferView");
     GltfText order = broken("2", "0");
-    append<uint16_t>(order.buffer, {2, 1});  // indices must ascend
+    // The sparse indices 2, 1 are wrong, because sparse indices must ascend.
+    append<uint16_t>(order.buffer, {2, 1});
     order.members["bufferViews"].insert(order.members["bufferViews"].size() - 1,
                                         R"(,{"buffer":0,"byteOffset":104,"byteLength":4})");
     std::string& accessors = order.members["accessors"];
@@ -196,7 +197,7 @@ TEST_F(GltfHostile, DepthBombs) {
     EXPECT_EQ(fail_file("bomb.gltf").code, "S107");
     write("bomb.gltf", R"({"a":)" + open);
     EXPECT_EQ(fail_file("bomb.gltf").code, "S107");
-    // Brackets inside strings are only text.
+    // Brackets inside a string are only text and do not count for the limit of the depth.
     GltfText text;
     text.members["extras"] = "\"\\\"" + open + "\"";
     EXPECT_EQ(load(text).meshes.size(), 1u);
@@ -293,10 +294,11 @@ TEST_F(GltfHostile, KeysThatStandTwiceAreRefusedWithTheirPlace) {
     EXPECT_EQ(fault.line, 4u);
     EXPECT_EQ(fault.column, 2u);
     EXPECT_NE(fault.message.find("\"name\""), std::string::npos) << fault.message;
-    // The same key with an escape; also inside members that are not read.
+    // The key "a" occurs twice, once with an escape. Keys are also compared inside members that are never
+    // read, such as extras.
     write("escaped.gltf", R"({"asset":{"version":"2.0"},"extras":{"a":1,"\u0061":2}})");
     EXPECT_EQ(fail_file("escaped.gltf").code, "S114");
-    // The same text as a value or as a key of another object is not a duplicate.
+    // The same text is no duplicate if it is a value or a key of another object.
     write("fine.gltf", R"({"asset":{"version":"2.0"},"extras":{"a":"a","b":{"a":["a","a"]},"\"":0,"\\":0}})");
     (void)load_file("fine.gltf");
 }
@@ -316,14 +318,14 @@ TEST_F(GltfHostile, AFileOfTheFirstVersionIsNamedAsSuch) {
     EXPECT_NE(fault.message.find("glTF 1.0"), std::string::npos) << fault.message;
     EXPECT_NE(fault.help.at(0).find("convert"), std::string::npos);
     EXPECT_EQ(errors_.size(), 1u) << "all else is a consequence";
-    // glTF 1.0 may omit the version.
+    // A file of glTF 1.0 may have no version.
     write("older.gltf", R"({"meshes":{"a":{}},"nodes":{"b":{}}})");
     EXPECT_EQ(where(fail_file("older.gltf")), "S113 /asset");
     EXPECT_EQ(errors_.size(), 1u);
 }
 
-// 20,000 primitives of three vertices share one accessor with 100,000 sparse values, which must be checked
-// only once.
+// 20,000 primitives with three vertices each share one accessor with 100,000 sparse values. The sparse values
+// must be checked only once, or loading would take too long.
 TEST_F(GltfHostile, SparseValuesAreNotReadAgainByEachPrimitive) {
     constexpr uint32_t kValues = 100'000;
     Bytes bytes;
@@ -349,7 +351,8 @@ TEST_F(GltfHostile, SparseValuesAreNotReadAgainByEachPrimitive) {
     EXPECT_LE(cost.cpu_s, 2);
 }
 
-// 2,000 materials that may be transparent share one large opaque picture, which must be inspected only once.
+// 2,000 materials that may be transparent share one large opaque picture. The alpha of the picture must be
+// inspected only once, or loading would take too long.
 TEST_F(GltfHostile, APictureIsNotSearchedForHolesByEachMaterial) {
     const std::string picture = weft::test::black_png(4096, 1024);
     write("a.png", Bytes(picture.begin(), picture.end()));
@@ -366,7 +369,8 @@ TEST_F(GltfHostile, APictureIsNotSearchedForHolesByEachMaterial) {
     EXPECT_LE(cost.cpu_s, 2);
 }
 
-// Every instance has a name, possibly copied from its mesh.
+// Every instance has its own name, which may be a copy of the mesh's name. The copies must count for the
+// memory limit.
 TEST_F(GltfHostile, NamesAreCountedWhereverTheyAreCopied) {
     std::string nodes;
     for (int i = 0; i < 10'000; ++i) nodes += std::string(i > 0 ? "," : "") + R"({"mesh":0})";

@@ -1,4 +1,4 @@
-// glTF lights with shapes and functions from `extras.weft`, and faults of lights.
+// Purpose: tests glTF lights with shapes and functions from `extras.weft`, and lights with faults.
 #include <cmath>
 
 #include "tests/scene/gltf/gltf_fixture.h"
@@ -39,7 +39,7 @@ TEST_F(GltfLights, RectanglesHaveTheirCandelaStraightAhead) {
 }
 
 TEST_F(GltfLights, CapsulesLieAlongTheirNodesX) {
-    // A quarter turn about z maps x to y.
+    // The node is rotated by 90° about z, which maps x to y. So the capsule extends along y.
     const Light light = only_light(
         R"({"type":"point","intensity":5,"extras":{"weft":{"type":"capsule","length":2,"radius":0.25}}})",
         R"("rotation":[0,0,0.70710678,0.70710678],)");

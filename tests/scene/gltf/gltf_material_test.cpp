@@ -7,7 +7,7 @@ namespace {
 
 class GltfMaterial : public GltfTest {
  protected:
-    // A glTF with one image, `count` textures of the image, and one material.
+    // Returns a glTF file with one image, textures that use the image, and one material.
     static GltfText with_material(const std::string& material, const Bytes& rgba = Bytes(16, 255)) {
         GltfText text;
         text.members["images"] = R"([{"name":"image","uri":")" + data_uri(png(2, 2, rgba)) + R"("}])";
@@ -133,7 +133,8 @@ TEST_F(GltfMaterial, SamplersBelongToTheSlot) {
 }
 
 TEST_F(GltfMaterial, TextureTransformIsAMatrix) {
-    // The example in the extension's specification: the lower left quadrant, rotated by a quarter turn.
+    // This is the example in the specification of the extension: the lower left quarter of the image, rotated
+    // by 90°.
     const Scene scene =
         load(with_material(R"({"emissiveTexture":{"index":0,"extensions":{"KHR_texture_transform":
         {"offset":[0,1],"rotation":1.57079632679,"scale":[0.5,0.5]}}}})"));

@@ -1,4 +1,4 @@
-// Animated objects are shown in their rest pose, and warnings name them.
+// Purpose: tests that animated objects are shown in their rest pose, and that warnings name these objects.
 #include "tests/scene/gltf/gltf_fixture.h"
 
 namespace weft::scene::test {

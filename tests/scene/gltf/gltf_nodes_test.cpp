@@ -17,14 +17,14 @@ class GltfNodes : public GltfTest {};
 
 TEST_F(GltfNodes, ComposesTranslationRotationScale) {
     GltfText text;
-    // A quarter turn about z.
+    // The child node is rotated by 90° about z and scaled by 2 along x.
     text.members["nodes"] = R"([{"translation":[1,2,3],"children":[1]},
         {"mesh":0,"rotation":[0,0,0.70710678,0.70710678],"scale":[2,1,1]}])";
     const Scene scene = load(text);
     expect_near(apply(scene.instances.at(0).transform, {1, 0, 0}), {1, 4, 3});
     expect_near(scene.bounds_min, {0, 2, 3});
     expect_near(scene.bounds_max, {1, 4, 3});
-    // Within one node, scale applies first, then rotation, then translation.
+    // Within one node, the scale applies first, then the rotation, then the translation.
     text.members["nodes"] =
         R"([{"mesh":0,"translation":[1,2,3],"rotation":[0,0,0.70710678,0.70710678],"scale":[2,1,1]}])";
     expect_near(apply(load(text).instances.at(0).transform, {1, 0, 0}), {1, 4, 3});
@@ -59,7 +59,7 @@ TEST_F(GltfNodes, LightsTakeTheirPlaceFromTheTree) {
     text.members["extensions"] = R"({"KHR_lights_punctual":{"lights":[
         {"type":"spot","color":[1,0.5,0],"intensity":40,"range":9,"spot":{"innerConeAngle":0.1,"outerConeAngle":0.3}},
         {"type":"directional","intensity":100000}]}})";
-    // The parent rotates -z to -x.
+    // The rotation of the parent node maps -z to -x, so the spot must face -x.
     text.members["nodes"] = R"([{"rotation":[0,0.70710678,0,0.70710678],"children":[1,2],"scale":[3,3,3]},
         {"translation":[0,0,1],"extensions":{"KHR_lights_punctual":{"light":0}}},
         {"name":"sun","extensions":{"KHR_lights_punctual":{"light":1}}}])";
@@ -142,8 +142,8 @@ TEST_F(GltfNodes, TheFramingCameraSeesTheWholeScene) {
     EXPECT_NEAR(glm::determinant(glm::mat3(camera.transform)), 1, 1e-5f);
 }
 
-// The angle between the axis and the edge of a sphere, seen from outside, must fit into the smaller field of
-// view.
+// The whole bounding sphere must be visible: the angle between the view axis and the edge of the sphere must
+// fit into the smaller of the two fields of view.
 TEST_F(GltfNodes, TheFramingCameraOfAPortraitHoldsTheBoundingSphere) {
     const Scene scene = load(GltfText());
     const float radius = glm::length(scene.bounds_max - scene.bounds_min) / 2;
@@ -156,14 +156,14 @@ TEST_F(GltfNodes, TheFramingCameraOfAPortraitHoldsTheBoundingSphere) {
         EXPECT_GE(half_width, std::asin(radius / distance) - 1e-5f) << aspect;
         EXPECT_GE(camera.fov_y_rad / 2, half_width) << aspect;
     }
-    // For aspect ratios of 1 and above, the camera is unchanged.
+    // For aspect ratios of 1 and above, the horizontal field of view is always 45°.
     EXPECT_NEAR(framing_camera(scene, 1).fov_y_rad, 0.785398f, 1e-5f);
 }
 
 struct Odd {
     const char* name;
     const char* nodes;
-    const char* place;  // code and JSON pointer of the warning
+    const char* place;  // Code and JSON pointer of the expected warning.
 };
 
 class OddTransform : public GltfTest, public ::testing::WithParamInterface<Odd> {};

@@ -1,4 +1,5 @@
-// Vertex colours and second texture coordinates: read if a material uses them, not stored otherwise.
+// Purpose: tests vertex colours and second texture coordinates: the loader stores them only if a material
+// uses them.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +10,8 @@ namespace {
 
 class GltfStreams : public GltfTest {
  protected:
-    // Gives the triangle an attribute whose three elements are `bytes`; `form` has members of the accessor.
+    // Gives the triangle a further vertex attribute whose three elements are stored in `bytes`. `form` has
+    // further JSON members of the accessor.
     static void add_attribute(GltfText& text, const std::string& name, const Bytes& bytes,
                               const std::string& form) {
         while (text.buffer.size() % 4 != 0) text.buffer.push_back(0);
@@ -59,7 +61,8 @@ TEST_F(GltfStreams, ColoursOfEveryEncodingAreTheSame) {
         const Mesh mesh = load(text).meshes.at(0);
         EXPECT_TRUE(warnings_.empty()) << form;
         ASSERT_EQ(mesh.colors.size(), 3u) << form;
-        // Fifths are exact in both integer formats.
+        // The test colours are multiples of 1/5. Both integer formats store such values exactly, because 255
+        // and 65535 are divisible by 5.
         for (size_t i = 0; i < 3; ++i) EXPECT_LT(glm::length(mesh.colors[i] - kColors[i]), 1e-6f) << form;
     }
 }
@@ -161,7 +164,8 @@ TEST_F(GltfStreams, AMeshWithoutSecondUvsIsNamed) {
 }
 
 TEST_F(GltfStreams, TangentsBelongToTheNormalMapsUvs) {
-    // In the first set u increases along +x, in the second along +y.
+    // In the first uv set, u increases along +x; in the second uv set, along +y. The tangents must follow the
+    // second set.
     GltfText text = with_second_uvs(R"({"normalTexture":{"index":0,"texCoord":1}})");
     const float turned[6] = {0, 0, 0, 1, 1, 0};
     std::memcpy(&text.buffer[text.buffer.size() - sizeof turned], turned, sizeof turned);

@@ -1,4 +1,5 @@
-// Images are decoded on several threads; scene and messages must be the same as with one thread.
+// Purpose: tests the decoding of images on several threads: scene and messages must be the same as with one
+// thread.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -13,7 +14,8 @@ namespace {
 
 class GltfThreads : public GltfTest {
  protected:
-    // `count` images of noise; one material uses each image both as colour and as data.
+    // Returns a glTF file with `count` images of noise. For each image there is a material that uses the
+    // image as colour and as data.
     static GltfText with_images(int count, uint32_t side_px) {
         GltfText text;
         std::mt19937 random(7);
@@ -62,7 +64,7 @@ TEST_F(GltfThreads, TheSceneIsThatOfOneThread) {
 TEST_F(GltfThreads, EveryBrokenImageIsReportedInTheFilesOrder) {
     GltfText text = with_images(6, 8);
     std::string& images = text.members["images"];
-    // Headers are valid, so the fault appears only during decoding.
+    // The headers of the two broken images are valid, so the fault appears only while the images are decoded.
     const Bytes cut = png(8, 8, Bytes(8, 1));
     for (const char* name : {"i1", "i4"}) {
         const size_t begin = images.find("data:", images.find(std::string("\"") + name + "\""));
@@ -111,7 +113,8 @@ TEST(WorkerThreads, TheBudgetHoldsAndOneLargeJobStillRuns) {
         } else {
             EXPECT_EQ(taken, 500u) << "alone";
         }
-        std::this_thread::sleep_for(std::chrono::microseconds(100));  // makes jobs overlap
+        // Each job takes some time, so that jobs on different threads overlap.
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
         ++ran;
         now -= bytes;
     });

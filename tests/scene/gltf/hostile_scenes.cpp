@@ -13,7 +13,8 @@ namespace {
 using Json = nlohmann::json;
 using scene::test::Bytes;
 
-// std::mt19937 is the same on every platform, distributions are not.
+// Generates random numbers. Only std::mt19937 is used, because it gives the same numbers on every platform;
+// the standard's distributions do not.
 class Dice {
  public:
     explicit Dice(uint32_t seed) : random_(seed) {}
@@ -29,12 +30,14 @@ std::string as_uri(const std::string& bytes) {
 
 Json whole_scene() {
     Bytes bytes;
-    scene::test::append<float>(bytes, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});  // positions
-    scene::test::append<float>(bytes, {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});  // normals
-    scene::test::append<float>(bytes, {0, 1, 1, 1, 0, 0, 1, 0});              // uvs
-    scene::test::append<uint16_t>(bytes, {0, 1, 2, 2, 1, 3, 0, 0});           // indices
+    scene::test::append<float>(bytes, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});  // Positions of four vertices.
+    scene::test::append<float>(bytes, {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});  // Normals of four vertices.
+    scene::test::append<float>(bytes, {0, 1, 1, 1, 0, 0, 1, 0});  // Texture coordinates of four vertices.
+    // Indices of two triangles, with two values of padding.
+    scene::test::append<uint16_t>(bytes, {0, 1, 2, 2, 1, 3, 0, 0});
+    // Colours of four vertices, 8 bits per channel.
     scene::test::append<uint8_t>(bytes,
-                                 {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 9});  // colours
+                                 {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 9});
     Json root = Json::parse(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,3]},{"nodes":[3]}],
       "nodes":[{"mesh":0,"children":[1,2],"name":"root","scale":[1,2,1]},
         {"camera":0,"translation":[0,0,3],"rotation":[0,0,0,1]},
@@ -127,16 +130,16 @@ void spoil(Json& root, Dice& dice) {
         case 2:
             if (!target.is_structured()) target = odd_value(dice);
             break;
-        case 3: {  // a value that belongs elsewhere
+        case 3: {  // Copies a value from another place of the file to a place where it does not belong.
             Json copy = other;
             target = std::move(copy);
             break;
         }
-        case 4:  // removes a member
+        case 4:  // Removes one member or element.
             if (target.is_structured() && !target.empty())
                 target.erase(std::next(target.begin(), dice.below(static_cast<uint32_t>(target.size()))));
             break;
-        case 5:  // repeats an element many times
+        case 5:  // Repeats the first element of an array many times.
             if (target.is_array() && !target.empty()) {
                 const Json item = target[0];
                 const uint32_t times = item.is_structured() ? 500 + dice.below(20'000) : 100'000;

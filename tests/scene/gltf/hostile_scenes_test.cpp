@@ -1,4 +1,5 @@
-// Random hostile scenes: each is loaded or rejected with a reason at low cost, and none crashes the process.
+// Purpose: tests random broken scenes. Each scene must be loaded or refused with a reason, at low cost. No
+// scene may crash the process.
 #include "tests/scene/gltf/hostile_scenes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 class HostileScenes : public GltfTest {};
 
-// The message of a failure contains its seed.
+// If a check fails, its message contains the seed of the scene, so that the scene can be generated again.
 TEST_F(HostileScenes, AreLoadedOrRefusedCheaply) {
     const char* value = std::getenv("WEFT_EXTENDED");
     const bool extended = value != nullptr && *value != '\0' && std::string(value) != "0";
@@ -33,7 +34,8 @@ TEST_F(HostileScenes, AreLoadedOrRefusedCheaply) {
         EXPECT_LE(cost.grown_bytes, uint64_t{1} << 30) << "seed " << seed;
         loaded += cost.answer == 0 ? 1 : 0;
     }
-    // Otherwise only the first checks would have been tested.
+    // Some scenes must load and some must be refused. If nearly all scenes were refused, only the first
+    // checks of the loader would be tested.
     EXPECT_GE(loaded, count / 10);
     EXPECT_LE(loaded, count * 9 / 10);
 }

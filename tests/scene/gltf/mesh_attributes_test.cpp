@@ -7,7 +7,8 @@
 namespace weft::scene::test {
 namespace {
 
-// Two triangles that share the edge x = 0; the left half mirrors the uvs of the right one.
+// Makes two triangles that share the edge x = 0. The uvs of the left triangle mirror those of the right
+// triangle.
 Mesh mirrored_quad() {
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}};
@@ -28,7 +29,7 @@ TEST(MeshAttributes, MirroredUvsSplitTheSeam) {
             const uint32_t v = mesh.indices[3 * t + k];
             EXPECT_NEAR(mesh.tangents[v].x, towards_u, 1e-5f);
             EXPECT_FLOAT_EQ(mesh.tangents[v].w, towards_u);
-            // Green means up on both sides.
+            // The green channel of a normal map must point up (+y) on both sides of the mirrored edge.
             const glm::vec3 up =
                 glm::cross(mesh.normals[v], glm::vec3(mesh.tangents[v])) * mesh.tangents[v].w;
             EXPECT_NEAR(up.y, 1, 1e-5f);
@@ -51,7 +52,8 @@ TEST(MeshAttributes, TangentsAreOrthonormalWhateverTheUvs) {
 
 TEST(MeshAttributes, SmoothNormalsWeighByArea) {
     Mesh mesh;
-    // A large triangle facing +z and a small one facing +x meet at the origin.
+    // At the origin, a large triangle that faces +z and a small triangle that faces +x share a vertex. Its
+    // normal must point mostly to +z: the areas have the ratio 9 : 1.
     mesh.positions = {{0, 0, 0}, {-3, 0, 0}, {0, -3, 0}, {0, 1, 0}, {0, 0, 1}};
     mesh.indices = {0, 1, 2, 0, 3, 4};
     generate_normals(mesh);

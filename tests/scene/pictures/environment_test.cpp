@@ -1,4 +1,4 @@
-// Environments: averages in mips and irradiance, compared with closed forms.
+// Purpose: compares the mips and the irradiance of environments with closed formulas.
 #include "weft/scene/environment.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// The direction through the centre of a texel: -z in the middle column, +x to its right, +y on top.
+// Returns the direction through the centre of a texel: the middle column points to -z, the columns to its
+// right turn towards +x, and the top row points to +y.
 glm::dvec3 direction_of(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     const double azimuth = ((x + 0.5) / width - 0.5) * 2 * kPi, polar = (y + 0.5) / height * kPi;
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
@@ -53,7 +54,8 @@ void expect_irradiance(const Environment& environment, const std::function<doubl
 }
 
 TEST(Environment, AConstantOneLightsEverySideAlike) {
-    // Texels of any shape, because the integrals are exact.
+    // The size 7 × 3 is odd on purpose: the integrals over texels are exact, so the size of the picture does
+    // not matter.
     expect_irradiance(
         environment_of(7, 3, [](glm::dvec3) { return glm::dvec3(2.5); }), [](glm::dvec3) { return 2.5; },
         1e-6);
@@ -86,8 +88,8 @@ TEST(Environment, HalfTheSkyLightsByTheShareThatIsSeen) {
         [](glm::dvec3 n) { return (1 + n.y) / 2; }, 1e-6);
 }
 
-// The harmonics of a sun alone become negative, down to -1/8 of its light; the sky's light must remain
-// visible there.
+// The harmonics of a sun alone become negative at some angles, down to -1/8 of the sun's light. The light of
+// the sky must remain visible on these sides.
 TEST(Environment, ASunDoesNotDarkenTheOtherSides) {
     const glm::dvec3 sun = glm::normalize(glm::dvec3(1, 1, -1));
     const Environment environment = environment_of(128, 64, [&](glm::dvec3 w) {
@@ -120,18 +122,19 @@ TEST(Environment, TheLastMipIsTheMeanOverTheSphere) {
     }
 }
 
-// A texel near a pole is very narrow: a blurred mip must not show it as a bright spoke.
+// A texel near a pole covers a very narrow area. In a blurred mip, such a texel must not appear as a bright
+// spoke.
 TEST(Environment, MipsAreEvenAroundThePoles) {
     Environment environment =
         environment_of(128, 64, [](glm::dvec3 w) { return glm::dvec3(std::atan2(w.x, -w.z) > 0 ? 1 : 0); });
-    const std::vector<uint32_t>& mip = environment.mips.at(2);  // 32 × 16
+    const std::vector<uint32_t>& mip = environment.mips.at(2);  // Mip level 2 has 32 × 16 texels.
     float least = 1, most = 0;
     for (size_t x = 0; x < 32; ++x) {
         least = std::min(least, glm::unpackF3x9_E1x5(mip[x]).r);
         most = std::max(most, glm::unpackF3x9_E1x5(mip[x]).r);
     }
-    // The row nearest to the pole would cover ten texels of the equator; without averaging it would jump from
-    // 0 to 1.
+    // In the row nearest to the pole, ten texels together are as wide as one texel at the equator. Without
+    // averaging, neighbouring texels would jump from 0 to 1.
     EXPECT_NEAR(least + most, 1, 1e-2);
     float steepest = 0;
     for (size_t x = 0; x < 32; ++x)

@@ -1,4 +1,5 @@
-// The decoders' messages for invalid pictures, and the memory and time for all others.
+// Purpose: tests the messages of the image decoders for broken pictures, and the memory and time that they
+// need.
 #include "weft/scene/image_decode.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ std::string corpus(const std::string& name) {
     return file;
 }
 
-// Decodes a picture of 6x3 pixels.
+// Decodes a PNG of 6 × 3 pixels that has the given chunk between its header and its end.
 DecodedImage decode_with(const std::string& chunk_behind_header) {
     using namespace std::literals;
     const std::string header = png_chunk("IHDR", "\0\0\0\6\0\0\0\3\x08\6\0\0\0"sv);
@@ -60,7 +61,8 @@ TEST(ImageDecode, ADamagedPngIsRefused) {
     EXPECT_FALSE(decode_image(bytes_of(file)).error.empty());
 }
 
-// A picture of one texel whose data inflates to 100 MB.
+// The PNG has one texel, but its data inflate to 100 MB. The decoder must refuse the file before it inflates
+// the data.
 TEST(ImageDecode, APngOfMoreDataThanItsSizeNeedsIsRefusedBeforeItIsInflated) {
     const std::string file = test::swollen_png(100'000'000);
     ASSERT_LT(file.size(), kMiB);
@@ -71,11 +73,12 @@ TEST(ImageDecode, APngOfMoreDataThanItsSizeNeedsIsRefusedBeforeItIsInflated) {
     EXPECT_EQ(cost.answer, 0);
     EXPECT_LE(cost.grown_bytes, 4 * kMiB);
     EXPECT_LE(cost.cpu_s, 0.05);
-    // Smaller excess data is accepted: only a row of it is inflated.
+    // A smaller excess of data is accepted: the decoder inflates only one row of the data.
     EXPECT_EQ(decode_image(bytes_of(test::swollen_png(64'000))).rgba.size(), 4u);
 }
 
-// Texts and colour profiles may inflate to 8 MB each, and a file may contain thousands of them.
+// Text chunks and colour profiles may inflate to 8 MB each, and a file may contain thousands of them. So the
+// decoder must not inflate them.
 TEST(ImageDecode, TextsAndProfilesAreNotInflated) {
     const std::string stream = test::swollen_png(8'000'000);
     const size_t begin = stream.find("IDAT") + 4, end = stream.find("IEND") - 8;
@@ -90,7 +93,8 @@ TEST(ImageDecode, TextsAndProfilesAreNotInflated) {
     EXPECT_LE(cost.grown_bytes, 4 * kMiB);
 }
 
-// Every file of the corpus, whole and truncated anywhere, needs at most the memory computed from its header.
+// Each file of the corpus is decoded whole and cut off at every length. Decoding must need at most the memory
+// that was computed from the file's header.
 TEST(ImageDecode, TakesNoMoreThanTheHeaderSays) {
     for (const char* name : {"rgba8.png", "rgba16.png", "interlaced.png", "palette4.png", "base.jpg",
                              "prog.jpg", "progressive.jpg", "cmyk.jpg", "gray.jpg", "sub.jpg"}) {
@@ -108,7 +112,7 @@ TEST(ImageDecode, TakesNoMoreThanTheHeaderSays) {
     }
 }
 
-// A JPEG whose frame header is changed to another size.
+// Returns a JPEG file in which the size in the frame header is changed.
 std::string with_jpeg_size(std::string file, char frame, uint16_t width_px, uint16_t height_px) {
     const size_t at = file.find(std::string("\xff") + frame);
     EXPECT_NE(at, std::string::npos);
@@ -119,7 +123,8 @@ std::string with_jpeg_size(std::string file, char frame, uint16_t width_px, uint
     return file;
 }
 
-// A progressive JPEG needs memory for its coefficients; the header determines how much.
+// A progressive JPEG needs memory for the coefficients of the whole picture. The size in its header
+// determines how much.
 TEST(ImageDecode, AProgressiveJpegCountsItsCoefficients) {
     const std::string file = with_jpeg_size(corpus("progressive.jpg"), '\xc2', 4096, 2048);
     const std::optional<ImageSize> size = read_image_size(bytes_of(file));
@@ -131,7 +136,8 @@ TEST(ImageDecode, AProgressiveJpegCountsItsCoefficients) {
     EXPECT_LE(cost.grown_bytes, size->texels() * 4 + size->decoder_bytes + 2 * kMiB);
 }
 
-// Each scan processes the whole picture, so a small file could take hours.
+// Each scan of a progressive JPEG processes the whole picture. With very many scans, a small file could take
+// hours to decode.
 TEST(ImageDecode, AJpegOfManyScansIsRefused) {
     const std::string file = corpus("progressive.jpg");
     const size_t last = file.rfind("\xff\xda"), end = file.rfind("\xff\xd9");

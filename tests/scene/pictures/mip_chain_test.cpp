@@ -21,7 +21,8 @@ TEST(MipChain, GoesDownToOneTexel) {
 }
 
 TEST(MipChain, AveragesLinearDataAsItIs) {
-    // 4×4 texels with columns 0, 100, 200, 40: pairs average to 50 and 120, all to 85.
+    // A picture of 4 × 4 texels with the columns 0, 100, 200, 40. Pairs of columns average to 50 and 120, and
+    // the whole picture to 85.
     Bytes rgba;
     for (int y = 0; y < 4; ++y) {
         for (const uint8_t value : {0, 100, 200, 40}) rgba.insert(rgba.end(), {value, value, value, 255});
@@ -35,16 +36,17 @@ TEST(MipChain, AveragesLinearDataAsItIs) {
 }
 
 TEST(MipChain, AveragesColourInLinearLight) {
-    // Half black and half white gives half the light: 188 in sRGB, not 128. Alpha is linear.
+    // Half black and half white gives half the light, which is 188 in sRGB and not 128. Alpha is averaged
+    // linearly.
     const Bytes rgba{0, 0, 0, 0, 255, 255, 255, 255};
     EXPECT_EQ(build_mip_chain(2, 1, rgba, {TexelMeaning::srgb_color})[1], (Bytes{188, 188, 188, 128}));
 }
 
 TEST(MipChain, WeighsOddSizesByArea) {
-    // Three texels become one: a third each.
+    // Three texels become one texel. Each of the three contributes a third.
     const Bytes rgba{30, 0, 0, 255, 60, 0, 0, 255, 90, 0, 0, 255};
     EXPECT_EQ(build_mip_chain(3, 1, rgba, {TexelMeaning::linear_data})[1][0], 60);
-    // Five become two: (a + b + c/2) / 2.5.
+    // Five texels a b c d e become two texels. The first texel is (a + b + c/2) / 2.5.
     const Bytes five{100, 0, 0, 255, 50, 0, 0, 255, 20, 0, 0, 255, 0, 0, 0, 255, 200, 0, 0, 255};
     const auto mips = build_mip_chain(5, 1, five, {TexelMeaning::linear_data});
     EXPECT_EQ(mips[1][0], 64);
@@ -52,7 +54,7 @@ TEST(MipChain, WeighsOddSizesByArea) {
 }
 
 TEST(MipChain, NormalsKeepTheirLength) {
-    // +x and +z average to the direction halfway between them.
+    // The average of the normals +x and +z is the direction halfway between them, with length 1.
     const Bytes rgba{255, 128, 128, 255, 128, 128, 255, 255};
     const Bytes texel = build_mip_chain(2, 1, rgba, {TexelMeaning::normal})[1];
     EXPECT_NEAR(texel[0], 218, 1);
@@ -61,8 +63,8 @@ TEST(MipChain, NormalsKeepTheirLength) {
 }
 
 TEST(MipChain, MasksKeepTheirCoverage) {
-    // One texel in four is opaque, so no average passes a cutoff of one half; the coverage must remain a
-    // quarter.
+    // One texel in four is opaque. The average alpha of four texels never passes a cutoff of 0.5, so all
+    // texels would vanish in mip 1. With coverage kept, a quarter of the texels must still pass.
     Bytes rgba = repeat({255, 255, 255, 0}, 256);
     for (size_t y = 0; y < 16; y += 2) {
         for (size_t x = 0; x < 16; x += 2) rgba[(y * 16 + x) * 4 + 3] = (x + y) % 8 == 0 ? 255 : 240;

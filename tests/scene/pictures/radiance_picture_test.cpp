@@ -1,4 +1,5 @@
-// Radiance pictures: both encodings, and all kinds of broken files.
+// Purpose: tests the decoder of Radiance pictures: flat and run-length encoded rows, and all kinds of broken
+// files.
 #include "scene/pictures/radiance_picture.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,8 @@ std::string row_start(uint8_t width) {
     return {'\2', '\2', '\0', char(width)};
 }
 
-// Ten texels: each channel has one run, then literal values.
+// Returns a run-length encoded row of ten texels. Each channel has one run of four values, then six separate
+// values.
 std::string coded_row() {
     std::string row = row_start(10);
     for (const char value : {char(128), char(64), char(32), char(130)}) {
@@ -48,7 +50,7 @@ TEST(RadiancePicture, ReadsCodedRows) {
     const RadiancePicture picture = decoded(header("-Y 2 +X 10") + coded_row() + coded_row());
     ASSERT_EQ(picture.error, "");
     ASSERT_EQ(picture.texels.size(), 20u);
-    // 128 · 2^(130 − 136) = 2
+    // Expected red: the mantissa 128 with the exponent 130 is 128 · 2^(130 − 136) = 2.
     for (const glm::vec3& texel : picture.texels) EXPECT_EQ(texel, glm::vec3(2, 1, 0.5f));
 }
 
@@ -90,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Broken{"NoSize", header("-Y 0 +X 8") + "1234", "-Y height +X width"},
                       Broken{"HugeNumber", header("-Y 99999999999 +X 8"), "-Y height +X width"},
                       Broken{"CutFlat", header("-Y 2 +X 2") + "0123456789", "ends in row 2 of 2"},
-                      // This input makes stb's decoder loop for ever.
+                      // With this truncated input, the decoder of the library stb never returns.
                       Broken{"CutCoded", header("-Y 2 +X 10") + coded_row() + row_start(10), "row 2 of 2"},
                       Broken{"NoCount", header("-Y 1 +X 10") + row_start(10) + std::string(40, '\0'),
                              "broken in row 1"},
