@@ -1,5 +1,5 @@
-// Purpose: layouts and sets of descriptors that live longer than a frame: created and written once. Errors:
-// those of vk_error().
+// Purpose: descriptor set layouts and sets that live longer than a frame. They are created and written only
+// once. Errors: those of vk_error(), such as V410 (out of memory).
 #pragma once
 
 #include <span>
@@ -11,19 +11,20 @@
 
 namespace weft::render {
 
-// `count` sets of one layout, and their pool.
+// A number of descriptor sets of one layout, and the pool from which they are allocated.
 struct DescriptorSets {
     vk::SetLayoutHandle layout;
     vk::DescriptorPoolHandle pool;
     std::vector<VkDescriptorSet> sets;
 
-    // `name` is used in messages. With a count of 0 only the layout is made.
+    // Makes the layout and `count` sets. `name` describes the sets in error messages. With a count of 0 only
+    // the layout is made.
     [[nodiscard]] static Result<DescriptorSets> create(vk::Device& device,
                                                        std::span<const VkDescriptorSetLayoutBinding> bindings,
                                                        uint32_t count, const std::string& name);
 };
 
-// Writes descriptors of consecutive bindings of one type, starting at `binding`.
+// Writes the descriptors of consecutive bindings, all of type `type`, starting at binding `binding`.
 void write_buffers(vk::Device& device, VkDescriptorSet set, uint32_t binding, VkDescriptorType type,
                    std::span<const VkDescriptorBufferInfo> buffers);
 void write_images(vk::Device& device, VkDescriptorSet set, uint32_t binding,

@@ -37,7 +37,8 @@ shared::FrameConstants DrawnScene::frame_constants() const {
     return frame;
 }
 
-// Directional lights come first.
+// The sun is the first directional light. Directional lights come first in `lights_`, so only element 0 is
+// checked.
 SunCascades DrawnScene::find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const {
     if (maps.count == 0 || lights_.empty() || lights_[0].type != shared::kLightDirectional) return {};
     return sun_cascades(camera, aspect, {-lights_[0].direction, bounds_}, maps);

@@ -1,5 +1,5 @@
-// Purpose: the scene's data for frames: its objects on the GPU, its lights at a time, and its constants.
-// Units: seconds.
+// Purpose: the data of a scene that every frame needs: its objects on the GPU, its lights at the current
+// time, and its constants for shaders. Units: seconds.
 #pragma once
 
 #include <memory>
@@ -13,18 +13,20 @@ namespace weft::render {
 
 class DrawnScene {
  public:
-    // `owned` is `scene` or null: as of GpuScene.
+    // `owned` is either null or `&scene`. If it is not null, each texture of the scene is freed after it is
+    // copied to the GPU.
     [[nodiscard]] static Result<DrawnScene> create(vk::Device& device, const scene::Scene& scene,
                                                    scene::Scene* owned);
 
-    // Moves the animated lights.
+    // Moves the animated lights to their positions at `time_s`.
     void set_time(double time_s);
-    // At the time of the last set_time().
+    // Returns the lights at the time of the last set_time().
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
-    // The sky, the environment and the counts of lights; the caller adds time and exposure.
+    // Returns constants for shaders: the sky, the environment and the counts of lights. The caller adds time
+    // and exposure.
     [[nodiscard]] shared::FrameConstants frame_constants() const;
-    // Empty if there is no directional light with intensity, or the graph has no maps. `aspect` is the
-    // picture's width / height.
+    // Returns the sun's shadow maps. The result is empty if the scene has no directional light with
+    // intensity, or if the graph draws no map of the sun. `aspect` is width / height of the picture.
     [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const;
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
 

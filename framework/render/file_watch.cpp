@@ -17,18 +17,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Not IN_MODIFY: a file that is still being written is not worth reading.
+// The events that are watched. IN_MODIFY is not among them, because a file that is still being written should
+// not be read yet.
 constexpr uint32_t kMask =
     IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO | IN_ATTRIB | IN_ONLYDIR;
-// The longest wait for a pause while files keep changing.
+// Maximum time that wait() goes on waiting for a pause while files keep changing.
 constexpr auto kMostPatience = std::chrono::seconds(1);
 
 bool is_of_a_folder_itself(const inotify_event& event) {
     return (event.mask & IN_ISDIR) != 0 && (event.mask & IN_ATTRIB) != 0;
 }
 
-// A plain file that a program has just made is empty; its closing is an event of its own. A file that was
-// linked into its place has its content, and no other event.
+// True if the event is the creation of a file whose content will come later. A plain file that a program has
+// just created is empty, and closing it causes another event. A file that was created by link() already has
+// its content and causes no other event.
 bool is_still_to_come(const inotify_event& event, const fs::path& file) {
     if ((event.mask & IN_CREATE) == 0 || (event.mask & IN_ISDIR) != 0) return false;
     struct stat status {};
@@ -58,7 +60,7 @@ FileWatch::~FileWatch() {
 }
 
 bool FileWatch::watch(const std::set<fs::path>& files) {
-    // Folders above count as well: whoever moves one away moves what is in it.
+    // Parent folders are watched too, because moving a folder away moves the files in it.
     std::map<fs::path, std::set<std::string>> wanted;
     for (const fs::path& file : files)
         for (fs::path at = file; at.has_relative_path(); at = at.parent_path())
@@ -70,7 +72,8 @@ bool FileWatch::watch(const std::set<fs::path>& files) {
         const int watched = inotify_add_watch(events_, path.c_str(), kMask);
         if (watched < 0) {
             const int why = errno;
-            // Folders further up matter only to who moves them.
+            // Report only folders that contain a watched file. The folders above them are watched only to
+            // notice that someone moves or removes them.
             const bool holds_file =
                 std::ranges::any_of(files, [&](const fs::path& file) { return file.parent_path() == path; });
             if (why != ENOENT && why != ENOTDIR && holds_file) unwatched_.insert(path);
@@ -105,7 +108,8 @@ bool FileWatch::read_events() {
             if (folder->second.names.contains(name) && !is_of_a_folder_itself(event) &&
                 !is_still_to_come(event, folder->second.path / name))
                 changed = true;
-            // The folder is gone; one of its name that comes later is another one, and new to watch().
+            // The folder does not exist any more, and neither does its inotify watch. If a folder with the
+            // same name is created later, watch() must add it as a new folder.
             if ((event.mask & IN_IGNORED) != 0) folders_.erase(folder);
         }
     }

@@ -1,6 +1,7 @@
-// Purpose: waits for changes of files: written in place, replaced by renaming as most editors do, removed and
-// created again, also together with a parent folder. It uses inotify on folders instead of polling, so it can
-// also wait for files that do not exist yet. Errors: X580 the system provides no watch.
+// Purpose: waits for changes of files. It notices files that are written in place, replaced by renaming (as
+// most editors do), removed or created again, and changes of parent folders. It uses inotify on folders
+// instead of polling, so it can also wait for files that do not exist yet. Errors: X580 (the system provides
+// no more inotify instances).
 #pragma once
 
 #include <chrono>
@@ -16,34 +17,37 @@ namespace weft::render {
 
 class FileWatch {
  public:
-    // After a change it waits until no change happens for `quiet`, because programs often write a file
-    // several times.
+    // `quiet` is a pause without changes. After a change, wait() goes on until such a pause, because programs
+    // often write a file several times.
     [[nodiscard]] static Result<std::unique_ptr<FileWatch>> create(
         std::chrono::milliseconds quiet = std::chrono::milliseconds(50));
     ~FileWatch();
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
 
-    // Sets the files to watch: absolute paths, existing or not. Returns true if new folders are watched, so
-    // that files read before may have changed unnoticed.
+    // Sets the files to watch: absolute paths, existing or not. Returns true if folders are watched that were
+    // not watched before. In that case, files that the caller has read before this call may have changed
+    // unnoticed.
     [[nodiscard]] bool watch(const std::set<std::filesystem::path>& files);
-    // Returns true if a file may have changed since the last call or since watch(); false if wake() was
-    // called.
+    // Waits for a change. Returns true if a file may have changed since the last call or since watch().
+    // Returns false if wake() was called.
     [[nodiscard]] bool wait();
-    // Ends a current wait() or the next one. May be called from any thread.
+    // Makes the current call of wait() return, or the next call if none is running. May be called from any
+    // thread.
     void wake();
-    // Folders that cannot be watched: too many watches, or no permission to read them.
+    // Returns the folders that cannot be watched, because there are too many watches or because of missing
+    // permissions.
     [[nodiscard]] const std::set<std::filesystem::path>& unwatched() const { return unwatched_; }
 
  private:
     enum class Stir : uint8_t { nothing, change, call };
     FileWatch(int events, int call, std::chrono::milliseconds quiet)
         : events_(events), call_(call), quiet_(quiet) {}
-    // Waits for an event for at most `timeout_ms`; -1: without limit.
+    // Waits for an event, at most `timeout_ms` milliseconds; -1 means without limit.
     [[nodiscard]] Stir next(int timeout_ms);
     [[nodiscard]] bool read_events();
 
-    // The watched names in one folder.
+    // The names of watched files and subfolders in one folder.
     struct Folder {
         std::filesystem::path path;
         std::set<std::string> names;
@@ -51,7 +55,8 @@ class FileWatch {
     int events_;
     int call_;
     std::chrono::milliseconds quiet_;
-    std::map<int, Folder> folders_;  // index: watch descriptor
+    // The watched folders by their inotify watch descriptor.
+    std::map<int, Folder> folders_;
     std::set<std::filesystem::path> unwatched_;
 };
 

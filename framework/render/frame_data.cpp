@@ -12,10 +12,11 @@ static_assert(sizeof(shared::FrameConstants) == 224 && sizeof(shared::ViewConsta
 static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64 &&
               sizeof(shared::Material) == 288 && sizeof(shared::Instance) == 208);
 
-// The ground below the horizon reflects daylight with this albedo.
+// Albedo with which the ground below the horizon reflects daylight.
 constexpr float kGroundAlbedo = 0.25f;
 
-// Doors that are opened further than this have no visible effect.
+// Largest angle in radians (89 degrees) at which a door limits the light. A door that is opened further has
+// no effect.
 constexpr float kSteepest_rad = 1.5533f;
 
 shared::TextureTransform uv_of(const scene::TextureSlot& slot) {
@@ -39,7 +40,8 @@ uint32_t gpu_light_type(scene::LightType type) {
     return shared::kLightPoint;
 }
 
-// Directional lights first, of each kind the plain ones.
+// Returns the sort key of a light: directional lights first, and in each kind the lights without area and
+// function first.
 int rank(const shared::Light& light) {
     return (light.type == shared::kLightDirectional ? 0 : 2) + (is_plain(light) ? 0 : 1);
 }
@@ -64,10 +66,12 @@ shared::ViewConstants view_constants(const scene::Camera& camera, const glm::mat
     view.projection = reversed_infinite_projection(camera.fov_y_rad, width / height, camera.near_m);
     view.steady_view_projection = view.projection * view.view;
     view.jitter_uv = jitter_px / glm::vec2(width, height);
-    // w is −z: what is added to a column by z moves the picture alike at all distances.
+    // The jitter moves the picture. Clip-space w is -z, so an offset in the z column moves all points by the
+    // same number of pixels, whatever their distance.
     view.projection[2] -= glm::vec4(2.0f * view.jitter_uv, 0, 0);
     view.view_projection = view.projection * view.view;
-    // Inverted in double: an infinite projection far from the origin loses too much in float.
+    // The matrix is inverted in double precision. With an infinite projection far from the origin, float
+    // would lose too many digits.
     view.inverse_view_projection =
         glm::mat4(glm::inverse(glm::dmat4(view.projection) * glm::dmat4(view.view)));
     view.prev_view_projection = prev_view_projection;
@@ -92,7 +96,8 @@ shared::FrameConstants scene_constants(const scene::Scene& scene) {
 
 shared::Light gpu_light(const scene::Light& scene_light, double time_s) {
     scene::Light light = scene_light;
-    (void)scene::clamp_light(light);  // light_warnings() has said what was wrong
+    // light_warnings() reports the numbers that are clamped here, so the result is ignored.
+    (void)scene::clamp_light(light);
     shared::Light gpu{};
     gpu.position = scene::position_at(light, time_s);
     gpu.range_m = light.range_m;
@@ -150,15 +155,16 @@ shared::Material gpu_material(const scene::Material& m) {
     shared::Material gpu{};
     gpu.base_color = m.base_color;
     gpu.emissive = m.emissive;
-    // Only masked materials discard, and only in their own draw list.
+    // The cutoff is set for all materials. Only shaders of the list "masked" discard pixels, so it has no
+    // effect elsewhere.
     gpu.alpha_cutoff = m.alpha_cutoff;
     const float r = (m.ior - 1) / (m.ior + 1);
     gpu.dielectric_f0 = glm::min(glm::vec3(r * r) * m.specular_color, glm::vec3(1));
     gpu.specular = m.specular;
     gpu.metallic = m.metallic;
     gpu.roughness = m.roughness;
-    // 128/255 is not quite the middle: without a normal map the geometry's normal must come through
-    // untouched.
+    // The scale is 0 if the material has no normal map, so that the normal of the mesh is used unchanged. The
+    // texel of the dummy map, 128/255, is not exactly the middle of the range.
     gpu.normal_scale = m.normal_texture.texture == scene::kNone ? 0.0f : m.normal_scale;
     gpu.occlusion_strength = m.occlusion_strength;
     gpu.base_color_uv = uv_of(m.base_color_texture);
@@ -176,8 +182,8 @@ shared::Material gpu_material(const scene::Material& m) {
 
 shared::Instance gpu_instance(const glm::mat4& transform) {
     const glm::mat3 linear(transform);
-    // Columns of the cofactor matrix: exact for any scale, singular ones included. The determinant's sign
-    // keeps normals on the outside of mirrored objects.
+    // The columns of the cofactor matrix transform normals. They are exact for any scale, even if the matrix
+    // is singular. The sign of the determinant keeps normals on the outside of mirrored objects.
     const float sign = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
     glm::mat4 normal(0.0f);
     normal[0] = glm::vec4(glm::cross(linear[1], linear[2]) * sign, 0);

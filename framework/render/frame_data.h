@@ -1,4 +1,4 @@
-// Purpose: scene data in the form that shaders read: views, frame constants, lights, materials. Pure
+// Purpose: converts scene data to the form that shaders read: views, frame constants, lights, materials. Pure
 // functions. Units and layouts: shaders/include/shared/.
 #pragma once
 
@@ -14,32 +14,36 @@
 
 namespace weft::render {
 
-// Clip space with y down and reversed depth: 1 at near_m, 0 at infinity. `aspect` is width / height.
+// Returns a projection matrix. Its clip space has y down and reversed depth: 1 at the distance near_m, 0 at
+// infinity. `aspect` is width / height.
 [[nodiscard]] glm::mat4 reversed_infinite_projection(float fov_y_rad, float aspect, float near_m);
 
-// `jitter_px` moves the picture by this many pixels, right and down. `prev_view_projection` must contain no
-// jitter.
+// Returns the constants of the camera's view. `jitter_px` moves the picture by this many pixels, to the right
+// and down. `prev_view_projection` must contain no jitter.
 [[nodiscard]] shared::ViewConstants view_constants(const scene::Camera& camera,
                                                    const glm::mat4& prev_view_projection, uint32_t width_px,
                                                    uint32_t height_px, const glm::vec2& jitter_px = {0, 0});
 
-// The constants that are the same in every frame: the sky or the environment.
+// Returns the constants that are the same in every frame: the colours of the sky, and the scale and
+// irradiance of the environment.
 [[nodiscard]] shared::FrameConstants scene_constants(const scene::Scene& scene);
 
-// Clamps numbers that are out of range: see scene/light_check.h.
+// Converts a light, at its position at time `time_s`. Numbers that are out of range are clamped: see
+// scene/light_check.h.
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
-// Without area and function.
+// True if the light has neither an area nor a light function.
 [[nodiscard]] bool is_plain(const shared::Light& light);
-// Lights with an intensity, at most kMaxLights: directional ones first, within each kind the plain ones
-// first, otherwise in the scene's order, so that a full buffer omits the last ones. A light whose function is
-// not in `functions` has none. The first directional light casts the sun's shadows.
+// Returns the lights that have an intensity, at most kMaxLights. Directional lights come first, and within
+// each kind lights without area and function come first; otherwise the scene's order is kept. So a graph's
+// buffer that is too small omits the last lights. A light whose function index exceeds `functions` loses its
+// function. The first directional light casts the sun's shadows.
 [[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s,
                                                     size_t functions = 0);
-// Does not fill in its picture.
+// Converts a light function, but leaves the index of its picture at 0 (no picture).
 [[nodiscard]] shared::LightFunction gpu_light_function(const scene::LightFunction& function);
 
 [[nodiscard]] shared::Material gpu_material(const scene::Material& material);
-// For a mesh without vertex colours and second uvs.
+// Converts the transform of an object, for a mesh without vertex colours and second uvs.
 [[nodiscard]] shared::Instance gpu_instance(const glm::mat4& transform);
 
 }  // namespace weft::render

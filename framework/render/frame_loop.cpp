@@ -22,7 +22,8 @@ void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
     sun_maps_ = sun_maps_of(plan());
 }
 
-// The first frame has no frame before it, and takes its own view for that.
+// Returns the view constants of this frame. The first frame has no previous frame, so it uses its own view as
+// the previous view.
 shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera) const {
     shared::ViewConstants view = view_constants(camera, view_.steady_view_projection, size_.width,
                                                 size_.height, jitter_px(frame_index_, jitter_length_));

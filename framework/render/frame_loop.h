@@ -1,5 +1,5 @@
-// Purpose: renders frames with a stage, and keeps the data of the previous frame that the next one needs. For
-// the thread that submits.
+// Purpose: renders frames with a RenderStage, and keeps the data of the previous frame that the next frame
+// needs. All functions must be called on the thread that submits.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,27 @@ namespace weft::render {
 
 class FrameLoop {
  public:
-    // `jitter_length`: as GraphDesc::jitter.
+    // `jitter_length` is the number of different sub-pixel camera offsets, as GraphDesc::jitter; 0 means no
+    // offsets.
     FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length);
 
     [[nodiscard]] Status render(const FrameInput& input, DrawnScene& scene);
     [[nodiscard]] Status finish() { return stage_.executor->finish(); }
-    // W184: the graph has no output.
+    // Reads the output image of the last frame. Error W184: the graph has no output.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
 
-    // From the next frame on, uses the running stage with other values and pipelines, or another stage. Call
-    // set_graph() after either.
+    // Replaces the values and pipelines of the running stage from the next frame on. Call set_graph()
+    // afterwards.
     void amend(std::unique_ptr<vk::Amendment> amendment) { stage_.executor->amend(std::move(amendment)); }
-    // `check`: check the transition. After an error of the checker nothing has changed.
+    // Replaces the running stage by another one from the next frame on. If `check` is true, the transition is
+    // checked first, and after an error nothing has changed. Call set_graph() afterwards.
     [[nodiscard]] Status take_over(RenderStage stage, bool check);
     void set_graph(Extent3D size, uint32_t jitter_length);
 
     [[nodiscard]] vk::Executor& executor() { return *stage_.executor; }
     [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
     [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
-    // Of the last frame.
+    // Returns the view constants of the last frame.
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
     [[nodiscard]] const SunCascades& sun() const { return sun_; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
@@ -41,11 +43,13 @@ class FrameLoop {
     Extent3D size_;
     uint32_t jitter_length_ = 0;
     SunMaps sun_maps_;
-    uint64_t frame_index_ = 0;  // of the next frame
+    // Index of the next frame, counted from 0.
+    uint64_t frame_index_ = 0;
     shared::ViewConstants view_{};
     SunCascades sun_;
     float pre_exposure_ = 1;
-    RenderStage stage_;  // last: destroyed first
+    // Declared last, so that it is destroyed first.
+    RenderStage stage_;
 };
 
 }  // namespace weft::render

@@ -1,4 +1,5 @@
-// Purpose: the environment of a scene as a texture with mips; a black texel for a scene without one.
+// Purpose: the environment map of a scene as a texture with mip levels. A scene without an environment gets
+// one black texel.
 #pragma once
 
 #include "vulkan/device/handle.h"
@@ -12,7 +13,7 @@ class GpuEnvironment {
     [[nodiscard]] static Result<GpuEnvironment> create(vk::Device& device,
                                                        const scene::Environment& environment);
 
-    // Repeats horizontally, and is clamped at the poles.
+    // Returns the texture with a sampler that repeats it horizontally and clamps it at the poles.
     [[nodiscard]] VkDescriptorImageInfo descriptor() const;
 
  private:

@@ -8,8 +8,10 @@
 namespace weft::render {
 namespace {
 
-// In a slot: the frame, the sun, and the views: first the camera's, then the sun's.
-constexpr uint64_t kAlignmentBytes = 256;  // the greatest that a device may ask of uniform buffers
+// The memory of a frame slot contains the frame constants, then the sun, then the views: the camera's view,
+// and one view for each of the sun's cascades.
+// Alignment of each part: the largest minUniformBufferOffsetAlignment that Vulkan allows.
+constexpr uint64_t kAlignmentBytes = 256;
 constexpr uint64_t kSunOffsetBytes = 256;
 constexpr uint64_t kViewsOffsetBytes = 768;
 constexpr uint64_t kViewBytes = 512;

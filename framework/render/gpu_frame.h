@@ -1,6 +1,6 @@
-// Purpose: set 0 of every frame in flight, one set for each view that a pass may use. It has the frame
-// constants, the sun's cascades and the view in host-written memory, one copy per slot, and data common to
-// all frames: the environment and the light functions.
+// Purpose: descriptor set 0 of every frame slot, with one set for each view that a pass may use. The sets
+// refer to the frame constants, the sun's shadow cascades and the view, which the host writes for each frame
+// slot. They also refer to data common to all frames: the environment and the light functions.
 #pragma once
 
 #include "render/descriptor_sets.h"
@@ -16,15 +16,17 @@ class GpuFrame {
  public:
     [[nodiscard]] static Result<GpuFrame> create(vk::Device& device, const scene::Scene& scene);
 
-    // The slot must not be in flight: Executor::begin_frame() returns a free one.
+    // Writes the constants of a frame slot. The slot must not be in flight: Executor::begin_frame() returns a
+    // free one.
     void write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
                const SunCascades& sun);
     [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
-    // For a view of import_catalog.h.
+    // Returns descriptor set 0 for a view such as "camera" or "sun(1)"; see import_catalog.h.
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
 
  private:
-    DescriptorSets sets_;  // index: slot and view
+    // One set for each frame slot and view: slot * kViews + view.
+    DescriptorSets sets_;
     vk::Buffer constants_;
     GpuEnvironment environment_;
     GpuLightFunctions light_functions_;

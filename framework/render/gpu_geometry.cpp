@@ -9,7 +9,7 @@
 namespace weft::render {
 namespace {
 
-// The attribute stream of import_catalog.cpp.
+// One vertex of the second vertex stream: normal, tangent and uv as declared in import_catalog.cpp.
 struct VertexAttributes {
     std::array<int16_t, 4> normal;
     std::array<int16_t, 4> tangent;
@@ -25,7 +25,8 @@ std::array<int16_t, 4> snorm16(const glm::vec4& v) {
     return {snorm16(v.x), snorm16(v.y), snorm16(v.z), snorm16(v.w)};
 }
 
-// An empty scene still has buffers, so that everything can be bound.
+// Returns a buffer with the items. An empty list gives a buffer with one default item, so that there is
+// always a buffer to bind.
 template <class T>
 Result<vk::Buffer> filled(vk::Device& device, std::vector<T> items, VkBufferUsageFlags usage,
                           const char* name) {
@@ -38,7 +39,7 @@ Result<vk::Buffer> filled(vk::Device& device, std::vector<T> items, VkBufferUsag
     return buffer;
 }
 
-// rgba16, as unpackUnorm2x16 reads it.
+// Converts a colour to four 16-bit unorm values, as GLSL's unpackUnorm2x16 reads them.
 std::array<uint16_t, 4> unorm16(const glm::vec4& v) {
     std::array<uint16_t, 4> out{};
     for (int i = 0; i < 4; ++i)
@@ -47,8 +48,9 @@ std::array<uint16_t, 4> unorm16(const glm::vec4& v) {
     return out;
 }
 
-// The offset that, added to a vertex index, gives the element of the stream. The mesh starts at
-// `vertex_offset`.
+// Returns the offset that, added to a vertex index, gives the index in a stream that only some meshes have.
+// The mesh starts at `begins` in the stream and at `vertex_offset` in the positions. Returns kNoStream if the
+// mesh is not in the stream.
 int32_t stream_offset(bool present, size_t begins, int32_t vertex_offset) {
     return present ? static_cast<int32_t>(begins) - vertex_offset : shared::kNoStream;
 }
@@ -69,7 +71,8 @@ std::vector<MeshRange> ranges_of(const scene::Scene& scene) {
     return ranges;
 }
 
-// One stream of all meshes: as many items of each as `count` says, which `item(mesh, i)` makes.
+// Returns one stream of all meshes, joined. A mesh contributes `count(mesh)` items, and `item(mesh, i)` makes
+// the item i.
 template <class Count, class Item>
 auto joined(const scene::Scene& scene, const Count& count, const Item& item) {
     size_t all = 0;
@@ -126,7 +129,8 @@ std::vector<shared::Instance> instances_of(const scene::Scene& scene, const std:
 
 }  // namespace
 
-// A stream at a time: each is gone here before the next one is made.
+// The streams are made one after another. Each stream is freed on the host after its upload and before the
+// next stream is made, to save memory.
 Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& scene) {
     GpuGeometry geometry;
     geometry.meshes = ranges_of(scene);

@@ -1,6 +1,7 @@
-// Purpose: a scene's meshes in GPU memory, in the vertex format of import_catalog.h: one buffer each for
-// positions, attributes, indices and instances. Vertex colours and second uvs, which few meshes have, are in
-// buffers that contain only those meshes. Errors: those of vk::Buffer and the upload.
+// Purpose: a scene's meshes in GPU memory, in the vertex format of import_catalog.h. There is one buffer each
+// for positions, attributes, indices and instances of all meshes. Few meshes have vertex colours or second
+// uvs, so the buffers for these contain only such meshes. Errors: those of vk::Buffer::create() and
+// upload_buffer().
 #pragma once
 
 #include <vector>
@@ -14,7 +15,9 @@ struct MeshRange {
     uint32_t first_index = 0;
     uint32_t index_count = 0;
     int32_t vertex_offset = 0;
-    int32_t color_offset = 0;  // as in shared::Instance
+    // Number that, added to a vertex index, gives the index of the vertex colour, as in shared::Instance;
+    // kNoStream if the mesh has no vertex colours.
+    int32_t color_offset = 0;
     int32_t second_uv_offset = 0;
 
     friend bool operator==(const MeshRange&, const MeshRange&) = default;
@@ -27,7 +30,8 @@ struct GpuGeometry {
     vk::Buffer instances;
     vk::Buffer colors;
     vk::Buffer second_uvs;
-    std::vector<MeshRange> meshes;  // index: as in scene::Scene::meshes
+    // The ranges of each mesh, indexed as scene::Scene::meshes.
+    std::vector<MeshRange> meshes;
 
     [[nodiscard]] static Result<GpuGeometry> create(vk::Device& device, const scene::Scene& scene);
 };

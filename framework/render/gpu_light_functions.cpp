@@ -48,7 +48,8 @@ Result<vk::Buffer> function_buffer(vk::Device& device, const scene::Scene& scene
         functions.push_back(gpu_light_function(scene.light_functions[i]));
         if (pictures.layer_of[i] != scene::kNone) functions.back().picture = pictures.layer_of[i] + 1;
     }
-    if (functions.empty()) functions.emplace_back();  // there are no buffers of nothing
+    // Vulkan has no empty buffers, so a scene without functions gets one unused element.
+    if (functions.empty()) functions.emplace_back();
     const std::span<const std::byte> bytes = std::as_bytes(std::span(functions));
     Result<vk::Buffer> buffer = vk::Buffer::create(
         device, bytes.size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,

@@ -1,5 +1,5 @@
-// Purpose: the scene's light functions for set 0: a buffer of functions and an array of pictures; one unused
-// element of each if the scene has none.
+// Purpose: the scene's light functions for descriptor set 0: a buffer of functions and an array of pictures
+// (gobos). If the scene has none, each contains one unused element.
 #pragma once
 
 #include "vulkan/device/handle.h"
@@ -13,7 +13,7 @@ class GpuLightFunctions {
     [[nodiscard]] static Result<GpuLightFunctions> create(vk::Device& device, const scene::Scene& scene);
 
     [[nodiscard]] VkDescriptorBufferInfo functions() const { return {functions_.handle(), 0, VK_WHOLE_SIZE}; }
-    // Repeats in all directions.
+    // Returns the array of pictures with a sampler that repeats them in all directions.
     [[nodiscard]] VkDescriptorImageInfo pictures() const;
 
  private:

@@ -87,7 +87,8 @@ Status GpuMaterials::upload_textures(vk::Device& device, const scene::Scene& sce
 }
 
 Status GpuMaterials::upload_constants(vk::Device& device, const scene::Scene& scene) {
-    // 256 is the greatest minUniformBufferOffsetAlignment that Vulkan lets a device ask for.
+    // The constants of each material start at a multiple of 256 bytes. 256 is the largest
+    // minUniformBufferOffsetAlignment that Vulkan allows.
     constants_stride_bytes_ = (sizeof(shared::Material) + 255) / 256 * 256;
     std::vector<std::byte> bytes(std::max<size_t>(1, scene.materials.size()) * constants_stride_bytes_);
     for (size_t i = 0; i < scene.materials.size(); ++i) {

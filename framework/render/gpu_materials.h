@@ -1,5 +1,6 @@
-// Purpose: a scene's textures and materials in GPU memory, with one descriptor set (set 2) per material:
-// lavapipe has no descriptor indexing, and one set per material costs only microseconds.
+// Purpose: a scene's textures and materials in GPU memory, with one descriptor set (set 2) per material.
+// Descriptor indexing is not used, because lavapipe does not support it, and binding one set per material
+// costs only microseconds.
 #pragma once
 
 #include <map>
@@ -14,7 +15,8 @@ namespace weft::render {
 
 class GpuMaterials {
  public:
-    // `owned` is `scene` or null: as of GpuScene.
+    // `owned` is either null or `&scene`. If it is not null, each texture of the scene is freed after it is
+    // copied to the GPU.
     [[nodiscard]] static Result<GpuMaterials> create(vk::Device& device, const scene::Scene& scene,
                                                      scene::Scene* owned);
 
@@ -31,7 +33,8 @@ class GpuMaterials {
     VkDescriptorImageInfo image(vk::Device& device, const scene::TextureSlot& slot,
                                 const vk::Image& fallback);
 
-    DescriptorSets sets_;  // one per material
+    // One descriptor set for each material.
+    DescriptorSets sets_;
     std::vector<vk::Image> textures_;
     vk::Image white_;
     vk::Image flat_normal_;

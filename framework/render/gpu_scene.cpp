@@ -13,7 +13,7 @@
 namespace weft::render {
 namespace {
 
-// This list is drawn from back to front.
+// The name of the draw list that is drawn from back to front.
 constexpr std::string_view kSortedList = "transparent";
 
 constexpr uint32_t kCommandBytes = sizeof(VkDrawIndexedIndirectCommand);
@@ -26,7 +26,9 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     std::unique_ptr<GpuScene> gpu(new GpuScene);
     Result<GpuGeometry> geometry = GpuGeometry::create(device, scene);
     if (!geometry) return geometry.take_errors();
-    Result<GpuFrame> frame = GpuFrame::create(device, scene);  // reads textures that lights throw
+    // GpuFrame must be created before GpuMaterials, because it reads textures that lights project, and
+    // GpuMaterials may free textures.
+    Result<GpuFrame> frame = GpuFrame::create(device, scene);
     if (!frame) return frame.take_errors();
     Result<GpuMaterials> materials = GpuMaterials::create(device, scene, owned);
     if (!materials) return materials.take_errors();
@@ -39,7 +41,8 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     const std::array buffers{VkDescriptorBufferInfo{gpu->geometry_.instances.handle(), 0, VK_WHOLE_SIZE},
                              VkDescriptorBufferInfo{gpu->geometry_.colors.handle(), 0, VK_WHOLE_SIZE},
                              VkDescriptorBufferInfo{gpu->geometry_.second_uvs.handle(), 0, VK_WHOLE_SIZE}};
-    // One write goes on from binding to binding.
+    // One write fills bindings 0, 1 and 2: a Vulkan descriptor write continues in the next binding when a
+    // binding is full.
     write_buffers(device, gpu->instances_.sets[0], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffers);
     gpu->sort_draws(scene);
     if (Status uploaded = gpu->upload_commands(device); !uploaded) return uploaded.take_errors();
@@ -60,8 +63,8 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
                                         draw_variant(material, list), material.double_sided, mirrored,
                                         center});
     }
-    // Few state changes; stable, so that equal draws keep the scene's order and the picture is always the
-    // same.
+    // Draws are sorted by material for few state changes. The sort is stable, so equal draws keep the scene's
+    // order and the picture is always the same.
     for (auto& [name, draws] : lists_)
         std::stable_sort(draws.begin(), draws.end(),
                          [](const Draw& a, const Draw& b) { return a.material < b.material; });
@@ -90,7 +93,8 @@ Status GpuScene::upload_commands(vk::Device& device) {
         for (const Draw& draw : lists_[list])
             commands.push_back(
                 {draw.mesh.index_count, 1, draw.mesh.first_index, draw.mesh.vertex_offset, draw.instance});
-        if (commands.empty()) commands.emplace_back();  // there are no buffers of nothing
+        // Vulkan has no empty buffers, so an empty list gets one unused command.
+        if (commands.empty()) commands.emplace_back();
         const std::span<const std::byte> bytes = std::as_bytes(std::span(commands));
         Result<vk::Buffer> buffer =
             vk::Buffer::create(device, bytes.size(),
@@ -156,8 +160,9 @@ void GpuScene::record(const vk::DrawContext& context) const {
     }
 }
 
-// How many draws from the i-th on are one mesh in instances that follow each other: one command draws them,
-// in the same order. Indirect draws have a command each.
+// Returns how many draws, from the i-th on, have the same mesh and state, and instances with consecutive
+// indices. One instanced command draws all of them in the same order. Each indirect draw has its own command,
+// so there the result is 1.
 uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
                                uint32_t i) const {
     if (context.draw_commands != VK_NULL_HANDLE) return 1;
@@ -173,7 +178,7 @@ uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector
     return count;
 }
 
-// Says what differs from the draw before.
+// Records only the state that differs from the previous draw.
 void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const {
     const vk::DeviceFunctions& fn = *context.fn;
     if (context.uses_materials && draw.material != state.material) {

@@ -1,6 +1,7 @@
-// Purpose: a scene on the GPU in the form that graphs use: the lists opaque, masked and anisotropic, sorted
-// by material, and transparent, sorted by distance in every frame; a buffer of draw commands for each, and
-// the sets 0 (frame), 2 (material) and 3 (draw) that shaders/include/*_set.glsl declare.
+// Purpose: a scene on the GPU in the form that graphs use. It has the draw lists opaque, masked and
+// anisotropic, sorted by material, and transparent, sorted by distance in every frame. Each list also has a
+// buffer of draw commands. Descriptor sets: 0 (frame), 2 (material) and 3 (draw), which
+// shaders/include/*_set.glsl declare.
 #pragma once
 
 #include <map>
@@ -18,13 +19,14 @@ namespace weft::render {
 
 class GpuScene final : public vk::DrawSource {
  public:
-    // `owned` is `scene` or null. Each texture in it is freed after it was copied to the GPU.
+    // `owned` is either null or `&scene`. If it is not null, each texture of the scene is freed after it is
+    // copied to the GPU.
     [[nodiscard]] static Result<std::unique_ptr<GpuScene>> create(vk::Device& device,
                                                                   const scene::Scene& scene,
                                                                   scene::Scene* owned = nullptr);
 
-    // Fills the slot's constants and sorts transparent surfaces; call it between Executor::begin_frame() and
-    // run().
+    // Writes the constants of a frame slot, and sorts the transparent surfaces by distance. Call it between
+    // Executor::begin_frame() and run().
     void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
                    const SunCascades& sun);
 
@@ -32,7 +34,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
     void record(const vk::DrawContext& context) const override;
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
-    // The buffer for the import commands_of(list), for any list of import_catalog.h.
+    // Returns the buffer of draw commands of a list of import_catalog.h. Graphs import it under the name
+    // commands_of(list).
     [[nodiscard]] VkBuffer commands(std::string_view list) const;
 
  private:
@@ -40,12 +43,15 @@ class GpuScene final : public vk::DrawSource {
         MeshRange mesh;
         uint32_t instance = 0;
         uint32_t material = 0;
-        uint32_t variant = 0;  // of its list
+        // Index of the pipeline variant in the variants of its draw list.
+        uint32_t variant = 0;
         bool double_sided = false;
-        bool mirrored = false;  // negative determinant: the winding is swapped
-        glm::vec3 center{0};    // of its bounds, in world space
+        // True if the transform has a negative determinant, so that the winding of triangles is reversed.
+        bool mirrored = false;
+        // Centre of the bounds in world space.
+        glm::vec3 center{0};
     };
-    // The state that was last set in a command buffer.
+    // The state that the previous draws in a command buffer have set.
     struct DrawState {
         uint32_t material = scene::kNone;
         std::optional<bool> mirrored, double_sided;
@@ -53,7 +59,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] uint32_t count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
                                        uint32_t i) const;
     void set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const;
-    // The index in its list of the i-th draw.
+    // Returns the index of the i-th draw in its list. Only the transparent list is drawn in another order
+    // than it is stored.
     [[nodiscard]] uint32_t place_of(std::string_view list, uint32_t i) const;
 
     GpuScene() = default;
@@ -63,10 +70,13 @@ class GpuScene final : public vk::DrawSource {
     GpuGeometry geometry_;
     GpuMaterials materials_;
     GpuFrame frame_;
-    DescriptorSets instances_;  // one set
+    // One descriptor set (set 3) with the instances and the optional vertex streams of all meshes.
+    DescriptorSets instances_;
     std::map<std::string, std::vector<Draw>, std::less<>> lists_;
-    std::vector<uint32_t> far_to_near_;                        // the transparent list, sorted for the camera
-    std::map<std::string, vk::Buffer, std::less<>> commands_;  // index: list
+    // Indices into the transparent list, sorted from far to near as seen from the camera.
+    std::vector<uint32_t> far_to_near_;
+    // The buffer of draw commands of each draw list, by the name of the list.
+    std::map<std::string, vk::Buffer, std::less<>> commands_;
 };
 
 }  // namespace weft::render

@@ -1,5 +1,6 @@
-// Purpose: loads graphs repeatedly for one device and scene: parts that did not change since the last load
-// are not compiled again. load() is for one thread at a time; the other functions are for any thread.
+// Purpose: loads graphs repeatedly for one device and scene. Shaders that did not change since the last load
+// are not compiled again. load() may run on only one thread at a time; the other functions may run on any
+// thread.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,8 @@ namespace weft::render {
 
 class GraphLoader {
  public:
-    // `profile` must outlive the loader. `imports` are those of the scene, at any size.
+    // `profile` must outlive the loader. `imports` are the imports of the scene. Their output size does not
+    // matter, because imports_at() replaces it.
     GraphLoader(const DeviceProfile& profile, LoadSettings settings, PassCatalog passes,
                 ImportCatalog imports)
         : profile_(profile),
@@ -20,7 +22,8 @@ class GraphLoader {
           passes_(std::move(passes)),
           imports_(std::move(imports)) {}
 
-    // Parses the graph file, unless `parsed` has its content. `files` receives the files that were searched.
+    // Loads the graph of `request`. Parses the graph file, unless `parsed` contains the result already. Adds
+    // to `files` the files that were searched.
     [[nodiscard]] Result<LoadedGraph> load(const GraphRequest& request, const ParsedGraph* parsed,
                                            Diagnostics& warnings, std::set<std::filesystem::path>& files);
     [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const GraphRequest& request,
@@ -28,7 +31,7 @@ class GraphLoader {
 
     [[nodiscard]] const LoadSettings& settings() const { return settings_; }
     [[nodiscard]] const PassCatalog& passes() const { return passes_; }
-    // The scene's imports with an output of this size.
+    // Returns the scene's imports with an output of this size.
     [[nodiscard]] ImportCatalog imports_at(Extent3D size) const;
 
  private:

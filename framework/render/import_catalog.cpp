@@ -10,7 +10,8 @@
 namespace weft::render {
 namespace {
 
-// One stream for what every pass reads, one for what only shading needs.
+// Vertices have two streams: stream 0 has the position, which every pass reads; stream 1 has the attributes
+// that only shading needs.
 VertexFormat canonical_vertex_format() {
     return {{16, 24},
             {{"position", Format::rgba32f, 0, 0},
@@ -49,7 +50,8 @@ ImportDecl draw_commands(const ImportDecl& list) {
     buffer.stride_bytes = sizeof(shared::DrawCommand);
     buffer.size_bytes = uint64_t{std::max(1u, list.draws)} * sizeof(shared::DrawCommand);
     buffer.usage = usage::kStorage | usage::kTransferSrc | usage::kTransferDst | usage::kIndirect;
-    // Nobody but graphs touches it. One that writes it shall find its writes done in the next frame.
+    // The state of the buffer between frames. Only graphs access the buffer. If a graph writes it, the writes
+    // have finished before the next frame reads it, because of this transfer read.
     const AccessState between{stage::kCopy, access::kTransferRead, Layout::undefined};
     buffer.import = ImportState{between, between, 0};
     return import;
@@ -63,7 +65,7 @@ uint32_t count_draws(const scene::Scene* scene, std::string_view list) {
         }));
 }
 
-// Those that shine.
+// Counts the directional lights that have an intensity.
 uint32_t count_directional_lights(const scene::Scene* scene) {
     if (scene == nullptr) return 1;
     return static_cast<uint32_t>(std::ranges::count_if(scene->lights, [](const scene::Light& light) {
@@ -71,7 +73,7 @@ uint32_t count_directional_lights(const scene::Scene* scene) {
     }));
 }
 
-// One that shows anything.
+// True if the scene has an environment map with a scale above 0.
 bool has_environment_picture(const scene::Scene* scene) {
     return scene == nullptr || (!scene->environment.mips.empty() && scene->environment.scale > 0);
 }
@@ -88,8 +90,8 @@ ImportDecl output(Extent3D extent) {
     image.extent = extent;
     image.usage = usage::kColorAttachment | usage::kStorage | usage::kSampled | usage::kTransferSrc |
                   usage::kTransferDst;
-    // Between frames somebody copies or blits it: that must be over before the next frame writes, and its
-    // content is of no interest to that frame.
+    // Between frames, the program may copy or blit the image. This must finish before the next frame writes
+    // the image. The next frame does not need the old content, so its entry layout is undefined.
     const AccessState copied{stage::kCopy | stage::kBlit, access::kTransferRead, Layout::transfer_src};
     image.import = ImportState{{copied.stages, copied.access, Layout::undefined}, copied, 0};
     return import;

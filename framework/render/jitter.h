@@ -1,4 +1,4 @@
-// Purpose: the camera's sample position inside the pixels of each frame, for graphs that average frames.
+// Purpose: the sub-pixel offset of the camera in each frame (jitter), for graphs that average several frames.
 // Units: pixels, x to the right and y down. Source: Halton 1964, "Algorithm 247: Radical-inverse quasi-random
 // point sequence"; Karis 2014, "High-Quality Temporal Supersampling".
 #pragma once
@@ -8,11 +8,13 @@
 
 namespace weft::render {
 
-// Mirrors the digits of `index` in `base` at the radix point: in [0, 1).
+// Writes `index` in base `base` and mirrors its digits at the radix point: 6 = 110 in base 2 becomes 0.011 =
+// 0.375. The result is in [0, 1).
 [[nodiscard]] double radical_inverse(uint32_t index, uint32_t base);
 
-// The sample offset of this frame from the pixel's centre. The points 1 … `length` of Halton's sequence in
-// bases 2 and 3 are used in turn, moved so that their mean is the centre. (0, 0) for lengths 0 and 1.
+// Returns the offset of this frame's sample from the pixel's centre. The offsets are points 1 to `length` of
+// Halton's sequence in bases 2 and 3, repeated every `length` frames and moved so that their mean is the
+// centre. Lengths 0 and 1 give (0, 0).
 [[nodiscard]] glm::vec2 jitter_px(uint64_t frame, uint32_t length);
 
 }  // namespace weft::render

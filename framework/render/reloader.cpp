@@ -44,13 +44,15 @@ Reloader::~Reloader() {
     thread_.join();
 }
 
-// A file that is read before its folder is watched may change in between, so the files are read again.
-// Results that are still valid are reused.
+// Prepares a swap, and watches the files that the load has read. A file that is read before its folder is
+// watched may change in between. So the files are read again after new folders are watched; results that are
+// still valid are reused.
 PrepareResult Reloader::prepare_and_watch(const Selection& selection) {
     constexpr int kMostRounds = 4;
     PrepareResult made = session_.prepare(selection);
     for (int round = 0; round < kMostRounds; ++round) {
-        // After an error the load may not have come to all that the good one read.
+        // After an error, the load may have stopped before it reached all files. So the files of the last
+        // successful load are watched too.
         std::set<std::filesystem::path> files = made.files;
         if (made.result)
             good_files_ = made.files;
@@ -82,7 +84,9 @@ void Reloader::run() {
         const bool worth_telling =
             !first || !made.result || !made.result->rebuilt().nothing() || !watch_->unwatched().empty();
         first = false;
-        std::optional<Ready> stale;  // destroyed behind the lock
+        // Declared outside the lock's scope, so that the replaced result is destroyed after the lock is
+        // released.
+        std::optional<Ready> stale;
         {
             const std::lock_guard lock(mutex_);
             if (stop_) return;
@@ -96,7 +100,7 @@ void Reloader::run() {
     }
 }
 
-// False: it is over.
+// Waits until files changed or a selection was made. Returns false if the thread must end.
 bool Reloader::wait_for_work() {
     for (;;) {
         const bool changed = watch_->wait();
@@ -145,7 +149,7 @@ void Reloader::select(const Selection& selection) {
 void Reloader::ask_again() {
     {
         const std::lock_guard lock(mutex_);
-        // A resize in between keeps its size.
+        // If the session was resized in between, the new size is used.
         selection_.request.size = session_.selection().request.size;
         selection_.output = session_.selection().output;
         asked_ = true;

@@ -7,7 +7,7 @@
 namespace weft::render {
 namespace {
 
-// Whether the programs have the same descriptors and Params blocks.
+// True if both have the same shader programs with the same descriptor bindings and Params blocks.
 bool same_bindings(const StageFingerprint& a, const StageFingerprint& b) {
     return std::ranges::equal(a.programs, b.programs, [](const auto& left, const auto& right) {
         return left.first == right.first && left.second.bindings == right.second.bindings &&

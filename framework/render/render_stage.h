@@ -1,5 +1,5 @@
-// Purpose: the objects of one graph at one size, and a fingerprint of them, which determines the objects that
-// a new plan can use again.
+// Purpose: the objects that render one graph at one size, and a fingerprint of them. Comparing fingerprints
+// shows which objects a new plan can use again.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace weft::render {
 
-// Debug builds check every plan.
+// Debug builds check every plan before it runs.
 #ifdef NDEBUG
 inline constexpr bool kAlwaysCheck = false;
 #else
@@ -25,7 +25,8 @@ inline constexpr bool kAlwaysCheck = true;
 
 struct RenderStage {
     vk::Image output;
-    std::unique_ptr<vk::Executor> executor;  // last: destroyed first
+    // Declared last, so that the executor is destroyed before the image that it writes.
+    std::unique_ptr<vk::Executor> executor;
 };
 
 struct StageFingerprint {
@@ -35,13 +36,17 @@ struct StageFingerprint {
         std::optional<ParamsBlock> params;
     };
     std::string plan_hash, structure_hash;
-    std::map<std::string, Program, std::less<>> programs;  // by reference
+    // The shader programs of the graph, by the reference that the graph uses for them.
+    std::map<std::string, Program, std::less<>> programs;
     VkImage output = VK_NULL_HANDLE;
-    uint64_t generation = 0;  // of the running graph: each swap adds one
+    // Number of swaps that the running graph had when this stage was put in place, so that a swap that was
+    // prepared for an older stage is noticed. 0: no stage runs yet.
+    uint64_t generation = 0;
 };
 [[nodiscard]] StageFingerprint take_fingerprint(const FramePlan& plan, const ShaderCatalog& shaders,
                                                 VkImage output);
-// True if a stage with fingerprint `from` can run the plan of `to` with other values and pipelines.
+// True if the stage with fingerprint `from` can run the plan of `to` with only its values and pipelines
+// replaced.
 [[nodiscard]] bool can_amend(const StageFingerprint& from, const StageFingerprint& to);
 [[nodiscard]] uint32_t count_changed_programs(const StageFingerprint& from, const StageFingerprint& to);
 

@@ -1,5 +1,5 @@
-// Purpose: the graph that a session renders, and the preparation of the next one. prepare() may run on any
-// thread; all other functions are for the thread that submits.
+// Purpose: the graph that a session renders, and the preparation of the graph that replaces it. prepare() may
+// run on any thread; all other functions must run on the thread that submits.
 #pragma once
 
 #include <filesystem>
@@ -14,27 +14,27 @@ namespace weft::render {
 
 class RunningGraph {
  public:
-    // `device` must outlive it. Call start() before all other functions except load_first().
+    // `device` must outlive the RunningGraph. Call load_first() and then start() before all other functions.
     RunningGraph(const vk::Device& device, const SessionInput& input, ImportCatalog imports);
 
-    // Loads the first graph, before the scene is uploaded, because the graph may have faults. As
-    // Session::create().
+    // Loads the first graph. Call it before the scene is uploaded, so that errors in the graph are found
+    // before slow work. `parsed` is the parsed graph, or null: the function parses it.
     [[nodiscard]] Status load_first(const ParsedGraph* parsed, Diagnostics& warnings);
     // Makes the objects of the first graph.
     [[nodiscard]] Result<PendingSwap> start(vk::Device& device, const GpuScene& scene,
                                             const StageSettings& settings);
 
-    // As the function of Session.
+    // Prepares a swap to the selected graph, as Session::prepare() describes.
     [[nodiscard]] PrepareResult prepare(const Selection& selection);
     [[nodiscard]] Result<PendingSwap> prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings);
     // True if the swap was prepared for the graph that runs now.
     [[nodiscard]] bool is_next(const SwapParts& next) const;
-    // From now on `next` runs.
+    // Makes `next` the running graph: takes over its selection, graph and fingerprint.
     void adopt(SwapParts& next);
 
     [[nodiscard]] const Selection& selection() const { return selection_; }
     [[nodiscard]] const LoadedGraph& loaded() const { return loaded_; }
-    // The files that load_first() searched.
+    // Returns the files that load_first() searched.
     [[nodiscard]] const std::set<std::filesystem::path>& first_files() const { return first_files_; }
     [[nodiscard]] bool checks_plans() const { return maker_->checks_plans(); }
     [[nodiscard]] uint64_t pipelines_made_between_frames() const {
@@ -44,7 +44,8 @@ class RunningGraph {
  private:
     [[nodiscard]] StageFingerprint running() const;
 
-    std::mutex preparing_;  // one load at a time
+    // Ensures that only one prepare() runs at a time.
+    std::mutex preparing_;
     GraphLoader loader_;
     std::unique_ptr<StageMaker> maker_;
     std::set<std::filesystem::path> first_files_;

@@ -27,20 +27,20 @@ constexpr OfferedBinding image(uint32_t set, uint32_t binding, ShaderStageMask s
 constexpr std::array kBindings{
     block(0, 0, kAll, sizeof(shared::FrameConstants)),
     block(0, 1, kAll, sizeof(shared::ViewConstants)),
-    image(0, 2, kAll),  // the environment
+    image(0, 2, kAll),  // texture of the environment map
     block(0, 3, kAll, sizeof(shared::SunConstants)),
-    buffer(0, 4, kAll),       // light functions
-    image(0, 5, kAll, true),  // light pictures
+    buffer(0, 4, kAll),       // array of all light functions
+    image(0, 5, kAll, true),  // array texture of the pictures that lights project
     block(2, 0, kDraws, sizeof(shared::Material)),
-    image(2, 1, kDraws),  // base colour, and the other textures of a material
+    image(2, 1, kDraws),  // texture of the base colour; bindings 2 to 6 are the material's other textures
     image(2, 2, kDraws),
     image(2, 3, kDraws),
     image(2, 4, kDraws),
     image(2, 5, kDraws),
     image(2, 6, kDraws),
-    buffer(3, 0, kVertex),  // instances
-    buffer(3, 1, kVertex),  // vertex colours
-    buffer(3, 2, kVertex),  // second uvs
+    buffer(3, 0, kVertex),  // transforms and offsets of all instances
+    buffer(3, 1, kVertex),  // vertex colours of all meshes
+    buffer(3, 2, kVertex),  // second uvs of all meshes
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Purpose: the contents of descriptor sets 0, 2 and 3 while a scene is drawn: one table for creating the
-// layouts and for checking shaders. See shaders/include/frame_set.glsl, material_set.glsl and
-// surface_vertex.glsl.
+// Purpose: the contents of descriptor sets 0 (frame), 2 (material) and 3 (draw) while a scene is drawn. One
+// table serves both for creating the layouts and for checking shaders. The shaders' side:
+// shaders/include/frame_set.glsl, material_set.glsl and surface_vertex.glsl.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Purpose: the parts of a Session, which only connects them.
+// Purpose: the parts of a Session. A Session only connects them.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@ namespace weft::render {
 struct SessionParts {
     DrawnScene scene;
     std::unique_ptr<RunningGraph> graph;
-    FrameLoop frames;  // last: destroyed first
+    // Declared last, so that it is destroyed first: frames in flight use the scene.
+    FrameLoop frames;
 };
 
 }  // namespace weft::render

@@ -15,7 +15,8 @@ uint32_t position_of(const FramePlan& plan, const std::string& pass) {
     return kNoId;
 }
 
-// The limits and the memory of the device that the plan exceeds.
+// Returns an error for each limit of the settings that the plan exceeds, and for memory that exceeds the
+// memory of the device.
 Diagnostics find_excess(const vk::Device& device, const FramePlan& plan, const GraphLimits& limits,
                         const std::string& path) {
     Diagnostics faults = budget_faults(plan, limits, path);
@@ -27,7 +28,8 @@ Diagnostics find_excess(const vk::Device& device, const FramePlan& plan, const G
     return faults;
 }
 
-// Indirect draws name their instance by firstInstance, which is an optional feature of devices.
+// Returns an error for each pass that draws indirectly, if the device lacks drawIndirectFirstInstance.
+// Indirect draws need this feature, because firstInstance selects the object.
 Diagnostics find_missing_features(const vk::Device& device, const FramePlan& plan) {
     Diagnostics missing;
     if (device.optional().draw_indirect_first_instance) return missing;

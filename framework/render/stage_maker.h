@@ -1,5 +1,6 @@
-// Purpose: makes a swap from a resolved graph: compiles and checks its plan and makes the objects that the
-// running stage lacks. make() may run on any thread while frames are rendered, and submits nothing.
+// Purpose: makes a swap (the replacement of the running graph) from a resolved graph: compiles and checks its
+// plan, and makes the objects that the running stage lacks. make() may run on any thread while frames are
+// rendered; it submits nothing.
 #pragma once
 
 #include <atomic>
@@ -30,17 +31,20 @@ struct StageSettings {
 
 class StageMaker {
  public:
-    // All arguments must outlive it. It counts the pipelines that the calling thread makes.
+    // All arguments must outlive the StageMaker. The thread that calls this constructor is the drawing
+    // thread: pipelines_made_between_frames() counts the pipelines made on it.
     StageMaker(vk::Device& device, const GpuScene& scene, const GraphLoader& loader, StageSettings settings)
         : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)) {}
 
-    // `running` is the fingerprint of the stage that the swap replaces; generation 0 means none.
+    // `running` is the fingerprint of the stage that the swap replaces. Its generation is 0 if no stage runs
+    // yet.
     [[nodiscard]] Result<std::unique_ptr<SwapParts>> make(const Selection& selection,
                                                           const ShaderCatalog& shaders,
                                                           const ResolvedGraph& graph,
                                                           const StageFingerprint& running);
     [[nodiscard]] bool checks_plans() const { return settings_.check_plan; }
-    // The number of pipelines made on the constructor's thread to replace a running stage.
+    // Returns the number of pipelines that were made on the constructor's thread in order to replace a
+    // running stage. Such pipelines delay a frame.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const { return made_between_frames_; }
 
  private:

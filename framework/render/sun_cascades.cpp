@@ -9,13 +9,16 @@ namespace {
 
 static_assert(sizeof(shared::SunCascade) == 80 && sizeof(shared::SunConstants) == 336);
 
-// Of equal ratios; the rest of equal steps. Zhang et al. take a half; rooms and courts are seen nearer by.
+// Weight of the split into equal ratios; the split into equal steps has the rest. Zhang et al. use 0.5. Here
+// it is larger, because rooms and courtyards are seen from close by.
 constexpr double kRatioShare = 0.6;
-// Shadows end here, where the scene does not end before.
+// Maximum distance from the eye at which shadows are drawn, if the scene is larger than this.
 constexpr double kMostReach_m = 250;
-// Beyond the sphere: what the filter and the offset along the normal reach, and half a texel of snapping.
+// Width of the border around the sphere in texels: the radius of the filter, the offset along the normal, and
+// half a texel for snapping to whole texels.
 constexpr double kBorderTexels = 6;
-// Beyond the scene's bounds, of their depth: rounding must not cut off what lies on them.
+// Margin beyond the scene's bounds, relative to their depth, so that rounding does not cut off objects on the
+// bounds.
 constexpr double kDepthMargin = 0.01;
 
 struct Axes {
@@ -39,8 +42,9 @@ Sphere sphere_of(const scene::Bounds& bounds) {
     return {(least + most) * 0.5, glm::length(most - least) * 0.5};
 }
 
-// The least sphere around what lies between two distances from the eye within the frustum: by symmetry it is
-// on the axis, and touches the corners of both ends, or those of the far end alone.
+// Returns the smallest sphere around the part of the camera's frustum between two distances from the eye. By
+// symmetry the centre is on the view axis. The sphere touches the corners of both ends, or only the corners
+// of the far end.
 Sphere sphere_of_part(const scene::Camera& camera, double aspect, double from_m, double to_m) {
     const double tan_y = std::tan(double{camera.fov_y_rad} * 0.5);
     const double cos_corner = 1 / std::sqrt(1 + tan_y * tan_y * (1 + aspect * aspect));
@@ -50,7 +54,7 @@ Sphere sphere_of_part(const scene::Camera& camera, double aspect, double from_m,
     return {glm::dvec3(world[3]) - glm::dvec3(world[2]) * along, std::sqrt(radius2)};
 }
 
-// Depths along the light that hold all of the scene.
+// The range of depths along the light that contains the whole scene.
 struct DepthRange {
     double farthest = 0, nearest = 0;
 };
@@ -68,15 +72,15 @@ DepthRange depth_range(const scene::Bounds& bounds, const glm::dvec3& to_sun) {
     return {range.farthest - margin, range.nearest + margin};
 }
 
-// Sets one row of a matrix that multiplies (x, y, z, 1).
+// Sets one row of a matrix, so that the row computes dot(factors, position) + offset.
 void set_row(glm::mat4& matrix, int row, const glm::vec3& factors, double offset) {
     for (int column = 0; column < 3; ++column) matrix[column][row] = factors[column];
     matrix[3][row] = static_cast<float>(offset);
 }
 
-// One cascade's map. Its axes are rounded to single precision first, the same in every frame; its origin is a
-// whole number of texels, which single precision holds exactly. So two frames' maps differ by whole texels,
-// exactly.
+// The matrices of one cascade. The axes are rounded to float first and are the same in every frame. The
+// origin is a whole number of texels, which a float represents exactly. So the maps of two frames differ by
+// exactly whole texels.
 struct MapMatrices {
     glm::mat4 to_map{0}, to_clip{0};
     glm::dvec2 origin_texels{0};
@@ -102,7 +106,8 @@ MapMatrices matrices_of(const Sphere& sphere, double texel_m, uint32_t size_px, 
     return matrices;
 }
 
-// Parallel: depth is linear, and the eye is where the map's middle meets the scene's edge towards the sun.
+// Returns the view constants of a shadow map. The projection is parallel, so depth is linear. The eye is
+// above the centre of the map, where the scene's bounds end towards the sun.
 shared::ViewConstants view_of(const SunCascade& cascade, const MapMatrices& matrices, uint32_t size_px,
                               const Axes& axes, const DepthRange& depth) {
     shared::ViewConstants view{};
@@ -124,8 +129,9 @@ shared::ViewConstants view_of(const SunCascade& cascade, const MapMatrices& matr
     return view;
 }
 
-// The bounds of each cascade: a slice of the camera's view, or the scene if that is smaller. The last cascade
-// contains the whole scene; if the scene is larger than the shadow range, it ends at the shadow range.
+// The sphere that each cascade must cover: its part of the camera's view, or the scene if that is smaller.
+// The last cascade contains the whole scene, unless the scene is larger than the maximum shadow distance;
+// then the cascade ends there.
 class Parts {
  public:
     Parts(const scene::Camera& camera, double aspect, const scene::Bounds& bounds, uint32_t count)
@@ -156,12 +162,12 @@ class Parts {
     std::array<double, shared::kMostSunCascades> ends_m_{};
 };
 
-// Single precision's own infinity is no number for shaders.
+// Limits a number to 1e30, because shaders need not support a float infinity.
 float finite(double x) {
     return static_cast<float>(std::min(x, 1e30));
 }
 
-// The number of "sun(2)"; kNoId: another view.
+// Returns the index i of the view "sun(i)", or kNoId if `view` is another view.
 uint32_t cascade_of(const std::string& view) {
     for (uint32_t i = 0; i < shared::kMostSunCascades; ++i)
         if (view == sun_view_name(i)) return i;

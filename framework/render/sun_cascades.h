@@ -1,10 +1,11 @@
-// Purpose: computes the shadow maps of the sun, which is the first directional light of a scene: a few nested
-// parts of the camera's view, each seen from the sun in parallel projection. Pure functions in double
-// precision. A part lies between two distances from the eye and is bounded by a sphere. Its size does not
-// change when the camera rotates, and its map moves by whole texels only, so static shadows do not flicker.
-// Every map covers the whole scene in the direction of the sun, so no shadow caster is missed. Units: metres,
-// texels. Source: Zhang et al. 2006, "Parallel-Split Shadow Maps for Large-Scale Virtual Environments" (the
-// splits); Valient 2007, "Stable Rendering of Cascaded Shadow Maps", ShaderX6 (spheres, whole texels).
+// Purpose: computes the shadow maps of the sun, which is the first directional light of a scene. Each map
+// (cascade) covers the camera's view between two distances from the eye, and is seen from the sun in parallel
+// projection. A map covers a sphere around its part of the view. So its size does not change when the camera
+// rotates, and it moves by whole texels only: static shadows do not flicker. In the direction of the sun,
+// every map covers the whole scene, so no shadow caster is missed. Pure functions in double precision. Units:
+// metres, texels. Source: Zhang et al. 2006, "Parallel-Split Shadow Maps for Large-Scale Virtual
+// Environments" (the splits); Valient 2007, "Stable Rendering of Cascaded Shadow Maps", ShaderX6 (spheres,
+// whole texels).
 #pragma once
 
 #include <array>
@@ -17,34 +18,39 @@
 
 namespace weft::render {
 
-// The sun's views that a graph uses, and the side of their maps in texels.
+// The number of sun views that a graph draws, and the side of each shadow map in texels.
 struct SunMaps {
     uint32_t count = 0;
     std::array<uint32_t, shared::kMostSunCascades> size_px{};
 };
-// Such as "sun(2)".
+// Returns the name of the view for a cascade, such as "sun(2)".
 [[nodiscard]] std::string sun_view_name(uint32_t cascade);
-// If several passes draw a view at different sizes, the largest size is used.
+// Returns the sun views that the passes of a plan draw. If several passes draw a view at different sizes, the
+// largest size is used.
 [[nodiscard]] SunMaps sun_maps_of(const FramePlan& plan);
 
 struct SunScene {
-    glm::vec3 to_sun{0, 1, 0};  // unit length
-    scene::Bounds bounds;       // bounds of all shadow casters and receivers
+    // Unit vector from the scene towards the sun.
+    glm::vec3 to_sun{0, 1, 0};
+    // Bounds of all objects that cast or receive shadows.
+    scene::Bounds bounds;
 };
 
-// A shadow map: a square of `size_px` texels, projected along the light, and the sphere that it must cover.
+// One shadow map: a square of texels in parallel projection along the light, and the sphere that the map must
+// cover.
 struct SunCascade {
     glm::dvec3 center{0};
     double radius_m = 0;
-    double end_m = 0;  // end of its distance range from the eye; infinite for the last map if it covers the
-                       // whole scene
+    // The map is used up to this distance from the eye, in metres. Infinite for the last map if it covers the
+    // whole scene.
+    double end_m = 0;
     double texel_m = 0;
-    glm::dvec2 origin_texels{0};  // the map's upper left corner on the plane perpendicular to the light, in
-                                  // whole texels
+    // Position of the map's upper left corner on the plane perpendicular to the light, in whole texels.
+    glm::dvec2 origin_texels{0};
 };
 
-// The ends of `count` parts of the range from near to far; a mean of equal ratios and equal steps. The last
-// end is `far_m`.
+// Splits the range from near_m to far_m into `count` parts and returns their ends, in metres. The ends are a
+// weighted mean of a split into equal ratios and a split into equal steps. The last end is `far_m`.
 [[nodiscard]] std::array<double, shared::kMostSunCascades> split_distances(double near_m, double far_m,
                                                                            uint32_t count);
 
@@ -52,10 +58,10 @@ struct SunCascades {
     uint32_t count = 0;
     std::array<SunCascade, shared::kMostSunCascades> cascades;
     shared::SunConstants constants{};
-    // view constants for passes with the view "sun(i)"
+    // View constants for passes with the view "sun(i)", by i.
     std::array<shared::ViewConstants, shared::kMostSunCascades> views{};
 };
-// `aspect` is width / height of the picture.
+// Computes all shadow maps of the sun for one camera. `aspect` is width / height of the picture.
 [[nodiscard]] SunCascades sun_cascades(const scene::Camera& camera, float aspect, const SunScene& scene,
                                        const SunMaps& maps);
 

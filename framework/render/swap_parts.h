@@ -1,5 +1,5 @@
-// Purpose: the contents of a PendingSwap: a whole stage, or only values and pipelines if the plan has the
-// same structure, or neither.
+// Purpose: the contents of a PendingSwap. It has a whole stage, or only new values and pipelines if the new
+// plan has the same structure as the running one, or neither if nothing changed.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,13 @@ namespace weft::render {
 struct SwapParts {
     Selection selection;
     Rebuilt rebuilt;
-    uint64_t follows = 0;  // StageFingerprint::generation of the stage that this replaces
+    // StageFingerprint::generation of the stage that this swap replaces.
+    uint64_t follows = 0;
     StageFingerprint fingerprint;
-    std::optional<LoadedGraph> loaded;      // absent: the session keeps its own
-    std::optional<ResolvedGraph> resolved;  // for the graph that the session keeps, at the new size
+    // The newly loaded graph; absent if the session keeps its loaded graph.
+    std::optional<LoadedGraph> loaded;
+    // The session's loaded graph, resolved for a new size; absent if the size does not change.
+    std::optional<ResolvedGraph> resolved;
     std::optional<RenderStage> stage;
     std::unique_ptr<vk::Amendment> amendment;
 };

@@ -19,7 +19,8 @@ T load(const std::byte* bytes) {
     return value;
 }
 
-// How one channel is stored; formats that pack channels into a word are decoded on their own.
+// How one channel of a texel is stored. Formats that pack several channels into one word are decoded by
+// packed_texel() instead.
 enum class Channel : uint8_t { unorm, snorm, whole, half, single };
 
 template <class Unsigned, class Signed>
@@ -50,7 +51,8 @@ Channel channel_of(const FormatInfo& info) {
     return name.ends_with("16f") ? Channel::half : Channel::unorm;
 }
 
-// Unsigned floats without a sign: 5 bits of exponent and `mantissa_bits` of mantissa.
+// Decodes a float without a sign bit: 5 bits of exponent and `mantissa_bits` bits of mantissa, as in
+// b10g11r11f.
 float small_float(uint32_t bits, uint32_t mantissa_bits) {
     const uint32_t exponent = bits >> mantissa_bits;
     const float mantissa =
@@ -70,7 +72,8 @@ glm::vec4 packed_texel(Format format, uint32_t word) {
         case Format::rgb9e5:
             return {glm::unpackF3x9_E1x5(word), 1};
         default:
-            return {static_cast<float>(word & 0xFFFFFF) / 16777215.0f, 0, 0, 1};  // d24_s8
+            // The format is d24_s8: 24 bits of depth as unorm; the stencil bits are ignored.
+            return {static_cast<float>(word & 0xFFFFFF) / 16777215.0f, 0, 0, 1};
     }
 }
 

@@ -20,7 +20,7 @@ std::set<std::string> drawn_lists(const FramePlan& plan) {
     return lists;
 }
 
-// "glass", "water" and 3 more
+// Returns the names of materials as text, such as "glass", "water", "leaves", "ice" and 3 more.
 std::string names_of(const std::set<uint32_t>& materials, const scene::Scene& scene) {
     std::string names;
     size_t named = 0;

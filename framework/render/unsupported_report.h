@@ -7,8 +7,9 @@
 
 namespace weft::render {
 
-// S155, once: the scene has transparent objects and the plan draws surfaces, but no transparent ones. S157: a
-// buffer is too small for all lights with an intensity.
+// Returns warnings about the parts of the scene that the plan does not draw. S155 (at most once): the scene
+// has transparent objects and the plan draws surfaces, but no transparent ones. S157: the plan's light buffer
+// is too small for all lights that have an intensity.
 [[nodiscard]] Diagnostics report_unsupported(const FramePlan& plan, const scene::Scene& scene);
 
 }  // namespace weft::render
