@@ -41,8 +41,7 @@ struct Shapes {
 [[nodiscard]] Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter& reporter);
 
 // Returns the index of a resource by its name, or kNoId if there is no such resource.
-[[nodiscard]] ResourceId resource_id(const std::vector<ResourceDecl>& resources,
-                                     std::string_view name);
+[[nodiscard]] ResourceId resource_id(const std::vector<ResourceDecl>& resources, std::string_view name);
 // Returns the names of all resources, without entries for earlier frames such as "color[-1]".
 [[nodiscard]] std::vector<std::string> resource_names(const std::vector<ResourceDecl>& resources);
 

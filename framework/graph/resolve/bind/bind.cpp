@@ -10,7 +10,8 @@
 namespace weft {
 namespace {
 
-// A port may be optional only where the shader has a switch for its absence.
+// Checks that each optional port has a boolean specialisation constant HAS_<port> in the shader. Without this
+// constant the shader cannot know that the port is absent.
 void check_optional_ports(PassBinding& pass) {
     const PassDraft& draft = pass.draft;
     for (const PortDesc& port : draft.desc->in) {

@@ -1,5 +1,6 @@
-// Specialisation constants by name: HAS_x tells whether port x is bound; other values come from the pass's
-// "constants", the graph, or numbers of the scene. The variants of a draw list set the remaining ones.
+// Gives specialisation constants their values by name. HAS_x tells the shader whether port x is bound. Other
+// values come from the pass's "constants", from the graph's parameters and constants, or from numbers of the
+// scene. The remaining constants are set for each draw by the variants of a draw list.
 #include <algorithm>
 #include <bit>
 
@@ -90,7 +91,8 @@ class ConstantBinder {
         return at_.evaluator.find(name);
     }
 
-    // All lists that the program provides count, because the shader may be used with any of them.
+    // Returns true if a draw list sets the constant. Examines all lists that the program provides, because
+    // the shader may be used with any of them.
     bool is_set_by_draws(const std::string& name) const {
         if (at_.draft.decl.kind != PassKind::raster) return false;
         return std::ranges::any_of(at_.declared.input.imports.imports, [&](const auto& import) {

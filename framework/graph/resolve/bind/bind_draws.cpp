@@ -29,7 +29,8 @@ void report_bad_list(PassBinding& pass, const std::string& list, SourceLoc loc) 
     }
 }
 
-// Vertex inputs are bound by name to the streams that the list's meshes carry.
+// Checks that the meshes of a draw list have each vertex input of the shader. Vertex inputs are bound by
+// name.
 void check_vertex_inputs(PassBinding& pass, const std::string& list) {
     const ShaderInterface* shader = pass.draft.shader;
     const auto import = pass.declared.input.imports.imports.find(list);
@@ -49,7 +50,8 @@ void check_vertex_inputs(PassBinding& pass, const std::string& list) {
     }
 }
 
-// Without a draw list there are no meshes, materials and instances.
+// Checks the shader of a draw without a draw list. Such a draw has no meshes, materials or instances, so the
+// shader must not read vertex inputs or descriptor sets 2 and 3.
 void check_procedural_shader(PassBinding& pass) {
     const ShaderInterface* shader = pass.draft.shader;
     if (!shader) return;
@@ -64,7 +66,7 @@ void check_procedural_shader(PassBinding& pass) {
     add_help(d, "place vertices by gl_VertexIndex and gl_InstanceIndex, or name a draw list");
 }
 
-// Counts the vertices and instances of a draw without a list.
+// Evaluates the numbers of vertices and instances of a draw without a draw list.
 void count_vertices(PassBinding& pass) {
     constexpr double kMost = 1 << 24;
     const PassDesc& desc = *pass.draft.desc;

@@ -1,4 +1,4 @@
-// Passes without a shader.
+// Binds the ports of passes without a shader: clear, copy, blit, readback and C++ passes.
 #include <algorithm>
 
 #include "graph/resolve/bind/bind_pass.h"
@@ -56,7 +56,8 @@ const PortDecl* find_declared(const PassType& type, const UseDecl& use) {
     return found == type.ports.end() ? nullptr : &*found;
 }
 
-// True if a port has a similar name that the type does not have: that fault was reported.
+// Returns true if the author has probably misspelt the port `wanted`: a port with a similar name exists that
+// the pass type does not declare. That port has already been reported.
 bool is_misspelt(const PassType& type, const PortDecl& wanted, const std::vector<PortDesc>& ports) {
     const std::vector<std::string> known = port_names(type, wanted.is_output);
     return std::ranges::any_of(ports, [&](const PortDesc& port) {

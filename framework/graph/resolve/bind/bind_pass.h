@@ -1,4 +1,4 @@
-// Purpose: binds the ports of one pass once their references are known. Private to bind().
+// Purpose: binds the ports of one pass after the references of all ports are bound. Private to bind().
 #pragma once
 
 #include <string>
@@ -7,39 +7,44 @@
 
 namespace weft {
 
-inline constexpr uint32_t kPortSet = 1;  // the descriptor set of a pass's ports
+// The descriptor set that contains the ports of a pass.
+inline constexpr uint32_t kPortSet = 1;
 
-// The arguments of the functions below.
+// The pass that is being bound; the argument of the functions below.
 struct PassBinding {
     const Declared& declared;
     PassId id;
     const PassDraft& draft;
-    Evaluator evaluator;  // contains the indices of the pass
+    // Evaluates expressions with the values of the indices of this pass's repeat.
+    Evaluator evaluator;
     BoundPass& bound;
     Suspects& suspects;
     PassReporter& report;
-    Reporter& reporter;  // for warnings
+    // Used only for warnings; errors of the pass go to `report`.
+    Reporter& reporter;
 
     Diagnostic& error(SourceLoc loc, std::string code, std::string message) {
         return report.error(id, loc, std::move(code), std::move(message));
     }
 };
 
-// Ports meet the shader's bindings and fragment outputs by name; both directions are checked. The shader's
-// use of a binding decides the port's access. Errors: W112, W165, W170, W171, W173, W182.
+// Matches the ports of a pass by name with the bindings and fragment outputs of its shader, and reports ports
+// and bindings without a counterpart. The way in which the shader uses a binding determines the access of the
+// port. Errors: W112, W165, W170, W171, W173, W182.
 void bind_shader_ports(PassBinding& pass);
-// Clear, copy and readback, whose ports have fixed meanings. Errors: W175.
+// Binds the ports of clear, copy, blit and readback passes, whose ports have fixed meanings. Errors: W175.
 void bind_fixed_ports(PassBinding& pass);
-// C++ passes, whose type declares the ports. Errors: W176.
+// Binds the ports of a C++ pass, which its pass type declares. Errors: W176.
 void bind_custom_ports(PassBinding& pass);
-// Specialisation constants. Errors: W113.
+// Gives the specialisation constants of the shader their values. Errors: W113.
 void bind_constants(PassBinding& pass);
-// The draw lists of a raster pass, or the number of vertices. Errors: W114, W118, W167.
+// Binds the draw lists of a raster pass, or evaluates its numbers of vertices and instances. Errors: W114,
+// W118, W167.
 void bind_draws(PassBinding& pass);
-// One of the views that the program offers. Errors: W109, W118.
+// Finds the view that the pass is drawn from among the views that the program offers. Errors: W109, W118.
 void bind_view(PassBinding& pass);
-// A shader's needs beyond ports and parameters: descriptors that the program binds, a size for points, a
-// local size. Errors: W185, W186. Warnings: W137.
+// Checks needs of a shader other than ports and parameters: descriptors that the program binds, gl_PointSize
+// when points are drawn, and an explicit local size. Errors: W185, W186. Warnings: W137.
 void check_shader_fit(PassBinding& pass);
 
 }  // namespace weft

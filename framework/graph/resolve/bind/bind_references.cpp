@@ -42,14 +42,16 @@ class ReferenceBinder {
     }
 
  private:
-    // A misspelt output may be the writer for which another pass waits: that pass itself has no fault.
+    // Marks resources with names similar to a misspelt output as suspect. The author may have meant one of
+    // them, so a pass that reads this resource must not be reported because nothing writes it.
     void suspect_near_names(const std::string& name) {
         for (const std::string& near : did_you_mean(name, resource_names(declared_.shapes.resources))) {
             result_.suspects.writers[resource_id(declared_.shapes.resources, near)] = 1;
         }
     }
 
-    // The import itself was reported, so ports with its correct name have no fault.
+    // Returns true if the name is probably an import that the graph's "imports" misspell: the program offers
+    // this name, and an import with a similar name has an error. That error was already reported.
     bool means_faulty_import(PassId pass, const std::string& name) {
         for (const std::string& near : did_you_mean(name, resource_names(declared_.shapes.resources))) {
             const ResourceId id = resource_id(declared_.shapes.resources, near);
@@ -81,7 +83,7 @@ class ReferenceBinder {
         return kNoId;
     }
 
-    // False: reported.
+    // Checks the pass that a reference pins. Returns false after reporting an error.
     bool check_pin(PassId pass, const RefDesc& ref) {
         if (ref.pass == declared_.author_name(pass) &&
             declared_.expansion.passes[pass].desc->repeat.empty()) {
@@ -104,7 +106,8 @@ class ReferenceBinder {
         return false;
     }
 
-    // Nothing: reported. `ref` is the port's own or its "else".
+    // Binds one reference of a port: `ref` is the port's own reference or its "else". Returns nullopt after
+    // reporting an error.
     std::optional<BoundPort> bind_reference(PassId pass, const PortDesc& port, const RefDesc& ref,
                                             bool is_output) {
         const ResourceId named = find_port_resource(pass, ref, is_output);
@@ -115,7 +118,7 @@ class ReferenceBinder {
             return std::nullopt;
         }
         if (!check_pin(pass, ref) || result_.suspects.shapes[resource]) {
-            // The pass is still known to write this resource, but the range is unknown.
+            // The pass writes this resource, but it is unknown which range of it.
             result_.suspects.passes[pass] = 1;
             if (is_output) result_.suspects.writers[resource] = 1;
             return std::nullopt;
@@ -153,7 +156,8 @@ class ReferenceBinder {
         return ports;
     }
 
-    // Binds the port to the resource that it names, to its "else", or to nothing.
+    // Binds an input to the resource that it names. If `if` conditions remove all writers of that resource,
+    // binds the input to its "else", or to nothing if the port is optional.
     void add_input(PassId pass, const PortDesc& port, const Presence& presence,
                    std::vector<BoundPort>& ports) {
         for (const RefDesc* ref : {&port.ref, port.otherwise ? &*port.otherwise : nullptr}) {
@@ -172,7 +176,7 @@ class ReferenceBinder {
         }
     }
 
-    // Inputs first, then outputs, each in the order of their names.
+    // Stores the ports of a pass: inputs first, then outputs, each group sorted by name.
     void store_ports(PassId id, std::vector<BoundPort> ports) {
         std::ranges::stable_sort(ports, {},
                                  [](const BoundPort& p) { return std::pair(p.use.is_output, p.use.port); });

@@ -1,4 +1,5 @@
-// Formats are unknown in this stage; check_interfaces() checks them later.
+// Binds the ports of a pass to the bindings of its shader. The formats of images are not known in this stage,
+// so check_interfaces() later checks that they fit.
 #include <algorithm>
 
 #include "graph/resolve/bind/bind_pass.h"
@@ -39,7 +40,9 @@ class ShaderBinder {
         return !port.is_depth_port && !port.is_resolve && !port.is_indirect;
     }
 
-    // The depth attachment and similar attachments are not bindings, so an input may have the same name.
+    // Returns the index of the output with the same name as the input `in`, or the number of uses if there is
+    // none. Only bindings are compared. The depth attachment is not a binding, so an input may have the same
+    // name.
     size_t output_of_same_name(size_t in) const {
         size_t out = 0;
         for (; out < at_.bound.uses.size(); ++out) {
@@ -51,7 +54,8 @@ class ShaderBinder {
         return out;
     }
 
-    // "in" and "out" under one name are one binding that is read and written in place.
+    // If "in" and "out" contain a port of the same name, the two ports are one binding of the shader, which
+    // is read and written in place. Merges them into one port.
     void merge_ports_named_twice() {
         for (size_t in = 0; in < at_.bound.uses.size();) {
             const size_t out_index = output_of_same_name(in);
@@ -103,7 +107,8 @@ class ShaderBinder {
         const BlendState blend = blend_of(desc(), use.port);
         const bool cleared = clears(use.port);
         const bool keeps_part = blend.enabled || blend.write_mask != 0xF || desc().partial || port.pinned();
-        // A fullscreen triangle writes every texel unless the shader may discard fragments.
+        // The single triangle of a fullscreen pass writes every texel unless its state or its shader may
+        // leave texels out.
         const bool covered = desc().covers || fullscreen_covers();
         use.access = Access::color_write;
         if (cleared) {
@@ -229,8 +234,8 @@ class ShaderBinder {
         });
     }
 
-    // Searches the description: a port that is faulty for another reason must not also be reported as
-    // missing.
+    // Returns true if the description of the pass has a port of this name. The bound ports are not searched:
+    // a port with an error is not bound, but must not also be reported as missing.
     bool names_port(const std::string& name) const {
         const auto named = [&](const PortDesc& p) { return p.port == name; };
         return std::ranges::any_of(desc().in, named) || std::ranges::any_of(desc().out, named);
@@ -247,8 +252,8 @@ class ShaderBinder {
         }
     }
 
-    // A port of the pass has a similar name, and the shader has no port of that name. That is reported as a
-    // misspelt port, or as an unknown resource.
+    // Returns true if the pass probably misspells the port `name`: it has a port with a similar name that the
+    // shader does not have. That port was already reported as misspelt, or its resource as unknown.
     bool is_misspelt(const std::string& name) const {
         std::vector<std::string> unmatched;
         const std::vector<std::string> known = list_bindings(true);

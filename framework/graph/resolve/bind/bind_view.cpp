@@ -7,8 +7,11 @@ namespace weft {
 namespace {
 
 struct OfferedViews {
-    std::vector<std::string> names;  // without numbers, each once
-    uint32_t numbered = 0;           // number of views with the requested name that have an index
+    // Names of the offered views without their numbers, each name once: "sun" for "sun(0)" and "sun(1)".
+    std::vector<std::string> names;
+    // Number of offered views that have the requested name and a number, such as "sun(0)" and "sun(1)" for
+    // "sun".
+    uint32_t numbered = 0;
     bool is_known = false;
 };
 

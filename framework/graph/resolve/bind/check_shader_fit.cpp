@@ -37,7 +37,7 @@ class ShaderFit {
         const std::string what = shader() + " reads " + quote(binding.name) + " at set " +
                                  std::to_string(binding.set) + ", binding " + std::to_string(binding.binding);
         if (binding.set != kFrameSet && !draws_lists()) {
-            // Draws without a list are reported as W167.
+            // In a raster pass without draw lists, such bindings have already been reported as W167.
             if (at_.draft.decl.kind != PassKind::raster)
                 error("W185", what + ", which only raster passes that draw lists have",
                       "leave set and binding out: then it is a port of the pass");
@@ -57,7 +57,8 @@ class ShaderFit {
                   "include frame_set.glsl or material_set.glsl, which declare what is there");
     }
 
-    // Empty: it fits.
+    // Returns the first reason why a binding of the shader does not match the descriptor that the program
+    // binds there, or an empty text if they match.
     static std::string mismatch(const ShaderBinding& binding, const OfferedBinding& offered) {
         if (binding.kind != offered.kind || binding.count != 1)
             return "where the program binds something else";

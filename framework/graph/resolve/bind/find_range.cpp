@@ -37,7 +37,8 @@ class RangeFinder {
     }
 
  private:
-    // A whole number in [0, count), or reported. `what` is "mip" or "layer".
+    // Evaluates the index of a mip or layer, which must be a whole number in [0, count). `what` is "mip" or
+    // "layer". Returns nullopt after reporting an error.
     std::optional<uint32_t> subresource_index(const Expr& expression, const char* what,
                                               uint32_t count) const {
         const std::optional<ExprValue> value = evaluator_.value(expression);

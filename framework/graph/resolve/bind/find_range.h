@@ -1,4 +1,5 @@
-// Purpose: the mips, layers and aspects that a reference names. Private to bind().
+// Purpose: finds the mips, layers and aspects that a reference such as "hiz.mip(1..3)" selects. Private to
+// bind().
 #pragma once
 
 #include <optional>
@@ -7,7 +8,7 @@
 
 namespace weft {
 
-// nullopt: reported, or suspect. Errors: W105.
+// Returns the range, or nullopt if an error in the reference was reported, now or earlier. Errors: W105.
 [[nodiscard]] std::optional<SubresourceRange> find_range(PassId pass, const RefDesc& ref,
                                                          const ResourceDecl& resource,
                                                          const Evaluator& evaluator, Suspects& suspects,

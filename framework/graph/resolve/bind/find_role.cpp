@@ -8,7 +8,8 @@
 
 namespace weft {
 
-// True if an output of any pass has this name, or a similar misspelt one.
+// Returns true if any pass, even a removed one, has an output of this name, or a misspelt output with a
+// similar name.
 bool RoleFinder::written_by_any_pass(const std::string& name) {
     if (const auto known = is_written_.find(name); known != is_written_.end()) return known->second;
     const auto names = [&](const PortDesc* port) {

@@ -1,4 +1,4 @@
-// Purpose: references to earlier frames. Private to bind().
+// Purpose: finds the resource for a reference to an earlier frame, such as "color[-1]". Private to bind().
 #pragma once
 
 #include <map>
@@ -13,7 +13,8 @@ class RoleFinder {
     RoleFinder(const Declared& declared, PassReporter& report, Reporter& reporter)
         : declared_(declared), report_(report), reporter_(reporter) {}
 
-    // The role that a reference to `resource` means; kNoId: reported. Errors: W110, W121, W122.
+    // Returns the ResourceDecl that a reference to `resource` selects: `resource` itself for this frame, or
+    // its copy of an earlier frame. Returns kNoId after reporting an error. Errors: W110, W121, W122.
     [[nodiscard]] ResourceId find(PassId pass, const RefDesc& ref, ResourceId resource, bool is_output);
 
  private:
@@ -23,7 +24,8 @@ class RoleFinder {
     const Declared& declared_;
     PassReporter& report_;
     Reporter& reporter_;
-    std::map<std::string, bool, std::less<>> is_written_;  // answers of written_by_any_pass()
+    // The results of written_by_any_pass() so far, by the name of the resource.
+    std::map<std::string, bool, std::less<>> is_written_;
 };
 
 }  // namespace weft

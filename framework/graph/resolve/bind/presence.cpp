@@ -9,7 +9,9 @@
 namespace weft {
 namespace {
 
-// True if, according to its description, the pass leaves the previous version visible.
+// Returns true if the previous version of the resource stays visible after this pass, for example because the
+// pass blends or is "partial". Reads only the description of the pass, because a removed pass has no bound
+// ports.
 bool passes_on(const PassDesc& desc, const std::string& name) {
     const PortDesc* out = output_of(desc, name);
     if (!out || desc.partial || !out->ref.pass.empty() || desc.type == "raster") return true;
@@ -18,7 +20,7 @@ bool passes_on(const PassDesc& desc, const std::string& name) {
     return reads_it || blend_of(desc, out->port).enabled;
 }
 
-// The pass to which a removed pass is itself pinned.
+// Returns the name of the pass that a removed pass itself pins for this resource, or null if it pins none.
 const std::string* own_pin(const PassDesc& desc, const std::string& name) {
     for (const std::vector<PortDesc>* ports : {&desc.in, &desc.out}) {
         for (const PortDesc& port : *ports) {
@@ -50,7 +52,7 @@ std::set<std::string> Presence::writers_of(const std::string& resource, PassId e
 void Presence::find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const {
     const Expansion& expansion = declared_.expansion;
     const std::string* name = &ref.pass;
-    // Removed passes may pin each other in a cycle.
+    // Limits the number of iterations, because removed passes may pin each other in a cycle.
     for (size_t steps = 0; steps <= expansion.dropped.size(); ++steps) {
         const std::vector<PassId>& pins = expansion.instances.at(*name);
         reporter_.spend(1 + pins.size(), ref.loc);

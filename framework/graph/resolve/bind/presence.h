@@ -1,7 +1,7 @@
-// Purpose: resolves references to passes that `if` removes. Private to bind(). Removing a pass that modifies
-// a resource in place makes the previous version visible instead. If no remaining pass writes the resource
-// that a port reads, the port uses its "else", or nothing if it is optional; otherwise this is an error
-// (W123).
+// Purpose: handles references to passes that `if` removes. Private to bind(). If a removed pass modifies a
+// resource in place, references to its version see the previous version instead. If no remaining pass writes
+// the resource that a port reads, the port uses its "else", or nothing if the port is optional; otherwise
+// error W123 is reported.
 #pragma once
 
 #include <vector>
@@ -13,28 +13,30 @@ namespace weft {
 struct BoundPort {
     UseDecl use;
     PortDraft draft;
-    bool pin_is_gone = false;  // the pinned pass was removed, and the version that it would have passed on is
-                               // unknown
+    // True if the pinned pass was removed, and it is unknown which earlier version would have stayed visible.
+    bool pin_is_gone = false;
 };
 
-using BoundPorts = std::vector<std::vector<BoundPort>>;  // by pass
+// The ports of all passes, indexed by PassId.
+using BoundPorts = std::vector<std::vector<BoundPort>>;
 
 class Presence {
  public:
-    // `outputs` are those of all passes. Keeps references to all arguments.
+    // `outputs` are the outputs of all passes. Keeps references to all arguments.
     Presence(const Declared& declared, const BoundPorts& outputs, const Suspects& suspects,
              PassReporter& report, Reporter& reporter)
         : declared_(declared), outputs_(outputs), suspects_(suspects), report_(report), reporter_(reporter) {}
 
-    // Finds the passes for the '@' of `ref`, which must name a pass. For a pass removed by `if`, finds the
-    // passes whose version it would have passed on.
+    // Finds the passes that the `@pass` of `ref` pins; `ref` must have one. If the pinned pass was removed by
+    // `if`, finds the passes whose version stays visible in its place.
     void find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const;
-    // False: only removed passes write the resource that the input reads.
+    // Returns false if only removed passes write the resource that the input reads.
     [[nodiscard]] bool is_present(PassId pass, const BoundPort& input) const;
     void report_absent(PassId pass, const PortDesc& port) const;
 
  private:
-    // Names of the passes, but `except`, that write a resource.
+    // Returns the names of all passes that write a resource, except the pass `except` and the other passes of
+    // its repeat.
     [[nodiscard]] std::set<std::string> writers_of(const std::string& resource, PassId except) const;
 
     const Declared& declared_;

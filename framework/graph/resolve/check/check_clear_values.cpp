@@ -1,4 +1,5 @@
-// A clear value outside the format's range would be clamped without a message, or is undefined behaviour.
+// Checks that clear values fit the formats of the images. In Vulkan, a value outside the range of a format is
+// clamped silently or is undefined behaviour.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +19,7 @@ struct ValueRange {
     bool whole = false;
 };
 
-// Bits of one channel of a format without depth.
+// Returns the bits of one channel of a colour format, on the assumption that all channels have the same size.
 uint32_t channel_bits(const FormatInfo& format) {
     return format.components == 0 ? 0 : 8u * format.bytes_per_texel / format.components;
 }
@@ -87,7 +88,8 @@ class ClearCheck {
         }
     }
 
-    // The pass's own value is a colour: depth attachments use the resource's value.
+    // Returns true if the "clear" of the pass itself clears this use. In a raster pass this value is a
+    // colour, so a depth attachment is cleared with the value of its resource instead.
     static bool is_cleared_by_pass(PassKind kind, const UseDecl& use) {
         if (kind == PassKind::clear) return true;
         return use.access == Access::color_write || use.access == Access::color_read_write;
@@ -101,7 +103,8 @@ class ClearCheck {
                                  "the words of buffer " + quote(resource.name));
         const FormatInfo& format = format_info(resource.format);
         const std::string who = quote(resource.name) + ", whose format is " + quote(format.name) + ",";
-        // A single number applies to all channels; for depth and stencil formats it is the depth.
+        // A single number is stored in all four channels, so all channel expressions have the same location.
+        // For formats with depth and stencil, a single number is only the depth.
         const bool one = same_place(color.channels[0].loc, color.channels[1].loc);
         if (format.depth) check_channel(evaluator, color.channels[0], {0, 1}, who);
         if (format.stencil && (!format.depth || !one))
@@ -115,11 +118,12 @@ class ClearCheck {
     void check_channel(const Evaluator& evaluator, const Expr& channel, const ValueRange& range,
                        const std::string& who) {
         const std::optional<ExprValue> value = evaluator.value(channel);
-        if (!value || value->is_size) return;  // reported where it is read
+        // A channel that cannot be evaluated, or is a size instead of a number, is reported elsewhere.
+        if (!value || value->is_size) return;
         const double x = value->x;
         const bool inside = x >= range.least && x <= range.most && (!range.whole || x == std::floor(x));
-        // Colours are stored in single precision; the float next above UINT32_MAX represents it (all bits
-        // set).
+        // Clear values are stored as floats. A float cannot represent UINT32_MAX, but the next float above it
+        // stands for "all bits set", so UINT32_MAX is allowed.
         const bool exact = !range.whole || static_cast<double>(saturated_float(x)) == x || x == UINT32_MAX;
         if (inside && exact) return;
         Diagnostic fault =

@@ -27,7 +27,7 @@ bool same_shape(const std::vector<ResourceDecl>& resources, const UseDecl& a, co
            from.samples == to.samples;
 }
 
-// The reason why an image cannot be stretched over another; empty: it can.
+// Returns the reason why an image cannot be blitted to another image, or an empty text if a blit is possible.
 std::string blit_fault(const std::vector<ResourceDecl>& resources, const UseDecl& from, const UseDecl& to) {
     const ResourceDecl& source = resources[from.resource];
     const ResourceDecl& target = resources[to.resource];

@@ -6,7 +6,7 @@
 namespace weft {
 namespace {
 
-// One C++ pass.
+// A C++ pass that is being checked, with the objects that its checks need.
 struct CustomPass {
     PassId id;
     const PassDraft& draft;
@@ -43,7 +43,7 @@ std::optional<double> evaluate_param(const CustomPass& pass, const ParamValueDes
     return std::nullopt;
 }
 
-// Sorted by name.
+// Returns the values of all parameters of a C++ pass, sorted by name.
 std::vector<NamedValue> evaluate_params(const CustomPass& pass) {
     const PassDraft& draft = pass.draft;
     std::vector<NamedValue> params;
@@ -71,7 +71,8 @@ std::vector<NamedValue> evaluate_params(const CustomPass& pass) {
     return params;
 }
 
-// Reports the faults that the pass type finds, at the pass's place in the file.
+// Calls the check function of the pass type, and reports its errors at the place of the pass in the graph
+// file.
 void run_type_check(const CustomPass& pass, const ResolvedGraph& graph, const Suspects& suspects) {
     const PassDraft& draft = pass.draft;
     const PassDecl& decl = graph.passes[pass.id];

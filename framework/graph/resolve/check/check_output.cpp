@@ -9,7 +9,8 @@ namespace weft {
 void check_output(const Declared& declared, const VersionedGraph& graph, const Suspects& suspects,
                   Reporter& reporter) {
     const ResourceId output = declared.shapes.output;
-    // The pass that should write it may have a fault that was already reported.
+    // After any error there is no check, because the pass that should write the output may be the one with
+    // the error.
     if (output == kNoId || reporter.has_errors()) return;
     if (suspects.shapes[output] || suspects.writers[output]) return;
     const auto writes_it = [&](const UseDecl& use) { return use.resource == output && writes(use.access); };

@@ -1,5 +1,5 @@
-// Checks passes that take turns, so that only some run in each frame: their results must still exist in the
-// frames between.
+// Checks passes with `perFrame`, of which only a part runs in each frame. The results of the other passes
+// must stay available, so they must be written to resources that keep their content between frames.
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 

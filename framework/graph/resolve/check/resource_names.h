@@ -1,4 +1,4 @@
-// Purpose: the names of resources that ports, views and tests mention.
+// Purpose: collects the names of the resources that ports, debug views and tests mention.
 #pragma once
 
 #include <functional>
@@ -11,9 +11,10 @@ namespace weft {
 
 using ResourceNames = std::set<std::string, std::less<>>;
 
-void add_names(const PortDesc& port, ResourceNames& names);  // its "else" too
+// Adds the names of the resources that a port may use, including the resource of its "else".
+void add_names(const PortDesc& port, ResourceNames& names);
 void add_inputs(const PassDesc& desc, ResourceNames& names);
-// The resources used by debug views and tests.
+// Returns the names of the resources that debug views and tests use.
 [[nodiscard]] ResourceNames watched_resources(const GraphDesc& graph);
 
 }  // namespace weft

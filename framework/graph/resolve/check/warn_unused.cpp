@@ -10,8 +10,8 @@ bool is_included(const SourceMap& sources, SourceLoc loc) {
     return loc.file < files.size() && files[loc.file].included_at.file < files.size();
 }
 
-// With other parameters, a removed pass, and the reference of a port that now uses its "else", may use their
-// resources.
+// Warns about resources that no pass names. A resource counts as used even if only a removed pass or an
+// unused "else" names it, because with other parameter values that pass or "else" may be used.
 void warn_unused(const Declared& declared, Reporter& reporter) {
     ResourceNames used;
     for (const auto& [name, desc] : declared.input.graph.passes) {

@@ -1,5 +1,5 @@
-// Warns about resources that no pass reads and about passes without effect. A use that depends on an `if`, an
-// "else", a view or a test counts as a use, because it has an effect in some cases.
+// Warns about resources that no pass reads, and about passes without effect. A resource counts as read if a
+// pass with an `if`, an "else", a debug view or a test uses it, because then it is read in some cases.
 #include <algorithm>
 
 #include "graph/resolve/check/resource_names.h"
@@ -48,8 +48,8 @@ class UselessSearch {
         }
     }
 
-    // A depth buffer is used by the pass that tests against it, and a multisampled image by the pass that
-    // resolves it.
+    // Returns true if a use needs the content of the resource. Some writes need it too: a pass uses its depth
+    // attachment if it tests against it, and a multisampled attachment if it resolves it.
     static bool sees(const PassDecl& decl, const PortDraft& port, const UseDecl& use) {
         if (reads(use.access)) return true;
         if (port.is_depth_port) return decl.state.depth_test || decl.state.stencil_test;
@@ -58,7 +58,8 @@ class UselessSearch {
         });
     }
 
-    // If only useless passes write it, these passes get the warning.
+    // Warns if nothing reads the resource although a live pass writes it. If only useless passes write it,
+    // judge_pass() warns about these passes instead.
     void judge_resource(ResourceId id) {
         const ResourceDecl& resource = graph_.resources[id];
         if (resource.lifetime != ResourceLifetime::transient || seen_[id] || !written_[id]) return;
@@ -73,7 +74,8 @@ class UselessSearch {
         return !desc.condition.empty() || std::ranges::any_of(written_ports(desc), at_times);
     }
 
-    // If several passes are culled together, only the last one is named, because it is the cause.
+    // Warns if the pass is culled. If several passes are culled together, warns only about the last one,
+    // whose result nothing reads, because it is the cause.
     void judge_pass(const std::string& name, const std::vector<PassId>& ids) {
         const auto is_culled = [&](PassId id) { return live_.live_passes[id] == 0; };
         const auto is_cause = [&](PassId id) { return live_.reasons[id] == CullReason::unused_output; };
@@ -90,15 +92,20 @@ class UselessSearch {
     const ResolvedGraph& graph_;
     Reporter& reporter_;
     LiveGraph live_;
-    ResourceNames read_;            // by passes, including those that do not run
-    ResourceNames at_times_;        // by views, tests, and with other values of parameters
-    std::vector<uint8_t> seen_;     // index: ResourceId; used by the existing passes
-    std::vector<uint8_t> written_;  // by ResourceId: by passes that run
+    // Names of the resources that passes read, including passes that do not run.
+    ResourceNames read_;
+    // Names of the resources that are used by debug views or tests, or only with other parameter values.
+    ResourceNames at_times_;
+    // Indexed by ResourceId: 1 if a pass of the resolved graph uses the content of the resource.
+    std::vector<uint8_t> seen_;
+    // Indexed by ResourceId: 1 if a live pass writes the resource.
+    std::vector<uint8_t> written_;
 };
 
 }  // namespace
 
-// A faulty pass may read or write unknown resources.
+// Runs only if no error was reported and no pass is suspect, because a pass with an error may read or write
+// resources that are not known here.
 void warn_useless(const Declared& declared, const VersionedGraph& versioned, const ResolvedGraph& graph,
                   const Suspects& suspects, Reporter& reporter) {
     const bool faulty = std::ranges::find(suspects.passes, 1) != suspects.passes.end();

@@ -1,4 +1,5 @@
-// The cost of changing a parameter follows from the places that use it, through constants and sizes too.
+// Finds how much work a change of each parameter causes, from the places in the graph that use the parameter
+// directly or through constants and sizes.
 #include <algorithm>
 
 #include "graph/resolve/check/resource_names.h"
@@ -25,7 +26,8 @@ class ParamCosts {
         return found != costs_.end() ? found->second : ParamCost::nothing;
     }
 
-    // No warnings if faults may hide a use, or for names that an included file declares.
+    // Warns about names that nothing uses. Gives no warnings if an error may hide a use, and none for names
+    // that an included file declares.
     void warn(Reporter& reporter) const {
         if (is_unknown_ || reporter.has_errors()) return;
         for (const auto& [name, param] : graph_.params)
@@ -41,7 +43,8 @@ class ParamCosts {
                                       quote(name),
                                   "remove it, or use it");
         const ResourceNames named = named_resources();
-        const char* output = import_kind_name(ImportKind::output);  // its fault is W184
+        // An output import that no pass writes is an error, W184, so it needs no warning.
+        const char* output = import_kind_name(ImportKind::output);
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
                 !is_included(graph_.sources, import.loc))
@@ -50,7 +53,8 @@ class ParamCosts {
     }
 
  private:
-    // A use with this cost also uses the names in the definition of `name`.
+    // Records that `name` is used at a place where a change has the given cost. If `name` is a constant or
+    // size, the same holds for all names in its definition.
     void add_name(const std::string& name, ParamCost cost) {
         const auto [known, is_new] = costs_.try_emplace(name, cost);
         if (!is_new && known->second >= cost) return;
@@ -117,7 +121,8 @@ class ParamCosts {
             for (const Expr& component : value.components) add(component, cost);
     }
 
-    // Names that the shader or the C++ pass uses, unless the pass gives them other values.
+    // Adds the names that the shader or the C++ pass uses, except those to which the pass itself gives a
+    // value.
     void add_shader(const PassDesc& pass) {
         const auto custom = input_.passes.find(pass.type);
         if (custom != input_.passes.end())
@@ -141,7 +146,8 @@ class ParamCosts {
         for (const Expr& bound : *view.range) add(bound, ParamCost::live);
     }
 
-    // By passes, including those that do not run, by views and by tests.
+    // Returns the names of all resources and draw lists that passes use, including passes that do not run,
+    // and of those that debug views and tests use.
     ResourceNames named_resources() const {
         ResourceNames named = watched_resources(graph_);
         const auto add_named = [&](const PortDesc& port) {
@@ -159,8 +165,10 @@ class ParamCosts {
 
     const ResolveInput& input_;
     const GraphDesc& graph_;
-    std::map<std::string, ParamCost> costs_;  // of every name that is used
-    bool is_unknown_ = false;                 // a shader failed to compile: its parameters are unknown
+    // The greatest cost of all uses of a name, for each parameter, constant and size that is used.
+    std::map<std::string, ParamCost> costs_;
+    // True if a shader failed to compile, so that it is unknown which parameters the shader uses.
+    bool is_unknown_ = false;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Estimates the cost of compiling and checking a resolved graph. The compiler and the checker follow each
-// subresource through all accesses to it; the checker does so for several frames.
+// Estimates the steps of compiling and checking a resolved graph. The compiler and the checker follow each
+// subresource through all its accesses; the checker does so for several frames.
 #include <algorithm>
 
 #include "graph/resolve/checks.h"
@@ -7,8 +7,10 @@
 namespace weft {
 namespace {
 
-constexpr uint64_t kStepsPerSubresource = 16;  // several tables contain a state for it
-constexpr uint64_t kCheckedFrames = 3;         // plus one for each frame of a history
+// Steps per subresource: several tables of the compiler and the checker have an entry for each subresource.
+constexpr uint64_t kStepsPerSubresource = 16;
+// Number of frames that the checker examines; one more for each earlier frame that a history keeps.
+constexpr uint64_t kCheckedFrames = 3;
 
 uint64_t count_subresources(const SubresourceRange& range) {
     return uint64_t{range.mips} * range.layers *

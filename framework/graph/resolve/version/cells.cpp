@@ -13,7 +13,8 @@ void sort_unique(std::vector<uint32_t>& values) {
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-// Where uses begin and end along one axis.
+// The mips, layers and aspects at which a use of the resource begins or ends. They are the borders of the
+// cells.
 struct Cuts {
     std::vector<uint32_t> mips, layers;
     std::vector<AspectMask> aspects;
@@ -45,7 +46,8 @@ Cuts find_cuts(const VersionedGraph& graph, const std::vector<CellUse>& uses) {
 void add_use(const VersionedGraph& graph, const CellUse& use, Cell& cell) {
     if (!writes(graph.passes[use.pass].uses[use.use].access)) {
         cell.readers.push_back(use);
-    } else if (cell.writers.empty() || cell.writers.back().pass != use.pass) {  // uses come pass by pass
+    } else if (cell.writers.empty() || cell.writers.back().pass != use.pass) {
+        // The uses are sorted by pass, so a pass that already writes the cell is the last one in `writers`.
         cell.writers.push_back(use);
     }
 }
@@ -126,7 +128,8 @@ std::vector<VersionSource> merge_sources(const std::vector<VersionSource>& cells
             rows.push_back(cell);
         }
     }
-    // Rows are in the order of layers: only the last box of one producer and one range of mips can grow.
+    // Rows are sorted by layer, so only the last range with the same producer and mips can be extended by the
+    // next row.
     std::map<std::tuple<PassId, AspectMask, uint32_t, uint32_t>, size_t> last;
     std::vector<VersionSource> boxes;
     for (const VersionSource& row : rows) {

@@ -1,5 +1,5 @@
-// Purpose: divides a resource into cells, the largest boxes of mips, layers and aspects that every use covers
-// completely or not at all. Each cell has its own versions. Private to version().
+// Purpose: divides a resource into cells: the largest boxes of mips, layers and aspects that every use covers
+// completely or not at all. So versions can be tracked per cell. Private to version().
 #pragma once
 
 #include <map>
@@ -11,25 +11,30 @@ namespace weft {
 
 struct CellUse {
     PassId pass = kNoId;
-    uint32_t use = 0;  // index into PassDecl::uses
+    // Index into PassDecl::uses of the pass.
+    uint32_t use = 0;
     auto operator<=>(const CellUse&) const = default;
 };
 
 struct Cell {
     ResourceId resource = kNoId;
     SubresourceRange range;
-    std::vector<CellUse> writers;  // one for each writing pass; in the order of versions once `ordered`
-    std::vector<CellUse> readers;  // uses that only read
+    // One use for each pass that writes the cell. In the order of the versions if `ordered` is true.
+    std::vector<CellUse> writers;
+    // The uses that read the cell and do not write it.
+    std::vector<CellUse> readers;
     bool ordered = false;
-    // Reads pinned to a pass that does not write this cell: the writers that may come before the reader.
+    // For each reader that pins a pass which does not write this cell: the writers whose versions may come
+    // before the reader.
     std::map<CellUse, std::vector<PassId>> foreign_pins;
 
-    [[nodiscard]] int writer_index(PassId pass) const;  // -1: doesn't write the cell
+    // Returns the index into `writers` of a pass, or -1 if the pass does not write the cell.
+    [[nodiscard]] int writer_index(PassId pass) const;
 };
 
-// Sorted by resource, then aspect, layer, mip.
+// Divides all used resources into cells. The cells are sorted by resource, then aspect, layer and mip.
 [[nodiscard]] std::vector<Cell> make_cells(const VersionedGraph& graph, Reporter& reporter);
-// Neighbouring boxes of one producer become one.
+// Merges neighbouring ranges that have the same producer.
 [[nodiscard]] std::vector<VersionSource> merge_sources(const std::vector<VersionSource>& cells);
 
 }  // namespace weft

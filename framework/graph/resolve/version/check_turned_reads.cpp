@@ -1,5 +1,5 @@
-// If passes take turns, every read must see the version that it names in each frame, whichever passes run in
-// it.
+// Checks reads if passes with `perFrame` run only in some frames: each read must see the version that its
+// reference names in every frame, whichever passes run in that frame.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -10,7 +10,8 @@
 namespace weft {
 namespace {
 
-// Passes of one turn run in the same frames. A pass without turns, or with a single one, runs in all of them.
+// The frames in which a pass with `perFrame` runs: frame f runs the pass if f mod count = index. A pass that
+// runs in every frame has count 1.
 struct Turn {
     uint32_t count = 1;
     uint32_t index = 0;
@@ -22,11 +23,12 @@ Turn turn_of(const Declared& declared, PassId pass) {
     return decl.frame_slices > 1 ? Turn{decl.frame_slices, decl.frame_slice} : Turn{};
 }
 
-// Judges the reads of one cell. Any set of turns may run in a frame, so the rule does not depend on when a
-// turn comes. A read is right in every frame if
-// - the pass whose version it names runs in each frame in which the reader runs, or
-// - that version is the last one of the cell, and all of the cell's writers run in the same frames, or
-// - every writer changes the content that is there: then each read names the current content, and sees it.
+// Checks the reads of one cell (a part of a resource that every use covers completely or not at all) that
+// passes with different turns write. The turn of a pass is the set of frames in which it runs. The rule does
+// not depend on which turn comes first. A read is right in every frame if one of these holds:
+// - The pass whose version the read names runs in every frame in which the reader runs.
+// - The named version is the last one of the cell, and all writers of the cell run in the same frames.
+// - Every writer modifies the content in place. Then each read names the current content and sees it.
 class TurnedCell {
  public:
     using Reported = std::set<std::tuple<const PassDesc*, const PassDesc*, ResourceId>>;
@@ -52,7 +54,7 @@ class TurnedCell {
  private:
     const UseDecl& use(const CellUse& u) const { return graph_.passes[u.pass].uses[u.use]; }
 
-    // Null: it sees no earlier content.
+    // Returns the version that the use sees in this cell, or null if the use sees no earlier content.
     const VersionSource* source_of(const CellUse& u) const {
         const std::vector<VersionSource>& sources = use(u).sources;
         const auto found = std::ranges::find_if(
@@ -63,8 +65,8 @@ class TurnedCell {
     void check_read(const CellUse& reader) {
         const VersionSource* source = source_of(reader);
         if (source == nullptr) return;
-        const bool before =
-            source->producer == kNoId;  // the content that the last writer left in the frame before
+        // True if the read sees the content that the last writer left in the previous frame.
+        const bool before = source->producer == kNoId;
         const size_t version =
             before ? cell_.writers.size() - 1 : static_cast<size_t>(cell_.writer_index(source->producer));
         const CellUse& wanted = cell_.writers[version];

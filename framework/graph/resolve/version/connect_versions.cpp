@@ -10,12 +10,16 @@
 namespace weft {
 namespace {
 
-// The content that one use sees, gathered over its cells.
+// The content that one use sees, collected from all cells of the use's range.
 struct Seen {
-    std::vector<VersionSource> sources;  // by cell
-    std::vector<VersionSource> nothing;  // cells without any content; the producer has no meaning
-    bool this_frame = false;             // some content is of this frame
-    bool unknown = false;                // some cell's writers have no order: reported
+    // The version seen in each cell that has content.
+    std::vector<VersionSource> sources;
+    // The cells that have no content; `producer` has no meaning for these.
+    std::vector<VersionSource> nothing;
+    // True if the use sees content that a pass of this frame has written.
+    bool this_frame = false;
+    // True if the order of the writers is unknown in some cell. An error about that was reported.
+    bool unknown = false;
 };
 
 class VersionConnector {
@@ -35,7 +39,9 @@ class VersionConnector {
         for (const Cell& cell : cells_) gather(cell);
         const size_t known = reporter_.error_count();
         for (PassId pass = 0; pass < seen_.size(); ++pass) finish_pass(pass);
-        reporter_.sort_errors(known);  // passes come by name
+        // The passes were examined in the order of their names, so the new errors are sorted by their place
+        // in the file.
+        reporter_.sort_errors(known);
         sort_edges();
     }
 
@@ -94,7 +100,8 @@ class VersionConnector {
         }
     }
 
-    // An attachment or storage write that continues older content reads it.
+    // Changes the access of an attachment or storage write that continues older content to one that reads and
+    // writes.
     void settle_access(const CellUse& u) {
         const Seen& seen = seen_[u.pass][u.use];
         const WriteRank rank = port(u).rank;
@@ -104,8 +111,8 @@ class VersionConnector {
         const bool loads = seen.this_frame || (in_place && any);
         Access& a = use(u).access;
         if (a == Access::storage_write && (any || in_place)) a = Access::storage_read_write;
-        // The first raster write clears the content that an import had before the frame, like any other
-        // content.
+        // An attachment is loaded only if it continues content of this frame or is written in place.
+        // Otherwise the first raster write clears it, even if an import had content before the frame.
         if (a == Access::color_write && loads) a = Access::color_read_write;
         if (a == Access::depth_write && loads) a = Access::depth_read_write;
     }
@@ -119,13 +126,14 @@ class VersionConnector {
         decl.state = access_state(decl.access, stages, buffer ? aspect::kNone : resource.aspects);
     }
 
-    // A partial copy or clear keeps the rest of the old content, though its access reads nothing.
+    // Returns true if the use needs the earlier content. A partial copy or clear reads nothing, but the
+    // earlier content must stay where it does not write.
     bool sees_content(const CellUse& u) {
         return reads(use(u).access) || port(u).rank == WriteRank::in_place;
     }
 
-    // Without earlier content, attachments are cleared and buffers stay undefined; a port that reads needs
-    // content.
+    // Returns true if missing earlier content is an error. A read always needs content. Most writes do not:
+    // without earlier content, an attachment is cleared and a buffer starts undefined.
     bool must_find_content(const CellUse& u) {
         const Access a = use(u).access;
         if (!writes(a)) return true;
@@ -133,8 +141,8 @@ class VersionConnector {
                (declared_.expansion.passes[u.pass].custom && reads(a)) || wants_last_frame(u);
     }
 
-    // The author declares that the previous version is preserved where this pass does not write. An
-    // attachment without a previous version is cleared.
+    // Returns true if the author declares ("partial" or a pin) that the previous version stays visible where
+    // this pass does not write. Not for attachments, which are cleared if there is no previous version.
     bool keeps_the_rest(const CellUse& u) {
         const PortDraft& draft = port(u);
         const bool attachment = draft.color_output != nullptr || draft.is_depth_port;
@@ -142,8 +150,8 @@ class VersionConnector {
                (declared_.expansion.passes[u.pass].desc->partial || draft.pinned());
     }
 
-    // The pass continues a version, but this frame's copy of a history has none: the author means the
-    // previous frame.
+    // Returns true if the pass continues the content of a resource with history. This frame's copy of such a
+    // resource begins empty, so the author probably means the copy of the previous frame.
     bool wants_last_frame(const CellUse& u) {
         if (graph_.resources[use(u).resource].history == 0) return false;
         const WriteRank rank = port(u).rank;
@@ -210,7 +218,7 @@ class VersionConnector {
         const auto key = [](const EdgeDecl& e) { return std::tuple(e.to, e.from, e.kind, e.resource); };
         std::vector<EdgeDecl>& edges = graph_.edges;
         std::ranges::stable_sort(edges, {}, key);
-        // Not std::ranges::unique: clang 14 cannot compile its result with libstdc++ 12.
+        // std::ranges::unique is not used here, because clang 14 cannot compile its result with libstdc++ 12.
         const auto equal = [&](const EdgeDecl& a, const EdgeDecl& b) { return key(a) == key(b); };
         edges.erase(std::unique(edges.begin(), edges.end(), equal), edges.end());
     }
@@ -220,7 +228,8 @@ class VersionConnector {
     VersionedGraph& graph_;
     PassReporter report_;
     Reporter& reporter_;
-    std::vector<std::vector<Seen>> seen_;  // by pass, by use
+    // The content that each use sees, indexed by PassId, then by use.
+    std::vector<std::vector<Seen>> seen_;
 };
 
 }  // namespace

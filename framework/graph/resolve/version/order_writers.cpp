@@ -10,9 +10,10 @@
 namespace weft {
 namespace {
 
-// First it gathers everything that orders passes: `after`, pins, and reads that must follow all writers. Then
-// it puts each cell's writers in order, which orders more passes (a version's readers run before the next
-// writer), until nothing changes. Writers without an order by then are W111; a loop at any time is W150.
+// Finds the order of the passes that write each cell. First collects what orders passes: `after`, pins, and
+// reads that must follow all writers. Then puts the writers of each cell in order. This orders more passes,
+// because the readers of a version run before the next writer; so the step is repeated until nothing changes.
+// Writers that have no order in the end are error W111, and a cycle is error W150.
 class WriterOrder {
  public:
     WriterOrder(const Declared& declared, VersionedGraph& graph, std::vector<Cell>& cells, Reporter& reporter)
@@ -23,7 +24,7 @@ class WriterOrder {
           reporter_(reporter),
           order_(graph.passes.size()) {}
 
-    // False if there is a cycle: then versions are undefined.
+    // Orders the writers of all cells. Returns false if there is a cycle; then versions are undefined.
     bool run() {
         add_after();
         for (Cell& cell : cells_) add_known(cell);
@@ -54,19 +55,21 @@ class WriterOrder {
 
     const std::vector<PassDraft>& drafts() const { return declared_.expansion.passes; }
 
-    // Counts the steps that searches of the order took since the last call.
+    // Counts the steps that searches in the order have taken since the last call.
     void pay(SourceLoc loc) {
         reporter_.spend(order_.work() - paid_, loc);
         paid_ = order_.work();
     }
 
-    // The search for one writer of a cell: one step covers many comparisons.
+    // Returns the number of steps for finding one writer of a cell. One step covers many comparisons, because
+    // they are fast.
     static uint64_t search_steps(const Cell& cell) {
         constexpr size_t kWritersPerStep = 64;
         return 1 + cell.writers.size() / kWritersPerStep;
     }
 
-    // Storing an arc costs more than visiting it.
+    // Adds an arc to the order. Storing an arc costs more time and memory than visiting one, so it counts as
+    // several steps.
     void add_arc(const OrderArc& arc) {
         constexpr uint64_t kStepsPerArc = 4;
         reporter_.spend(kStepsPerArc, arc.loc);
@@ -143,7 +146,7 @@ class WriterOrder {
         if (!writes_cell) cell.foreign_pins[reader];
     }
 
-    // The passes of one repeat write one after the other.
+    // Adds arcs so that the passes of one repeat write a cell one after the other.
     void add_repeats(const Cell& cell) {
         std::map<const PassDesc*, std::map<uint32_t, CellUse>> repeats;
         for (const CellUse& writer : cell.writers) {
@@ -160,8 +163,9 @@ class WriterOrder {
         }
     }
 
-    // The one writer that starts a version comes first; if all writers continue one, the writer most similar
-    // to a start.
+    // If exactly one writer starts a new version, adds arcs so that it runs before all other writers of the
+    // cell. If no writer starts a new version, the same holds for a single writer that continues a version
+    // but can also start without one (WriteRank::resumes).
     void add_base(const Cell& cell) {
         if (cell.writers.size() < 2) return;
         const auto rank = [this](const CellUse& w) { return port(w).rank; };
@@ -174,7 +178,8 @@ class WriterOrder {
         }
     }
 
-    // x@p where p does not write x means the version of the last writer that is not ordered after p.
+    // Resolves pins x@p where pass p does not write x. The pin means the version of the last writer of x that
+    // does not run after p, so the reader runs after all such writers. Returns false if this causes a cycle.
     bool add_foreign_pins() {
         std::map<PassId, std::vector<uint8_t>> reached;
         bool any = false;
@@ -217,7 +222,8 @@ class WriterOrder {
     }
 
     bool order_all() {
-        std::vector<Cell*> fresh;  // ordered, but not yet used to order others
+        // Cells whose writers are ordered, but whose order has not yet been used to order other passes.
+        std::vector<Cell*> fresh;
         std::vector<Cell*> pending;
         for (Cell& cell : cells_) (cell.ordered ? fresh : pending).push_back(&cell);
         while (true) {

@@ -1,4 +1,4 @@
-// Purpose: puts the writers of each cell in order. Private to version().
+// Purpose: orders the passes that write each cell. Private to version().
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace weft {
 
-// Adds the edges of `after`. False if a cycle was reported: then versions are undefined. Errors: W104, W111,
-// W150.
+// Orders the writers of all cells, and adds the edges of `after` to the graph. Returns false if a cycle was
+// reported; then versions are undefined. Errors: W104, W111, W150.
 [[nodiscard]] bool order_writers(const Declared& declared, VersionedGraph& graph, std::vector<Cell>& cells,
                                  Reporter& reporter);
 

@@ -38,7 +38,8 @@ bool PassOrder::reaches(PassId from, PassId to) {
         for (const uint32_t index : out_[pass]) {
             const PassId next = arcs_[index].to;
             if (next == to) return true;
-            // A pass after the goal cannot lead to it.
+            // Positions are in topological order, so a pass at a later position than the goal cannot lead to
+            // the goal.
             if (position_[next] > position_[to] || stamp_[next] == search_) continue;
             stamp_[next] = search_;
             open.push_back(next);

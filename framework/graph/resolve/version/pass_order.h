@@ -1,5 +1,6 @@
-// Purpose: the known order of passes while versions are found. Private to version(). An arc means that `to`
-// runs after `from`, and contains the reason for the message about a cycle.
+// Purpose: the known part of the order of passes, while versions are being found. Private to version(). An
+// arc says that pass `to` runs after pass `from`, and why, so that a message about a cycle can give the
+// reasons.
 #pragma once
 
 #include <vector>
@@ -14,7 +15,9 @@ struct OrderArc {
     EdgeKind kind = EdgeKind::raw;
     ResourceId resource = kNoId;
     SourceLoc loc;
-    bool pinnable = false;  // `to` reads a resource of several writers without naming a version
+    // True if pass `to` reads a resource with several writers without pinning one of them. Then a pin can
+    // break a cycle.
+    bool pinnable = false;
 };
 
 class PassOrder {
@@ -23,29 +26,30 @@ class PassOrder {
         : out_(pass_count), position_(pass_count, 0), stamp_(pass_count, 0) {}
 
     void add(const OrderArc& arc);
-    // Finds positions; false when there is a cycle. Everything below needs a successful call after the last
-    // add().
+    // Sorts the passes topologically. Returns false if there is a cycle. The functions position() and
+    // reaches() need a successful call of sort() after the last add().
     [[nodiscard]] bool sort();
     [[nodiscard]] uint32_t position(PassId pass) const { return position_[pass]; }
     [[nodiscard]] bool reaches(PassId from, PassId to);
-    // By pass: 1 where it runs after `from`.
+    // Returns for each pass, indexed by PassId, 1 if it runs after `from`, else 0.
     [[nodiscard]] std::vector<uint8_t> reached_from(PassId from) const;
 
-    // The number of arcs visited so far.
+    // Returns the number of arcs visited so far, as a measure of the work done.
     [[nodiscard]] uint64_t work() const { return work_; }
     [[nodiscard]] const std::vector<OrderArc>& arcs() const { return arcs_; }
     [[nodiscard]] const std::vector<std::vector<uint32_t>>& arcs_out() const { return out_; }
 
  private:
     std::vector<OrderArc> arcs_;
-    std::vector<std::vector<uint32_t>> out_;  // by pass: indices into arcs_
+    // Indices into arcs_ of the arcs that start at each pass, indexed by PassId.
+    std::vector<std::vector<uint32_t>> out_;
     std::vector<uint32_t> position_;
     std::vector<uint32_t> stamp_;
     uint32_t search_ = 0;
     mutable uint64_t work_ = 0;
 };
 
-// Reports every set of passes that wait for each other. Errors: W150.
+// Reports each set of passes that wait for each other. Errors: W150.
 void report_cycles(const Declared& declared, const VersionedGraph& graph, const PassOrder& order,
                    Reporter& reporter);
 

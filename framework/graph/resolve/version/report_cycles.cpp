@@ -1,5 +1,5 @@
-// A message about a dependency cycle names the waiting passes, the reasons, and the place where it can be
-// broken.
+// Reports dependency cycles. The message names the waiting passes, the reasons why they wait, and a place
+// where the author can break the cycle.
 #include <algorithm>
 #include <deque>
 #include <tuple>
@@ -33,7 +33,8 @@ class CycleReport {
     }
 
  private:
-    // Marks passes that no unfinished pass leads to as done: they are not part of a cycle.
+    // Marks as done all passes that come before every cycle, as in a topological sort: a pass is done if all
+    // passes that it waits for are done.
     void peel() {
         std::vector<uint32_t> waits_for(done_.size(), 0);
         for (const OrderArc& arc : order_.arcs()) ++waits_for[arc.to];
@@ -52,7 +53,8 @@ class CycleReport {
         }
     }
 
-    // Arc indices of a shortest path from `from` to `to` through unfinished passes; empty: none.
+    // Returns the indices of the arcs on a shortest path from `from` to `to` through passes that are not
+    // done, last arc first. Empty if there is no path.
     std::vector<uint32_t> way(PassId from, PassId to) const {
         std::vector<uint32_t> by(done_.size(), kNoId);
         std::deque<PassId> open{from};
@@ -76,7 +78,8 @@ class CycleReport {
         return arcs;
     }
 
-    // All unfinished passes that wait for `pass` while it waits for them.
+    // Returns the strongly connected component of `pass` among the passes that are not done: all passes that
+    // wait for `pass` while `pass` waits for them.
     std::vector<PassId> knot_of(PassId pass) const {
         const std::vector<uint8_t> after = order_.reached_from(pass);
         std::vector<std::vector<PassId>> before(done_.size());
@@ -101,7 +104,8 @@ class CycleReport {
         return knot;
     }
 
-    // The arc with which the message begins: preferably one that a pin would remove, then one of `after`.
+    // Returns the arc with which the message begins: preferably an arc that a pin would remove, then an arc
+    // of `after`.
     const OrderArc* best_cut(const std::vector<PassId>& knot) const {
         const OrderArc* best = nullptr;
         const auto rank = [](const OrderArc& arc) {
@@ -132,7 +136,8 @@ class CycleReport {
         return "";
     }
 
-    // A writer outside the cycle whose version could be pinned instead.
+    // Returns the name of a pass outside the cycle that writes the resource, so that the help can suggest to
+    // pin its version. Returns an empty text if there is none.
     std::string writer_outside(const std::vector<PassId>& knot, ResourceId resource) const {
         for (const WriteRank rank : {WriteRank::fresh, WriteRank::resumes, WriteRank::in_place}) {
             for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
@@ -155,7 +160,8 @@ class CycleReport {
         });
     }
 
-    // True for a repeat whose passes read outputs of its own earlier passes.
+    // Returns true if the pass belongs to a repeat whose passes read the results of earlier passes of the
+    // same repeat.
     bool reads_own_repeat(PassId pass, ResourceId resource) const {
         const auto& instances = declared_.expansion.instances;
         const auto own = instances.find(declared_.author_name(pass));
@@ -184,7 +190,8 @@ class CycleReport {
         std::vector<Note> notes;
         constexpr size_t kMostTold = 16;
         size_t told = 0;
-        // way() lists the arcs backwards, which is the direction in which passes wait.
+        // way() returns the last arc first. The message needs this direction, because each pass waits for the
+        // pass at the start of its arc.
         for (const uint32_t index : way(cut->to, cut->from)) {
             const OrderArc& arc = order_.arcs()[index];
             if (++told > kMostTold) continue;
