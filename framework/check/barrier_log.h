@@ -1,7 +1,8 @@
 // Purpose: records all barriers of one queue and tells which stages wait for which. An access record queries
-// the log only when needed, so a barrier costs no time for the thousands of accesses that it does not affect.
-// Shapes: a chain is a map from stages to sets of stages. Source: Vulkan 1.3 specification, "Execution
-// Dependencies": two barriers chain where the destination of the first intersects the source of the second.
+// the log only when the checker needs that record. So a barrier costs no time for the thousands of accesses
+// that it does not affect. A chain of barriers is stored as a map from each stage to the set of stages that
+// wait for it. Source: Vulkan 1.3 specification, "Execution Dependencies": two barriers chain where the
+// destination of the first intersects the source of the second.
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@
 
 namespace weft::check {
 
-// Both halves of one barrier. Execution scopes include logically earlier and later stages; memory scopes do
-// not.
+// The source and destination scopes of one barrier. The execution scopes also include logically earlier
+// source stages and logically later destination stages; the memory scopes do not.
 struct Scopes {
     StageMask src_execution = 0, dst_execution = 0;
     StageMask src_memory = 0, dst_memory = 0;
@@ -21,16 +22,18 @@ struct Scopes {
 
 class StageChain {
  public:
-    // Barriers added to the same chain do not chain with each other.
+    // Adds a barrier of the same vkCmdPipelineBarrier2 call. Barriers of one call do not chain with each
+    // other.
     void add(const Scopes& barrier);
-    // The stages that wait for at least one of `stages`.
+    // Returns the stages that wait for at least one of `stages`.
     [[nodiscard]] StageMask after(StageMask stages) const;
-    // The chain for both in sequence: dependencies of either, and those that arise by chaining both.
+    // Returns the chain of this chain followed by `next`: the dependencies of each, and those that arise
+    // because barriers of both chain with each other.
     [[nodiscard]] StageChain then(const StageChain& next) const;
     bool operator==(const StageChain&) const = default;
 
  private:
-    std::array<StageMask, stage::kCount> after_{};  // index: stage
+    std::array<StageMask, stage::kCount> after_{};  // Index: bit of the stage. The stages that wait for it.
 };
 
 // The barrier batches of one queue; each call of vkCmdPipelineBarrier2 is one batch.
@@ -38,13 +41,15 @@ class BarrierLog {
  public:
     void append(const StageChain& batch);
     [[nodiscard]] uint32_t count() const { return count_; }
-    // The chain of all batches after the first `count`. `count` must be less than count().
+    // Returns the combined chain of all batches except the first `count` batches. `count` must be less than
+    // count().
     [[nodiscard]] const StageChain& since(uint32_t count) const;
 
  private:
-    // The chain of all batches from any start index between `first` and the next suffix's `first` - 1. A
-    // longer suffix contains each shorter one, so there are at most as many different suffixes as pairs of
-    // stages.
+    // The combined chain of the batches from index `first` to the last one. All start indices before the
+    // `first` of the next Suffix give the same chain, so only one Suffix is stored for them. A chain that
+    // starts earlier contains every chain that starts later. So there are at most as many different chains as
+    // pairs of stages.
     struct Suffix {
         uint32_t first = 0;
         StageChain chain;

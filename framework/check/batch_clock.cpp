@@ -42,7 +42,8 @@ void BatchClock::end_batch(uint32_t batch) {
 }
 
 bool BatchClock::covers(const Actor& actor) const {
-    // Other queues are already synchronised with work before the first frame; the same queue needs barriers.
+    // Work before the first frame is complete for all queues except the queue on which it ran. On that queue,
+    // barriers must order it.
     if (actor.batch_count == 0) return actor.queue != queue_;
     return known_[queue_][actor.queue] >= actor.batch_count;
 }

@@ -1,6 +1,6 @@
 // Purpose: tracks which batches each queue has waited for, directly or indirectly. A semaphore signal covers
-// all earlier work of its queue and everything that queue had waited for (Vulkan 1.3 specification,
-// "Semaphore Signaling": the first scope holds all commands submitted earlier to the same queue). Units:
+// all earlier work of its queue, and all work that this queue had waited for (Vulkan 1.3 specification,
+// "Semaphore Signaling": the first scope includes all commands submitted earlier to the same queue). Units:
 // batches of one queue, counted over all frames from 1.
 #pragma once
 
@@ -16,27 +16,30 @@ class BatchClock {
     explicit BatchClock(const FramePlan& plan);
 
     void begin_frame();
-    // Applies the waits of the batch. Faults: C305, a wait for a batch that is not submitted earlier.
+    // Starts a batch: its queue now knows all work that its waits cover. Errors: C305, a wait for a batch
+    // that is not submitted earlier.
     void begin_batch(uint32_t batch, FaultList& faults);
     void end_batch(uint32_t batch);
 
-    // Sets the queue for later queries, between batches.
+    // Sets the queue to which later queries refer. Call this only between batches.
     void look_from(QueueIndex queue) { queue_ = queue; }
     [[nodiscard]] uint32_t batches_begun(QueueIndex queue) const { return own_[queue]; }
 
     [[nodiscard]] QueueIndex queue() const { return queue_; }
     [[nodiscard]] uint32_t batch_count() const { return own_[queue_]; }
-    // True if semaphores alone ensure that all work of `actor` is complete and visible to the current batch.
+    // Returns true if semaphores alone ensure that all work of `actor` is complete and visible to the current
+    // batch.
     [[nodiscard]] bool covers(const Actor& actor) const;
 
  private:
-    using Known = std::vector<uint32_t>;  // index: queue; number of its batches known to be complete
+    using Known = std::vector<uint32_t>;  // Index: queue. Number of batches known to be complete.
 
     const FramePlan& plan_;
-    std::vector<Known> known_;                 // index: queue
-    std::vector<uint32_t> own_;                // index: queue; number of batches begun
-    std::vector<Known> ends_, previous_ends_;  // index: batch, of this and the previous frame; empty: not
-                                               // ended yet
+    std::vector<Known> known_;   // Index: queue. The batches that the queue knows to be complete.
+    std::vector<uint32_t> own_;  // Index: queue. Number of batches begun so far.
+    // Index: batch, in this frame and in the previous frame. The known batches at the end of that batch;
+    // empty if the batch has not ended yet.
+    std::vector<Known> ends_, previous_ends_;
     bool has_previous_ = false;
     QueueIndex queue_ = 0;
 };

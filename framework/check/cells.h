@@ -14,11 +14,12 @@ namespace weft::check {
 struct Content {
     enum class Kind : uint8_t {
         undefined,
-        outside,      // content of an import
-        initial,      // a persistent resource's first-frame value
-        carried,      // a persistent resource's content at the end of `frame`
-        written,      // written by `pass`
-        overwritten,  // destroyed by `pass`, which wrote the same memory through resource `through`
+        outside,  // Content of an import, written by the program outside the graph.
+        initial,  // The first-frame value of a persistent resource.
+        carried,  // Content that a persistent resource had at the end of `frame`.
+        written,  // Content that `pass` wrote.
+        // Content destroyed by `pass`, which wrote the same memory through the resource `through`.
+        overwritten,
     } kind = Kind::undefined;
     PassId pass = kNoId;
     uint32_t frame = 0;
@@ -27,20 +28,24 @@ struct Content {
 
 inline constexpr uint32_t kNoFamily = UINT32_MAX;
 
-// One mip and layer of one aspect, or a buffer.
+// The state of one subresource: one mip of one layer of one aspect of an image, or a whole buffer.
 struct Cell {
     SubresourceRange range;
     Layout layout = Layout::undefined;
     Content content;
     bool has_write = false;
-    AccessRecord write;                      // the last write or transition
-    std::vector<AccessRecord> reads;         // reads since that write, without those that later reads imply
-    uint32_t owner = kNoFamily;              // the queue family that owns it; kNoFamily: the next family that
-                                             // uses it becomes the owner
-    uint32_t released_to = kNoFamily;        // set between release and acquire: the family that will own it,
-    Layout released_in = Layout::undefined;  // and the layout it will have
-    uint64_t last_batch = 0;                 // number of the last barrier batch on this cell, counted over
-                                             // all queues
+    AccessRecord write;  // The last write or layout transition.
+    // The reads since `write`. A read is left out if a wait for a later read also covers it.
+    std::vector<AccessRecord> reads;
+    // The queue family that owns the subresource. kNoFamily: the next family that uses the subresource
+    // becomes the owner.
+    uint32_t owner = kNoFamily;
+    // Between the release and the acquire of an ownership transfer: the new owner, and the layout after the
+    // transfer.
+    uint32_t released_to = kNoFamily;
+    Layout released_in = Layout::undefined;
+    // Number of the last vkCmdPipelineBarrier2 call that was applied to this cell, counted over all queues.
+    uint64_t last_batch = 0;
 };
 
 // All cells of one resource.
@@ -66,7 +71,7 @@ class Cells {
 
  private:
     SubresourceRange whole_;
-    std::vector<Cell> cells_;  // indexed by aspect, mip, layer
+    std::vector<Cell> cells_;  // All cells, ordered by aspect, then mip, then layer.
 };
 
 }  // namespace weft::check

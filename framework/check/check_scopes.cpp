@@ -8,7 +8,7 @@
 namespace weft::check {
 namespace {
 
-// One attachment that a pass binds.
+// One attachment of a pass.
 struct Bound {
     const AttachmentDecl* decl = nullptr;
     const UseDecl* use = nullptr;
@@ -28,7 +28,8 @@ bool same_place(const Bound& a, const Bound& b) {
            a.use->state.layout == b.use->state.layout;
 }
 
-// True if every attachment of `all` matches one of `others`.
+// Returns true if every attachment in `all` has an attachment in `others` with the same location, resource,
+// range and layout.
 bool same_places(const std::vector<Bound>& all, const std::vector<Bound>& others) {
     return all.size() == others.size() && std::all_of(all.begin(), all.end(), [&](const Bound& a) {
                return std::any_of(others.begin(), others.end(),
@@ -92,7 +93,8 @@ class ScopeRule {
         if (!loads || !reads(bound.use->access)) fault("it does not keep the content of " + name(bound));
     }
 
-    // Inside a scope only attachment accesses are ordered.
+    // Reports other uses of the attachments, such as sampling. Inside a rendering scope only attachment
+    // accesses are ordered.
     void check_other_uses(const PassDecl& pass, const std::vector<Bound>& before,
                           const std::vector<Bound>& after) {
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {

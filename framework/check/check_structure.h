@@ -1,5 +1,6 @@
-// Purpose: checks that need no replay: every live pass occurs once and in order, lifetimes cover all uses,
-// placements lie inside their heaps, alias barriers and other barriers are consistent.
+// Purpose: checks a plan without a replay (the simulation of frames): every live pass occurs once and in
+// order, lifetimes cover all uses, placements lie inside their heaps, and the barriers match the memory plan
+// and the submissions.
 #pragma once
 
 #include "check/fault_list.h"
@@ -7,7 +8,7 @@
 
 namespace weft::check {
 
-// Returns false when the plan is too broken for a replay.
+// Returns false if the plan has errors that make a replay impossible.
 [[nodiscard]] bool check_structure(const FramePlan& plan, FaultList& faults);
 
 }  // namespace weft::check

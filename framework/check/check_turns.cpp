@@ -12,7 +12,7 @@ bool takes_turns(const PassDecl& pass) {
     return pass.frame_slices > 1;
 }
 
-// True if neither pass can run in a frame without the other.
+// Returns true if both passes always run in the same frames.
 bool run_together(const PassDecl& a, const PassDecl& b) {
     if (takes_turns(a) != takes_turns(b)) return false;
     return !takes_turns(a) || (a.frame_slices == b.frame_slices && a.frame_slice == b.frame_slice);
@@ -50,7 +50,8 @@ class Followers {
     std::map<PassId, std::vector<uint8_t>> known_;
 };
 
-// The parts of one resource that a pass with perFrame turns writes, and all passes that write one of them.
+// The subresources of one resource that is written by at least one pass with frame slices, with all passes
+// that write each of them.
 class TurnedResource {
  public:
     TurnedResource(const FramePlan& plan, ResourceId resource, Followers& followers, FaultList& faults)
@@ -86,8 +87,8 @@ class TurnedResource {
 
     struct Part {
         std::vector<PassId> writers;
-        bool overwritten = false;  // some writer discards the previous content
-        bool turned = false;       // some writer takes turns, so it does not run in every frame
+        bool overwritten = false;  // True if a writer discards the previous content.
+        bool turned = false;       // True if a writer runs only in some frames.
     };
 
     template <class Visit>
@@ -113,7 +114,8 @@ class TurnedResource {
 
     void check_read(PassId reader, const UseDecl& use, const VersionSource& source) {
         for_each_part(source.range, [&](const Part& part, const SubresourceRange& cell) {
-            // If every writer modifies the previous content, a read sees the current content in any frame.
+            // If every writer modifies the previous content, a reader sees the current content in every
+            // frame.
             if (!part.turned || !part.overwritten) return;
             const bool before = source.producer == kNoId;
             const PassId named = before ? last_of(part) : source.producer;
@@ -162,8 +164,8 @@ class TurnedResource {
     std::vector<Part> parts_;
 };
 
-// In a frame in which a pass does not run, its barriers still run, but nothing rewrites content that they
-// discard.
+// Checks that no barrier of a pass with frame slices discards content. The barrier runs in every frame, but
+// in some frames the pass does not run, so nothing would write new content.
 void check_dropped_content(const FramePlan& plan, FaultList& faults) {
     for (const PassStep& step : plan.barriers.steps) {
         const PassDecl& pass = plan.graph.passes[step.pass];

@@ -1,5 +1,5 @@
-// Purpose: collects the faults of a plan and reports each cause once: the same two passes and resource give
-// one message, in however many subresources and frames the fault occurs.
+// Purpose: collects the errors of a plan and reports each cause once. Two passes and a resource give one
+// message, even if the error occurs in many subresources and frames.
 #pragma once
 
 #include <set>
@@ -10,26 +10,29 @@
 
 namespace weft::check {
 
-// The last user of a resource, for messages.
+// Describes an access or a layout transition: its pass, frame, queue and batch. It is used in checks and in
+// messages.
 struct Actor {
-    PassId pass = kNoId;  // kNoId: the program outside the graph
+    PassId pass = kNoId;  // kNoId means the program outside the graph.
     uint32_t frame = 0;
-    bool transition = false;  // true: a layout transition before that pass
+    bool transition = false;  // True for a layout transition before the pass.
     QueueIndex queue = 0;
-    uint32_t batch_count = 0;  // batches of its queue up to and including its own; 0: before all frames
-    uint32_t scope = 0;        // for drawing: its rendering scope, counted over all frames from 1; else 0
-    uint32_t barriers = 0;     // number of barrier batches recorded earlier on its queue
+    // Number of batches of its queue, up to and including its own batch. 0 means before all frames.
+    uint32_t batch_count = 0;
+    // For an attachment access: number of its rendering scope, counted over all frames from 1. Else 0.
+    uint32_t scope = 0;
+    uint32_t barriers = 0;  // Number of vkCmdPipelineBarrier2 calls recorded earlier on its queue.
 };
 
 class FaultList {
  public:
     explicit FaultList(const FramePlan& plan) : plan_(plan) {}
 
-    // `loc` is the place in the source of the faulty use.
+    // Adds an error. `loc` is the place in the graph's file of the use that is wrong.
     void add(const char* code, SourceLoc loc, const std::string& message, const std::string& help);
     [[nodiscard]] bool any(const char* code) const;
-    [[nodiscard]] std::string pass_name(PassId pass) const;              // in quotes
-    [[nodiscard]] std::string resource_name(ResourceId resource) const;  // in quotes
+    [[nodiscard]] std::string pass_name(PassId pass) const;              // Returns the name in quotes.
+    [[nodiscard]] std::string resource_name(ResourceId resource) const;  // Returns the name in quotes.
     [[nodiscard]] std::string actor_text(const Actor& actor, uint32_t current_frame) const;
     [[nodiscard]] Diagnostics take() { return std::move(faults_); }
 

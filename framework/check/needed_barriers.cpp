@@ -8,7 +8,8 @@
 namespace weft {
 namespace {
 
-// `barriers` is a list inside `plan`; the function restores it before it returns.
+// Returns how many of `barriers` are necessary. `barriers` must be a list inside `plan`. The function removes
+// one barrier at a time, checks the plan, and restores the barrier.
 uint32_t needed_of(const FramePlan& plan, std::vector<BarrierDecl>& barriers) {
     uint32_t needed = 0;
     for (size_t i = 0; i < barriers.size(); ++i) {

@@ -1,5 +1,5 @@
-// Purpose: counts a plan's necessary barriers: a barrier is necessary if the checker finds a fault without
-// it.
+// Purpose: counts the necessary barriers of a plan. A barrier is necessary if the checker finds an error in
+// the plan without it.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace weft {
 
-// Counts the barriers of a frame, like BarrierPlan::emitted; removes one at a time. The plan must be free of
-// faults. The checker runs once per barrier, so the work is passes × barriers; nullopt if this exceeds
-// `most_work`.
+// Returns the number of necessary barriers in a frame. BarrierPlan::emitted is the number of all barriers.
+// `plan` must have no errors. The checker runs once per barrier, so the work is passes × barriers. Returns
+// nullopt if this work exceeds `most_work`.
 [[nodiscard]] std::optional<uint32_t> count_needed_barriers(FramePlan plan, uint64_t most_work = 100'000);
 
 }  // namespace weft

@@ -6,8 +6,8 @@
 namespace weft::check {
 namespace {
 
-// The graphics pipeline in logical order. In compute, only the indirect read is logically earlier. Other
-// stages have no order.
+// The stages of the graphics pipeline in logical order. In a compute pipeline, only the indirect read comes
+// before the compute shader. All other stages have no order.
 constexpr std::array kGraphicsOrder{
     stage::kDrawIndirect,   stage::kVertexInput,       stage::kVertexShader, stage::kEarlyFragmentTests,
     stage::kFragmentShader, stage::kLateFragmentTests, stage::kColorOutput};
@@ -55,7 +55,7 @@ AccessRecord::AccessRecord(const Actor& actor, StageMask stages, AccessMask acce
 AccessRecord AccessRecord::transition(const Actor& actor, const Scopes& scopes) {
     AccessRecord record(actor, 0, 0, true);
     record.actor_.transition = true;
-    record.available_reach_ = scopes.dst_execution;  // transitions make their own writes available
+    record.available_reach_ = scopes.dst_execution;  // A layout transition makes its own writes available.
     record.transition_reach_ = scopes.dst_execution;
     for (int t = 0; t < stage::kCount; ++t)
         if (has(scopes.dst_memory, t)) record.visible_[static_cast<size_t>(t)] = scopes.dst_access;

@@ -1,8 +1,8 @@
-// Purpose: the happens-before relation on one queue, by the rules of Vulkan's execution and memory
-// dependencies (Vulkan 1.3 specification, chapter "Synchronization and Cache Control"). A barrier orders
-// everything earlier in its source stages before everything later in its destination stages, and chains with
-// barriers whose scopes intersect. A barrier whose source names the writing stage and access makes memory
-// available, and makes it visible to its destination stages and accesses.
+// Purpose: computes the happens-before relation on one queue by the rules of Vulkan's execution and memory
+// dependencies (Vulkan 1.3 specification, chapter "Synchronization and Cache Control"). A barrier orders all
+// earlier commands in its source stages before all later commands in its destination stages, and chains with
+// barriers whose scopes intersect. If the source names the stage and access of a write, the barrier makes
+// this write available, and visible to its destination stages and accesses.
 #pragma once
 
 #include <array>
@@ -14,36 +14,40 @@
 
 namespace weft::check {
 
-// All stages of a source mask: the named ones and those logically earlier in the same pipeline.
+// Returns `stages`, the stages of a source scope, together with the logically earlier stages of the same
+// pipeline.
 [[nodiscard]] StageMask with_earlier(StageMask stages);
-// All stages of a destination mask: the named ones and the logically later ones.
+// Returns `stages`, the stages of a destination scope, together with the logically later stages of the same
+// pipeline.
 [[nodiscard]] StageMask with_later(StageMask stages);
 
 [[nodiscard]] Scopes scopes_of(const BarrierDecl& barrier);
 
-// One access or layout transition, with the later stages that are ordered after it and see its effects.
+// One access or layout transition. It stores which later stages are ordered after it and to which accesses it
+// is visible.
 class AccessRecord {
  public:
     AccessRecord() = default;
-    // A layout transition has no stage of its own: it is complete when its barrier's destination stages
-    // start.
+    // Creates the record of a layout transition. A transition has no stage of its own: it is complete when
+    // the destination stages of its barrier start.
     AccessRecord(const Actor& actor, StageMask stages, AccessMask access, bool is_write);
     static AccessRecord transition(const Actor& actor, const Scopes& scopes);
 
-    // Applies one vkCmdPipelineBarrier2. `all` has its barriers on all resources, because execution
-    // dependencies apply to every resource; `on_memory` has those on the memory of this access.
+    // Applies one vkCmdPipelineBarrier2 call. `all` has the barriers of the call on all resources, because
+    // execution dependencies apply to every resource. `on_memory` has only the barriers on the memory of this
+    // access.
     void pass_barriers(const StageChain& all, std::span<const Scopes> on_memory);
-    // Applies the batches of `log`, the log of this access's queue, that were recorded since the last call.
-    // None of them may be on the memory of this access.
+    // Applies the barrier batches that were recorded in `log` since the last call. `log` must be the log of
+    // this access's queue, and none of these batches may have a barrier on the memory of this access.
     void follow(const BarrierLog& log);
 
-    // True if every stage of this access is in the barrier's source scope, or chains to it.
+    // Returns true if every stage of this access is in the barrier's source scope, or chains with it.
     [[nodiscard]] bool ordered_before(const Scopes& scopes) const;
-    // True if every stage of this access completes before any of `stages` starts.
+    // Returns true if every stage of this access completes before any of `stages` starts.
     [[nodiscard]] bool ordered_before(StageMask stages) const;
     [[nodiscard]] bool visible_to(StageMask stages, AccessMask access) const;
-    // True if an earlier barrier made this write available and chains to the source of `scopes` (or to all of
-    // `stages`).
+    // Returns true if an earlier barrier made this write available and chains with the source of `scopes` (or
+    // with all of `stages`).
     [[nodiscard]] bool available_before(const Scopes& scopes) const {
         return (available_reach_ & scopes.src_execution) != 0;
     }
@@ -64,12 +68,13 @@ class AccessRecord {
     StageMask stages_ = 0;
     AccessMask access_ = 0;
     bool is_write_ = false;
-    uint32_t followed_ = 0;                         // number of barrier batches of its queue already applied
-    StageMask available_reach_ = 0;                 // later stages ordered after the barrier that made it
-                                                    // available
-    std::array<StageMask, stage::kCount> reach_{};  // index: own stage; later stages ordered after it
+    uint32_t followed_ = 0;  // Number of barrier batches of its queue that were applied.
+    // Later stages that are ordered after the barrier that made the write available.
+    StageMask available_reach_ = 0;
+    // Index: a stage of this access. Later stages that are ordered after it.
+    std::array<StageMask, stage::kCount> reach_{};
     StageMask transition_reach_ = 0;
-    std::array<AccessMask, stage::kCount> visible_{};  // index: later stage
+    std::array<AccessMask, stage::kCount> visible_{};  // Index: later stage. Accesses that see the write.
 };
 
 }  // namespace weft::check

@@ -1,4 +1,4 @@
-// Purpose: finds placements that share bytes.
+// Purpose: finds the pairs of placements (resources in a heap) that share bytes.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace weft::check {
            b.offset_bytes < a.offset_bytes + a.size_bytes;
 }
 
-// Calls visit(i, j) once for each pair of placements that share bytes; both are indices, i < j. Only
-// placements that begin inside another one are compared with it, so the cost follows the number of pairs that
-// share bytes.
+// Calls visit(i, j) once for each pair of placements that share bytes; i and j are their indices, i < j. The
+// placements are sorted by offset, and each is compared only with placements that begin inside it. So the run
+// time grows with the number of pairs that share bytes.
 template <typename Visit>
 void for_each_overlap(const std::vector<Placement>& placements, Visit visit) {
     std::vector<uint32_t> by_offset(placements.size());

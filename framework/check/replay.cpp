@@ -40,8 +40,7 @@ std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     }
     for (std::vector<ResourceId>& ring : rings)
         if (std::find(ring.begin(), ring.end(), kNoId) != ring.end())
-            ring.clear();  // check_structure() reports this
-                           // as C301
+            ring.clear();  // check_structure() reports such a ring as error C301.
     return rings;
 }
 
@@ -114,8 +113,9 @@ void Replay::prologue() {
     barriers(prologue.after, kNoId);
 }
 
-// Each resource of a ring gets the content that the next newer one had; the oldest copy becomes the newest.
-// First-frame values that no pass has overwritten stay valid.
+// Advances all rings by one frame. Each resource of a ring gets the content of the resource that is one frame
+// newer. The oldest copy becomes the newest one; its content is then undefined, unless it still has its
+// first-frame value.
 void Replay::rotate_rings() {
     for (const std::vector<ResourceId>& ring : rings_) {
         if (ring.size() < 2) continue;
@@ -206,7 +206,8 @@ void Replay::uses(const PassStep& step, bool goes_on) {
         const AttachmentOps* ops = ops_of(step, u);
         const AccessState state = effective_state(use, ops);
         if (writes(use.access) || (ops && ops->store != StoreOp::none))
-            // Inside a scope the store operation has no effect yet, so the content is kept.
+            // The content is kept if the next pass draws in the same rendering scope, because the store
+            // operation takes effect only at the end of the scope.
             write(actor_of_use(step.pass, u), use, state, !ops || goes_on || ops->store == StoreOp::store);
     }
 }
@@ -222,9 +223,9 @@ void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state)
     });
 }
 
-// Keeps the two latest similar reads: later reads passed fewer barriers, so waiting for a later read of the
-// same stages and queue implies waiting for the earlier one. Two passes are kept, because a pass that also
-// writes does not wait for its own read.
+// Adds a read to the cell. Only the two latest reads of each queue with the same stages are kept: a wait for
+// a later read also covers the earlier reads. Two are kept, because a pass that also writes does not wait for
+// its own read.
 void Replay::note_read(Cell& cell, const AccessRecord& record) {
     const Actor& by = record.actor();
     const auto alike = [&](const AccessRecord& other) {
@@ -246,11 +247,12 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
         expect_free_memory(by, use.resource, use.loc, state.stages, nullptr);
     superseded_by_[use.resource] = kNoId;
     cells_[use.resource].each(use.range, [&](Cell& cell) {
-        // A pass that discards a buffer's content needs no ownership transfer; for an image, the transition
-        // from `undefined` does this.
+        // A pass that discards the content of a buffer needs no ownership transfer. For an image, the
+        // transition from UNDEFINED has this effect.
         if (resource.kind == ResourceKind::buffer && !reads(use.access)) cell.owner = family();
         expect_owner(by, use, cell);
-        // read() has added this pass to the reads if it also reads; a pass does not wait for its own read.
+        // If this pass also reads the cell, read() has added it to the reads. A pass does not wait for its
+        // own read.
         std::erase_if(cell.reads, [&](const AccessRecord& r) {
             return r.actor().pass == by.pass && r.actor().frame == frame_;
         });

@@ -1,5 +1,5 @@
-// Purpose: simulates a plan over consecutive frames and tracks every subresource: its layout, the origin of
-// its content, the queue family that owns it, and the accesses that later ones must wait for.
+// Purpose: simulates a plan over consecutive frames. For every subresource it tracks the layout, the origin
+// of the content, the queue family that owns it, and the accesses that later ones must wait for.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace weft::check {
 // A resource whose memory overlaps that of another one.
 struct Neighbour {
     ResourceId resource = kNoId;
-    bool covered = false;  // all of its memory also belongs to the other resource
+    bool covered = false;  // True if all its memory also belongs to the other resource.
 };
 
 class Replay {
@@ -32,15 +32,16 @@ class Replay {
     void enter_imports();
     void leave_imports();
     void batch(uint32_t index);
-    // `goes_on`: true if the next pass draws into the same rendering scope.
+    // Simulates a pass with its barriers. `goes_on` is true if the next pass draws into the same rendering
+    // scope.
     void step(const PassStep& step, bool goes_on);
     void uses(const PassStep& step, bool goes_on);
 
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
     void carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes);
-    // Applies the barriers of the record's queue that are not on its memory. Call this before any check of
-    // the record.
+    // Applies to the record all barriers of its queue that are not on its memory. Call this before any check
+    // of the record.
     void follow(AccessRecord& record) const { record.follow(logs_[record.actor().queue]); }
     [[nodiscard]] const BarrierLog& log() const { return logs_[clock_.queue()]; }
     void apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
@@ -50,7 +51,8 @@ class Replay {
     static void note_read(Cell& cell, const AccessRecord& record);
     void write(const Actor& by, const UseDecl& use, const AccessState& state, bool kept);
 
-    // Semaphores order work of other queues; barriers order work of this queue.
+    // These functions check order and visibility between a record and the current queue. Records of other
+    // queues need a semaphore; records of the same queue need barriers.
     [[nodiscard]] bool ordered(const AccessRecord& record, StageMask stages) const;
     [[nodiscard]] bool ordered(const AccessRecord& record, const Scopes& scopes) const;
     [[nodiscard]] bool flushed(const AccessRecord& record, const Scopes& scopes) const;
@@ -60,10 +62,12 @@ class Replay {
     [[nodiscard]] Actor actor(PassId pass, bool transition = false) const {
         return {pass, frame_, transition, clock_.queue(), clock_.batch_count(), 0, log().count()};
     }
-    // Draws are ordered within their rendering scope.
+    // Returns the actor for one use of a pass. For an attachment it has the rendering scope, because draws
+    // are ordered within one scope.
     [[nodiscard]] Actor actor_of_use(PassId pass, uint32_t use) const;
     [[nodiscard]] uint32_t family() const { return plan_.schedule.queues[clock_.queue()].family; }
-    // The first queue needs barriers to be ordered after the program outside the graph.
+    // Returns true if semaphores already order the record before the current batch. Accesses by the program
+    // outside the graph are an exception: on queue 0, barriers must order them.
     [[nodiscard]] bool covered(const AccessRecord& record) const {
         const Actor& by = record.actor();
         const bool outside = by.pass == kNoId && !by.transition;
@@ -71,7 +75,8 @@ class Replay {
     }
     [[nodiscard]] std::string missing(const AccessRecord& record, const std::string& barrier) const;
 
-    // `hint`: index of the source that matched the previous cell of this use; the search starts there.
+    // Checks that a cell has the content that the use declares. `hint` is the index of the source that
+    // matched the previous cell of the use; the search starts there.
     void expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint);
     [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const;
     [[nodiscard]] bool anybody_writes(ResourceId resource, const SubresourceRange& range) const;
@@ -80,7 +85,8 @@ class Replay {
     void expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                             const BarrierDecl* transition);
     void overwrite_neighbours(PassId by, ResourceId resource);
-    // True if `taker`, which takes over memory of `resource`, need not wait for it.
+    // Returns true if `taker`, which takes over memory of `resource`, need not wait for `resource`, because
+    // another resource has already waited for it.
     [[nodiscard]] bool is_superseded(ResourceId resource, ResourceId taker) const {
         const ResourceId by = superseded_by_[resource];
         return by != kNoId && by != taker;
@@ -89,23 +95,23 @@ class Replay {
     const FramePlan& plan_;
     FaultList& faults_;
     BatchClock clock_;
-    std::vector<BarrierLog> logs_;  // index: queue
-    uint64_t barrier_batches_ = 0;  // counted over all queues
+    std::vector<BarrierLog> logs_;  // Index: queue. All barriers of the queue.
+    uint64_t barrier_batches_ = 0;  // Number of barrier batches on all queues.
     uint32_t frame_ = 0;
-    uint32_t scope_ = 0;        // number of the current rendering scope, counted over
-                                // all frames
-    std::vector<Cells> cells_;  // index: resource
-    // Index: resource. The resource that has taken over all of this one's memory since its last use and has
-    // waited for that use. A third resource that takes over the memory waits for that resource, and so also
-    // for this one. Does not apply to the resource named here: it takes over each part of the memory
-    // separately. Apart from cells_, because each use reads it for all neighbours.
+    // Number of the current rendering scope, counted over all frames.
+    uint32_t scope_ = 0;
+    std::vector<Cells> cells_;  // Index: ResourceId. The state of each subresource.
+    // Index: ResourceId of A. The resource B that has taken over all memory of A since the last use of A,
+    // after it waited for that use; or kNoId. If a third resource takes over the memory, it waits for B, and
+    // so also for A. B itself is an exception: it may take over the memory part by part, so it always waits
+    // for A. This table is separate from cells_, because each use reads it for all neighbours.
     std::vector<ResourceId> superseded_by_;
-    std::vector<std::vector<Neighbour>> neighbours_;  // index: resource
-    std::vector<std::vector<ResourceId>> rings_;      // index: first resource of a ring; the resources of the
-                                                      // ring, ordered by age
+    std::vector<std::vector<Neighbour>> neighbours_;  // Index: ResourceId. Resources with overlapping memory.
+    // Index: the ring's resource of age 0. All resources of the ring, ordered by age.
+    std::vector<std::vector<ResourceId>> rings_;
 };
 
-// The stages and accesses of a use, including the load and store operations of its attachment.
+// Returns the stages and accesses of a use, including those of the attachment's load and store operations.
 [[nodiscard]] AccessState effective_state(const UseDecl& use, const AttachmentOps* ops);
 [[nodiscard]] const AttachmentOps* ops_of(const PassStep& step, uint32_t use);
 

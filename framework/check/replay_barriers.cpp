@@ -1,4 +1,4 @@
-// Effects of barriers in the replay: ordering, visibility, layouts and ownership.
+// Simulates barriers: their effects on ordering, visibility, layouts and queue family ownership.
 #include <map>
 #include <utility>
 
@@ -27,8 +27,8 @@ void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
     std::vector<Scopes> scopes;
     scopes.reserve(batch.size());
     for (const BarrierDecl& barrier : batch) scopes.push_back(scopes_of(barrier));
-    // The batch waits only for work before the batch. So all transitions are checked first, then all pending
-    // records are updated, and then the transitions take effect.
+    // The barriers of one call wait only for work before the call. So first all layout transitions are
+    // checked, then all pending access records are updated, and then the transitions take effect.
     for (size_t i = 0; i < batch.size(); ++i)
         if (moves(batch[i]) || changes_image(batch[i])) transition(batch[i], scopes[i], before);
     carry(batch, scopes);
@@ -56,7 +56,8 @@ void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId befo
     if (drops_content(barrier)) overwrite_neighbours(before, barrier.resource);
 }
 
-// One half of an ownership transfer: first the release on the old family, then the acquire on the new one.
+// Simulates one half of an ownership transfer: the release on the old queue family or the acquire on the new
+// one.
 void Replay::transfer(const BarrierDecl& barrier, PassId before) {
     const ResourceDecl& resource = plan_.graph.resources[barrier.resource];
     const Scopes scopes = scopes_of(barrier);
@@ -117,11 +118,12 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
     if (drops_content(barrier)) expect_free_memory(by, barrier.resource, resource.loc, 0, &barrier);
 }
 
-// Barriers order only earlier work of their own queue. Only records on the barriers' memory are updated here;
-// the others apply the log later, when they are checked.
+// Applies the barriers of one call to the access records. Barriers order only earlier work of their own
+// queue. Only records on the barriers' memory are updated here; all other records apply the log later, when
+// they are checked.
 void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes) {
     StageChain all;
-    std::map<ResourceId, std::vector<size_t>> on_resource;  // indices into `batch`
+    std::map<ResourceId, std::vector<size_t>> on_resource;  // Key: ResourceId. Indices into `batch`.
     for (size_t i = 0; i < batch.size(); ++i) {
         all.add(scopes[i]);
         on_resource[batch[i].resource].push_back(i);

@@ -1,4 +1,4 @@
-// Passes imports from the program outside the graph to the frame and back.
+// Simulates how the program outside the graph hands imports to the frame and gets them back.
 #include <vector>
 
 #include "check/replay.h"
@@ -18,7 +18,7 @@ void Replay::enter_imports() {
         if (!resource.import) continue;
         const AccessState& entry = resource.import->entry;
         const bool pending = (entry.access & access::kAllWrites) != 0;
-        // The program's accesses come after all work of the first queue in the previous frame.
+        // The accesses of the program happen after all work of queue 0 in the previous frame.
         const Actor outside{kNoId, frame_, false, 0, clock_.batches_begun(0), 0, logs_[0].count()};
         for (Cell& cell : cells_[id]) {
             const AccessRecord record(outside, entry.stages, entry.access, pending);
@@ -40,8 +40,8 @@ void Replay::leave_imports() {
         if (!resource.import) continue;
         UseDecl outside;
         outside.resource = id;
-        outside.access = Access::storage_write;  // a write access, because expect_order() checks fewer
-                                                 // conditions for reads
+        // Declared as a write, because expect_order() checks fewer conditions for reads.
+        outside.access = Access::storage_write;
         outside.loc = resource.loc;
         const AccessState& exit = resource.import->exit;
         const bool writes_next = (exit.access & access::kAllWrites) != 0;

@@ -1,4 +1,4 @@
-// Checks of each access in the replay: order, visibility, layout, content, exclusive use of memory.
+// Checks each simulated access: order, visibility, layout, content, and exclusive use of memory.
 #include <algorithm>
 
 #include "check/replay.h"
@@ -10,8 +10,8 @@ bool Replay::ordered(const AccessRecord& record, StageMask stages) const {
     return record.actor().queue == clock_.queue() && record.ordered_before(stages);
 }
 
-// A barrier that relies on a semaphore must chain with the semaphore's wait, which blocks all stages. A
-// barrier with an empty source does not chain with it.
+// Returns true if the barrier comes after the record. If a semaphore orders the record, the barrier must
+// chain with the semaphore wait. The wait blocks all stages, so any non-empty source scope chains with it.
 bool Replay::ordered(const AccessRecord& record, const Scopes& scopes) const {
     if (covered(record)) return scopes.src_execution != 0;
     return record.actor().queue == clock_.queue() && record.ordered_before(scopes);
@@ -42,7 +42,8 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
                           bool is_write) {
     if (cell.has_write) follow(cell.write);
     const bool judged_as_read = is_write && reads(use.access);
-    // This function runs for every subresource of every use, so texts are built only for faults.
+    // The texts are built in lambdas, only for errors, because this function runs for every subresource of
+    // every use.
     const auto who = [&] { return faults_.actor_text(by, frame_); };
     const auto what = [&] { return faults_.resource_name(use.resource) + range_text(cell.range); };
     const bool image = plan_.graph.resources[use.resource].kind == ResourceKind::image;
@@ -78,7 +79,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
     }
 }
 
-// True if any pass of any frame writes the range.
+// Returns true if any live pass writes a part of the range.
 bool Replay::anybody_writes(ResourceId resource, const SubresourceRange& range) const {
     const auto write_it = [&](const UseDecl& use) {
         return use.resource == resource && writes(use.access) && overlaps(use.range, range);
@@ -89,15 +90,17 @@ bool Replay::anybody_writes(ResourceId resource, const SubresourceRange& range) 
     });
 }
 
-// True for the content of `age` frames ago, or for the first-frame value if no such frame existed or if no
-// pass writes the resource any more.
+// Returns true if the cell has the content that the use wants: the content that the pass `wanted` wrote in
+// this frame, or the content of `age` frames ago. If no such frame exists, or if no live pass writes the
+// resource, the first-frame value is right.
 bool Replay::is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const {
     const Content& found = cell.content;
     if (wanted != kNoId)
         return found.kind == Content::Kind::written && found.pass == wanted && found.frame == frame_;
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.ring == kNoId) return found.kind == Content::Kind::outside;
-    const uint32_t age = std::max(resource.age, 1u);  // a ring of one keeps the content of the previous frame
+    // A ring of one resource has the content of the previous frame.
+    const uint32_t age = std::max(resource.age, 1u);
     const bool never_written = resource.history > 0 && !anybody_writes(resource.ring, cell.range);
     if (frame_ < age || never_written) return found.kind == Content::Kind::initial;
     return found.kind == Content::Kind::carried && found.frame == frame_ - age;
@@ -121,7 +124,8 @@ void Replay::expect_owner(const Actor& by, const UseDecl& use, Cell& cell) {
 }
 
 void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint) {
-    // A use may have a source for each of thousands of layers: the search starts at the previous match.
+    // A use may have thousands of sources, one per layer. So the search starts at the source that matched the
+    // previous cell.
     const auto holds_cell = [&](const VersionSource& s) { return contains(s.range, cell.range); };
     const auto begin = use.sources.begin() + static_cast<std::ptrdiff_t>(std::min(hint, use.sources.size()));
     auto source = std::find_if(begin, use.sources.end(), holds_cell);
@@ -153,11 +157,11 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
 }
 
 // Checks that no other resource in the same memory is still in use before `resource` is written. `transition`
-// is the barrier that writes first; it is null if the pass itself does, in `stages`.
+// is the barrier that writes first; if it is null, the pass itself writes first, in `stages`.
 void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                                 const BarrierDecl* transition) {
     const Scopes scopes = transition ? scopes_of(*transition) : Scopes{};
-    // A barrier makes available only writes through the resources that it names.
+    // A barrier makes only those writes available that were made through the resources that it names.
     const auto is_flushed = [&](ResourceId owner, const AccessRecord& record) {
         const std::vector<ResourceId>& from = transition->aliased_from;
         if (std::find(from.begin(), from.end(), owner) != from.end()) return flushed(record, scopes);

@@ -1,5 +1,5 @@
-// Purpose: cells of resources. A cell is one mip of one layer of one aspect of an image, or a whole buffer.
-// Cells are numbered by aspect, then layer, then mip.
+// Purpose: numbers the cells of a resource. A cell is one mip of one layer of one aspect of an image, or a
+// whole buffer. Cells are ordered by aspect, then layer, then mip.
 #pragma once
 
 #include <bit>
@@ -18,7 +18,7 @@ inline uint32_t cell_count(const ResourceDecl& resource) {
     return aspect_count(resource.aspects) * resource.layers * resource.mips;
 }
 
-// Calls visit(index, range of that cell) for every cell of `range`.
+// Calls visit(index of the cell, range of the cell) for every cell of `range`.
 template <class F>
 void for_each_cell(const ResourceDecl& resource, const SubresourceRange& range, F visit) {
     if (resource.kind == ResourceKind::buffer) return visit(0u, SubresourceRange{});
@@ -39,20 +39,22 @@ void for_each_cell(const ResourceDecl& resource, F visit) {
     for_each_cell(resource, resource.whole(), visit);
 }
 
-// The pass that wrote the content that `use` sees in one cell; kNoId: the content is from before the frame.
+// Returns the pass that wrote the content that `use` sees in one cell. Returns kNoId if the content is from
+// before the frame.
 inline PassId source_of(const UseDecl& use, const SubresourceRange& cell) {
     for (const VersionSource& source : use.sources)
         if (overlaps(source.range, cell)) return source.producer;
     return kNoId;
 }
 
-// True if the pass depends on the previous content of the range. A copy or clear of a part keeps the rest,
-// although its access does not read.
+// Returns true if the pass depends on the previous content of the range. This includes a copy or clear of a
+// part of the range: its access type only writes, but the other part must keep its content.
 inline bool sees_content(const UseDecl& use) {
     return reads(use.access) || (writes(use.access) && !use.sources.empty());
 }
 
-// A transient has no defined content at the start of a frame, so no pass may rely on it.
+// Returns false for transients: their content is undefined at the start of a frame, so no pass may rely on
+// it.
 inline bool defined_before_frame(const ResourceDecl& resource) {
     return resource.lifetime != ResourceLifetime::transient;
 }

@@ -1,5 +1,5 @@
-// Purpose: the memory accesses of a pass through one of its uses, including the load and store operations of
-// attachments, and the effects of these operations on content.
+// Purpose: computes the memory accesses of a pass through one of its uses, including the load and store
+// operations of attachments, and what these operations do to the content.
 #pragma once
 
 #include "weft/plan.h"
@@ -9,16 +9,18 @@ namespace weft::null {
 struct EffectiveUse {
     StageMask stages = stage::kNone;
     AccessMask access = access::kNone;
-    bool reads = false;          // reads at least some of the previous content
-    bool writes = false;         // writes memory, even if it only writes back the previous content
-    bool loses_old = false;      // the pass needs the previous content or a clear, but has neither
-    bool loses_written = false;  // the content is undefined after the pass
+    bool reads = false;  // True if at least some previous content is read.
+    // True if memory is written, even if a store operation only writes the previous content back.
+    bool writes = false;
+    // True if the pass needs the previous content or a clear, but the load operation gives neither.
+    bool loses_old = false;
+    bool loses_written = false;  // True if the content is undefined after the pass.
 };
-[[nodiscard]] bool draws_to(const PassDecl& pass, uint32_t use);  // true if the use is an attachment
+[[nodiscard]] bool draws_to(const PassDecl& pass, uint32_t use);  // Returns true if the use is an attachment.
 [[nodiscard]] EffectiveUse effective_use(const PassDecl& pass, const PassStep& step, uint32_t use);
 
-// A use with several stages writes in one of them, which is not known: one is picked pseudo-randomly from
-// `choice`.
+// Picks one of `stages` pseudo-randomly from `choice`. It is used for a use with several stages, because only
+// one of them writes and it is not known which.
 [[nodiscard]] StageMask drawn_stage(StageMask stages, uint64_t choice);
 [[nodiscard]] inline StageMask write_stage(const EffectiveUse& use, uint32_t position, uint32_t index,
                                            uint64_t choice) {

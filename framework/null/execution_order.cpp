@@ -8,7 +8,7 @@
 namespace weft::null {
 namespace {
 
-// The order in which execution of each node is requested.
+// Returns the order in which the nodes are requested. Before a requested node, its predecessors are executed.
 std::vector<uint32_t> demand(size_t count, NullOrder order, uint64_t seed) {
     std::vector<uint32_t> nodes(count);
     std::iota(nodes.begin(), nodes.end(), 0u);
@@ -25,8 +25,8 @@ class BatchOrder {
         order_.reserve(timeline.nodes.size());
     }
 
-    // Executes the predecessors of the node, then the node. Other nodes stay delayed. Predecessors have
-    // smaller indices.
+    // Executes the predecessors of the node, then the node. All other nodes wait until they are requested.
+    // Predecessors have smaller indices than the node.
     void ask_for(uint32_t node) {
         if (done_.contains(node)) return;
         std::vector<uint32_t> missing = timeline_.outside_before[node];

@@ -1,4 +1,4 @@
-// Purpose: computes one of the execution orders that a timeline allows.
+// Purpose: computes one of the execution orders that the dependencies of a timeline allow.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace weft::null {
 
-// Returns every node once, after all its predecessors.
+// Returns all nodes. Each node comes once, after all its predecessors.
 [[nodiscard]] std::vector<uint32_t> execution_order(const Timeline& timeline, NullOrder order, uint64_t seed);
 
 }  // namespace weft::null

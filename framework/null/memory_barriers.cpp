@@ -1,4 +1,4 @@
-// Effects of barriers and semaphores on memory: availability, visibility, layouts, ownership.
+// Simulates the effects of barriers and semaphores on memory: availability, visibility, layouts, ownership.
 #include "null/cells.h"
 #include "null/memory_model.h"
 #include "null/pass_values.h"
@@ -12,8 +12,9 @@ bool moves_family(const BarrierDecl& barrier) {
 
 }  // namespace
 
-// A barrier makes a write available if its source includes the write's stage and access. Once available, the
-// write becomes visible to the destination of that barrier and of every later one.
+// Applies a barrier to the last write of a cell. The barrier makes the write available if its source includes
+// the write's stage and access. Once available, the write becomes visible to the destination of this barrier
+// and of every later barrier.
 void Memory::carry(MemoryCell& cell, uint32_t node, const BarrierDecl& barrier) {
     WriteRecord& write = cell.write;
     if (write.node == kNoNode || !is_before(write.node, node)) return;
@@ -36,7 +37,8 @@ void Memory::barrier(uint32_t node) {
     for (const ResourceId from : barrier.aliased_from) {
         const ResourceId owner = object_of(from, frame);
         for (uint32_t c = 0; c < cells_[owner].size(); ++c) {
-            bool own = false;  // set for the barrier's own cells, which were carried above
+            // True for cells in the barrier's own range, which the loop above has already processed.
+            bool own = false;
             if (owner == object)
                 for_each_cell(decl, barrier.range,
                               [&](uint32_t cell, const SubresourceRange&) { own = own || cell == c; });
@@ -71,7 +73,8 @@ const char* Memory::why_not_moved(ResourceId object, const MemoryCell& cell, uin
     return cell.layout == barrier.src.layout ? nullptr : "it is not in the layout that the barrier changes";
 }
 
-// A layout transition rewrites the cell between the two halves of its barrier.
+// Simulates a layout transition or ownership transfer. It rewrites the cell after the barrier's source scope
+// and before its destination scope.
 void Memory::transition(ResourceId object, uint32_t index, uint32_t node, const BarrierDecl& barrier) {
     MemoryCell& cell = cells_[object][index];
     const QueueIndex queue = timeline_.nodes[node].queue;
@@ -97,7 +100,7 @@ void Memory::transition(ResourceId object, uint32_t index, uint32_t node, const 
     cell.readers.clear();
 }
 
-// From here on, all earlier work of this queue is available.
+// Simulates a semaphore signal: all writes before it on this queue become available.
 void Memory::signal(uint32_t node) {
     for (std::vector<MemoryCell>& object : cells_)
         for (MemoryCell& cell : object)

@@ -67,7 +67,8 @@ bool Memory::available(const WriteRecord& write, uint32_t node) const {
 
 bool Memory::visible(const WriteRecord& write, const Accessor& accessor) const {
     if (write.node == kNoNode || drawn_in_scope_of(write, accessor.node)) return true;
-    if (accessor.stage == stage::kNone) return true;  // a semaphore wait makes everything visible
+    // An accessor without a stage comes after a semaphore wait, which makes every write visible.
+    if (accessor.stage == stage::kNone) return true;
     const QueueIndex queue = timeline_.nodes[accessor.node].queue;
     AccessMask seen = access::kNone;
     for (const Visibility& v : write.visible)
@@ -90,7 +91,8 @@ uint32_t Memory::family_of(uint32_t node) const {
     return plan_.schedule.queues[at.queue].family;
 }
 
-// Null when the accessor may use the cell: it has the right owner and layout. Otherwise the reason.
+// Returns null if the accessor may use the cell, because it has the right queue family and layout. Otherwise
+// returns the reason.
 const char* Memory::why_not_usable(ResourceId object, const MemoryCell& cell,
                                    const Accessor& accessor) const {
     if (cell.transfer) return "it is on its way to another queue family";
@@ -105,7 +107,8 @@ const char* Memory::why_not_seen(const MemoryCell& cell, const Accessor& accesso
     return visible(cell.write, accessor) ? nullptr : "its last write is not visible there";
 }
 
-// Null when all users of the cell have completed, so that its memory may be reused. Otherwise the reason.
+// Returns null if all users of the cell have completed, so that its memory may be reused. Otherwise returns
+// the reason.
 const char* Memory::why_not_overwritten(const MemoryCell& cell, uint32_t node) const {
     if (!is_before(cell.write.node, node)) return "a write to the same memory need not be over";
     if (!available(cell.write, node)) return "a write to the same memory is not available";
@@ -114,7 +117,8 @@ const char* Memory::why_not_overwritten(const MemoryCell& cell, uint32_t node) c
     return nullptr;
 }
 
-// Destroys the content of other objects in the same memory; returns a reason if they are still in use.
+// Destroys the content of all other objects that overlap the object in memory. Returns a reason if one of
+// them is still in use, else null.
 const char* Memory::take_from_neighbours(ResourceId object, uint32_t node) {
     const char* why = nullptr;
     for (const ResourceId other : neighbours_[object]) {

@@ -1,9 +1,9 @@
-// Purpose: the memory of a plan during execution: the content of every cell, the node that wrote it, and the
-// accesses to which it is visible. Every copy of a persistent resource is a separate memory object, named
-// after the resource it belonged to in frame 0. Resources whose placements overlap destroy each other's
-// content. An access that is not ordered after an earlier conflicting access, or does not see its result,
-// leaves poison. Source: Vulkan 1.3 specification, appendix "Memory Model" (availability, visibility, data
-// races).
+// Purpose: simulates the memory of a plan during execution: the content of every cell, the node that wrote
+// it, and the accesses to which it is visible. A node is one barrier, semaphore operation or part of a pass.
+// Every copy of a persistent resource is a separate memory object, named after the resource that used it in
+// frame 0. Resources whose placements overlap destroy each other's content. If an access is not ordered after
+// an earlier conflicting access, or does not see its result, the value becomes poison (a unique wrong value).
+// Source: Vulkan 1.3 specification, appendix "Memory Model" (availability, visibility, data races).
 #pragma once
 
 #include <optional>
@@ -16,16 +16,16 @@
 namespace weft::null {
 
 struct Visibility {
-    uint32_t node = kNoNode;  // visible when this node has completed
+    uint32_t node = kNoNode;  // The write is visible after this node has completed.
     StageMask stages = stage::kNone;
     AccessMask access = access::kNone;
-    bool any_stage = false;  // true for a semaphore: visible to all stages of this queue
+    bool any_stage = false;  // True for a semaphore wait: all stages of the queue see the write.
     QueueIndex queue = 0;
 };
 
-// The last write of a cell, and where it is visible.
+// The last write of a cell, and the accesses to which it is visible.
 struct WriteRecord {
-    uint32_t node = kNoNode;  // kNoNode: before all nodes, visible to all
+    uint32_t node = kNoNode;  // The writing node. kNoNode: a write before all nodes, visible to all.
     QueueIndex queue = 0;
     StageMask stage = stage::kNone;
     AccessMask access = access::kNone;
@@ -33,7 +33,7 @@ struct WriteRecord {
     std::vector<Visibility> visible;
 };
 
-// State between the release by one queue family and the acquire by another.
+// State of a cell between its release by one queue family and its acquire by another.
 struct Transfer {
     uint32_t node = kNoNode;
     uint32_t src_family = 0, dst_family = 0;
@@ -43,45 +43,49 @@ struct Transfer {
 struct MemoryCell {
     CellValue value = kUndefinedValue;
     Layout layout = Layout::undefined;
-    uint32_t family = kNoId;  // owning queue family; kNoId: the next family that uses it
+    uint32_t family = kNoId;  // Queue family that owns the cell; kNoId: the next user becomes the owner.
     std::optional<Transfer> transfer;
     WriteRecord write;
-    std::vector<uint32_t> readers;  // readers since that write
-    // Frame of an unordered conflict. In one particular order a conflict may have no effect; to show it in
-    // every order, all writes to this cell stay poison for the rest of that frame.
+    std::vector<uint32_t> readers;  // Nodes that read the cell since the last write.
+    // Frame in which the cell had an unordered conflict, or kNoId. In some execution orders the conflict has
+    // no effect. To show the error in every order, all writes to this cell in the rest of that frame become
+    // poison.
     uint32_t conflict_frame = kNoId;
 };
 
-// The node that accesses a cell, and its kind of access.
+// Describes an access: the node that accesses a cell, with the stage, access type and layout.
 struct Accessor {
     uint32_t node = kNoNode;
-    StageMask stage = stage::kNone;  // one bit; kNone: sees everything that is available
+    StageMask stage = stage::kNone;  // One bit. kNone: the accessor sees everything that is available.
     AccessMask access = access::kNone;
-    Layout layout = Layout::undefined;  // required layout
+    Layout layout = Layout::undefined;  // Layout in which the image must be.
 };
 
 class Memory {
  public:
     Memory(const FramePlan& plan, const Timeline& timeline, uint64_t seed);
 
-    // The memory object of a resource in a frame.
+    // Returns the memory object that the resource uses in a frame.
     [[nodiscard]] ResourceId object_of(ResourceId resource, uint32_t frame) const;
     [[nodiscard]] CellValue peek(ResourceId object, uint32_t cell) const {
         return cells_[object][cell].value;
     }
 
-    // The value that the accessor sees. Poison is reported, but the cell keeps its value.
+    // Returns the value that the accessor sees. An invalid access gives poison and a fault message, but the
+    // cell keeps its value.
     [[nodiscard]] CellValue read(ResourceId object, uint32_t cell, const Accessor& accessor);
-    // `overwrites`: the accessor must wait for readers, although it does not change the value.
+    // Reads an import after the frame. `overwrites` is true if the import's owner may write it next; then the
+    // owner must also wait for all readers.
     [[nodiscard]] CellValue leave(ResourceId object, uint32_t cell, const Accessor& accessor,
                                   bool overwrites);
     void write(ResourceId object, uint32_t cell, const Accessor& accessor, CellValue value);
     void barrier(uint32_t node);
     void signal(uint32_t node);
     void wait(uint32_t node);
-    // Puts an import into its entry state. Before the first frame its content comes from its owner.
+    // Puts an import into its entry state. `first` is true in the first frame, where the import gets the
+    // content of its owner.
     void enter(ResourceId import, bool first);
-    // An access by the import's owner before the frame: a pending write, or a read.
+    // Simulates an access to the import by its owner before the frame: a pending write, or a read.
     void access_outside(uint32_t node, ResourceId import);
 
     [[nodiscard]] std::vector<std::string> take_faults() { return std::move(faults_); }
@@ -108,10 +112,11 @@ class Memory {
     const FramePlan& plan_;
     const Timeline& timeline_;
     uint64_t seed_;
-    std::vector<std::vector<MemoryCell>> cells_;        // indexed by object, then cell
-    std::vector<std::vector<ResourceId>> neighbours_;   // indexed by object: the objects with overlapping
-                                                        // memory
-    std::vector<std::vector<ResourceId>> ring_copies_;  // indexed by ring: its resources, ordered by age
+    std::vector<std::vector<MemoryCell>> cells_;  // Indexed by memory object, then by cell.
+    // Index: memory object. The objects that overlap it in memory.
+    std::vector<std::vector<ResourceId>> neighbours_;
+    // Index: the ring's resource of age 0. All resources of the ring, ordered by age.
+    std::vector<std::vector<ResourceId>> ring_copies_;
     std::vector<std::string> faults_;
 };
 

@@ -1,4 +1,4 @@
-// Purpose: a growing set of small numbers, used for the predecessors of a node.
+// Purpose: a set of node indices as a bit set that grows when needed. It stores the predecessors of a node.
 #pragma once
 
 #include <bit>
@@ -26,7 +26,7 @@ class NodeSet {
         return word < words_.size() && (words_[word] >> (node % 64) & 1) != 0;
     }
 
-    // Calls the function for the elements of this set that are not in `other`, in ascending order.
+    // Calls `visit` for each element of this set that is not in `other`, in ascending order.
     template <class F>
     void for_each_missing(const NodeSet& other, F visit) const {
         for (size_t i = 0; i < words_.size(); ++i) {

@@ -11,8 +11,8 @@ namespace weft {
 namespace null {
 namespace {
 
-// Values that one pass of one frame has read so far, indexed by use and by cell in the order of the use's
-// range.
+// The values that one pass has read so far in one frame, indexed by use, then by cell in the order of the
+// use's range.
 struct Gathered {
     struct Value {
         CellValue value = kUndefinedValue;
@@ -20,7 +20,8 @@ struct Gathered {
     };
     std::vector<std::vector<Value>> uses;
 
-    // Several stages of one pass must read the same value.
+    // Stores a value. If several stages of the pass read different values of one cell, the cell gets a new,
+    // unique value.
     void note(uint32_t use, size_t index, CellValue value) {
         std::vector<Value>& all = uses[use];
         if (all.size() <= index) all.resize(index + 1);
@@ -187,7 +188,7 @@ class Execution {
     const Timeline& timeline_;
     const NullOptions& options_;
     Memory memory_;
-    std::vector<Gathered> gathered_;  // index: pass instance
+    std::vector<Gathered> gathered_;  // Index: Timeline::instances.
     NullRun run_;
 };
 

@@ -1,4 +1,4 @@
-// Purpose: brings lists of observed cells into one order, so that they can be compared.
+// Purpose: sorts lists of observed cells, so that two runs can be compared.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 namespace weft::null {
 
 // Sorts by all members except the value. If a cell was observed several times (by several stages) with
-// different values, it gets a new, unique value.
+// different values, it gets one new, unique value.
 void settle(std::vector<ObservedCell>& observed);
 
-// For each ResourceId, 1 if a live pass uses the resource or any resource of its ring.
+// Returns, for each ResourceId, 1 if a live pass uses the resource or another resource of its ring, else 0.
 [[nodiscard]] std::vector<uint8_t> used_resources(const ResolvedGraph& graph, const LiveGraph& live);
 
 }  // namespace weft::null

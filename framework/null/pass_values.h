@@ -1,4 +1,5 @@
-// Purpose: computes the values that passes write. Every value is a hash of all its inputs.
+// Purpose: computes the values that passes write in the null executor. Every value is a hash of all inputs of
+// the pass.
 #pragma once
 
 #include <cstdint>
@@ -21,17 +22,17 @@ class ValueHash {
     uint64_t state_ = 0x9E3779B97F4A7C15ull;
 };
 
-// The content that an import's owner wrote before the first frame.
+// Returns the value of a cell that the import's owner wrote before the first frame.
 [[nodiscard]] CellValue import_value(const ResourceDecl& import, const SubresourceRange& cell);
-// The initial content of every copy of a persistent resource.
+// Returns the initial value of every cell of a persistent resource.
 [[nodiscard]] CellValue first_frame_value(const ResourceDecl& resource);
-// Hash of all inputs of a pass in one frame except its reads: name, parameters, builtins of that frame. The
-// builtin `valid` of a past resource is 1 once its content has been written, `age` frames after a live pass
-// first wrote its ring.
+// Returns the hash of all inputs of a pass in one frame except the values it reads: its name, its parameters,
+// and the builtins of the frame. The builtin `valid` of a resource of age a is 1 from frame a on if a live
+// pass writes the ring.
 [[nodiscard]] ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId pass,
                                     uint32_t frame);
-// The value that the pass writes to one cell. `inputs` must have hashed pass_values() and all values read,
-// use by use.
+// Returns the value that the pass writes to one cell. The hash `inputs` must already include pass_values()
+// and all values that the pass read, use by use.
 [[nodiscard]] CellValue written_value(const ValueHash& inputs, const UseDecl& use,
                                       const SubresourceRange& cell);
 

@@ -1,5 +1,5 @@
-// The reference result of a graph: passes run one after another, each resource has its own memory, and each
-// read sees the version that its declaration names.
+// Computes the reference result of a graph: passes run one after another, each resource has its own memory,
+// and each read sees the version that its declaration names.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -34,7 +34,8 @@ std::vector<PassId> program_order(const ResolvedGraph& graph, const LiveGraph& l
     return order;
 }
 
-// One cell in one frame: its content before the frame, and all versions since.
+// The values of one cell in one frame: its value before the frame, and every value written since, with the
+// writing pass.
 struct Versions {
     CellValue before = kUndefinedValue;
     std::vector<std::pair<PassId, CellValue>> written;
@@ -86,8 +87,8 @@ class Reference {
     }
 
  private:
-    // The resource of age a starts with the last content of age a - 1; the resource of age 0 starts
-    // undefined.
+    // Starts a frame. The resource of age a gets the last content of the resource of age a - 1. The resource
+    // of age 0 starts undefined.
     void begin_frame() {
         std::vector<std::vector<CellValue>> left(cells_.size());
         for (ResourceId id = 0; id < cells_.size(); ++id)
@@ -107,8 +108,9 @@ class Reference {
         }
     }
 
-    // The resource of that age. Ages below 0 do not exist, unless no pass writes the ring, so that all copies
-    // are equal.
+    // Returns the resource of a ring with this age. UINT32_MAX means age -1, which has no resource. If no
+    // pass writes the ring, it returns the ring's resource of age 0 for age -1, because then all copies are
+    // equal.
     ResourceId role(ResourceId ring, uint32_t age) const {
         if (age == UINT32_MAX) return written_[ring] ? kNoId : ring;
         for (ResourceId id = 0; id < graph_.resources.size(); ++id)
@@ -143,7 +145,8 @@ class Reference {
         }
     }
 
-    // It is not this pass's turn: its outputs keep their content.
+    // Simulates a pass that does not run in this frame because another frame slice runs. Its outputs keep
+    // their content.
     void pass_on(PassId id) {
         for (const UseDecl& use : graph_.passes[id].uses) {
             if (!writes(use.access)) continue;
@@ -163,8 +166,8 @@ class Reference {
 
     const ResolvedGraph& graph_;
     const LiveGraph& live_;
-    std::vector<uint8_t> used_, written_;       // index: ResourceId; used or written by live passes
-    std::vector<std::vector<Versions>> cells_;  // indexed by resource, then cell
+    std::vector<uint8_t> used_, written_;       // Index: ResourceId. 1 if a live pass uses or writes it.
+    std::vector<std::vector<Versions>> cells_;  // Indexed by resource, then by cell.
     uint32_t frame_ = 0;
     NullRun run_;
 };

@@ -10,14 +10,14 @@
 namespace weft::null {
 namespace {
 
-// Stages of one pipeline, in the order in which a command passes through them. All other stages have no
-// order.
+// The stages of each pipeline in logical order. All other stages have no order.
 constexpr std::array kDrawing{stage::kDrawIndirect,       stage::kVertexInput,    stage::kVertexShader,
                               stage::kEarlyFragmentTests, stage::kFragmentShader, stage::kLateFragmentTests,
                               stage::kColorOutput};
 constexpr std::array kDispatching{stage::kDrawIndirect, stage::kComputeShader};
 
-// A source mask includes logically earlier stages, a destination mask logically later ones.
+// Adds the logically earlier stages of a pipeline to a source mask, or the logically later stages to a
+// destination mask.
 template <size_t N>
 StageMask along(const std::array<StageMask, N>& pipeline, StageMask stages, bool earlier) {
     StageMask result = stages;
@@ -33,11 +33,13 @@ StageMask destination_scope(StageMask stages) {
     return along(kDrawing, stages, false) | along(kDispatching, stages, false);
 }
 
-// The stages that only access attachments, by kind of attachment.
+// The stages that access only attachments. Element 0 is for colour attachments, element 1 for depth
+// attachments.
 constexpr std::array kAttachmentStages{stage::kColorOutput,
                                        stage::kEarlyFragmentTests | stage::kLateFragmentTests};
 
-// Draws of a rendering scope so far, by kind of attachment. The rasteriser keeps their order.
+// The draws of a rendering scope so far, for colour and for depth attachments. The rasteriser keeps their
+// order.
 struct Drawing {
     std::array<NodeSet, kAttachmentStages.size()> done;
 };
@@ -48,10 +50,12 @@ void for_each_stage(StageMask stages, F visit) {
         if (stages & (1u << s)) visit(s);
 }
 
-// State per stage of one queue.
+// The progress of one queue, with one set of nodes per stage.
 struct QueueProgress {
-    std::array<NodeSet, stage::kCount> required;  // nodes that the next command waits for in that stage
-    std::array<NodeSet, stage::kCount> reached;   // nodes that a barrier with that source stage waits for
+    // Index: bit of the stage. Nodes that the next command must wait for in this stage.
+    std::array<NodeSet, stage::kCount> required;
+    // Index: bit of the stage. Nodes that a barrier with this source stage waits for.
+    std::array<NodeSet, stage::kCount> reached;
     NodeSet everything;
 };
 
@@ -92,7 +96,7 @@ class Unroller {
         return id;
     }
 
-    // Every access to an import happens between its owner's accesses.
+    // Orders an access to an import between the owner's accesses before and after the frame.
     void touch_import(uint32_t node, ResourceId id) {
         if (entered_[id] == kNoNode) return;
         timeline_.outside_before[node].push_back(entered_[id]);
@@ -104,7 +108,7 @@ class Unroller {
         set.insert(node);
     }
 
-    // Adds the part of a command in one stage.
+    // Adds a node for the part of a command that runs in one stage.
     uint32_t add_work(Node node, NodeSet before) {
         QueueProgress& queue = queues_[node.queue];
         const uint32_t id = add(node, std::move(before));
@@ -119,7 +123,8 @@ class Unroller {
         return before;
     }
 
-    // Barriers in the same batch do not chain with each other.
+    // Adds the nodes of one vkCmdPipelineBarrier2 call. The barriers of one call do not chain with each
+    // other.
     void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& batch) {
         QueueProgress& queue = queues_[queue_index];
         std::vector<uint32_t> added;
@@ -158,8 +163,8 @@ class Unroller {
             add_work(node, required(0, node.stage));
         }
         barriers(0, prologue.after);
-        // On other queues the prologue is complete before the first frame; on its own queue barriers order
-        // it.
+        // All other queues wait for the prologue before their first frame. On queue 0, barriers order the
+        // prologue.
         Node node;
         node.kind = NodeKind::signal;
         const uint32_t signal = add(node, queues_[0].everything);
@@ -220,7 +225,7 @@ class Unroller {
             drawing_ = {};
             ++scope_;
         }
-        // All reads happen before the first write.
+        // All reads of a pass happen before its first write.
         NodeSet all_read;
         std::vector<uint32_t> added;
         node.kind = NodeKind::pass_read;
@@ -243,7 +248,8 @@ class Unroller {
         }
     }
 
-    // Assigns a part of a pass to one stage.
+    // Assigns the node of a part of a pass to one stage. If the stage accesses attachments, the node gets the
+    // current rendering scope.
     void bind(Node& node, StageMask stage) const {
         node.stage = stage;
         const bool draws = std::any_of(kAttachmentStages.begin(), kAttachmentStages.end(),
@@ -258,8 +264,8 @@ class Unroller {
         return before;
     }
 
-    // Owners access imports between two frames, on the first queue. A wait for the end of the previous frame
-    // includes them, and the first frame waits for them everywhere.
+    // Adds the accesses of import owners. They happen between two frames on queue 0. A wait for the end of
+    // the previous frame includes them, and in the first frame all other queues wait for them.
     void enter_imports() {
         Node node;
         node.kind = NodeKind::signal;
@@ -272,7 +278,7 @@ class Unroller {
         for (QueueIndex q = 1; frame_ == 0 && q < queues_.size(); ++q) add_wait(q, owners_signal_);
     }
 
-    // The owner of an import waits for all accesses of the previous frame.
+    // Adds the owner's access to one import. The owner waits for all accesses of the previous frame.
     uint32_t enter(ResourceId id) {
         const ImportState& import = *plan_.graph.resources[id].import;
         Node node;
@@ -299,7 +305,8 @@ class Unroller {
             timeline_.outside_before[look_node] = uses;
             uses_of_import_[id].push_back(look_node);
         };
-        // An exit state without stages means that a semaphore hands the frame to a user such as a display.
+        // An exit state without stages means that a semaphore passes the import to a user such as the
+        // display.
         if (import.exit.stages == stage::kNone) look(add(node, queues_[node.queue].everything));
         for_each_stage(import.exit.stages, [&](size_t s) {
             node.stage = 1u << s;
@@ -314,12 +321,13 @@ class Unroller {
     Drawing drawing_;
     Timeline timeline_;
     std::vector<QueueProgress> queues_;
-    std::vector<ResourceId> imports_;  // imports that some pass uses
+    std::vector<ResourceId> imports_;  // Imports that at least one live pass uses.
     uint32_t owners_signal_ = kNoNode;
-    std::vector<uint32_t> entered_;                      // index: ResourceId; node of the entry in this frame
-    std::vector<std::vector<uint32_t>> uses_of_import_;  // index: ResourceId; nodes that used the import
-                                                         // since its entry
-    std::vector<uint32_t> signals_, previous_signals_;   // index: batch
+    // Index: ResourceId. The node at which the import enters this frame.
+    std::vector<uint32_t> entered_;
+    // Index: ResourceId. The nodes that used the import since it entered the frame.
+    std::vector<std::vector<uint32_t>> uses_of_import_;
+    std::vector<uint32_t> signals_, previous_signals_;  // Index: batch. Node of the signal.
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Purpose: finds, for an item that is to be placed, the bytes already taken by items that are alive at the
-// same time. If few pairs of items are alive together (sparse), each item has a list of these items. If most
-// pairs are (dense), each query scans all placed items instead, which is cheaper than to store nearly all
-// pairs.
+// same time. If few pairs of items are alive together (sparse), each item has a list of these items. If many
+// pairs are (dense), each query scans all placed items instead, which is cheaper than to store and sort so
+// many pairs.
 #pragma once
 
 #include <cstdint>

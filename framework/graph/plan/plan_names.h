@@ -1,5 +1,5 @@
 // Purpose: returns the values of a plan's enumerations as words, for JSON dumps and texts, such as
-// "color_output".
+// "transient".
 #pragma once
 
 #include "weft/plan.h"

@@ -1,5 +1,5 @@
-// Purpose: the parts of the HTML page. Each writes one section; what it draws carries the keys of
-// plan_page.h, links to its explanation, and says in its label what a pointer over it reads.
+// Purpose: writes the sections of the HTML page of a plan. Every drawn element has the keys defined in
+// plan_page.h, a link to its explanation, and a label that appears when the pointer is over it.
 #pragma once
 
 #include <string>
@@ -17,37 +17,41 @@ void write_lifetimes(const PlanPage& page, Markup& out);
 void write_memory(const PlanPage& page, Markup& out);
 void write_kept(const PlanPage& page, Markup& out);
 void write_culled(const PlanPage& page, Markup& out);
-void write_words(const PlanPage& page, Markup& out);  // every explanation
+void write_words(const PlanPage& page, Markup& out);  // Writes all explanations as text.
 
-// An element that can be pointed at, focused and selected. `keys`: itself first; that is where it links to.
+// Opens an element that reacts to the pointer, gets keyboard focus and can be selected. `keys` begins with
+// the element's own key, which is also the target of its link.
 void open_item(Markup& out, const std::string& style, const std::string& keys, const std::string& label);
-// Heading, and what it shows in a line.
+// Opens a section with a heading. `text` is one line that says what the section shows.
 void open_panel(Markup& out, const char* id, const char* title, const std::string& text);
-// One whose columns are the passes that run. Where none does it says so and returns false: nothing is to be
-// drawn.
+// Opens a section with one column per live pass. If no pass is live, it writes a sentence about this and
+// returns false; then the caller must not draw.
 [[nodiscard]] bool open_column_panel(const PlanPage& page, Markup& out, const char* id, const char* title,
                                      const std::string& text);
-// "frame" around a drawing that scrolls sideways together with its like.
+// Opens an SVG drawing in a scrollable area. The areas of all drawings with pass columns scroll sideways
+// together.
 void open_drawing(Markup& out, const std::string& label, int32_t width_px, int32_t height_px);
 void close_drawing(Markup& out);
 void write_legend(Markup& out, const std::vector<std::pair<const char*, const char*>>& styles_and_texts);
-// Names of all passes above the panels that share their columns. Returns the height it takes.
+// Returns the height of the heading with the names of all passes, which is written above each section with
+// pass columns.
 [[nodiscard]] int32_t heading_height_px(const PlanPage& page);
 void write_heading(const PlanPage& page, Markup& out);
-// The lines between columns, from `top_px` down.
+// Draws the vertical lines between the columns, from `top_px` to `bottom_px`.
 void write_guides(const PlanPage& page, int32_t top_px, int32_t bottom_px, Markup& out);
 
-// Texts of labels.
+// Returns the label of a barrier, edge or wait, which appears when the pointer is over it.
 [[nodiscard]] std::string barrier_label(const PlanPage& page, size_t barrier);
 [[nodiscard]] std::string edge_label(const PlanPage& page, size_t edge);
 [[nodiscard]] std::string wait_label(const PlanPage& page, size_t wait);
 
-// The style of a barrier's mark: by the kind of its reason.
+// Returns the CSS class for the mark of a barrier with this reason.
 [[nodiscard]] const char* barrier_style(BarrierReason reason);
-// By what the edge is there for: "raw", "war", "waw", "after", "history".
+// Returns the CSS class of an edge, which is the reason of the edge: "raw", "war", "waw", "after" or
+// "history".
 [[nodiscard]] const char* edge_style(const EdgeItem& edge);
 
-[[nodiscard]] std::string_view page_style();   // html/page.css
-[[nodiscard]] std::string_view page_script();  // html/page.js
+[[nodiscard]] std::string_view page_style();   // Returns the text of html/page.css.
+[[nodiscard]] std::string_view page_script();  // Returns the text of html/page.js.
 
 }  // namespace weft

@@ -8,10 +8,12 @@ namespace weft {
 namespace {
 
 constexpr int32_t kLineHeight_px = 6;
-// Beyond it the longest edges go straight: there are too many lines to follow one by eye.
+// Maximum number of dummy nodes (bend points of edges). If a graph needs more, its longest edges are drawn as
+// straight lines, because nobody can follow so many lines anyway.
 constexpr size_t kMostStandIns = 6000;
 
-// Longest ways from the left; what nothing leads to stands right before its first reader.
+// Assigns a layer to each box: the length of the longest path to it. A box without incoming edges goes
+// directly before its first reader.
 std::vector<uint32_t> find_layers(size_t boxes, const std::vector<LayoutEdge>& edges) {
     std::vector<uint32_t> layer(boxes, 0), before(boxes, 0);
     std::vector<std::vector<uint32_t>> after(boxes);
@@ -36,7 +38,8 @@ std::vector<uint32_t> find_layers(size_t boxes, const std::vector<LayoutEdge>& e
     return layer;
 }
 
-// The longest span of an edge that still gets stand-ins.
+// Returns the largest number of layers that an edge may cross and still get dummy nodes. Longer edges are
+// drawn as straight lines.
 uint32_t longest_span(const std::vector<uint32_t>& layer, const std::vector<LayoutEdge>& edges) {
     std::map<uint32_t, size_t> by_span;
     for (const LayoutEdge& e : edges) ++by_span[layer[e.to] - layer[e.from]];
@@ -55,7 +58,8 @@ void connect(LayeredGraph& graph, uint32_t a, uint32_t b) {
     graph.nodes[b].before.push_back(a);
 }
 
-// All edges of a box that cross a layer share its stand-in there, and part when they arrive.
+// Creates dummy nodes: an edge that crosses a layer bends at a dummy node there. All edges from one box share
+// the dummy node of each layer and separate only where they arrive.
 class StandIns {
  public:
     explicit StandIns(LayeredGraph& graph) : graph_(graph) {}
@@ -82,7 +86,8 @@ class StandIns {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> known_;
 };
 
-// Crossings of edges between two layers: inversions, counted with a Fenwick tree.
+// Returns how many edges cross between `layer` and the next layer. This is the number of inversions in the
+// order of the edges' ends, counted with a Fenwick tree.
 size_t crossings(const LayeredGraph& graph, const std::vector<uint32_t>& layer,
                  const std::vector<uint32_t>& place) {
     std::vector<uint32_t> ends;
@@ -118,7 +123,8 @@ size_t all_crossings(const LayeredGraph& graph) {
     return count;
 }
 
-// Sorts a layer by where its neighbours on one side stand on average; who has none there stays.
+// Sorts the nodes of a layer by the average position of their neighbours in the previous or next layers. A
+// node without such neighbours keeps its position as sort key.
 void sort_layer(LayeredGraph& graph, std::vector<uint32_t>& layer, bool by_before,
                 std::vector<uint32_t>& place) {
     std::vector<std::pair<double, uint32_t>> keyed;

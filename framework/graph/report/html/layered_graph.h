@@ -1,4 +1,5 @@
-// Purpose: the graph that layered_layout() works on: boxes and, where an edge crosses a layer, a stand-in.
+// Purpose: the graph on which layered_layout() works. Its nodes are boxes and dummy nodes. A dummy node is
+// the bend point of an edge in a layer that the edge crosses.
 #pragma once
 
 #include <vector>
@@ -8,24 +9,26 @@
 namespace weft {
 
 struct LayerNode {
-    uint32_t box = UINT32_MAX;  // UINT32_MAX: a stand-in
+    uint32_t box = UINT32_MAX;  // Index of the box; UINT32_MAX for a dummy node.
     uint32_t layer = 0;
     int32_t height_px = 0;
-    std::vector<uint32_t> before, after;  // neighbours in the layers beside it
-    double y_px = 0;                      // of its middle
+    std::vector<uint32_t> before, after;  // Neighbours in the previous and next layers.
+    double y_px = 0;                      // Vertical position of the node's centre.
 };
 
 struct LayeredGraph {
-    std::vector<LayerNode> nodes;               // the boxes first
-    std::vector<std::vector<uint32_t>> layers;  // nodes from top to bottom
-    std::vector<std::vector<uint32_t>> ways;  // by edge: the stand-ins it goes through; none: straight ahead
+    std::vector<LayerNode> nodes;               // First all boxes, then the dummy nodes.
+    std::vector<std::vector<uint32_t>> layers;  // The nodes of each layer, from top to bottom.
+    // Index: edge. The dummy nodes on its path; empty for a straight line.
+    std::vector<std::vector<uint32_t>> ways;
 };
 
 [[nodiscard]] LayeredGraph make_layers(const std::vector<LayoutBox>& boxes,
                                        const std::vector<LayoutEdge>& edges);
-// Orders each layer so that few edges cross.
+// Sorts the nodes of each layer so that few edges cross.
 void order_layers(LayeredGraph& graph);
-// Gives every node its height, as level with its neighbours as its layer allows.
+// Sets the vertical position of every node, as close to the height of its neighbours as the layer's order
+// allows.
 void place_nodes(LayeredGraph& graph);
 
 }  // namespace weft

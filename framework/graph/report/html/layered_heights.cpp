@@ -1,4 +1,4 @@
-// Heights of the nodes of a layered graph.
+// Computes the vertical positions of the nodes of a layered graph.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ double middle_distance_px(const LayerNode& a, const LayerNode& b) {
     return (a.height_px + b.height_px) / 2.0 + (lines ? kLineGap_px : kBoxGap_px);
 }
 
-// Neighbours that want to be at one average height.
+// Consecutive nodes of a layer that are placed together at their weighted average position.
 struct Block {
     double sum = 0;
     double weight = 0;
@@ -22,7 +22,8 @@ struct Block {
     [[nodiscard]] double mean() const { return sum / weight; }
 };
 
-// The heights nearest to the wanted ones (least squares) that keep order and distances.
+// Returns the ascending positions with the smallest weighted squared distance to the wanted positions
+// (isotonic regression). The caller has already subtracted the minimum distances between nodes.
 std::vector<double> settle(const std::vector<double>& wanted, const std::vector<double>& weights) {
     std::vector<Block> blocks;
     for (size_t i = 0; i < wanted.size(); ++i) {
@@ -52,7 +53,8 @@ double wanted_px(const LayeredGraph& graph, const LayerNode& node, int side) {
     return count == 0 ? node.y_px : sum / static_cast<double>(count);
 }
 
-// `side`: which neighbours count: -1 those before, 1 those after, 0 both.
+// Moves the nodes of a layer towards the height of their neighbours. `side` selects the neighbours: -1 the
+// previous layer, 1 the next layer, 0 both.
 void level(LayeredGraph& graph, const std::vector<uint32_t>& layer, int side) {
     std::vector<double> wanted, weights, offsets;
     double offset = 0;
@@ -61,7 +63,7 @@ void level(LayeredGraph& graph, const std::vector<uint32_t>& layer, int side) {
         if (i > 0) offset += middle_distance_px(graph.nodes[layer[i - 1]], node);
         offsets.push_back(offset);
         wanted.push_back(wanted_px(graph, node, side) - offset);
-        // Long edges are straight, so that the eye can follow them.
+        // Dummy nodes have a higher weight, so that long edges are nearly straight and easy to follow.
         weights.push_back(node.box == UINT32_MAX ? 4.0 : 1.0);
     }
     const std::vector<double> settled = settle(wanted, weights);

@@ -1,7 +1,9 @@
-// Purpose: places the boxes of a directed graph in layers from left to right and leads its edges around them.
+// Purpose: places the boxes of a directed graph in layers from left to right and routes its edges around the
+// boxes.
 // Source: K. Sugiyama, S. Tagawa and M. Toda, "Methods for Visual Understanding of Hierarchical System
-// Structures", 1981; heights by isotonic regression (pool adjacent violators), M. Ayer et al., 1955.
-// Units: pixels; y grows downwards. Deterministic: the same graph gives the same picture.
+// Structures", 1981; vertical positions by isotonic regression (pool adjacent violators), M. Ayer et al.,
+// 1955.
+// Units: pixels; y grows downwards. The same graph always gives the same picture.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +16,8 @@ struct LayoutBox {
     int32_t height_px = 0;
 };
 
-// No cycles. Several edges between the same two boxes are laid out as one.
+// An edge from one box to another, by index. The edges must have no cycle. Several edges between the same two
+// boxes get the same path.
 struct LayoutEdge {
     uint32_t from = 0;
     uint32_t to = 0;
@@ -26,15 +29,17 @@ struct PointPx {
 };
 
 struct LayeredLayout {
-    std::vector<PointPx> boxes;  // top left corners
-    // By edge: where it enters and leaves each layer that it crosses. Two points a layer, on one height.
+    std::vector<PointPx> boxes;  // Index: box. Top left corner.
+    // Index: edge. The points where the edge enters and leaves each layer that it crosses. The two points of
+    // a layer have the same height.
     std::vector<std::vector<PointPx>> bends;
     int32_t width_px = 0;
     int32_t height_px = 0;
     uint32_t layers = 0;
 };
 
-// Boxes stand in each layer in their given order at first, and change places where that saves crossings.
+// Computes the layout. Boxes of one layer have their given order at first; boxes change places if fewer edges
+// cross then.
 [[nodiscard]] LayeredLayout layered_layout(const std::vector<LayoutBox>& boxes,
                                            const std::vector<LayoutEdge>& edges, int32_t layer_gap_px);
 

@@ -1,5 +1,5 @@
-// Purpose: HTML and SVG as text, every tag closed and every text escaped. Pages written so are well-formed
-// XML too, but for what raw() puts in.
+// Purpose: writes HTML and SVG as text. Every tag is closed and all text is escaped. So the page is also
+// well-formed XML, except for text from raw().
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct Attribute {
     std::string value;
 };
 
-// Text as it may stand between tags and in quotes. Control characters, and bytes that are no UTF-8, become
-// U+FFFD.
+// Returns the text escaped for use between tags and in quoted attributes. Control characters and bytes that
+// are not valid UTF-8 become U+FFFD.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 class Markup {
@@ -27,14 +27,14 @@ class Markup {
     using Attributes = std::vector<Attribute>;
 
     void open(const char* tag, const Attributes& attributes = {});
-    void close();  // the innermost open tag
+    void close();  // Closes the innermost open tag.
     void empty(const char* tag, const Attributes& attributes = {});
     void leaf(const char* tag, const Attributes& attributes, std::string_view text);
     void text(std::string_view text) { text_ += escaped(text); }
     void raw(std::string_view markup) { text_ += markup; }
     void line() { text_ += '\n'; }
 
-    // Everything so far; all tags are closed.
+    // Returns the whole text written so far. All tags must be closed.
     [[nodiscard]] std::string take();
 
  private:

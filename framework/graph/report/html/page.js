@@ -8,8 +8,8 @@
   const items = [...document.querySelectorAll(".i")];
   const hint = [...explained.childNodes];
   const keysOf = (item) => item.dataset.k.split(" ");
-  const byKey = new Map();  // key -> items that stand for it or belong to it
-  const bySelf = new Map();  // key -> items that stand for it
+  const byKey = new Map();   // Maps a key to the items that represent it or are related to it.
+  const bySelf = new Map();  // Maps a key to the items that represent it.
   let selected = null;
 
   const add = (map, key, item) => map.has(key) ? map.get(key).push(item) : map.set(key, [item]);
@@ -89,14 +89,16 @@
     const link = event.target.closest?.("a[href^='#']");
     const key = link?.getAttribute("href").slice(1);
     if (!link || !bySelf.has(key)) return;
-    if (link.closest("article")) return;  // in the text, links lead to text
+    // A link inside an explanation leads to another explanation, so it keeps its normal effect.
+    if (link.closest("article")) return;
     event.preventDefault();
     select(key);
   });
 
-  // One stop of the Tab key for each drawing or list; arrow keys lead from item to item in it.
+  // The Tab key stops once per drawing or list. The arrow keys move the focus between the items in it.
   const groups = [...document.querySelectorAll("svg, .labels, tbody")].map((group) => [...group.querySelectorAll(".i:not(.title)")]);
-  // The names above the columns stand for the same passes as the boxes below them.
+  // The pass names above the columns represent the same passes as the boxes below. They get no Tab stop, so that each
+  // pass is reached only once.
   for (const title of document.querySelectorAll(".title")) title.setAttribute("tabindex", "-1");
   for (const group of groups) group.forEach((item, index) => item.setAttribute("tabindex", index === 0 ? "0" : "-1"));
   const steps = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
@@ -121,20 +123,22 @@
     next.scrollIntoView({ block: "nearest", inline: "nearest" });
   });
 
-  // Drawings that share their columns scroll together.
+  // All drawings with pass columns scroll sideways together, so that their columns stay aligned.
   const charts = [...document.querySelectorAll(".chart .scroll")];
   for (const chart of charts)
     chart.addEventListener("scroll", () => {
       for (const other of charts) if (other.scrollLeft !== chart.scrollLeft) other.scrollLeft = chart.scrollLeft;
     });
 
-  // The graph's drawings: smaller and larger about a point, as wide as the panel, or as they were drawn.
+  // Zoom of the graph drawings: in and out around a point, to the width of the panel, or to the original size.
   const graph = document.getElementById("graph");
   const drawings = [...graph.querySelectorAll("svg")].map((svg) =>
     ({ svg, frame: svg.parentElement, width: svg.viewBox.baseVal.width, height: svg.viewBox.baseVal.height }));
   const controls = graph.querySelector(".zoom");
   const leastScale = 0.1, mostScale = 4, zoomStep = 1.25;
-  const leastLegible = 0.7;  // a drawing begins as wide as the panel, unless its letters would be too small
+  // A drawing is first scaled to the width of the panel, but not below this scale, because its letters would
+  // be too small to read.
+  const leastLegible = 0.7;
   let scale = 1;
 
   function zoom(wanted, x, y) {
@@ -158,7 +162,8 @@
   };
   const zooms = { in: () => zoom(scale * zoomStep), out: () => zoom(scale / zoomStep), fit: () => zoom(fitting()), full: () => zoom(1) };
   const zoomKeys = { "+": "in", "=": "in", "-": "out", f: "fit", 0: "full" };
-  const leastHeight = 120;  // of what is left to hold on to when a drawing is small
+  // Minimum height in pixels of the scrollable area, so that a small drawing can still be dragged.
+  const leastHeight = 120;
   if (drawings.length > 0) {
     controls.hidden = false;
     for (const { frame, height } of drawings) frame.style.minHeight = `${Math.min(height, leastHeight)}px`;
@@ -176,7 +181,7 @@
       event.preventDefault();
       zoom(scale * zoomStep ** (-Math.sign(event.deltaY)), event.clientX, event.clientY);
     }, { passive: false });
-    // The mouse drags the drawing where it holds no item.
+    // A mouse drag on empty space moves the drawing.
     frame.addEventListener("pointerdown", (event) => {
       if (event.pointerType !== "mouse" || event.button !== 0 || event.target.closest("a")) return;
       const from = { x: event.clientX + frame.scrollLeft, y: event.clientY + frame.scrollTop };
@@ -191,7 +196,7 @@
     });
   }
 
-  // A repeat opens: the drawing of all rounds takes the place of the folded one.
+  // Opening a repeat shows the drawing with all its iterations instead of the drawing in which the repeat is one box.
   const rounds = graph.querySelector("details.rounds");
   for (const opener of graph.querySelectorAll(".open"))
     opener.addEventListener("click", (event) => {

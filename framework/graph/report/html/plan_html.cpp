@@ -1,4 +1,4 @@
-// The page as a whole: its frame, and what its sections have in common.
+// Writes the whole HTML page: its head and frame, and elements that several sections use.
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"
@@ -24,7 +24,7 @@ void write_head(const PlanPage& page, Markup& out) {
     out.line();
 }
 
-// Where the explanation of what is pointed at or selected appears.
+// Writes the area that shows the explanation of the item under the pointer or of the selected item.
 void write_inspector(Markup& out) {
     out.open("aside", {{"id", "inspector"}, {"aria-live", "polite"}});
     out.leaf("h2", {}, "Explanation");

@@ -1,4 +1,4 @@
-// Passes and resources in words; what all articles have in common.
+// Writes the explanations of passes and resources, and functions that all explanations share.
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"

@@ -1,4 +1,5 @@
-// Purpose: explanations for the HTML page, one article for each thing that has a key.
+// Purpose: writes the explanations of the HTML page. Each pass, resource, barrier, wait, batch, edge and
+// repeat has one article.
 #pragma once
 
 #include <string>
@@ -17,15 +18,15 @@ void write_wait_article(const PlanPage& page, size_t wait, Markup& out);
 void write_batch_article(const PlanPage& page, size_t batch, Markup& out);
 void write_edge_article(const PlanPage& page, size_t edge, Markup& out);
 
-// An article with its heading; the caller closes it.
+// Opens an article with its heading. The caller must close the article.
 void open_article(Markup& out, const std::string& key, const std::string& title, const std::string& below);
-// Lines of an explanation, a paragraph each.
+// Writes each line of an explanation as a paragraph.
 void write_sentences(Markup& out, const std::string& text);
-// Links with a heading of their own; nothing when there are none.
+// A link to another article of the page.
 struct ArticleLink {
     std::string key;
     std::string text;
-    std::string more;  // beside the link
+    std::string more;  // Text after the link.
 };
 void write_links(Markup& out, const char* title, const std::vector<ArticleLink>& links);
 

@@ -1,4 +1,5 @@
-// The parts that panels with the same columns share: the names above and the lines between.
+// Writes the elements that all sections with pass columns share: the pass names above the columns and the
+// vertical lines between them.
 #include <algorithm>
 
 #include "graph/report/html/html_sections.h"
@@ -9,7 +10,7 @@ namespace {
 
 constexpr int32_t kFlatHeading_px = 30;
 
-// Of ends: no more than what fits.
+// Writes the name of the column of the prologue or epilogue. A column of width 0 gets no name.
 void write_end(const PageColumn& column, const char* name, int32_t y_px, Markup& out) {
     if (column.width_px == 0) return;
     out.leaf("text", {{"class", "kind mid"}, {"x", column.left_px + column.width_px / 2}, {"y", y_px}}, name);

@@ -9,7 +9,7 @@ namespace weft {
 namespace {
 
 constexpr int32_t kWayStep_px = 2;
-constexpr int32_t kCharacter_px = 7;  // in the style "edgename"
+constexpr int32_t kCharacter_px = 7;  // Width of a character in the CSS class "edgename".
 constexpr int32_t kAscent_px = 10, kDescent_px = 3;
 constexpr int32_t kTryEvery_px = 6;
 
@@ -17,7 +17,8 @@ std::string point(PointPx p) {
     return std::to_string(p.x) + " " + std::to_string(p.y);
 }
 
-// The squares of kSquare_px that are drawn on already.
+// A grid of squares with sides of kSquare_px that records where the drawing is already occupied, and by which
+// path.
 class Occupied {
  public:
     explicit Occupied(PointPx drawing)
@@ -25,8 +26,8 @@ class Occupied {
           rows_(drawing.y / kSquare_px + 1),
           owners_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), kFree) {}
 
-    // `path`: stands for all paths of one name; kNoId for what nothing may cover. A square of two names
-    // belongs to neither.
+    // Marks the squares of an area as occupied by `path`, which represents all paths with the same name. With
+    // kNoId, no name may be placed there. A square occupied by paths of two names also becomes kNoId.
     void take(const AreaPx& area, uint32_t path) {
         for_squares(area, [&](size_t square) {
             const uint32_t owner = owners_[square];
@@ -34,7 +35,7 @@ class Occupied {
             return true;
         });
     }
-    // Whether no path of another name runs through it.
+    // Returns true if the area lies inside the drawing and contains no box, name, or path of another name.
     [[nodiscard]] bool is_free(const AreaPx& area, uint32_t path) const {
         if (area.x < 0 || area.y < 0 || area.x + area.width > columns_ * kSquare_px ||
             area.y + area.height > rows_ * kSquare_px)
@@ -47,7 +48,7 @@ class Occupied {
     static constexpr int32_t kSquare_px = 2;
     static constexpr uint32_t kFree = kNoId - 1;
 
-    // Until `visit` returns false; then it does so too.
+    // Calls `visit` for each square of the area. Stops and returns false as soon as `visit` returns false.
     template <class Visit>
     bool for_squares(const AreaPx& area, const Visit& visit) const {
         const int32_t left = std::max(0, area.x / kSquare_px), top = std::max(0, area.y / kSquare_px);
@@ -70,8 +71,8 @@ AreaPx area_of(const std::string& text, PointPx at) {
     return {at.x - width_px / 2, at.y - kAscent_px, width_px, kAscent_px + kDescent_px};
 }
 
-// On the path itself, which ends at one side of the name and goes on at the other: as near as can be to the
-// middle.
+// Places a name on its own path: at the free place nearest to the middle of the path. Returns an empty name
+// if no place is free.
 EdgeName place(const std::string& text, const EdgePath& path, uint32_t owner, const Occupied& occupied) {
     const auto count = static_cast<int32_t>(path.points().size()), middle = count / 2;
     for (int32_t away = 0; away <= middle; away += kTryEvery_px / kWayStep_px)
@@ -111,7 +112,8 @@ void EdgePath::curve(PointPx first, PointPx second, PointPx to) {
 
 void EdgePath::bend(PointPx corner, PointPx to) {
     path_ += "Q" + point(corner) + " " + point(to);
-    follow(corner, corner, to);  // inside its corner too, which is near enough
+    // The same control point twice gives a cubic curve close to the quadratic one.
+    follow(corner, corner, to);
 }
 
 void EdgePath::follow(PointPx first, PointPx second, PointPx to) {
@@ -133,14 +135,15 @@ std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                        const std::vector<AreaPx>& boxes, PointPx drawing) {
     Occupied occupied(drawing);
     for (const AreaPx& box : boxes) occupied.take(box, kNoId);
-    std::map<NameChoices, uint32_t> by_name;  // paths of one name may share its place
+    // Paths with equal names share one owner, so they may touch the name.
+    std::map<NameChoices, uint32_t> by_name;
     std::vector<uint32_t> owner;
     for (uint32_t i = 0; i < paths.size(); ++i) {
         owner.push_back(by_name.try_emplace(names[i], i).first->second);
         for (const PointPx& p : paths[i].points()) occupied.take({p.x - 1, p.y - 1, 2, 2}, owner[i]);
     }
     std::vector<EdgeName> placed(paths.size());
-    std::vector<std::vector<AreaPx>> areas(paths.size());  // of placed names, by owner
+    std::vector<std::vector<AreaPx>> areas(paths.size());  // Index: owner. The areas of its placed names.
     for (uint32_t i = 0; i < paths.size(); ++i) {
         if (passes_through(paths[i], areas[owner[i]])) continue;
         for (const std::string& text : names[i]) {

@@ -1,5 +1,5 @@
-// Purpose: the paths of the edges in the page's graph, and where on them there is room for the names of
-// their resources. Units: pixels of the drawing.
+// Purpose: creates the paths of the edges in the page's graph, and finds places on them for the names of the
+// edges' resources. Units: pixels of the drawing.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace weft {
 
-// The path of an SVG element, and points on it that lie no further apart than kWayStep_px.
+// The path of an SVG element, and points on it with distances of at most kWayStep_px.
 class EdgePath {
  public:
     void move(PointPx to);
     void line(PointPx to);
-    void curve(PointPx first, PointPx second, PointPx to);  // cubic
-    void bend(PointPx corner, PointPx to);                  // quadratic
+    void curve(PointPx first, PointPx second, PointPx to);  // Appends a cubic Bézier curve.
+    void bend(PointPx corner, PointPx to);                  // Appends a quadratic curve.
 
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const std::vector<PointPx>& points() const { return points_; }
@@ -33,16 +33,16 @@ struct AreaPx {
 };
 
 struct EdgeName {
-    std::string text;  // "" where there is no room
-    PointPx at;        // the middle of its base line
+    std::string text;  // Empty if there is no room for a name.
+    PointPx at;        // The middle of the text's baseline.
 };
 
 // The possible names of an edge, the longest first.
 using NameChoices = std::vector<std::string>;
 
-// By edge. Those that come first have the choice of place; a name lies on its own path, and touches no box,
-// no path of another name and no other name. Paths that share a name and the place where it lies share the
-// name: only the first has it.
+// Returns the name of each edge with its place. Earlier edges choose their place first. A name lies on its
+// own path and touches no box, no path with another name, and no other name. If several paths with the same
+// name pass through the placed name, only the first path gets it.
 [[nodiscard]] std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                                      const std::vector<NameChoices>& names,
                                                      const std::vector<AreaPx>& boxes, PointPx drawing);

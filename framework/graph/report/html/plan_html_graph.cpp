@@ -1,4 +1,4 @@
-// The panel of the graph: its drawings, and what changes how large they are.
+// Writes the graph section of the page: the drawings and the zoom buttons.
 #include <algorithm>
 #include <tuple>
 
@@ -8,7 +8,8 @@
 namespace weft {
 namespace {
 
-// The page's script shows and serves it: without a script the drawing keeps its size and scrolls.
+// Writes the zoom buttons. They are hidden until the page's script shows them; without a script the drawing
+// keeps its size and can be scrolled.
 void write_zoom(Markup& out) {
     out.open("div",
              {{"class", "zoom"}, {"role", "group"}, {"aria-label", "Size of the drawing"}, {"hidden", ""}});
@@ -24,7 +25,8 @@ void write_zoom(Markup& out) {
     out.line();
 }
 
-// Repeats are folded at first; the drawing of all rounds takes that one's place while it is open.
+// Draws the graph twice. The first drawing shows each long repeat as one box. The second drawing shows all
+// iterations; it replaces the first while it is open.
 void draw_both(const PlanPage& page, Markup& out) {
     out.open("div", {{"class", "folded"}});
     draw_graph(page, true, out);

@@ -1,4 +1,4 @@
-// The graph: passes from left to right, and why one has to follow another.
+// Draws the graph of passes from left to right, with edges that tell why one pass must follow another.
 #include "graph/report/html/plan_html_graph_drawing.h"
 
 #include <algorithm>
@@ -13,14 +13,16 @@ namespace {
 
 constexpr int32_t kBoxHeight_px = 44;
 constexpr int32_t kMargin_px = 16;
-constexpr int32_t kRoomyGraph_px = 880;                  // a graph of few layers fills it
-constexpr int32_t kLeastGap_px = 64, kMostGap_px = 120;  // between layers
-constexpr int32_t kLane_px = 20;                         // of edges from frame to frame, below the boxes
-constexpr size_t kMostNamedEdges = 200;                  // more leave no room
-constexpr int32_t kBehind_px = 4;                        // between the edges of rounds in one box
-constexpr int32_t kOpen_px = 16;                         // the square that opens a repeat
+constexpr int32_t kRoomyGraph_px = 880;                  // Width that a graph with few layers is widened to.
+constexpr int32_t kLeastGap_px = 64, kMostGap_px = 120;  // Limits of the horizontal gap between layers.
+// Height of one lane below the boxes. Each edge from one frame to the next has its own lane.
+constexpr int32_t kLane_px = 20;
+constexpr size_t kMostNamedEdges = 200;  // If a graph has more edges, no edge gets a name.
+constexpr int32_t kBehind_px = 4;        // Offset between the stacked rectangles of a repeat.
+constexpr int32_t kOpen_px = 16;         // Side of the "+" square that opens a repeat.
 
-// Edges of one kind leave and arrive at one height, so that those of other kinds can be told apart.
+// Returns the vertical offset at which edges of this kind leave and enter a box. Each kind has its own
+// height, so that kinds can be distinguished.
 int32_t port_offset_px(EdgeKind kind) {
     switch (kind) {
         case EdgeKind::raw:
@@ -59,7 +61,8 @@ class GraphDrawing {
         open_drawing(out_, "Graph of passes", size.x, size.y);
         write_arrow_heads();
         const std::vector<EdgeName> names = edge_names(size);
-        // Later ones lie on top: reads, then what has a name, which no line may cross out.
+        // Links that are drawn later lie on top of earlier ones. The order is: unnamed links, then named
+        // links, so that no line crosses a name; in both groups the links that are reads come last.
         for (const auto& [named, reads] :
              {std::pair{false, false}, {false, true}, {true, false}, {true, true}})
             for (size_t i = 0; i < paths_.size(); ++i)
@@ -106,7 +109,8 @@ class GraphDrawing {
         return corner(node).y + kBoxHeight_px + (graph_.nodes[node].repeat == kNoId ? 0 : 2 * kBehind_px);
     }
 
-    // Reads of this frame first, then those from frame to frame.
+    // Creates the paths of all links: first reads within the frame, then reads of earlier frames, then all
+    // other links.
     void find_ways() {
         for (const auto& [history, raw] : {std::pair{false, true}, {true, true}, {false, false}}) {
             int32_t lane = 0;
@@ -119,12 +123,13 @@ class GraphDrawing {
         }
     }
 
-    // Level in boxes' layers, curved in between.
+    // Returns the path of a link within the frame: horizontal inside each layer, curved between layers.
     EdgePath path(size_t index) const {
         const GraphLink& item = graph_.links[index];
         const int32_t offset_px = kBoxHeight_px / 2 + port_offset_px(item.kind);
         std::vector<PointPx> points{{right_px(item.from), corner(item.from).y + offset_px}};
-        // Links of this frame come first, in the order of the layout's.
+        // Links within the frame come first in graph_.links, in the order in which the layout got them as
+        // edges.
         for (const PointPx& bend : layout_.bends[index])
             points.push_back({bend.x + kMargin_px, bend.y + kMargin_px + port_offset_px(item.kind) / 3});
         points.push_back({corner(item.to).x - 5, corner(item.to).y + offset_px});
@@ -141,7 +146,8 @@ class GraphDrawing {
         return path;
     }
 
-    // From frame to frame: down, back below all boxes, and up.
+    // Returns the path of a link from one frame to the next: down from the box, then sideways below all
+    // boxes, then up.
     EdgePath path_below(const GraphLink& item, int32_t lane) const {
         constexpr int32_t kBend_px = 8;
         const int32_t from_x = right_px(item.from) - 14 - 4 * (lane % 4),
@@ -159,7 +165,8 @@ class GraphDrawing {
         return path;
     }
 
-    // All resources, or the first of them and how many more there are.
+    // Returns the possible names of a link: all its resources, or the first resource and the number of
+    // others, such as "hdr +2".
     NameChoices names_of(const GraphLink& link) const {
         const std::vector<ResourceId>& resources = link.resources;
         if (resources.empty()) return {};
@@ -202,7 +209,8 @@ class GraphDrawing {
 
     bool is_live(uint32_t node) const { return plan_.live.live_passes[graph_.nodes[node].passes[0]]; }
 
-    // Its own keys are those of its first edge; those of the others follow.
+    // Returns the keys of all edges of the link. The keys of the first edge come first, so the link leads to
+    // the explanation of that edge.
     std::string link_keys(const GraphLink& link) const {
         std::string keys;
         for (const size_t edge : link.edges) keys += (keys.empty() ? "" : " ") + edge_keys(page_, edge);
@@ -249,7 +257,7 @@ class GraphDrawing {
         open_item(out_, "pass " + style + (repeat ? " repeat" : ""),
                   repeat ? repeat_keys(page_, node.repeat) : pass_keys(page_, node.passes[0]),
                   node.name + ": " + (repeat ? short_kind(node) : type_text(plan_, node.passes[0])));
-        if (repeat)  // the rounds behind the first
+        if (repeat)  // Two rectangles behind the box show that the box is a repeat.
             for (const int32_t behind_px : {2 * kBehind_px, kBehind_px})
                 draw_rect("behind", {at.x + behind_px, at.y + behind_px}, {width_px, kBoxHeight_px}, 6);
         draw_rect("box", at, {width_px, kBoxHeight_px}, 6);
@@ -261,7 +269,7 @@ class GraphDrawing {
         out_.line();
     }
 
-    // A link to the drawing of all rounds.
+    // Draws the "+" link that opens the drawing with all iterations of the repeats.
     void draw_opener(const GraphNode& node, PointPx at) {
         const std::string x = std::to_string(at.x + 4), y = std::to_string(at.y + 4);
         const std::string middle = std::to_string(kOpen_px / 2 - 4), arm = std::to_string(kOpen_px - 8);
@@ -280,8 +288,8 @@ class GraphDrawing {
     NodeGraph graph_;
     std::vector<LayoutBox> boxes_;
     LayeredLayout layout_;
-    std::vector<size_t> drawn_;    // links, in the order of their names' rank
-    std::vector<EdgePath> paths_;  // of each of these
+    std::vector<size_t> drawn_;    // Indices into graph_.links, in the order of choice of places for names.
+    std::vector<EdgePath> paths_;  // The path of each link in drawn_.
 };
 
 }  // namespace

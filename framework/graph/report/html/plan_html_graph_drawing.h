@@ -1,4 +1,4 @@
-// Purpose: one drawing of the page's graph.
+// Purpose: writes one drawing of the page's graph.
 #pragma once
 
 #include "graph/report/html/html_sections.h"
@@ -6,10 +6,11 @@
 
 namespace weft {
 
-// `folded`: repeats of many rounds are one box each, with a link to the drawing of all rounds.
+// Draws the graph. If `folded` is true, each repeat with many iterations is one box with a link to the
+// drawing of all iterations.
 void draw_graph(const PlanPage& page, bool folded, Markup& out);
 
-// The id of the page element that the link in such a box leads to.
+// Id of the page element with the drawing of all iterations, to which the "+" link of a repeat's box leads.
 inline constexpr const char* kRoundsId = "rounds";
 
 }  // namespace weft

@@ -1,4 +1,5 @@
-// A row for each resource: when it lives, and what each pass does to it.
+// Draws the lifetimes section: one row per resource, with the range of passes in which the resource lives and
+// a cell for each pass that uses it.
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"
@@ -21,7 +22,7 @@ struct Row {
     bool unread = false;
 };
 
-// Transients by first use, then what is kept, then imports.
+// Returns the rows: first transients sorted by first use, then persistent resources, then imports.
 std::vector<Row> make_rows(const PlanPage& page) {
     const FramePlan& plan = *page.plan;
     std::vector<Row> rows;
@@ -107,7 +108,8 @@ class LifetimeDrawing {
                             {"y", y_px + 2},
                             {"width", right_px - left_px},
                             {"height", kRow_px - 4}});
-        // A frame around all of one that nobody reads: its writer may be all there is of it.
+        // A resource that no pass reads gets a frame around its whole row. A normal bar would be hidden if
+        // the writing pass is its only user.
         const int32_t bar_px = row.unread ? kRow_px - 4 : 8, over_px = row.unread && !frame ? 3 : 0;
         out_.empty("rect", {{"class", "bar"},
                             {"x", left_px - over_px},

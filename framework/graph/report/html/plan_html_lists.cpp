@@ -1,4 +1,4 @@
-// The lists below the drawings: resources that outlive the frame, and passes that do not run.
+// Writes the tables below the drawings: resources that outlive the frame or are unused, and culled passes.
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
 #include "graph/report/html/html_sections.h"

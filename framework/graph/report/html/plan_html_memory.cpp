@@ -1,4 +1,5 @@
-// The place of each transient in its heap, and the time during which it is used.
+// Draws the memory section: each transient as a block, with its bytes in the heap vertically and its lifetime
+// horizontally.
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"
@@ -9,7 +10,7 @@
 namespace weft {
 namespace {
 
-constexpr int32_t kStrip_px = 44;  // how much is alive
+constexpr int32_t kStrip_px = 44;  // Height of the bar chart of live bytes.
 constexpr int32_t kHeapGap_px = 34;
 constexpr size_t kHues = 8;
 
@@ -68,7 +69,7 @@ class MemoryDrawing {
         out_.line();
     }
 
-    // How many bytes are alive while each pass runs.
+    // Draws a bar for each pass: the number of bytes that are alive while the pass runs.
     void draw_strip() {
         for (uint32_t p = 0; p < plan_.schedule.order.size(); ++p) {
             uint64_t alive_bytes = 0;

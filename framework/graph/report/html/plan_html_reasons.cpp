@@ -1,4 +1,4 @@
-// Barriers, waits, submissions and edges in words.
+// Writes the explanations of barriers, waits, submissions and edges.
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"
@@ -10,7 +10,8 @@
 namespace weft {
 namespace {
 
-// The passes that a barrier waits for: the one it names, or all that touched what it is about.
+// Returns the passes for which a barrier waits: the pass that the barrier names, or else all passes whose
+// uses of the barrier's memory are in its source stages.
 std::vector<PassId> waited_for(const PlanPage& page, const BarrierItem& item) {
     const BarrierDecl& barrier = *item.barrier;
     if (barrier.from != kNoId) return {barrier.from};
@@ -50,7 +51,8 @@ void write_waited_for(const PlanPage& page, const BarrierItem& item, Markup& out
         out.leaf("p", {}, "It is recorded once, before the first frame.");
 }
 
-// The uses of a barrier's resource by a pass, as far as they overlap; empty when none does.
+// Returns the uses by `pass` that overlap the barrier's range of its resource, as text; empty if there are
+// none. Sets `writing` if one of them writes.
 std::string uses_of(const FramePlan& plan, const BarrierDecl& barrier, PassId pass, bool& writing) {
     std::string text;
     for (const UseDecl& use : plan.graph.passes[pass].uses) {
@@ -61,8 +63,8 @@ std::string uses_of(const FramePlan& plan, const BarrierDecl& barrier, PassId pa
     return text;
 }
 
-// The pass behind the barrier; of one that stands after its pass, those that find its work done: all up to
-// the next writer.
+// Lists the passes that need the barrier. For a barrier before a pass, this is that pass. For a barrier after
+// a pass, these are the later users of the range, up to and including the next writer.
 void write_on_behalf_of(const PlanPage& page, const BarrierItem& item, Markup& out) {
     if (item.position == kNoId) return;
     const FramePlan& plan = *page.plan;

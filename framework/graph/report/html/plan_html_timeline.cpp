@@ -1,4 +1,5 @@
-// Every queue's work, in the order of submission.
+// Draws the timeline section: one row per queue with its batches, passes and barriers in submission order,
+// and arrows for semaphore waits.
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"
@@ -9,17 +10,17 @@
 namespace weft {
 namespace {
 
-constexpr int32_t kLaneTop_px = 22;  // the name of a batch
+constexpr int32_t kLaneTop_px = 22;  // Space for the name of a batch.
 constexpr int32_t kRowHeight_px = static_cast<int32_t>(kMarkRows) * kMarkStepY_px;
 constexpr int32_t kLaneHeight_px = kLaneTop_px + kRowHeight_px + 10;
-constexpr int32_t kLaneGap_px = 26;  // waits bend in it
+constexpr int32_t kLaneGap_px = 26;  // Gap between rows, where the arrows of waits turn.
 constexpr int32_t kStub_px = 26;
 
 int32_t lane_top_px(size_t row) {
     return static_cast<int32_t>(row) * (kLaneHeight_px + kLaneGap_px);
 }
 
-// Queues with something to do, ascending: the others have no row.
+// Returns the queues that have at least one batch, in ascending order. Other queues get no row.
 std::vector<uint32_t> used_queues(const FramePlan& plan) {
     std::vector<uint32_t> used;
     for (uint32_t q = 0; q < plan.schedule.queues.size(); ++q)
@@ -148,7 +149,7 @@ class TimelineDrawing {
                                             : plan_.graph.passes[plan_.schedule.order[position]].type;
     }
 
-    // From the pass whose rendering scope this one goes on in.
+    // Draws a bar from the previous pass to this pass if both share a rendering scope.
     void draw_scope(uint32_t position) {
         const PassId before = continued_pass(plan_, position);
         if (before == kNoId) return;
@@ -194,7 +195,9 @@ class TimelineDrawing {
         for (size_t w = 0; w < page_.waits.size(); ++w) draw_wait(w, drawn[page_.waits[w].batch]++);
     }
 
-    // From the end of what is waited for; of the frame before, from a dot. `nth` of its batch.
+    // Draws a wait as an arrow from the end of the batch waited for. If that batch belongs to the previous
+    // frame, the arrow starts at a dot instead. `nth` is the number of the wait within its batch and shifts
+    // the arrow.
     void draw_wait(size_t index, int32_t nth) {
         const WaitItem& item = page_.waits[index];
         const Batch &to = plan_.submissions.batches[item.batch],
@@ -225,7 +228,7 @@ class TimelineDrawing {
     const PlanPage& page_;
     const FramePlan& plan_;
     Markup& out_;
-    std::vector<uint32_t> queues_;  // with a row, at least one
+    std::vector<uint32_t> queues_;  // Queues that have a row; at least one.
     int32_t top_px_;
 };
 

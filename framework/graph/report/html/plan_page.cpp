@@ -31,9 +31,9 @@ auto edge_order(const EdgeItem& e) {
     return std::make_tuple(e.history, e.from, e.to, e.kind);
 }
 
-// The passes whose writes are still there when a frame ends, by cell of the resource. Later writers replace
-// earlier ones, but for turns of a repeat that is spread over frames: each of them may have been the last one
-// to run.
+// Finds, for each cell of a resource, the passes whose writes can still be there at the end of a frame. A
+// later writer replaces earlier ones. Exception: of the frame slices of a `perFrame` repeat, each may have
+// been the last one that ran, so all are kept.
 class LastWriters {
  public:
     LastWriters(const FramePlan& plan, ResourceId resource, const std::vector<SubresourceRange>& read)
@@ -68,20 +68,20 @@ class LastWriters {
     }
 
     SubresourceGrid grid_;
-    std::vector<std::vector<PassId>> writers_;  // by cell
+    std::vector<std::vector<PassId>> writers_;  // Index: cell.
 };
 
-// A read of what no pass of this frame wrote.
+// A read of content from before this frame.
 struct PastRead {
     PassId pass = kNoId;
     ResourceId resource = kNoId;
     SubresourceRange range;
 };
 
-// A pass that reads a role of a ring that nobody wrote in this frame sees the last version of an earlier
-// frame.
+// Adds an edge for each read of content from an earlier frame: from the pass that wrote the content last to
+// the pass that reads it.
 void add_history(const FramePlan& plan, std::vector<EdgeItem>& edges) {
-    std::map<ResourceId, std::vector<PastRead>> reads;  // by the newest role of the ring
+    std::map<ResourceId, std::vector<PastRead>> reads;  // Key: the ring's resource of age 0.
     for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass)
         for (const UseDecl& use : plan.graph.passes[pass].uses) {
             const ResourceId ring = plan.graph.resources[use.resource].ring;
@@ -99,7 +99,7 @@ void add_history(const FramePlan& plan, std::vector<EdgeItem>& edges) {
     }
 }
 
-// Those between the same two passes, for the same kind of reason, become one.
+// Merges edges with the same two passes and the same kind into one edge with all their resources.
 std::vector<EdgeItem> bundle(std::vector<EdgeItem> edges) {
     std::stable_sort(edges.begin(), edges.end(),
                      [](const EdgeItem& a, const EdgeItem& b) { return edge_order(a) < edge_order(b); });

@@ -1,7 +1,7 @@
-// Purpose: a plan as the HTML page shows it: every barrier, wait and edge numbered, so that all panels and
-// explanations name the same thing in the same way, and the columns that the panels share.
-// Keys: p3 is pass 3 of the plan, r4 a resource, b12 a barrier, w0 a wait, s1 a submission, e7 an edge,
-// g0 a repeat.
+// Purpose: prepares a plan for the HTML page. It numbers every barrier, wait and edge, so that all sections
+// and explanations use the same keys, and computes the columns that several sections share.
+// Keys: p3 is pass 3 of the plan, r4 a resource, b12 a barrier, w0 a wait, s1 a submission, e7 an edge, g0 a
+// repeat.
 // Units: pixels of the page.
 #pragma once
 
@@ -18,30 +18,32 @@ enum class BarrierPlace : uint8_t { prologue, before_pass, after_pass, epilogue 
 struct BarrierItem {
     const BarrierDecl* barrier = nullptr;
     BarrierPlace place = BarrierPlace::before_pass;
-    uint32_t position = kNoId;  // of the pass it stands beside
+    uint32_t position = kNoId;  // Position of the pass beside it; kNoId for prologue and epilogue.
 };
 
-// All resources for which one pass has to follow another, for one kind of reason.
+// An edge from one pass to another that must run later. It has all resources that are the reason, for one
+// kind of dependency.
 struct EdgeItem {
     PassId from = kNoId;
     PassId to = kNoId;
     EdgeKind kind = EdgeKind::raw;
-    bool history = false;  // `to` reads what `from` wrote in an earlier frame
+    bool history = false;  // True if `to` reads content that `from` wrote in an earlier frame.
     std::vector<ResourceId> resources;
 };
 
-// The rounds of a repeat that the graph may draw as one box.
+// A repeat with many iterations. The graph can draw all its passes as one box.
 struct RepeatItem {
-    std::string name;            // without the round's number
-    std::vector<PassId> passes;  // as they run
+    std::string name;            // Name of the repeat, without "#" and number.
+    std::vector<PassId> passes;  // Its iterations in schedule order.
 };
 
 struct WaitItem {
-    uint32_t batch = 0;  // which waits
+    uint32_t batch = 0;  // Index of the batch that waits.
     const QueueWait* wait = nullptr;
 };
 
-// Where a pass stands in the panels that share their columns. In front of it is room for its barriers.
+// The column of a pass in the sections with pass columns. The space left of the pass's box is for the marks
+// of its barriers.
 struct PageColumn {
     int32_t left_px = 0;
     int32_t width_px = 0;
@@ -50,12 +52,13 @@ struct PageColumn {
 };
 
 struct PageColumns {
-    std::vector<PageColumn> passes;  // by position
-    PageColumn prologue, epilogue;   // width 0: there is none
+    std::vector<PageColumn> passes;  // Index: schedule position.
+    PageColumn prologue, epilogue;   // Columns at both ends of the frame; not drawn if their width is 0.
     int32_t width_px = 0;
-    bool rotated_labels = false;  // names stand above at a slant: there are too many to lie flat
+    // True if the names above the columns are slanted at 45°, because there are too many for horizontal text.
+    bool rotated_labels = false;
 
-    // The column of a position; past the last one: the end of the frame.
+    // Returns the column of a position. A position after the last pass is the end of the frame.
     [[nodiscard]] const PageColumn& at(uint32_t position) const {
         return position < passes.size() ? passes[position] : epilogue;
     }
@@ -64,11 +67,12 @@ struct PageColumns {
 struct PlanPage {
     const FramePlan* plan = nullptr;
     PlanPageInfo info;
-    std::vector<BarrierItem> barriers;  // prologue, position by position, epilogue
-    std::vector<EdgeItem> edges;        // sorted
-    std::vector<RepeatItem> repeats;    // of many rounds
+    std::vector<BarrierItem> barriers;  // First those of the prologue, then by position, then the epilogue.
+    std::vector<EdgeItem> edges;        // Sorted by history, from, to and kind.
+    std::vector<RepeatItem> repeats;    // Repeats with many iterations.
     std::vector<WaitItem> waits;
-    std::vector<std::vector<PassId>> users;  // by resource, ascending
+    // Index: ResourceId. The passes that use the resource, ascending.
+    std::vector<std::vector<PassId>> users;
     PageColumns columns;
 };
 
@@ -83,7 +87,7 @@ struct PlanPage {
 [[nodiscard]] std::string edge_key(size_t edge);
 [[nodiscard]] std::string repeat_key(size_t repeat);
 
-// The things an element of the page stands for and belongs to, itself first: "b12 p3 r4".
+// Returns the key of the element itself, followed by the keys of related elements, such as "b12 p3 r4".
 [[nodiscard]] std::string pass_keys(const PlanPage& page, PassId pass);
 [[nodiscard]] std::string resource_keys(const PlanPage& page, ResourceId resource);
 [[nodiscard]] std::string barrier_keys(const PlanPage& page, size_t barrier);
@@ -92,10 +96,11 @@ struct PlanPage {
 [[nodiscard]] std::string edge_keys(const PlanPage& page, size_t edge);
 [[nodiscard]] std::string repeat_keys(const PlanPage& page, size_t repeat);
 
-// Written by passes that run and read by none, in this frame or a later one. Who takes an import is not
-// known.
+// Returns true if live passes write the resource but none reads it, in this frame or a later one. Returns
+// false for an import, because the program outside the graph may read it.
 [[nodiscard]] bool has_no_reader(const PlanPage& page, ResourceId resource);
-// The barriers that stand right before or after the pass at a position, by index.
+// Returns the barriers at a place, as indices into PlanPage::barriers. With `before_pass` or `after_pass`,
+// they belong to the pass at `position`.
 [[nodiscard]] std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, uint32_t position);
 [[nodiscard]] const std::string& pass_at(const FramePlan& plan, uint32_t position);
 

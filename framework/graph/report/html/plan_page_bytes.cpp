@@ -12,9 +12,10 @@ namespace {
 constexpr int32_t kHeight_px = 320, kMostHeight_px = 640;
 constexpr int32_t kLeastHeight_px = 96;
 constexpr int32_t kLeastBlock_px = 6;
-constexpr int32_t kLeastTick_px = 24;  // between two
+constexpr int32_t kLeastTick_px = 24;  // Minimum distance between two ticks.
 
-// As high as its smallest block needs, where that is not too much.
+// Returns the height of a heap's drawing. It is large enough to show the smallest block with kLeastBlock_px,
+// unless this exceeds kMostHeight_px; then it is kHeight_px.
 int32_t scale_height_px(const MemoryPlan& memory, uint32_t heap) {
     const uint64_t heap_bytes = memory.heaps[heap].size_bytes;
     uint64_t least_bytes = heap_bytes;
@@ -38,7 +39,9 @@ bool alive_together(const FramePlan& plan, const BlockPlace& a, const BlockPlace
     return x.first <= y.last && y.first <= x.last;
 }
 
-// Enlarged ones, by offset: each below those above it, then none below the heap's end.
+// Moves enlarged blocks apart, so that blocks alive at the same time do not overlap. First each block moves
+// below the blocks above it; then blocks beyond the end of the heap move up again. `blocks` are sorted by
+// offset.
 void separate(const FramePlan& plan, const ByteScale& scale, std::vector<BlockPlace>& blocks) {
     for (size_t i = 0; i < blocks.size(); ++i)
         for (size_t above = 0; above < i; ++above)

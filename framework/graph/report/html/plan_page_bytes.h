@@ -1,6 +1,7 @@
-// Purpose: where the blocks of a heap stand on the page: bytes are to scale. A block too small to be seen or
-// pointed at is drawn larger, and says so; those that it would hide among its like move on, down to the
-// heap's end at most. Units: pixels of the page, from the heap's top.
+// Purpose: computes the vertical place of each block (a resource in a heap) on the page. Bytes are drawn to
+// scale, but a block that is too small to see or to point at is drawn larger and marked as enlarged. Enlarged
+// blocks that would overlap are moved apart within the heap. Units: pixels of the page, from the top of the
+// heap.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 namespace weft {
 
 struct ByteScale {
-    uint64_t bytes = 1;  // of the whole heap
+    uint64_t bytes = 1;  // Size of the whole heap in bytes.
     int32_t height_px = 0;
 
     [[nodiscard]] int32_t at(uint64_t byte) const;
@@ -19,22 +20,24 @@ struct ByteScale {
 
 struct ByteTick {
     int32_t y_px = 0;
-    std::string text;  // all of an axis in one unit
+    std::string text;  // Text of the tick; an axis uses one unit, such as MiB.
 };
 
 struct BlockPlace {
     const Placement* placement = nullptr;
     int32_t top_px = 0;
     int32_t height_px = 0;
-    bool enlarged = false;  // higher than to scale
+    bool enlarged = false;  // True if the block is drawn larger than to scale.
 };
 
-// All heaps have the scale of the largest one of `heaps`, but for those that would be too low.
+// Returns the scale of each heap. All heaps use the scale of the largest heap; a heap that would be too low
+// gets the minimum height.
 [[nodiscard]] std::vector<ByteScale> make_byte_scales(const MemoryPlan& memory,
                                                       const std::vector<uint32_t>& heaps);
-// From 0 by a power of two, and the heap's end.
+// Returns the ticks of a heap's axis: from 0 in steps of a power of two, and one at the end of the heap.
 [[nodiscard]] std::vector<ByteTick> byte_ticks(const ByteScale& scale);
-// Those that live, as the plan has them; enlarged ones come last, to lie on top.
+// Returns the blocks of the live resources in a heap. Enlarged blocks come last, so that they are drawn on
+// top.
 [[nodiscard]] std::vector<BlockPlace> place_blocks(const FramePlan& plan, uint32_t heap,
                                                    const ByteScale& scale);
 

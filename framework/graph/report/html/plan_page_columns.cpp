@@ -1,5 +1,5 @@
-// How wide the column of every pass is: its barriers stand in front of it in rows of marks, its name in its
-// box.
+// Computes the width of the column of every pass. A column has the marks of the pass's barriers and the box
+// with its name.
 #include <algorithm>
 
 #include "graph/report/html/plan_page.h"
@@ -11,20 +11,22 @@ namespace {
 constexpr int32_t kGap_px = 10;
 constexpr int32_t kMostFlatWidth_px = 2400;
 constexpr int32_t kRotatedBox_px = 30;
-constexpr int32_t kWaitGap_px = 36;  // for its arrow
+constexpr int32_t kWaitGap_px = 36;  // Space for the arrow of a wait.
 
 int32_t marks_width_px(size_t barriers) {
     const size_t rows = std::min(barriers, kMarkRows);
     return rows == 0 ? 0 : static_cast<int32_t>((barriers + rows - 1) / rows) * kMarkStepX_px;
 }
 
-// A submission that only records the end of the frame.
+// Returns true if the plan has a batch without passes, which only records the barriers at the end of the
+// frame.
 bool ends_alone(const FramePlan& plan) {
     return std::any_of(plan.submissions.batches.begin(), plan.submissions.batches.end(),
                        [](const Batch& batch) { return batch.positions.empty(); });
 }
 
-// Of what stands once in a frame: before everything or after it.
+// Returns the column for the barriers of the prologue or epilogue. Its width is 0 if there is nothing to
+// show.
 PageColumn end_column(const PlanPage& page, BarrierPlace place, int32_t left_px) {
     const size_t count = barriers_at(page, place, kNoId).size();
     const bool submitted = place == BarrierPlace::epilogue && ends_alone(*page.plan);
@@ -40,7 +42,7 @@ int32_t boxes_width_px(const FramePlan& plan) {
     return width_px;
 }
 
-// A submission that waits begins here.
+// Returns true if a batch that waits for another queue begins at this position.
 bool waits_before(const FramePlan& plan, uint32_t position) {
     return std::any_of(
         plan.submissions.batches.begin(), plan.submissions.batches.end(), [&](const Batch& batch) {
@@ -48,7 +50,8 @@ bool waits_before(const FramePlan& plan, uint32_t position) {
         });
 }
 
-// So wide that a frame of few passes fills the panel.
+// Returns a minimum width for the boxes of passes, such that a frame with few passes fills the section's
+// width.
 int32_t roomy_box_px(const PlanPage& page) {
     const auto count = static_cast<int32_t>(page.plan->schedule.order.size());
     if (count == 0) return 0;

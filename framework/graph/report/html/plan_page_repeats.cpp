@@ -7,9 +7,10 @@
 namespace weft {
 namespace {
 
-constexpr size_t kFewRounds = 8;  // so many boxes are legible
+constexpr size_t kFewRounds = 8;  // A repeat with at most this many iterations is drawn as separate boxes.
 
-// By base name: the rounds that run, in their order.
+// Returns the live iterations of each repeat in schedule order. The key is the name before "#", such as
+// "down" for "down#1".
 std::map<std::string, std::vector<PassId>> rounds_by_name(const FramePlan& plan) {
     std::map<std::string, std::vector<PassId>> rounds;
     for (const PassId pass : plan.schedule.order) {
@@ -26,7 +27,8 @@ bool on_one_queue(const FramePlan& plan, const std::vector<PassId>& passes) {
                        [&](PassId pass) { return queue_of(pass) == queue_of(passes[0]); });
 }
 
-// Without nodes that nothing leads to any more, none is left.
+// Returns true if the graph has no cycle. It removes nodes without incoming links until none is left; nodes
+// that remain are part of a cycle.
 bool is_acyclic(const NodeGraph& graph) {
     std::vector<uint32_t> arriving(graph.nodes.size(), 0), ready;
     std::vector<std::vector<uint32_t>> next(graph.nodes.size());
@@ -48,7 +50,7 @@ void add_resources(const std::vector<ResourceId>& from, std::vector<ResourceId>&
         if (std::find(to.begin(), to.end(), id) == to.end()) to.push_back(id);
 }
 
-// The node of each pass.
+// Adds the nodes of all passes to the graph. Returns the node of each pass, indexed by PassId.
 std::vector<uint32_t> add_nodes(const PlanPage& page, const std::vector<RepeatItem>& repeats,
                                 NodeGraph& graph) {
     const FramePlan& plan = *page.plan;
@@ -79,7 +81,8 @@ NodeGraph node_graph(const PlanPage& page, const std::vector<RepeatItem>& repeat
     for (size_t e = 0; e < page.edges.size(); ++e) {
         const EdgeItem& edge = page.edges[e];
         const uint32_t from = node_of[edge.from], to = node_of[edge.to];
-        if (from == to && !edge.history) continue;  // between two rounds
+        // A link between two iterations inside one box is not drawn.
+        if (from == to && !edge.history) continue;
         const auto [at, is_new] = known.try_emplace({edge.history, from, to, edge.kind}, graph.links.size());
         if (is_new) graph.links.push_back({from, to, edge.kind, edge.history, {}, {}});
         graph.links[at->second].edges.push_back(e);

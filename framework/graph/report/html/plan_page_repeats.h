@@ -1,4 +1,4 @@
-// Purpose: which repeats the page's graph draws as one box, and the graph of boxes that follows from that.
+// Purpose: decides which repeats the page's graph draws as one box, and builds the graph of boxes.
 #pragma once
 
 #include <string>
@@ -8,32 +8,33 @@
 
 namespace weft {
 
-// A pass, or all rounds of a repeat.
+// A box of the graph: one pass, or all iterations of a repeat.
 struct GraphNode {
     std::string name;
     std::vector<PassId> passes;
-    uint32_t repeat = kNoId;  // of PlanPage::repeats
+    uint32_t repeat = kNoId;  // Index into PlanPage::repeats; kNoId for a single pass.
 };
 
-// All edges of one kind between two nodes.
+// A line of the graph: all edges of one kind between two nodes.
 struct GraphLink {
     uint32_t from = 0;
     uint32_t to = 0;
     EdgeKind kind = EdgeKind::raw;
     bool history = false;
-    std::vector<size_t> edges;  // of PlanPage::edges
+    std::vector<size_t> edges;  // Indices into PlanPage::edges.
     std::vector<ResourceId> resources;
 };
 
 struct NodeGraph {
-    std::vector<GraphNode> nodes;  // as they run, then what was culled
-    std::vector<GraphLink> links;  // those within a frame come first
+    std::vector<GraphNode> nodes;  // Live passes in schedule order, then culled passes.
+    std::vector<GraphLink> links;  // First links within a frame, then links to the next frame.
 };
 
-// Repeats of many rounds. Left out are those that would close a cycle as one box: other passes run between
-// their rounds.
+// Returns the repeats with many iterations. A repeat is left out if it would be part of a cycle as one box,
+// because another pass runs between its iterations and depends on them.
 [[nodiscard]] std::vector<RepeatItem> find_long_repeats(const PlanPage& page);
-// `folded`: each of PlanPage::repeats is one node; otherwise every pass is.
+// Builds the graph. If `folded` is true, each entry of PlanPage::repeats is one node; otherwise every pass is
+// a node.
 [[nodiscard]] NodeGraph make_node_graph(const PlanPage& page, bool folded);
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-// Purpose: sizes that several panels of the HTML page agree on. Units: pixels of the page.
+// Purpose: sizes that several sections of the HTML page share. Units: pixels of the page.
 #pragma once
 
 #include <cstddef>
@@ -7,28 +7,32 @@
 
 namespace weft {
 
-// Marks of barriers stand in columns of so many.
+// Maximum number of barrier marks below each other; more marks go into further columns.
 inline constexpr size_t kMarkRows = 4;
 inline constexpr int32_t kMarkStepX_px = 13;
 inline constexpr int32_t kMarkStepY_px = 13;
 inline constexpr int32_t kMark_px = 10;
-inline constexpr int32_t kLabel_px = 14;  // height of a label of bytes
+inline constexpr int32_t kLabel_px = 14;  // Height of a label on the axis of bytes.
 
 inline constexpr int32_t kEndColumn_px = 56;
-inline constexpr int32_t kRoomyBox_px = 150;    // of a pass, while there are few
-inline constexpr int32_t kRoomyWidth_px = 740;  // of all columns together
+// Maximum width to which a pass's box is widened in a frame with few passes.
+inline constexpr int32_t kRoomyBox_px = 150;
+// Width that all columns together fill if there are few passes.
+inline constexpr int32_t kRoomyWidth_px = 740;
 inline constexpr size_t kMostNameCharacters = 24;
-inline constexpr size_t kLeastNameCharacters = 4;  // fewer say nothing
+inline constexpr size_t kLeastNameCharacters = 4;  // A name shortened below this length is omitted.
 
-// Of a name in the page's monospaced face, with a margin.
+// Returns the width of a name in the page's monospaced font, with a margin.
 [[nodiscard]] int32_t name_width_px(const std::string& name);
-// How wide and high it is when it rises at 45°.
+// Returns the width of a name that is rotated by 45°, which is also its height.
 [[nodiscard]] int32_t rotated_label_px(const std::string& name);
-// How many characters of that face have room.
+// Returns the number of characters in the page's monospaced font that fit into the width.
 [[nodiscard]] size_t characters_in(int32_t width_px);
-// Of small text in the page's proportional face: what has room, "" when that is next to nothing.
+// Returns the beginning of `text` that fits into the width in the page's small proportional font. Returns an
+// empty text if fewer than kLeastNameCharacters fit.
 [[nodiscard]] std::string small_text_in(const std::string& text, int32_t width_px);
-// Names are ASCII; longer ones end in an ellipsis.
+// Returns the name. If it is longer than `most_characters`, it is cut and ends in an ellipsis. Names must be
+// ASCII.
 [[nodiscard]] std::string short_name(const std::string& name, size_t most_characters = kMostNameCharacters);
 
 }  // namespace weft
