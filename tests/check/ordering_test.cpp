@@ -1,4 +1,5 @@
-// Tests the rules of Vulkan's dependencies one by one, on hand-made records.
+// Tests the checker's model of Vulkan's execution and memory dependencies, rule by rule, with hand-made
+// access records.
 #include "check/ordering.h"
 
 #include <gtest/gtest.h>
@@ -132,7 +133,8 @@ TEST(Ordering, ATransitionIsDoneWhenItsDestinationStarts) {
     EXPECT_FALSE(record.ordered_before(stage::kComputeShader));
 }
 
-// The record's results for every stage.
+// Returns for every stage whether the recorded access is ordered before the stage, available before it, and
+// visible to it.
 std::vector<bool> answers(const AccessRecord& record) {
     std::vector<bool> all;
     for (int s = 0; s < stage::kCount; ++s) {
@@ -170,7 +172,7 @@ TEST(Ordering, FollowingALogIsPassingItsBatchesOneByOne) {
             for (size_t i = 0; i <= random() % 3; ++i)
                 batch.add(
                     last = scopes(few_stages(), access::kStorageWrite, few_stages(), access::kSampledRead));
-            // Sometimes a barrier affects the memory of one record.
+            // In half of the iterations, a barrier also affects the memory of one record.
             const size_t touched =
                 random() % 2 == 0 && !by_log.empty() ? random() % by_log.size() : by_log.size();
             for (size_t i = 0; i < by_log.size(); ++i) {

@@ -1,4 +1,5 @@
-// Breaks a sound plan in one way at a time: the checker must report it, naming both passes and the resource.
+// Each test breaks a correct plan in one way. The checker must report an error that names both passes and the
+// resource.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 namespace weft::test {
 namespace {
 
-// make → blur → sharpen → shade → show, in which later images reuse the memory of earlier ones; also a mip
-// chain, and a depth buffer that two passes test against.
+// The passes make → blur → sharpen → shade → show form a chain, in which later images reuse the memory of
+// earlier ones. The graph also has a mip chain, and a depth buffer that two passes test against.
 const char* const kGraph = R"j(
  "imports": {"backbuffer": "output", "opaque": "drawlist"},
  "resources": {"a": "rgba16f", "b": "rgba16f", "c": "rgba16f", "d": "rgba16f", "chain": {"format": "rgba16f", "mips": 3},
@@ -65,7 +66,7 @@ class PlantedFault : public ResolveTest {
         EXPECT_GT(dropped, 0u) << "no barrier on " << on << " before " << before;
     }
 
-    // At least one fault must mention all of these names.
+    // Expects that at least one error of the checker mentions all of these names.
     void expect_fault(std::initializer_list<const char*> names) {
         const Diagnostics faults = check_plan(plan);
         const bool found = std::any_of(faults.begin(), faults.end(), [&](const Diagnostic& d) {
@@ -139,7 +140,7 @@ TEST_F(PlantedFault, LivePlacementsOverlap) {
     expect_fault({"a", "b", "make", "blur"});
 }
 
-// The first alias barrier between two resources within one frame.
+// Removes the first alias barrier between two different resources within one frame.
 TEST_F(PlantedFault, HandOverDropped) {
     for (PassStep& s : plan.barriers.steps) {
         for (size_t i = 0; i < s.barriers.size(); ++i) {
@@ -180,7 +181,8 @@ TEST_F(PlantedFault, WrapAroundHandOverDropped) {
     FAIL() << "this graph hands no memory over from frame to frame";
 }
 
-// "tint" overwrites d, but no edge makes it wait for a reader that the schedule puts before it.
+// Pass "tint" overwrites x, which pass "peek" reads before. The test removes the reader's stage from the
+// barrier, so "tint" no longer waits for "peek".
 TEST_F(PlantedFault, WarEdgeDropped) {
     const char* const war = R"j(
      "imports": {"backbuffer": "output"}, "resources": {"x": "rgba16f", "y": "rgba16f"},

@@ -1,4 +1,5 @@
-// Two passes draw on top of each other in one rendering scope; each test breaks the plan in one way.
+// Two passes draw on the same attachments in one rendering scope. Each test breaks the plan in one way, and
+// the checker must report an error.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +42,7 @@ class ScopeFault : public testing::Test {
         return *std::find_if(uses.begin(), uses.end(), [port](const UseDecl& u) { return u.port == port; });
     }
 
-    // At least one fault with this code must name both passes and contain `what`.
+    // Expects that at least one error with this code names both passes and contains `what`.
     void expect_fault(const char* code, const std::string& what) {
         const Diagnostics faults = check_plan(plan);
         const bool found = std::any_of(faults.begin(), faults.end(), [&](const Diagnostic& d) {
@@ -63,7 +64,7 @@ TEST_F(ScopeFault, NoneInTheSoundPlan) {
     EXPECT_TRUE(faults.empty()) << to_text(faults);
 }
 
-// Without the shared scope, two barriers that it replaced are missing.
+// If "second" has a rendering scope of its own, it needs two barriers, which the plan does not have.
 TEST_F(ScopeFault, ScopeDropped) {
     step("second").merges_render_pass = false;
     expect_fault("C310", "\"target\"");
@@ -129,14 +130,15 @@ TEST_F(ScopeFault, StoredByNobody) {
     EXPECT_EQ(faults.front().code, "C330");
 }
 
-// Only the last pass of a scope has store operations.
+// The store operation of "first" has no effect, because only the last pass of a rendering scope stores the
+// attachments.
 TEST_F(ScopeFault, NoneWhereTheFirstPassStoresNothing) {
     step("first").attachments.front().store = StoreOp::dont_care;
     const Diagnostics faults = check_plan(plan);
     EXPECT_TRUE(faults.empty()) << to_text(faults);
 }
 
-// Sampling is not ordered inside a scope; only attachment accesses are.
+// Inside a rendering scope only attachment accesses are ordered. A texture read of the drawn image is not.
 TEST_F(ScopeFault, SamplingWhatTheScopeDraws) {
     UseDecl& sampled = use("second", "src");
     sampled.resource = use("second", "color").resource;

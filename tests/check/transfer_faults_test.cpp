@@ -1,4 +1,5 @@
-// Ownership transfers of an image between two queue families whose halves do not match.
+// Tests ownership transfers of an image between two queue families whose release and acquire barriers do not
+// match.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +11,8 @@
 namespace weft::test {
 namespace {
 
-// Both mips are written on a compute queue; either one pass reads both, or each mip has its own reader.
+// Returns a plan in which passes on a compute queue write both mips of an image. If `one_reader` is true, one
+// pass on the graphics queue reads both mips; otherwise each mip has its own reader.
 FramePlan hand_over(bool one_reader) {
     GraphBuilder b;
     const ResourceId image = b.image("image", Format::r32u, 16, 2);
@@ -49,7 +51,8 @@ TEST(TransferFaults, HalvesOfOtherRanges) {
     for (PassStep& step : plan.barriers.steps) {
         const auto is_half = [](const BarrierDecl& b) { return b.src_family != b.dst_family; };
         if (std::count_if(step.barriers.begin(), step.barriers.end(), is_half) != 2) continue;
-        // Replaces both acquires by one for both mips, which matches neither release.
+        // Replaces both acquire barriers by a single one for both mips, which matches neither of the two
+        // release barriers.
         const auto first = std::find_if(step.barriers.begin(), step.barriers.end(), is_half);
         BarrierDecl both = *first;
         std::erase_if(step.barriers, is_half);

@@ -1,5 +1,5 @@
-// Transitions from one plan to the next: which content is kept, which is cleared, and that the checker finds
-// faults.
+// Tests transitions from one plan to the next: which content is carried over, which is cleared, and that the
+// checker finds errors in a transition.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -43,7 +43,8 @@ ResourceDecl image(const char* name, const Shape& shape, uint32_t history, Resou
     return decl;
 }
 
-// A picture that blends with its previous frame, and one that is modified in place.
+// Returns a plan with two persistent images: `color` is blended with its previous frame, and `kept` is
+// modified in place.
 FramePlan planned(const Shape& shape, const Shape& kept = {}) {
     ResolvedGraph graph;
     graph.resources = {image("color", shape, 1, 0, 0), image("color[-1]", shape, 1, 0, 1),

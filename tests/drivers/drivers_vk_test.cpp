@@ -1,6 +1,6 @@
-// Renders the shipped graphs on Vulkan drivers other than the packaged one, under the newest validation
-// layer: there must be no message, and the pictures may differ only as much as drivers may.
-// tests/drivers/fetch.sh puts drivers and layer below build/drivers.
+// Renders the shipped graphs on Vulkan drivers other than the packaged one, with the newest validation layer.
+// The layer must give no message, and the pictures may differ only as much as Vulkan allows.
+// tests/drivers/fetch.sh puts the drivers and the layer into build/drivers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@ const fs::path kGraphs = WEFT_SOURCE_DIR "/graphs";
 
 struct Driver {
     const char* name;
-    const char* folder;  // folder below build/drivers
+    // Name of the driver's folder in build/drivers.
+    const char* folder;
 };
 
 constexpr Driver kMesa{"MesaOfBackports", "mesa-backports"};
@@ -32,7 +33,8 @@ void PrintTo(const Driver& driver, std::ostream* out) {
     *out << driver.name;
 }
 
-// Replaces a constant by one that is 3 % too large.
+// A deliberate fault: in `file` of graph `graph`, the text `text` is replaced by `faulty`, which makes a
+// factor 3 % too large.
 struct Fault {
     const char *graph, *file, *text, *faulty;
 };
@@ -65,7 +67,7 @@ class Drivers : public testing::TestWithParam<Driver> {
         if (const std::string why = absent(GetParam().folder); !why.empty()) GTEST_SKIP() << why;
     }
 
-    // The reason why the driver is missing; empty when it is present.
+    // Returns the reason why the driver is missing, or an empty text if the driver is present.
     static std::string absent(const std::string& folder) {
         if (fs::exists(kDrivers / folder / "icd.json")) return "";
         const std::string reason = read_text(kDrivers / (folder + ".skipped"));
@@ -74,7 +76,7 @@ class Drivers : public testing::TestWithParam<Driver> {
     static Environment environment(const Driver& driver) {
         Environment all{{"VK_DRIVER_FILES", (kDrivers / driver.folder / "icd.json").string()}};
         const fs::path layer = kDrivers / "validation";
-        // Without this layer the packaged layer is used.
+        // Without this folder, the Vulkan loader uses the packaged validation layer.
         if (fs::exists(layer / "VkLayer_khronos_validation.json"))
             all.emplace_back("VK_LAYER_PATH", layer.string());
         return all;
@@ -91,7 +93,8 @@ class Drivers : public testing::TestWithParam<Driver> {
         EXPECT_EQ(stats.at("validation").at("layers").size(), 1u);
     }
 
-    // Copies of the shipped graphs without features whose result depends on the driver.
+    // Makes copies of the shipped graphs without features whose results depend on the driver. Returns the
+    // folder of the copies.
     fs::path snapped(Triangles triangles) const {
         const fs::path folder = scratch_ / "snapped";
         const SnappedShaders changed = write_snapped_graphs(folder, triangles);
@@ -100,7 +103,7 @@ class Drivers : public testing::TestWithParam<Driver> {
         EXPECT_TRUE(changed.has_wide_lines);
         return folder;
     }
-    // The picture of the packaged driver.
+    // Renders the view with the packaged driver and returns the file of the picture.
     fs::path reference(const GoldenView& view, const fs::path& graphs) const {
         const fs::path picture = scratch_ / "reference.png";
         const RunResult result = run_weft(view.render(graphs / (view.graph + ".json"), picture));
@@ -141,7 +144,8 @@ TEST_P(Drivers, SayNothingAtAnySize) {
         }
 }
 
-// Otherwise the absence of messages would prove nothing.
+// Leaves out the barriers of pass "lighting" and expects a validation message. Without this test, the absence
+// of messages in other tests would prove nothing.
 TEST_P(Drivers, NameABarrierThatIsLeftOut) {
     const RunResult result = run({"render", "builtin:spheres", "--validate", "--size", "64x36", "--frames",
                                   "2", "-o", scratch_ / "a.png", "--test-drop-barriers", "lighting"});
@@ -157,9 +161,10 @@ TEST_P(Drivers, PassTheTestsOfTheShippedGraphs) {
     EXPECT_EQ(result.exit_code, 0) << result.text();
 }
 
-// Drivers that round vertices and filter textures like the packaged one.
+// Tests of drivers that round vertices and filter textures like the packaged driver.
 class DriversLikeThePackagedOne : public Drivers {};
-// Drivers that do not; they render modified graphs, see snapped_graphs.h.
+// Tests of drivers that round vertices or filter textures differently. They render modified graphs; see
+// snapped_graphs.h.
 class DriversOfTheirOwn : public Drivers {};
 
 TEST_P(DriversLikeThePackagedOne, DrawTheGoldens) {
@@ -178,7 +183,8 @@ TEST_P(DriversOfTheirOwn, DrawWhatThePackagedDriverDraws) {
     }
 }
 
-// All triangles are drawn here. Clipping a triangle moves its edges, so the bounds at edges do not apply.
+// Triangles that extend beyond the picture are drawn in this test. Clipping moves their edges, so only texels
+// away from edges are compared.
 TEST_P(DriversOfTheirOwn, ShadeWhatReachesBeyondThePicture) {
     if (!has_device()) GTEST_SKIP() << "no packaged driver to compare with";
     const fs::path graphs = snapped(Triangles::all);
@@ -189,7 +195,8 @@ TEST_P(DriversOfTheirOwn, ShadeWhatReachesBeyondThePicture) {
     }
 }
 
-// Shows that the bounds are narrow enough to detect a fault.
+// Inserts faults into shaders. The difference must then exceed the bounds, which shows that the bounds are
+// narrow enough.
 TEST_P(DriversOfTheirOwn, DifferByMoreWithAFault) {
     if (!has_device()) GTEST_SKIP() << "no packaged driver to compare with";
     const fs::path graphs = snapped(Triangles::whole);

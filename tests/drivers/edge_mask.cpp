@@ -11,13 +11,15 @@ namespace {
 
 using image::Image;
 
-constexpr float kRounding = 0.01f;  // rounding in 1/255 steps, from conversions to and from floats
+// Tolerance for rounding in conversions to and from floats, in steps of 1/255.
+constexpr float kRounding = 0.01f;
 
 struct Range {
     glm::vec3 least{1e9f}, most{-1e9f};
 };
 
-// Range of the texels at most `radius` away, in steps.
+// Returns the range of the texels around (x, y) whose distance is at most `radius` texels in x and y. The
+// range is in steps of 1/255.
 Range range_around(const Image& picture, int x, int y, int radius) {
     const int width = static_cast<int>(picture.width_px), height = static_cast<int>(picture.height_px);
     Range range;

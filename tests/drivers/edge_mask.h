@@ -1,7 +1,7 @@
-// Purpose: measures the difference of two drivers' pictures of one view, separately near edges and elsewhere.
-// At the edge of a triangle one driver may cover a texel that another does not; that texel then has the value
-// of a neighbour. Elsewhere only rounding may differ. Shapes: two display pictures of one size. Units: steps
-// are 1/255 of a channel.
+// Purpose: measures the difference of two drivers' pictures of the same view, separately near edges and
+// elsewhere. At the edge of a triangle, one driver may cover a texel that another driver does not cover. That
+// texel then has the value of a neighbour. Elsewhere only rounding may differ. Shapes: two display pictures
+// of the same size. Units: a step is 1/255 of a channel.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace weft::test {
 
-// Allows for rounding, including that of texture filters and sRGB decoding, whose precision depends on the
-// driver.
+// Largest difference, in steps of 1/255, that rounding may cause. Texture filters and sRGB decoding round
+// too, and their precision depends on the driver.
 inline constexpr float kSameSteps = 2;
 
 struct DriverDifference {
-    // The largest difference that is not near an edge. Near an edge means: the 5×5 texels around the texel
-    // differ by more than twice kSameSteps in a channel of either picture.
+    // The largest difference of texels that are not near an edge, in steps of 1/255. A texel is near an edge
+    // if the 5×5 texels around it differ by more than twice kSameSteps in a channel of either picture.
     float off_edges_steps = 0;
-    // The fraction of texels that differ by more than kSameSteps from all of the reference's 3×3 texels
-    // around them.
+    // The fraction of texels that differ by more than kSameSteps from the range of the 3×3 texels around the
+    // same place in the reference picture.
     double edge_share = 0;
     double mean_flip = 0;
 };
 
-// The limit for drivers that draw the same triangles.
+// Largest allowed values of edge_share and mean_flip, for drivers that draw the same triangles.
 inline constexpr double kMostEdgeShare = 0.001;
 inline constexpr double kMostMeanFlip = 0.005;
 

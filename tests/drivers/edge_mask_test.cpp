@@ -1,5 +1,5 @@
-// The comparison used for tests on other drivers: it must tolerate an edge that moves by a texel, and nothing
-// else.
+// Tests the comparison of pictures from two drivers. It must tolerate an edge that moves by one texel, and
+// nothing more.
 #include "tests/drivers/edge_mask.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace weft::test {
 namespace {
 
-// Dark left of `edge_px`, bright from `edge_px` on.
+// Returns a picture that is dark in the columns left of `edge_px`, and bright from column `edge_px` on.
 image::Image two_halves(uint32_t edge_px) {
     image::Image picture{64, 64, image::Encoding::display, {}};
     for (uint32_t i = 0; i < 64 * 64; ++i) picture.texels.emplace_back(i % 64 < edge_px ? 0.2f : 0.8f);

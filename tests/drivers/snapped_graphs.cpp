@@ -19,13 +19,14 @@ constexpr const char* kOnGrid = R"(
     }
 )";
 
-// Adds a value that is positive in a fragment if a corner of its triangle is outside the picture or before
-// the near plane.
+// GLSL code for vertex shaders. It sets `beyond_picture` if the vertex is outside the picture or in front of
+// the near plane. Interpolation then makes the value positive in all fragments of the triangle.
 constexpr const char* kMarkBeyond = R"(
     if (any(greaterThan(abs(unsnapped.xy), vec2(unsnapped.w))) || unsnapped.z > unsnapped.w) beyond_picture = 1.0;
 )";
 
-// exact_srgb finds the 8-bit code that a driver decoded, and decodes it in single precision.
+// GLSL code for fragment shaders, which filters textures in the shader. Function exact_srgb() finds the 8-bit
+// code that a driver has decoded, and decodes it in single precision.
 constexpr const char* kFilter = R"(
 vec3 exact_srgb(vec3 decoded) {
     const vec3 curve = 1.055 * pow(decoded, vec3(1.0 / 2.4)) - 0.055;
@@ -59,7 +60,7 @@ std::string read(const fs::path& file) {
     return text.str();
 }
 
-// Returns false if `what` is not in the text.
+// Inserts a text before the first occurrence of `what`. Returns false if `what` is not in the text.
 bool insert_before(std::string& text, const std::string& what, const std::string& inserted) {
     const size_t found = text.find(what);
     if (found != std::string::npos) text.insert(found, inserted);
@@ -81,7 +82,7 @@ bool snap_vertices(const fs::path& shader, Triangles triangles) {
     std::string text = read(shader);
     const size_t projection = text.find("gl_Position = view.view_projection *");
     if (projection == std::string::npos) return false;
-    // For a shadow map it does not matter whether triangles are clipped.
+    // In a shadow map, clipped triangles do not change the picture, so the code that marks them is left out.
     const bool marks = triangles == Triangles::whole && shader.filename() != "sun_shadow.vert";
     text.insert(text.find(';', projection) + 1, std::string(kOnGrid) + (marks ? kMarkBeyond : ""));
     const bool has_main = insert_before(text, kMain, "layout(location = 12) out float beyond_picture;\n\n");
@@ -95,7 +96,8 @@ bool filter_exactly(const fs::path& shader) {
     const bool has_main = insert_before(text, kMain, "layout(location = 12) in float beyond_picture;\n\n") &&
                           insert_behind(text, kMain, "\n    if (beyond_picture > 0.0) discard;");
     std::ofstream(shader) << text;
-    // Includes are searched beside the including file first.
+    // The compiler searches for an included file in the folder of the including file first. So this changed
+    // copy replaces the shared header.
     std::string surface = read(fs::path(WEFT_SOURCE_DIR) / "shaders/include" / kSurface);
     for (const char* name : {"base_color_texture", "emissive_texture"})
         replace_all(surface, "texture(" + std::string(name), "filtered(" + std::string(name) + ", true");
@@ -118,7 +120,7 @@ bool replace_in(const fs::path& file, const std::string& what, const std::string
 }
 
 SnappedShaders write_snapped_graphs(const fs::path& folder, Triangles triangles) {
-    // Shaders are searched beside the graph first.
+    // Weft searches for shaders in the graph's folder first, so the graphs use these copies.
     fs::copy(WEFT_SOURCE_DIR "/graphs", folder, fs::copy_options::recursive);
     fs::copy(WEFT_SOURCE_DIR "/shaders", folder, fs::copy_options::recursive);
     SnappedShaders changed;

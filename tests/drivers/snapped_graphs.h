@@ -1,13 +1,13 @@
-// Purpose: copies of the shipped graphs and shaders without operations whose result Vulkan leaves to the
-// driver. Two drivers then have the same input, and a difference between their pictures is a fault. The
-// copies differ in four ways:
+// Purpose: makes copies of the shipped graphs and shaders without operations whose result Vulkan leaves to
+// the driver. Then two drivers have the same input, and a difference between their pictures is a fault. The
+// copies differ from the originals in four ways:
 // - Vertices lie on a grid of 1/16 px. Vulkan lets a driver round vertices to 4 fractional bits of a pixel or
 //   more (subPixelPrecisionBits). SwiftShader has 4 and lavapipe 8, so edges would differ by up to 1/32 px.
 // - With Triangles::whole, triangles that extend beyond the picture are not drawn. A driver may clip them,
 //   and the new vertices would not lie on the grid.
 // - Shaders filter material textures themselves, in single precision and at a fixed level. Vulkan does not
 //   specify how precisely a driver filters and selects a level; lavapipe filters 8-bit textures in 8 bits.
-//   The pass `edges` filters its own result in 8 bits, so it uses a float format instead.
+//   The pass `edges` filters its own result, so the copy uses a float format instead of 8 bits for it.
 // - sRGB is decoded from the nearest 8-bit code, because drivers decode it with different precision.
 #pragma once
 
@@ -18,18 +18,20 @@ namespace weft::test {
 
 enum class Triangles { all, whole };
 
-// The replacements that were made. Tests compare them with the expected ones, because a text that is not
-// found would silently stay unchanged.
+// Counts the replacements in the copies. A text that is not found would stay unchanged without an error, so
+// tests compare these counts with the expected ones.
 struct SnappedShaders {
-    int vertex = 0;               // number of shaders that project vertices with the view
-    int fragment = 0;             // number of shaders that read material textures
-    bool has_wide_lines = false;  // true if `edges` filters its lines in the shader and has a float format
-                                  // instead of 8 bits
+    // Number of changed vertex shaders, which project vertices with the view.
+    int vertex = 0;
+    // Number of changed fragment shaders, which read material textures.
+    int fragment = 0;
+    // True if the lines image of the graph `edges` has a float format instead of 8 bits.
+    bool has_wide_lines = false;
 };
 
 [[nodiscard]] SnappedShaders write_snapped_graphs(const std::filesystem::path& folder, Triangles triangles);
 
-// Returns false if `what` is not in the file.
+// Replaces a text in a file. Returns false if `what` is not in the file.
 [[nodiscard]] bool replace_in(const std::filesystem::path& file, const std::string& what,
                               const std::string& by);
 

@@ -5,12 +5,13 @@
 namespace weft::fuzz {
 namespace {
 
-// A pseudo-random number below `count`; another one at every call.
+// Generates pseudo-random numbers: each call of below() returns another number below `count`.
 class Choices {
  public:
     explicit Choices(uint64_t seed) : state_(seed) {}
     uint32_t below(uint32_t count) {
-        state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;  // Knuth's MMIX generator
+        // The constants are those of Knuth's MMIX generator.
+        state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
         return static_cast<uint32_t>(state_ >> 33) % count;
     }
 

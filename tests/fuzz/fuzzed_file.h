@@ -1,5 +1,5 @@
-// Purpose: stores the fuzzer's bytes as the only file of a folder, in memory if possible, for code that reads
-// files.
+// Purpose: stores the bytes of a fuzzer as the only file of a folder, for code that reads files. The folder
+// is in memory (/dev/shm) if possible.
 #pragma once
 
 #include <unistd.h>

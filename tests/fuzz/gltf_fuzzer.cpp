@@ -1,4 +1,5 @@
-// Loads bytes as a .gltf or a .glb (the first four bytes decide); no other file can be read.
+// Loads the fuzzer's bytes as a .gltf or .glb file; the first four bytes decide which. The scene can read no
+// other file.
 #include <cstdlib>
 
 #include "tests/fuzz/fuzzed_file.h"
@@ -6,7 +7,7 @@
 
 namespace {
 
-// Much lower than the program's limits, so that accepted inputs are fast.
+// Returns limits that are much lower than those of the program, so that the accepted inputs load fast.
 weft::scene::SceneLimits small_limits() {
     weft::scene::SceneLimits limits;
     limits.resource_bytes = 16 << 20;
@@ -29,6 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     weft::Diagnostics warnings;
     const weft::Result<weft::scene::Scene> scene =
         weft::scene::load_gltf(file.path(), warnings, small_limits());
-    if (!scene && scene.errors().empty()) std::abort();  // an error without a reason is a bug
+    // The loader has a bug if it fails without an error message.
+    if (!scene && scene.errors().empty()) std::abort();
     return 0;
 }

@@ -1,6 +1,6 @@
-// Takes a graph through all stages: read with its includes, merge in each tier, parse, resolve, compile,
-// check. The input is the graph's text; a line "=== NAME" begins an included file of that name. A plan that
-// the checker rejects is a bug like a crash: the compiler must make sound plans for every graph that
+// Takes a graph through all stages: read it with its includes, merge a tier, parse, resolve, compile and
+// check. The input is the text of the graph; a line "=== NAME" begins an included file of that name. If the
+// checker rejects the plan, the compiler has a bug, because it must make a correct plan for every graph that
 // resolve() accepts.
 #include <cstdio>
 #include <cstdlib>
@@ -21,7 +21,8 @@
 namespace weft::fuzz {
 namespace {
 
-// Compile time grows faster than linearly; benchmarks cover the cost of larger graphs.
+// Larger graphs are not compiled, because the compile time grows faster than linearly. Benchmarks cover the
+// cost of larger graphs.
 constexpr size_t kMostPasses = 200;
 
 DeviceProfile read_profile(const char* name) {
@@ -40,7 +41,7 @@ const std::vector<DeviceProfile>& profiles() {
     return all;
 }
 
-// The imports that shipped graphs and the corpus seeds use.
+// Returns the imports that the shipped graphs and the seeds of the corpus use.
 ImportCatalog make_imports() {
     ImportCatalog catalog;
     catalog.views = {"camera", "sun"};
@@ -83,7 +84,8 @@ void prove(const ResolvedGraph& graph, const DeviceProfile& profile, uint32_t qu
     std::abort();
 }
 
-using Files = std::map<std::string, std::string>;  // texts by name
+// Texts of the graph files by file name.
+using Files = std::map<std::string, std::string>;
 
 constexpr const char* kGraph = "graph.json";
 

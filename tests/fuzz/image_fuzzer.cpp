@@ -1,4 +1,4 @@
-// Decodes bytes as a picture with every reader of untrusted pictures.
+// Decodes the fuzzer's bytes as a picture with every reader of pictures that cannot be trusted.
 #include <cstdlib>
 #include <span>
 
@@ -11,10 +11,10 @@
 
 namespace {
 
-// Above this, most of the time is spent filling memory.
+// Larger pictures are skipped, because most of the time would be spent on filling memory.
 constexpr uint64_t kMostTexels = 1 << 20;
 
-// A picture projected by a light: a texture, resized to the common size.
+// Uses the picture as one that a light projects: a texture that is resized to a common size.
 void show_by_a_light(const weft::scene::DecodedImage& image) {
     constexpr uint64_t kMostForLights = 1 << 14;
     if (image.size.texels() > kMostForLights) return;
@@ -29,7 +29,7 @@ void show_by_a_light(const weft::scene::DecodedImage& image) {
     if (weft::scene::light_pictures(scene).layers != 1) std::abort();
 }
 
-// Textures of glTF files: PNG and JPEG.
+// Reads the bytes as a texture of a glTF file, which is PNG or JPEG.
 void read_as_texture(std::span<const uint8_t> bytes) {
     const auto size = weft::scene::read_image_size(bytes);
     if (!size || uint64_t{size->width_px} * size->height_px > kMostTexels) return;
@@ -39,7 +39,7 @@ void read_as_texture(std::span<const uint8_t> bytes) {
     if (!image.rgba.empty()) show_by_a_light(image);
 }
 
-// Environments: Radiance pictures.
+// Reads the file as an environment, which is a Radiance picture (.hdr).
 void read_as_environment(const std::filesystem::path& file) {
     weft::scene::SceneLimits limits;
     limits.image_side_px = 4096;
@@ -48,7 +48,7 @@ void read_as_environment(const std::filesystem::path& file) {
     if (!environment && environment.errors().empty()) std::abort();
 }
 
-// Pictures that `weft compare` reads: PNG, EXR and PFM.
+// Reads the file as a picture for `weft compare`, which reads PNG, EXR and PFM.
 void read_as_picture(const std::filesystem::path& file) {
     weft::PictureLimits limits;
     limits.memory_bytes = 256 << 20;
@@ -58,7 +58,8 @@ void read_as_picture(const std::filesystem::path& file) {
 
 }  // namespace
 
-// tinyexr forgets its header where a file is broken: a kilobyte, once, in a program that ends right after.
+// LeakSanitizer must ignore leaks of tinyexr. For a broken file, tinyexr does not free its header: about a
+// kilobyte, once, in a program that ends right after.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libtinyexr";

@@ -1,6 +1,6 @@
-// Takes words as a SPIR-V module through all checks for modules from the compiler or the cache: the gate,
-// spirv-val, reflection. A module accepted by gate and spirv-val must use only capabilities that are on the
-// list.
+// Takes the fuzzer's words as a SPIR-V module through all checks for modules from the compiler or the cache:
+// the gate, spirv-val and reflection. If the gate and spirv-val accept a module, all its capabilities must be
+// allowed by the capability table.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -48,7 +48,8 @@ void expect_listed(const std::vector<uint32_t>& words) {
     }
 }
 
-// The first words of instructions, so that most mutants are still valid modules.
+// Returns the index of the first word of each instruction. The mutator changes whole instructions, so that
+// most mutants are still valid modules.
 std::vector<size_t> instructions_of(const std::vector<uint32_t>& words) {
     std::vector<size_t> begins;
     for (size_t at = kHeaderWords; at < words.size() && (words[at] >> 16) != 0; at += words[at] >> 16)
@@ -80,7 +81,8 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t mos
     const size_t operand =
         std::min(begin + 1 + random() % std::max<size_t>(1, end - begin), words.size() - 1);
     switch (random() % 5) {
-        case 0:  // a small change, which keeps ids and enumerators in range
+        // Adds a small number to an operand, so that ids and enumerators usually remain in range.
+        case 0:
             words[operand] += 1 + random() % 3;
             break;
         case 1:
@@ -95,7 +97,8 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t mos
             words.insert(at(to), copied.begin(), copied.end());
             break;
         }
-        default:  // a capability, inserted where capabilities are allowed
+        // Inserts a random capability after the header, where SPIR-V allows capabilities.
+        default:
             words.insert(at(kHeaderWords),
                          {(2u << 16) | kCapability, static_cast<uint32_t>(random() % 6200)});
     }

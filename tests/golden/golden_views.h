@@ -1,4 +1,4 @@
-// The views of tests/golden/views.txt, for all tests that render them.
+// Reads the views of tests/golden/views.txt, for all tests that render them.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@ struct GoldenView {
 
     [[nodiscard]] std::string name() const { return graph + "-" + scene + "-" + camera; }
     [[nodiscard]] std::filesystem::path picture() const;
-    // `weft render` with the view's options, except for `graph_file`. Also writes a statistics file beside
-    // `picture`.
+    // Returns the arguments of `weft render` for this view, with `graph_file` as the graph and `picture` as
+    // the output. The command also writes a statistics file beside the picture.
     [[nodiscard]] std::vector<std::string> render(const std::filesystem::path& graph_file,
                                                   const std::filesystem::path& picture) const;
 };

@@ -1,4 +1,5 @@
-// Programs kept between loads, and the files that a load examined.
+// Tests ShaderMemory, which keeps compiled programs between two loads of a graph and records the files that a
+// load read or looked for.
 #include "shader/shader_memory.h"
 
 #include "shader/compile/glsl_compile.h"
@@ -19,7 +20,8 @@ class Memory : public ShaderFolder {
         write("graph/b.frag",
               "#version 460\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1); }\n");
     }
-    // Returns the number of programs compiled, or -1.
+    // Loads both shaders. Returns the number of programs that had to be compiled, or -1 if a shader has an
+    // error.
     int load() {
         const uint64_t before = memory_.misses();
         memory_.begin();

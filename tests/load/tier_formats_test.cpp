@@ -1,4 +1,4 @@
-// Formats chosen for all tiers together, and the number of loads needed to choose them.
+// Tests the choice of formats that suit all tiers of a graph, and the number of loads that the choice needs.
 #include "shader/shader_memory.h"
 #include "tests/shader/shader_folder.h"
 #include "weft/load/load_graph.h"
@@ -6,7 +6,7 @@
 namespace weft {
 namespace {
 
-// Tier "paint" writes `color` as a storage image; the file without a tier uses it as an attachment.
+// Tier "paint" writes `color` as a storage image. The other tiers use `color` as a colour attachment.
 constexpr const char* kGraph = R"({
   "version": 1, "name": "tiers", "imports": { "backbuffer": "output" },
   "resources": { "color": "b10g11r11f|rgba16f" },
@@ -19,7 +19,8 @@ constexpr const char* kGraph = R"({
     "paint": { "patch": { "passes": { "draw": { "type": "compute", "shader": "paint.comp" } } } }
   }
 })";
-constexpr size_t kTiers = 5;  // including the file without a tier
+// Number of tiers, including the graph without a tier.
+constexpr size_t kTiers = 5;
 
 class TierFormats : public ShaderFolder {
  protected:
@@ -79,7 +80,8 @@ class TierFormats : public ShaderFolder {
     ShaderMemory memory_;
 };
 
-// Each load of a tier requests the two programs of its passes.
+// Counts how often programs are requested. Each load of a tier requests the two programs of its passes. If
+// the common formats are found once, each tier is loaded only twice.
 TEST_F(TierFormats, FoundOnceTheyLoadEachTierTwiceInsteadOfAllTiersForEach) {
     const Result<JsonDoc> document = read_graph(path_, settings_);
     ASSERT_TRUE(document.ok()) << to_text(document.errors());

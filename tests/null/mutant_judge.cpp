@@ -20,7 +20,8 @@ class Judge {
  public:
     explicit Judge(const FramePlan& plan) : wanted_(run_reference(plan.graph, plan.live)) {}
 
-    // A text for the first difference from the expected result, or empty.
+    // Runs the plan and returns a text about the first difference from the expected result. Returns an empty
+    // text if there is no difference.
     [[nodiscard]] std::string broken(const FramePlan& plan) const {
         for (const NullOptions& options : kOrders) {
             const NullRun found = run_null(plan, options);
@@ -37,8 +38,9 @@ class Judge {
 
 }  // namespace
 
-// The checker is fast; the null executor runs all mutants that the checker accepts, and also every `stride`th
-// one.
+// Counts the mutants that the checker rejects and those that give wrong results. The checker is fast and
+// judges all mutants. The null executor runs only the mutants that the checker accepts, and every `stride`th
+// of the others.
 void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies) {
     const Judge judge(plan);
     uint32_t turn = 0;

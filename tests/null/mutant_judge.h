@@ -1,6 +1,6 @@
-// Purpose: two independent tools judge every broken plan: if a mutant gives wrong results in the null
-// executor, the checker must have rejected it. The other cases are printed: rejected by the checker alone, or
-// accepted by both.
+// Purpose: judges changed plans (mutants) with two independent tools. If a mutant gives wrong results in the
+// null executor, the checker must have rejected it. The counts of the other cases are printed: rejected only
+// by the checker, or accepted by both tools.
 #pragma once
 
 #include <array>
@@ -11,17 +11,22 @@ namespace weft::test {
 
 struct Tally {
     uint32_t all = 0;
-    uint32_t caught = 0;     // rejected by the checker
-    uint32_t asked = 0;      // run by the null executor
-    uint32_t broken = 0;     // with wrong results in the null executor
-    uint32_t redundant = 0;  // accepted by both
-    uint32_t missed = 0;     // wrong results, but not rejected
+    // Mutants that the checker rejected.
+    uint32_t caught = 0;
+    // Mutants that the null executor ran.
+    uint32_t asked = 0;
+    // Mutants that gave wrong results in the null executor.
+    uint32_t broken = 0;
+    // Mutants that both tools accepted, so the removed part of the plan was redundant.
+    uint32_t redundant = 0;
+    // Mutants with wrong results that the checker accepted; each one fails the test.
+    uint32_t missed = 0;
 };
 using Tallies = std::array<Tally, kMutantKinds>;
 
-// The checker is fast; the null executor runs all mutants that the checker accepts, and also every `stride`th
-// one. A missed mutant fails the test. With WEFT_SHOW_REDUNDANT set, the function prints the redundant parts
-// of plans.
+// Judges all mutants of a plan and adds the results to `tallies`. The checker is fast and judges all mutants.
+// The null executor runs only the mutants that the checker accepts, and every `stride`th of the others. If
+// WEFT_SHOW_REDUNDANT is set, the function prints the redundant parts of plans.
 void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies);
 void print(const Tallies& tallies);
 

@@ -1,4 +1,5 @@
-// The rules of the null executor, one at a time, on small plans that are sound before the test changes them.
+// Tests the rules of the null executor one at a time, on small plans that are correct before the test changes
+// them.
 #include "null/null_executor.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,8 @@ std::vector<std::string> broken(const FramePlan& plan) {
     return {};
 }
 
-// "make" writes a, "blur" makes b from a, "tint" makes c from b in the memory of a.
+// A plan with these passes: "make" writes a, "blur" reads a and writes b, and "tint" reads b and writes c.
+// Image c takes over the memory of a.
 class NullExecutor : public testing::Test {
  protected:
     NullExecutor() {
@@ -54,8 +56,8 @@ class NullExecutor : public testing::Test {
         return step(pass).barriers.front();
     }
 
-    // Moves "make" and "blur" to a second queue, of `family`; the other passes wait for them, and they wait
-    // for the end of the previous frame.
+    // Moves "make" and "blur" to a second queue of this family. The other passes wait for these two, and
+    // these two wait for the end of the previous frame.
     void use_two_queues(uint32_t family) {
         plan.schedule.queues = {{QueueKind::graphics, 0}, {QueueKind::compute, family}};
         plan.schedule.queue = {1, 1, 0, 0};
@@ -178,7 +180,8 @@ TEST(NullImports, KeepWhatWasWrittenAndShowIt) {
     EXPECT_FALSE(broken(plan).empty());
 }
 
-// "draw" writes the samples and the image that they are resolved to.
+// A graph in which pass "draw" writes a multisampled image, and also the image that the samples are resolved
+// to.
 class NullResolve : public testing::Test {
  protected:
     NullResolve() {
@@ -211,7 +214,8 @@ TEST_F(NullResolve, TheTargetIsWrittenByThePass) {
     EXPECT_FALSE(broken(plan).empty());
 }
 
-// "second" draws on the result of "first", and optionally reads the buffer that "first" wrote.
+// Returns a plan in which pass "second" draws on the result of pass "first". If `looks` is true, "second"
+// also reads the buffer that "first" wrote.
 FramePlan drawing(bool looks) {
     GraphBuilder b;
     const ResourceId target = b.image("target"), words = b.buffer("words");

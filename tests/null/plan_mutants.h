@@ -1,4 +1,5 @@
-// Purpose: makes all mutants of a plan: each removes or weakens one piece of its synchronisation.
+// Purpose: makes all mutants of a plan. Each mutant removes or weakens one part of the plan's
+// synchronisation.
 #pragma once
 
 #include <functional>
@@ -21,13 +22,15 @@ inline constexpr int kMutantKinds = 7;
 
 struct Mutant {
     MutantKind kind = MutantKind::removed_barrier;
-    std::string text;  // description of the change
+    // Description of the change, for messages.
+    std::string text;
     FramePlan plan;
 };
 
-// Visits every barrier removed, or with one stage or access bit less on either side; every wait removed;
-// every half of an ownership transfer removed; every alias barrier without one of its previous owners; every
-// pass that continues a rendering scope, put into its own scope without a barrier before it.
+// Calls `visit` for every mutant of the plan. A mutant removes a barrier, or one stage or access bit of a
+// barrier's source or destination. Or it removes a semaphore wait, one half of an ownership transfer, or one
+// previous owner of the memory in an alias barrier. Or a pass that continues a rendering scope gets its own
+// scope, without a barrier before it.
 void for_each_mutant(const FramePlan& plan, const std::function<void(const Mutant&)>& visit);
 
 }  // namespace weft::test

@@ -1,4 +1,4 @@
-// The checker rejects every mutant that gives wrong results in the null executor.
+// Tests that the checker rejects every mutant of a plan that gives wrong results in the null executor.
 #include <gtest/gtest.h>
 
 #include "tests/null/mutant_judge.h"

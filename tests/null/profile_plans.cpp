@@ -42,7 +42,8 @@ ProfilePlans::ProfilePlans() {
 }
 
 ProfilePlan ProfilePlans::make(uint32_t seed, uint32_t max_passes) const {
-    // Both texts and graphs made in memory get each profile with each number of queues.
+    // Even seeds make texts, odd seeds make graphs in memory. seed / 2 selects the profile and the number of
+    // queues, so both kinds get all combinations.
     const auto& [name, profile] = profiles_[seed / 2 % profiles_.size()];
     const auto queues = static_cast<uint32_t>(1 + seed / 2 / profiles_.size() % 4);
     ProfilePlan made;

@@ -1,5 +1,5 @@
-// Purpose: random frames with all features, half of them from texts, planned for every device profile on one
-// to four queues; the seed determines everything.
+// Purpose: makes plans of random frames with all features, for all device profiles and one to four queues.
+// Half of the frames come from graph texts. The seed determines everything.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,28 @@
 
 namespace weft::test {
 
-// Ten thousand graphs take minutes, so they run only on request.
+// Returns true if WEFT_EXTENDED asks for the complete tests. Ten thousand graphs take minutes, so they run
+// only on request.
 inline bool extended() {
     return std::getenv("WEFT_EXTENDED") != nullptr;
 }
 
 struct ProfilePlan {
     FramePlan plan;
-    std::string profile;  // file name of the profile
+    // File name of the device profile that the plan is made for.
+    std::string profile;
     bool from_text = false;
-    bool left_out = false;  // conditions removed a pass or changed an input
+    // True if a condition of the text removed a pass or changed an input.
+    bool left_out = false;
 };
 
 class ProfilePlans {
  public:
-    ProfilePlans();  // reads framework/profiles/
+    // Reads all device profiles of framework/profiles/.
+    ProfilePlans();
 
-    // Texts have even seeds. If resolve() rejects one, the test fails and the plan is empty.
+    // Makes the plan of a random frame. Even seeds make the frame from a text. If resolve() rejects the text,
+    // the test fails and the plan is empty.
     [[nodiscard]] ProfilePlan make(uint32_t seed, uint32_t max_passes = 60) const;
     [[nodiscard]] size_t count() const { return profiles_.size(); }
 

@@ -1,5 +1,5 @@
-// The compiler's plans of random frames give the expected results, even in the least favourable orders that
-// they allow.
+// Tests that the compiler's plans of random frames give the expected results, even if the null executor runs
+// the commands in the worst order that the synchronisation allows.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -42,7 +42,7 @@ TEST(RandomPlans, GiveWhatTheGraphMeansOnOneQueue) {
     }
 }
 
-// The features that the sets of graphs must contain for a meaningful test.
+// Expects that enough graphs have the important features; otherwise the test would show little.
 void expect_shares(const GraphCoverage& coverage) {
     EXPECT_GE(coverage.alias_transitions * 2, coverage.graphs);
     for (const uint32_t count :

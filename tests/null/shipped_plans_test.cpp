@@ -1,5 +1,5 @@
-// Plans of the shipped graphs give the expected results on one to three queues, and all their waits are
-// necessary.
+// Tests that the plans of the shipped graphs give the expected results on one to three queues, and that all
+// their semaphore waits are necessary.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
-// Decides which graphs with perFrame passes are sound: compares resolve() and the checker with brute force
-// over every set of turns that may run in a frame. A read is wrong if it sees another version than the one it
-// names. If every writer modifies the content, a read sees the current content.
+// Tests which graphs with `perFrame` passes are accepted. Such passes run only in some frames. resolve() and
+// the checker are compared with a brute-force search over every set of frame slices that may run in a frame.
+// A graph is wrong if a read can see a version other than the one that its reference names. If every writer
+// modifies the content in place, a read just sees the current content.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,13 +18,17 @@ namespace weft::test {
 namespace {
 
 struct TurnGraph {
-    std::string text;                         // text with "perFrame"
-    std::string steady;                       // text without it
-    std::map<std::string, uint32_t> at_once;  // "perFrame" by pass name
-    std::map<std::string, uint32_t> rounds;   // rounds of the repeat by pass name
+    // Text of the graph with `perFrame`.
+    std::string text;
+    // Text of the same graph without `perFrame`.
+    std::string steady;
+    // For each repeated pass: the value of `perFrame`, the number of iterations per frame.
+    std::map<std::string, uint32_t> at_once;
+    // For each repeated pass: the number of iterations.
+    std::map<std::string, uint32_t> rounds;
 };
 
-// Makes chains of passes that read and write the layers of two kept images.
+// Makes random graphs in which chains of passes read and write the layers of two kept images.
 class TurnGenerator {
  public:
     explicit TurnGenerator(uint32_t seed) : random_(seed) {}
@@ -64,7 +69,8 @@ class TurnGenerator {
         } else {
             text += kind == 2 ? "change.comp" : "make.comp";
         }
-        text += arrayed ? "+" : "";  // "+" selects the shader for arrays
+        // The suffix "+" selects the variant of the shader that writes image arrays.
+        text += arrayed ? "+" : "";
         text += "\", \"threads\": 8, \"repeat\": {\"i\": \"0.." + std::to_string(rounds - 1) + "\"}";
         if (!in.empty()) text += ", \"in\": {" + in + "}";
         text += ", \"out\": {\"dst\": \"" + target + layer + "\"}";
@@ -107,7 +113,8 @@ void set_turns(const TurnGraph& made, ResolvedGraph& graph) {
     }
 }
 
-// Follows the definition: in frame 0 all turns run, in the next two frames any set of turns.
+// Searches for a wrong read by following the definition: frame 0 runs all frame slices, and each of the next
+// two frames runs any set of them.
 class BruteForce {
  public:
     explicit BruteForce(const ResolvedGraph& graph) : graph_(graph) {
@@ -133,7 +140,8 @@ class BruteForce {
     }
 
  private:
-    using Memory = std::map<std::pair<ResourceId, uint32_t>, PassId>;  // last writer of each layer
+    // Last writer of each layer, by resource and layer.
+    using Memory = std::map<std::pair<ResourceId, uint32_t>, PassId>;
 
     void sort() {
         std::vector<uint32_t> waits(graph_.passes.size(), 0);
@@ -181,7 +189,8 @@ class BruteForce {
                     const std::pair cell(use.resource, layer);
                     if (source->producer != kNoId)
                         wrong |= !memory.contains(cell) || memory.at(cell) != source->producer;
-                    else if (frame > 0)  // content after all passes of frame 0
+                    // The read must see the content that all passes of frame 0 left.
+                    else if (frame > 0)
                         wrong |= memory[cell] != first[cell];
                 });
                 if (wrong) return true;
@@ -226,7 +235,8 @@ TEST_F(TurnRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
     for (uint32_t seed = 0; seed < seeds; ++seed) {
         const TurnGraph made = TurnGenerator(seed).run();
         Result<ResolvedGraph> steady = run(made.steady);
-        if (!steady) continue;  // has cycles or unordered writers
+        // The random graph has a cycle or unordered writers.
+        if (!steady) continue;
         ResolvedGraph graph = std::move(*steady);
         set_turns(made, graph);
         BruteForce brute(graph);
@@ -241,7 +251,8 @@ TEST_F(TurnRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
         for (const Diagnostic& d : judged ? Diagnostics{} : judged.errors())
             ASSERT_EQ(d.code, "W124") << to_text(d);
 
-        // The checker, run separately with all passes live, agrees.
+        // The checker must reach the same result. It judges a plan that keeps all passes, so that culling
+        // hides no fault.
         CompileOptions options;
         options.keep_all_passes = true;
         const Diagnostics faults = check_plan(compile(graph, content_needs(graph), options));
@@ -253,8 +264,8 @@ TEST_F(TurnRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
     EXPECT_GE(wrong * 15, seeds);
 }
 
-// Culling must not change results: the plan gives the same content as all passes together, whichever turns
-// run.
+// Culling must not change results: for any set of frame slices that runs, the plan must give the same content
+// as all passes together.
 TEST_F(TurnRule, WhatIsAcceptedGivesWhatTheWholeGraphMeans) {
     uint32_t compared = 0, culled = 0;
     for (uint32_t seed = 0; seed < 1000; ++seed) {
@@ -281,7 +292,8 @@ TEST_F(TurnRule, WhatIsAcceptedGivesWhatTheWholeGraphMeans) {
     EXPECT_GE(culled, 30u);
 }
 
-// Four rounds, one per frame, write a kept image; then each layer is stored.
+// A repeat of four iterations, one per frame, writes the kept image `scratch`, and a second repeat stores
+// each result. Culling removes three of the four writers, so the checker must reject the plan.
 TEST_F(TurnRule, TheCheckerDoesNotProveAChainThatCullingBroke) {
     const char* graph_text = R"j("resources": {
         "scratch": {"format": "rgba16f", "keep": true}, "stored": {"format": "rgba16f", "layers": 4, "keep": true}},

@@ -1,5 +1,5 @@
-// Passes that take turns must keep their results for the frames in between: the null executor and the checker
-// both find a plan that loses them.
+// Tests passes that run only in some frames (`perFrame`). A plan must keep their results for the frames in
+// between. The null executor and the checker must both find a plan that loses the results.
 #include <gtest/gtest.h>
 
 #include "null/null_executor.h"
@@ -16,7 +16,8 @@ CompileOptions several_queues(uint32_t seed) {
     return options;
 }
 
-// Gives a turn of three frames to every pass that only writes persistent content.
+// Makes every pass that writes only persistent content run in one of three frames. Returns the number of such
+// passes.
 uint32_t spread_over_frames(ResolvedGraph& graph) {
     uint32_t count = 0;
     for (PassDecl& pass : graph.passes) {

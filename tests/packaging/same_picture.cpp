@@ -1,5 +1,6 @@
-// same_picture PICTURE.png PICTURE.ppm: returns 0 when they are equal. Compiled only with the flags that
-// pkg-config gives for the installed Weft.
+// Usage: same_picture PICTURE.png PICTURE.ppm
+// Returns 0 if the two pictures are equal. The program is compiled only with the flags that pkg-config gives
+// for the installed Weft, so it also tests these flags.
 #include <weft/scene/image_decode.h>
 
 #include <algorithm>

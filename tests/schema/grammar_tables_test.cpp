@@ -1,5 +1,5 @@
-// The schema contains exactly the keys that the parser accepts. Reads graphs/weft.schema.json; another test
-// compares this file with the output of `weft schema`.
+// Tests that the JSON schema contains exactly the keys that the parser accepts. The tests read
+// graphs/weft.schema.json; another test compares this file with the output of `weft schema`.
 #include "graph/parse/grammar_tables.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,8 @@ TEST(Schema, HasEveryChoiceOfTheParserAndNoOther) {
     }
 }
 
-// The tests above would not cover a definition that only the schema has.
+// The other tests start from the tables of the parser, so they would not notice a definition that only the
+// schema has.
 TEST(Schema, DescribesNoObjectThatTheParserDoesNotList) {
     Words listed;
     for (const GrammarTable& list : grammar_tables())

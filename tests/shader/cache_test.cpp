@@ -1,4 +1,4 @@
-// The cache must only save time: it returns the same SPIR-V as a compilation, or nothing.
+// Tests that the shader cache only saves time: it returns the same SPIR-V as a compilation, or nothing.
 #include <gtest/gtest.h>
 
 #include <iterator>
@@ -103,7 +103,8 @@ TEST_F(Cache, damaged_entries_are_rebuilt) {
     }
 }
 
-// A change that spirv-val rejects and reflection does not notice.
+// Returns the SPIR-V of the program with one changed bit. spirv-val rejects the changed module, but
+// reflection does not notice the change.
 std::vector<uint32_t> subtly_broken(const ShaderProgram& program) {
     for (size_t at = program.modules[1].spirv.size(); at-- > 0;) {
         std::vector<ShaderModule> modules = program.modules;
@@ -117,7 +118,8 @@ std::vector<uint32_t> subtly_broken(const ShaderProgram& program) {
     return {};
 }
 
-// The entry is complete and its checksum is correct, but its SPIR-V is not allowed.
+// The forged cache entry is complete and has a correct checksum, but its SPIR-V is invalid. So the gate must
+// reject the entry.
 TEST_F(Cache, a_forged_entry_does_not_pass_the_gate) {
     const ShaderProgram first = program("x.frag", ProgramKind::fullscreen);
     ShaderProgram forged = first;

@@ -1,4 +1,4 @@
-// Faults in shaders: each message names the file and line, and a remedy.
+// Tests the messages for faults in shaders: each message names the file, the line and a remedy.
 #include <gtest/gtest.h>
 
 #include "tests/shader/shader_folder.h"

@@ -1,4 +1,4 @@
-// The result of reflection for each kind of declaration.
+// Tests the result of shader reflection for each kind of declaration.
 #include <gtest/gtest.h>
 
 #include "tests/shader/shader_folder.h"
@@ -102,8 +102,8 @@ TEST_F(Interface, buffers_and_their_members) {
     EXPECT_EQ(lights.kind, BindingKind::storage_buffer);
     EXPECT_TRUE(lights.reads && !lights.writes);
     ASSERT_EQ(lights.members.size(), 3u);
-    // std430 layout: uint, then structs of 16-byte alignment: vec3 + float, uint, and a mat3 of three vec4
-    // columns.
+    // In the std430 layout, the block has a uint, then structs with an alignment of 16 bytes. A struct has a
+    // vec3 and a float, a uint, and a mat3 that takes three vec4 columns: 16 + 16 + 48 = 80 bytes.
     constexpr uint32_t kLightBytes = 80;
     EXPECT_EQ(lights.members[1].offset_bytes, 16u);
     EXPECT_EQ(lights.members[1].size_bytes, kLightBytes);
@@ -122,7 +122,8 @@ TEST_F(Interface, buffers_and_their_members) {
     EXPECT_EQ(array.members[3].rows, 3u);
     EXPECT_EQ(array.members[3].offset_bytes, 32u);
 
-    const ShaderBinding& result = binding(every, "Result");  // a block without an instance name
+    // This block is declared without an instance name, so the name of the block names the binding.
+    const ShaderBinding& result = binding(every, "Result");
     EXPECT_TRUE(!result.reads && result.writes);
     EXPECT_EQ(result.members.at(0).array_count, 4u);
     EXPECT_EQ(result.members.at(0).array_stride_bytes, 16u);
@@ -183,7 +184,8 @@ void main() { imageStore(z, ivec2(n), tint + texture(a, vec2(0))); }
     const ShaderInterface interface = program("x.comp", ProgramKind::compute).interface;
     ASSERT_TRUE(interface.has_params);
     EXPECT_FALSE(interface.params.push_constants);
-    EXPECT_EQ(interface.params.binding, 0u);  // order of names: "Params" < "a" < "z"
+    // Bindings are numbered in the order of names, which is "Params", "a", "z".
+    EXPECT_EQ(interface.params.binding, 0u);
     EXPECT_EQ(interface.params.size_bytes, 20u);
     EXPECT_EQ(interface.find("a")->binding, 1u);
     EXPECT_EQ(interface.find("z")->binding, 2u);

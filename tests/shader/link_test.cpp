@@ -1,4 +1,5 @@
-// Stages of one program: matching numbers, and the messages when declarations do not match.
+// Tests how the stages of one program are linked: they get matching location numbers, and declarations that
+// do not match give messages.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -76,7 +77,8 @@ void main() { color = vec4(zNormal + vec3(aMatrix[0], 0), anyName.x); }
         for (const auto& variable : variables) found[variable.variable.name] = variable.variable.location;
         return found;
     };
-    // The matrix needs two consecutive locations, and 1 is taken.
+    // The matrix needs two consecutive locations, and the shader declares location 1 for `placed`. So the
+    // matrix gets the locations 2 and 3.
     const std::map<std::string, uint32_t> written{{"aMatrix", 2}, {"placed", 1}, {"zNormal", 0}};
     const std::map<std::string, uint32_t> read{{"aMatrix", 2}, {"anyName", 1}, {"zNormal", 0}};
     EXPECT_EQ(locations(shader::reflect_stage(ShaderStage::vertex, joined.modules[0].spirv, faults).outputs),

@@ -1,5 +1,5 @@
-// Purpose: a temporary folder with a graph's shaders, shared shaders, includes and a cache; removed after the
-// test.
+// Purpose: makes a temporary folder with the shaders of a graph, shared shaders, includes and a cache. The
+// folder is removed after the test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class ShaderFolder : public testing::Test {
         return compile_shader(reference, kind, roots_);
     }
 
-    // Compiles one stage and expects success.
+    // Compiles a program and expects success. Returns the program.
     [[nodiscard]] ShaderProgram program(const std::string& reference, ProgramKind kind) const {
         auto result = compile(reference, kind);
         if (!result) {
@@ -49,7 +49,7 @@ class ShaderFolder : public testing::Test {
         return std::move(*result);
     }
 
-    // Compiles and expects errors.
+    // Compiles a program and expects errors. Returns the errors.
     [[nodiscard]] Diagnostics errors(const std::string& reference, ProgramKind kind) const {
         auto result = compile(reference, kind);
         if (result) {

@@ -1,4 +1,4 @@
-// Every shader in shaders/ compiles, and the gate accepts its SPIR-V.
+// Tests that every shader in shaders/ compiles, and that the gate accepts its SPIR-V.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ std::vector<Shipped> shipped(const fs::path& folder) {
     return found;
 }
 
-// Programs that include the header in each stage where it is usable: in every stage, unless its name mentions
-// one.
+// Returns programs that include the header in each stage that can use it. A header can be used in every
+// stage, unless it uses a built-in variable of one stage, such as gl_FragCoord.
 std::vector<const char*> programs_of(const std::string& header) {
     const auto names = [&header](const char* word) { return header.find(word) != std::string::npos; };
     if (names("gl_Position")) return {"vertices"};
@@ -50,7 +50,8 @@ ProgramKind kind_of(const std::string& program) {
     return program.ends_with(".frag") ? ProgramKind::fullscreen : ProgramKind::raster;
 }
 
-// A header includes everything that it needs, and headers can be included in any order.
+// Tests every header in shaders/include. A header must include everything that it needs, so that headers can
+// be included in any order.
 class Headers : public ShaderFolder, public testing::WithParamInterface<std::string> {};
 
 TEST_P(Headers, CompileAlone) {
@@ -58,13 +59,14 @@ TEST_P(Headers, CompileAlone) {
     roots_.include_root = fs::path(WEFT_SOURCE_DIR) / "shaders/include";
     std::ifstream file(roots_.include_root / header);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    // Included twice, as through two other headers.
+    // The header is included twice, as happens if two other headers include it.
     const std::string body = "#include \"" + header + "\"\n#include \"" + header + "\"\nvoid main() { ";
     write("graph/alone.comp", "#version 460\nlayout(local_size_x = 1) in;\n" + body + "}\n");
     write("graph/alone.frag", "#version 460\n" + body + "}\n");
     write("graph/vertices/vertices.vert", "#version 460\n" + body + "gl_Position = vec4(0); }\n");
     write("graph/vertices/vertices.frag", "#version 460\nvoid main() { }\n");
-    // Vertex shaders of drawn surfaces pass these values to such a fragment shader.
+    // This vertex shader writes the values that vertex shaders of drawn surfaces pass to their fragment
+    // shaders.
     write("graph/surface/surface.vert",
           "#version 460\n#include \"surface_vertex.glsl\"\n"
           "void main() { place_surface(); gl_Position = vec4(0); }\n");
@@ -77,7 +79,7 @@ TEST_P(Headers, CompileAlone) {
 
 std::vector<std::string> headers() {
     const fs::path folder = fs::path(WEFT_SOURCE_DIR) / "shaders/include";
-    // The beginning and end of every shared structure; they are not headers by themselves.
+    // These two files are the beginning and the end of every shared structure. They are no complete headers.
     const std::set<std::string> parts{"shared/begin.glsl", "shared/end.glsl"};
     std::vector<std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {

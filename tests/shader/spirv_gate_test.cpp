@@ -1,5 +1,5 @@
 // tests/shader/capabilities/ has one small shader for each SPIR-V capability that glslang can emit. The file
-// is named after the capability; its first line gives the expected result, and "// here" marks the line that
+// is named after the capability. Its first line gives the expected result, and "// here" marks the line that
 // the error must name. Further tests limit the memory that shaders may use.
 #include "shader/gate/spirv_gate.h"
 
@@ -24,7 +24,8 @@ using shader::CapabilityRow;
 using shader::CapabilityRule;
 
 struct CapabilityShader {
-    std::string name;  // name of the capability, or of an extension or use without a capability
+    // Name of the SPIR-V capability, or of an extension or a use that has no capability.
+    std::string name;
     ProgramKind kind = ProgramKind::compute;
     std::string extension;
     std::string text;
@@ -95,7 +96,7 @@ class ShaderGate : public ShaderFolder {
         }
         const Diagnostics& found = program.errors();
         const std::string text = to_text(found);
-        // A type and an operation on the type may give two errors.
+        // There may be two errors: one for a type and one for an operation on the type.
         EXPECT_LE(found.size(), 2u) << text;
         EXPECT_TRUE(std::ranges::any_of(found, [&](const Diagnostic& d) { return d.line == shader.line; }))
             << shader.name << ", wanted line " << shader.line << ":\n"
@@ -125,7 +126,8 @@ TEST_F(ShaderGate, EachCapabilityIsAllowedOrRefusedAtItsLine) {
             expect_allowed(shader, kEverything);
             expect_refused(shader, kNothing, "W208");
         } else if (shader.verdict == "interface") {
-            // The device supports it; reflection rejects declarations that no pass can bind.
+            // The device supports the capability, but reflection rejects the declaration, because no pass can
+            // bind such a variable.
             if (shader.line == 0)
                 expect_allowed(shader, kNothing);
             else
@@ -156,7 +158,7 @@ TEST_F(ShaderGate, EachRowHasAShaderThatSaysTheSame) {
     }
 }
 
-// A test shader must use exactly the capability in its name.
+// A test shader must use the capability that its file is named after.
 TEST_F(ShaderGate, EachShaderAsksForWhatItIsNamedAfter) {
     const auto capability_of = [](const std::string& name) -> const CapabilityRow* {
         const auto rows = capability_table();
@@ -180,7 +182,8 @@ TEST_F(ShaderGate, EachShaderAsksForWhatItIsNamedAfter) {
     }
 }
 
-// Capabilities with the same remedy share a line of the page.
+// The table in the documentation must agree with the one in the code. Capabilities with the same remedy share
+// a row.
 TEST_F(ShaderGate, TheDocumentedTableIsTheOneInTheCode) {
     const auto verdict = [](const CapabilityRow& row) -> std::string {
         switch (row.rule) {
@@ -223,7 +226,8 @@ TEST_F(ShaderGate, SubgroupOperationsAreForComputeStages) {
     expect_refused(shader, kEverything, "W208");
 }
 
-// Vulkan requires a feature for this, but SPIR-V has no capability for it.
+// Vulkan requires the feature vertexPipelineStoresAndAtomics for such writes. SPIR-V has no capability for
+// them, so the gate must find the writes itself.
 TEST_F(ShaderGate, AVertexStageWritesToNoBuffer) {
     const auto vertex = [](const std::string& qualifier) {
         return "#version 460\n" + qualifier +
@@ -247,7 +251,8 @@ TEST_F(ShaderGate, ACapabilityThatIsNotInTheTableIsRefused) {
     expect_refused(shader, kEverything, "W208");
 }
 
-// The cache may contain modules compiled for another device, or accepted by another version of Weft.
+// A cached module may come from another device, or from another version of Weft that accepted it. So the gate
+// must judge modules from the cache too.
 TEST_F(ShaderGate, WhatComesFromTheCacheIsJudgedForThisDevice) {
     roots_.cache_dir = base_ / "cache";
     const CapabilityShader shader =
@@ -300,7 +305,8 @@ TEST_F(ShaderGate, PrivateMemoryHasALimit) {
     }
 }
 
-// A driver compiles these 300 bytes of text for minutes, because it copies each element separately.
+// The shader has only 300 bytes of text, but a driver compiles it for minutes, because the driver copies each
+// array element separately.
 TEST_F(ShaderGate, AnArrayThatIsCopiedAsAWholeIsPrivateMemory) {
     const std::string declarations =
         "struct Big { float a[1 << 16]; };\nbuffer From { Big v; } from;\nbuffer To { Big v; } to;\n";
@@ -312,7 +318,7 @@ TEST_F(ShaderGate, AnArrayThatIsCopiedAsAWholeIsPrivateMemory) {
     EXPECT_TRUE(compile("s.comp", ProgramKind::compute).ok());
 }
 
-// Drivers inline a function at each call, including its arrays.
+// Drivers inline a function at each of its calls, so its arrays are counted once per call.
 TEST_F(ShaderGate, PrivateMemoryCountsEachCall) {
     std::string calls;
     for (int i = 0; i < 40; ++i) calls += "data.items[0] += some(" + std::to_string(i) + "u);\n";

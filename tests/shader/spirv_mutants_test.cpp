@@ -1,5 +1,5 @@
-// Randomly changed SPIR-V: spirv-val and reflection end without a crash for all of it, and no module that
-// either of them rejects is used.
+// Tests with randomly changed SPIR-V that spirv-val and reflection always end without a crash, and that no
+// module which either of them rejects is used.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -26,7 +26,7 @@ ShaderProgram shipped(const char* reference, ProgramKind kind) {
     return std::move(*program);
 }
 
-// Changes, removes or duplicates one word.
+// Changes one random word of the module, duplicates it, or cuts the module off before it.
 std::vector<uint32_t> mutant(std::vector<uint32_t> words, std::mt19937& random) {
     const size_t at = 5 + random() % (words.size() - 5);
     switch (random() % 4) {
@@ -69,7 +69,8 @@ TEST(SpirvMutants, NoneGetsPastTheGateUnlessItIsValid) {
     EXPECT_LT(refused, seen) << "some only rename a thing";
 }
 
-// With this input SPIRV-Cross threw an exception through its C interface, which ended the process.
+// For this module, SPIRV-Cross threw an exception through its C interface, which ended the process.
+// reflect_program() must report a fault instead.
 TEST(SpirvMutants, WhatCannotBeReflectedIsAFault) {
     std::ifstream file(std::filesystem::path(WEFT_SOURCE_DIR) / "tests/fuzz/corpus/spirv/no_local_size.spv",
                        std::ios::binary);

@@ -1,5 +1,5 @@
-// The worker program: it gives the same SPIR-V as compilation in this process, and inputs that would harm
-// this process do not.
+// Tests the worker program that compiles shaders. It must give the same SPIR-V as a compilation in this
+// process, and inputs that crash or block the worker must not harm this process.
 #include <gtest/gtest.h>
 #include <linux/capability.h>
 #include <signal.h>
@@ -22,14 +22,14 @@ class Worker : public ShaderFolder {
  protected:
     Worker() { roots_.worker = WEFT_SHADER_WORKER; }
 
-    // Processor time of workers that have ended.
+    // Returns the processor time of all workers that have ended, in milliseconds.
     static int64_t children_ms() {
         rusage children{};
         getrusage(RUSAGE_CHILDREN, &children);
         const auto ms = [](const timeval& time) { return time.tv_sec * 1000 + time.tv_usec / 1000; };
         return ms(children.ru_utime) + ms(children.ru_stime);
     }
-    // A macro that expands to 2^levels copies of `unit`.
+    // Returns a shader with a macro that expands to 2^levels copies of `unit`.
     static std::string doubling(int levels, const std::string& unit) {
         std::string text = "#version 460\nlayout(local_size_x = 1) in;\n#define M0 " + unit + "\n";
         for (int i = 1; i <= levels; ++i)
@@ -91,7 +91,8 @@ TEST_F(Worker, IsStoppedWhenItTakesTooMuchMemory) {
 
 TEST_F(Worker, IsStoppedWhenItTakesTooLong) {
     roots_.limits.stage_ms = 300;
-    write("graph/slow.comp", doubling(60, ""));  // expands to nothing, but takes practically for ever
+    // The macro expands to nothing, but its 2^60 expansions would practically never end.
+    write("graph/slow.comp", doubling(60, ""));
     const int64_t before_ms = children_ms();
     const Diagnostics faults = errors("slow.comp", ProgramKind::compute);
     EXPECT_LE(children_ms() - before_ms, 2000);
@@ -100,7 +101,8 @@ TEST_F(Worker, IsStoppedWhenItTakesTooLong) {
         << to_text(faults);
 }
 
-// Simulates a machine whose processors are all busy.
+// Stops the worker for 1.5 s of elapsed time, as on a machine whose processors are all busy. The limit of 1 s
+// counts only processor time, so the compilation must succeed.
 TEST_F(Worker, ThatGetsNoProcessorIsWaitedFor) {
     roots_.limits.stage_ms = 1000;
     write("graph/x.comp", kFine);
@@ -120,7 +122,7 @@ TEST_F(Worker, ThatGetsNoProcessorIsWaitedFor) {
     EXPECT_TRUE(stopped.ok()) << to_text(stopped.errors());
 }
 
-// The caller does not wait for ever for a worker that neither answers nor computes.
+// This worker sleeps: it neither answers nor uses processor time. The caller must not wait for ever.
 TEST_F(Worker, ThatSleepsIsStopped) {
     roots_.limits.stage_ms = 100;
     write("sleeper", "#!/bin/sh\nexec sleep 600\n");
@@ -132,7 +134,8 @@ TEST_F(Worker, ThatSleepsIsStopped) {
     EXPECT_NE(faults[0].message.find("does not answer"), std::string::npos) << to_text(faults);
 }
 
-// Limits set with `ulimit -t` stay in force and must not cause a failure: only root may raise them.
+// A limit set with `ulimit -t` remains in force, because only root may raise it. The worker must also work
+// under such a limit.
 TEST_F(Worker, WorksUnderALimitOnProcessorTime) {
     write("graph/x.comp", kFine);
     write("graph/part.glsl", "float part() { return 1; }\n");
@@ -141,7 +144,7 @@ TEST_F(Worker, WorksUnderALimitOnProcessorTime) {
     if (child == 0) {
         const rlimit limit{600, 600};
         const bool limited = setrlimit(RLIMIT_CPU, &limit) == 0;
-        // With the capability removed, even processes of root cannot raise the limit.
+        // Without the capability CAP_SYS_RESOURCE, even processes of root cannot raise the limit.
         const bool bound = getuid() != 0 || prctl(PR_CAPBSET_DROP, CAP_SYS_RESOURCE, 0, 0, 0) == 0;
         const auto made = compile_shader("x.comp", ProgramKind::compute, roots_);
         _exit(!limited || !bound ? 2 : made.ok() ? 0 : 1);

@@ -199,8 +199,7 @@ TEST_F(ResolveVersions, ShuffledDeclarationsResolveAlike) {
     }
 }
 
-// --- faults
-// ----------------------------------------------------------------------------------------------------
+// The following graphs have faults, which resolve() must report.
 
 TEST_F(ResolveVersions, TwoUnorderedWriters) {
     const Diagnostic d = bad(R"j(
