@@ -1,5 +1,5 @@
-// Names for capture tools such as RenderDoc: a labelled region for each pass, and objects named after
-// resources.
+// Purpose: tests the names that capture tools such as RenderDoc show: each pass has a label in the command
+// buffer, and objects are named after resources.
 #include <algorithm>
 #include <set>
 
@@ -9,9 +9,11 @@
 namespace weft::vk {
 namespace {
 
-// Global, because replaced Vulkan functions cannot receive an object of the test.
+// Calls that the replaced Vulkan functions have recorded. The data are global, because plain functions cannot
+// receive an object of the test.
 struct Recorded {
-    std::vector<std::string> labels;  // in the order of recording; "" ends a label
+    // Names of the labels in the order of recording; an empty text marks the end of a label.
+    std::vector<std::string> labels;
     std::set<std::string> images;
 };
 Recorded& recorded() {

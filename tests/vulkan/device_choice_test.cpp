@@ -1,4 +1,5 @@
-// The choice of a device, and the messages when none is suitable; runs without a device.
+// Purpose: tests which device is chosen, and the messages when no device is suitable. The test needs no
+// Vulkan device.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -52,7 +53,8 @@ TEST(DeviceChoice, skips_what_cannot_run_weft) {
 
 TEST(DeviceChoice, takes_an_index_or_a_part_of_a_name) {
     EXPECT_EQ(chosen(three_devices(), "0"), "llvmpipe (LLVM 15)");
-    EXPECT_EQ(chosen(three_devices(), "620"), "V403");  // a text of digits is an index
+    // A text that consists of digits is taken as an index, not as a part of a name. There is no device 620.
+    EXPECT_EQ(chosen(three_devices(), "620"), "V403");
     EXPECT_EQ(chosen(three_devices(), "Integrated"), "Integrated 620");
 }
 

@@ -1,5 +1,5 @@
-// The device is created with exactly the features that the SPIR-V gate allows shaders to use
-// (framework/shader/capability_table.cpp), and without features for shaders that the gate rejects.
+// Purpose: tests the features with which the Vulkan device is created. They must be exactly those that the
+// SPIR-V gate allows shaders to use (framework/shader/capability_table.cpp).
 #include "weft/vulkan/device_features.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ void switch_all_on(Struct& features, VkBool32 Struct::*first) {
         *feature = VK_TRUE;
 }
 
-// Marks all features as supported.
+// Marks all features in the chain as supported by the physical device.
 void offer_all(FeatureChain& chain) {
     switch_all_on(chain.v10(), &VkPhysicalDeviceFeatures::robustBufferAccess);
     switch_all_on(chain.v11(), &VkPhysicalDeviceVulkan11Features::storageBuffer16BitAccess);
@@ -47,7 +47,8 @@ TEST_F(MadeWith, NothingThatTheGateRefuses) {
           v10.shaderStorageImageMultisample, v10.shaderResourceResidency, v10.shaderResourceMinLod,
           v10.vertexPipelineStoresAndAtomics, v10.shaderTessellationAndGeometryPointSize})
         EXPECT_EQ(feature, VK_FALSE);
-    // Buffers and push constants of 8 and 16 bits, multiview, variable pointers, draw parameters.
+    // The memory comparison checks the features of Vulkan 1.1 at once: 16-bit storage, multiview, variable
+    // pointers, draw parameters and others. All must be off.
     const VkPhysicalDeviceVulkan11Features none{};
     EXPECT_EQ(
         std::memcmp(&enabled_.v11().storageBuffer16BitAccess, &none.storageBuffer16BitAccess,
@@ -74,7 +75,7 @@ TEST_F(MadeWith, BuffersThatNoIndexLeaves) {
     EXPECT_EQ(least.v10().robustBufferAccess, VK_FALSE) << "where the device does not offer it";
 }
 
-// These features have no use in any graph, so they must be off.
+// No graph can use these features, so they must be off.
 TEST_F(MadeWith, NothingThatNoGraphCanUse) {
     const VkPhysicalDeviceFeatures& v10 = enabled_.v10();
     for (const VkBool32 feature :

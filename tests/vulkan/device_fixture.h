@@ -1,5 +1,5 @@
-// Creates a device with validation for each test. Any message of the layers, or an object that is not freed,
-// fails the test.
+// Purpose: creates a device with validation for each test. The test fails if a layer reports a message or if
+// an object is not freed.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,7 +32,8 @@ class DeviceTest : public testing::Test {
         return options;
     }
     [[nodiscard]] Device& device() { return *device_; }
-    // For tests that cause messages on purpose.
+    // Gives the device to a test that causes validation messages on purpose. The test must then destroy the
+    // device itself.
     [[nodiscard]] std::unique_ptr<Device> take_device() { return std::move(device_); }
 
  private:

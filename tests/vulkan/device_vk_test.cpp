@@ -1,4 +1,5 @@
-// Creates a device, receives its validation messages, reads its properties, and uses an embedder's device.
+// Purpose: tests that a device is created, that its validation messages arrive, that its properties are read,
+// and that Weft can use the device of an embedding program.
 #include "weft/vulkan/device.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ namespace {
 
 using DeviceVk = DeviceTest;
 
-// Fills a buffer without transfer usage, which is an error on every device.
+// Records a fault: the buffer is filled but has no transfer usage, which is an error on every device.
 void record_fault(Device& device, VkCommandBuffer commands, const Buffer& buffer) {
     device.fn().vkCmdFillBuffer(commands, buffer.handle(), 0, VK_WHOLE_SIZE, 1);
 }
@@ -127,7 +128,7 @@ TEST_F(DeviceVk, memory_types_fit_what_was_asked) {
     EXPECT_EQ(device().memory_type(0, 0), UINT32_MAX);
 }
 
-// Enables only the features that Weft requires.
+// Enables only the features that Weft requires, and the one feature that llvmpipe needs in addition.
 void enable_least(FeatureChain& enabled) {
     required_features(enabled);
     enabled.v10().shaderUniformBufferArrayDynamicIndexing = VK_TRUE;
@@ -150,8 +151,9 @@ TEST_F(DeviceVk, an_adopted_device_works_and_is_left_alive) {
         EXPECT_TRUE(upload_buffer(**adopted, *buffer, bytes).ok());
         EXPECT_FALSE((*adopted)->optional().depth_clamp);
     }
-    EXPECT_EQ(device().fn().vkDeviceWaitIdle(own.device), VK_SUCCESS);  // the embedder still owns the device
-                                                                        // and can use it
+    // The adopted Device object is destroyed, but the embedding program still owns the VkDevice and can use
+    // it.
+    EXPECT_EQ(device().fn().vkDeviceWaitIdle(own.device), VK_SUCCESS);
 }
 
 TEST_F(DeviceVk, an_adopted_device_offers_the_optional_features_it_was_made_with) {
@@ -209,7 +211,8 @@ TEST_F(DeviceVk, all_that_an_adopted_device_lacks_is_named) {
     EXPECT_FALSE(Device::adopt({own.instance, own.physical, own.device, {}, &enabled}).ok());
 }
 
-// A frame on an adopted device renders to this image; commands that are not Weft's copy it.
+// Image::adopt() uses an image that the embedding program owns. After the adopted object is destroyed, the
+// program must still be able to use the image.
 TEST_F(DeviceVk, an_adopted_image_is_left_alive) {
     ResourceDecl decl;
     decl.name = "own";
@@ -242,8 +245,8 @@ TEST(MachineReportVk, lists_devices_layers_and_the_loader) {
     }));
 }
 
-// framework/profiles/lavapipe.json is used where no device is available, so it must equal the device's
-// profile.
+// framework/profiles/lavapipe.json is used when no device is available. So the file must be equal to the
+// profile of the real lavapipe device.
 TEST_F(DeviceVk, the_stored_profile_of_lavapipe_is_that_of_the_device) {
     if (device().info().driver.find("Mesa 22.3") == std::string::npos) {
         GTEST_SKIP() << "the stored profile is Mesa 22.3's, this is " << device().info().driver;
@@ -255,7 +258,8 @@ TEST_F(DeviceVk, the_stored_profile_of_lavapipe_is_that_of_the_device) {
     const Result<DeviceProfile> stored = parse_profile(text.str(), path);
     ASSERT_TRUE(stored.ok()) << to_text(stored.errors());
     DeviceProfile expected = device().profile();
-    expected.name = stored->name;  // the device's name contains the vector width of this machine
+    // The names are not compared, because the device's name contains the vector width of this machine.
+    expected.name = stored->name;
     EXPECT_EQ(text.str(), profile_to_json(expected)) << "`weft doctor --json` writes it anew";
 }
 

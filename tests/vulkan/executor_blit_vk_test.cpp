@@ -1,4 +1,5 @@
-// Blits compared with filters implemented here: arbitrary sizes, mips and layers, volumes, integers, depth.
+// Purpose: compares blits with filters that are implemented in this file: any sizes, mips and layers,
+// volumes, integers and depth.
 #include <algorithm>
 #include <cmath>
 
@@ -9,14 +10,14 @@ namespace {
 
 using test::GraphBuilder;
 
-// The pattern that the source shaders write, computed on the CPU.
+// Returns the value that the shaders write to a texel of the source image, computed on the CPU.
 uint32_t pattern(uint32_t x, uint32_t y, uint32_t z) {
     return (x * 73u + y * 151u + z * 37u) % 256u;
 }
 constexpr const char* kPattern =
     "uint pattern(uvec3 at) { return (at.x * 73u + at.y * 151u + at.z * 37u) % 256u; }";
 
-// A source or target as a box of texels.
+// The source or the target of a blit, as a box of texels.
 struct Box {
     Extent3D extent;
     [[nodiscard]] size_t count() const { return size_t{extent.width} * extent.height * extent.depth; }
@@ -31,7 +32,7 @@ float texel(const Box& box, int x, int y, int z) {
            255.0F;
 }
 
-// The centre of a target texel, in source texels.
+// Returns the centre of a target texel along one axis, measured in source texels.
 double place(uint32_t at, uint32_t target, uint32_t source) {
     return (at + 0.5) * source / target;
 }
@@ -74,7 +75,7 @@ class ExecutorBlitVk : public ExecutorTest {
         blit.uses[0].sampler.filter = filter;
     }
 
-    // Fills one mip with the pattern; layers count as z.
+    // Adds a compute pass that fills one mip with the pattern. The layer index is the z of the pattern.
     void add_fill(GraphBuilder& builder, const std::string& name, ResourceId target, uint32_t mip,
                   const std::string& image_type, const std::string& place, const std::string& value) {
         const ResourceDecl& decl = builder.resource(target);
@@ -122,7 +123,7 @@ class ExecutorBlitVk : public ExecutorTest {
             for (uint32_t z = 0; z < to.depth; ++z)
                 for (uint32_t y = 0; y < to.height; ++y)
                     for (uint32_t x = 0; x < to.width; ++x, ++i)
-                        // Devices may have only eight bits for positions between two texels.
+                        // A device may have only eight bits of precision for positions between two texels.
                         ASSERT_NEAR(texels[i], linear({from}, {to}, x, y, z), 1.0 / 256)
                             << x << ", " << y << ", " << z;
         }
@@ -164,7 +165,7 @@ TEST_F(ExecutorBlitVk, integers_take_the_nearest_texel) {
     }
 }
 
-// Two mips of the last two of three layers in one blit; the first layer is unchanged.
+// One blit copies two mips of the layers 1 and 2 of an image with three layers. Layer 0 must not change.
 TEST_F(ExecutorBlitVk, mips_and_layers_are_those_of_the_uses) {
     GraphBuilder builder;
     const ResourceId source = image(builder, "source", Format::r32u, {12, 12, 1}, 3, 3);
@@ -188,14 +189,14 @@ TEST_F(ExecutorBlitVk, mips_and_layers_are_those_of_the_uses) {
         for (uint32_t layer = 0; layer < 3; ++layer)
             for (uint32_t y = 0; y < 2u >> mip; ++y)
                 for (uint32_t x = 0; x < 2u >> mip; ++x) {
-                    // 6 texels become 2, then 3 become 1
+                    // Mip 1 of the source is reduced from 6 × 6 to 2 × 2 texels, mip 2 from 3 × 3 to 1.
                     wanted.push_back(layer == 0 ? 7
                                                 : pattern(3 * x + 1, 3 * y + 1, layer) + 1000 * (mip + 1));
                 }
     EXPECT_EQ(values_of<uint32_t>(read[0]), wanted);
 }
 
-// Each mip is made from the previous one, in one image.
+// Each mip is made from the previous mip of the same image.
 TEST_F(ExecutorBlitVk, a_chain_of_mips_is_blitted_within_an_image) {
     constexpr uint32_t kSide = 8, kMips = 4;
     GraphBuilder builder;

@@ -1,4 +1,5 @@
-// Faults in an executor are returned as a diagnostic that names the pass or import, and leak nothing.
+// Purpose: tests faults in an executor. Each fault must be returned as a diagnostic that names the pass or
+// the import, and must not leak objects.
 #include "tests/vulkan/executor_fixture.h"
 #include "tests/vulkan/triangle_source.h"
 #include "vulkan/device/functions.h"
@@ -11,7 +12,8 @@ using test::GraphBuilder;
 
 class ExecutorFaultsVk : public ExecutorTest {
  protected:
-    // A compute pass, a fullscreen pass and a readback: the executor creates every kind of object.
+    // Makes a graph with a compute pass, a fullscreen pass and a readback, so that the executor creates every
+    // kind of object.
     GraphBuilder make_graph() {
         write_shader("fill.comp", R"(
             layout(local_size_x = 8, local_size_y = 8) in;
@@ -35,7 +37,7 @@ class ExecutorFaultsVk : public ExecutorTest {
         return builder;
     }
 
-    // Expects that creation fails, and returns its only diagnostic.
+    // Expects that the creation of an executor fails with one error, and returns this error.
     Diagnostic fault_of(ExecutorInput input) {
         Result<std::unique_ptr<Executor>> made = Executor::create(device(), std::move(input));
         if (made || made.errors().size() != 1) {
@@ -154,7 +156,7 @@ TEST_F(ExecutorFaultsVk, a_frame_that_never_ends_is_a_time_out_that_names_passes
     ASSERT_FALSE(next.ok()) << "after a time-out nothing runs any more";
     EXPECT_EQ(finished.errors()[0].code, "V407");
     EXPECT_TRUE(mentions(finished.errors()[0], "read")) << finished.errors()[0].message;
-    // The frame was only late. After waiting, the executor can be destroyed without leaks.
+    // The frame was not lost, only late. After it has ended, the executor can be destroyed without leaks.
     ASSERT_TRUE(immediate_submit(device(), "waiting", [](VkCommandBuffer) {}).ok());
 }
 
@@ -171,7 +173,8 @@ TEST_F(ExecutorFaultsVk, a_lost_device_names_the_passes_of_the_frame) {
     EXPECT_FALSE(executor->finish().ok());
 }
 
-// Lets the N-th call of one function fail. Its state is global, because Vulkan functions are plain functions.
+// Makes the N-th call of one Vulkan function fail. The state is global, because Vulkan functions are plain
+// functions without an object.
 struct FailingCall {
     uint32_t calls_left = 0;
     DeviceFunctions real{};
@@ -211,7 +214,8 @@ VKAPI_ATTR VkResult VKAPI_CALL create_fence(VkDevice device, const VkFenceCreate
     return result != VK_SUCCESS ? result : failing.real.vkCreateFence(device, info, allocator, fence);
 }
 
-// Tries every N until creation succeeds; returns the number of failures.
+// Makes call 0 fail, then call 1 and so on, until the creation succeeds. Returns the number of failed
+// attempts.
 template <class Create>
 uint32_t fail_each_call(Create create) {
     for (uint32_t n = 0; n < 100; ++n) {

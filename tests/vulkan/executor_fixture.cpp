@@ -1,6 +1,6 @@
 #include "tests/vulkan/executor_fixture.h"
 
-#include <stdlib.h>  // mkdtemp
+#include <stdlib.h>  // Declares mkdtemp(), which the C++ headers do not declare.
 
 #include <fstream>
 

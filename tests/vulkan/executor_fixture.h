@@ -1,5 +1,6 @@
-// Purpose: small frames for tests of the executor: shaders written in the test, graphs from GraphBuilder,
-// plans from compile(), results from readbacks. Any validation message fails the test.
+// Purpose: runs small frames in tests of the executor. The shaders are written in the test, the graphs come
+// from GraphBuilder, the plans from compile(), and the results from readbacks. Any validation message fails
+// the test.
 #pragma once
 
 #include <cstring>
@@ -20,17 +21,19 @@ class ExecutorTest : public DeviceTest {
     ExecutorTest();
     ~ExecutorTest() override;
 
-    // Stores GLSL for one stage under `path`: "fill.comp", "flat/flat.vert".
+    // Stores the GLSL code of one shader stage in the file `path`, for example "fill.comp" or
+    // "flat/flat.vert".
     void write_shader(const std::string& path, const std::string& glsl) const;
-    // Compiles a shader and assigns it to `pass`: bindings by port name, size of Params.
+    // Compiles a shader and assigns it to `pass`. The pass gets the bindings of its ports by name and the
+    // size of Params.
     void use_shader(PassDecl& pass, const std::string& reference, ProgramKind kind);
     [[nodiscard]] ShaderInterface interface_of(const std::string& reference) const;
 
     [[nodiscard]] FramePlan compile_plan(const test::GraphBuilder& builder);
-    // An input with the plan and all shaders used by the test so far.
+    // Returns the input for an executor: the plan and all shaders that the test has used so far.
     [[nodiscard]] ExecutorInput input_for(FramePlan plan) const;
     [[nodiscard]] std::unique_ptr<Executor> executor_for(ExecutorInput input);
-    // Runs `frames` frames without waiting between them, then returns all readbacks.
+    // Runs `frames` frames without waiting between them. Then waits for all frames and returns all readbacks.
     [[nodiscard]] static std::vector<ReadbackData> run_frames(Executor& executor, uint32_t frames,
                                                               const FrameInput& first = {});
 

@@ -1,4 +1,5 @@
-// Frames in flight, imports between frames, and validation messages when a barrier is missing.
+// Purpose: tests several frames in flight, imports that are used between frames, and the validation messages
+// when a barrier is missing.
 #include <algorithm>
 
 #include "tests/vulkan/executor_fixture.h"
@@ -22,8 +23,8 @@ void main() { dst = texelFetch(src, ivec2(gl_FragCoord.xy), 0).r + 1u; })";
 
 class ImportedOutputVk : public ExecutorTest {
  protected:
-    // "count" draws the frame's number to a transient; "pass_on" writes that number plus one to the imported
-    // output.
+    // Makes a plan with two passes. "count" draws the frame's number into a transient image. "pass_on" writes
+    // this number plus one to the imported image "output".
     FramePlan make_plan() {
         write_shader("count.frag", kCount);
         write_shader("pass_on.frag", kPassOn);
@@ -73,7 +74,8 @@ TEST_F(ImportedOutputVk, is_read_in_its_exit_state_after_any_number_of_frames) {
     }
 }
 
-// The layer can detect attachment writes that are sampled in another layout.
+// Without its barrier, "pass_on" samples an attachment in the wrong layout. The validation layer can detect
+// this and must name the pass.
 TEST_F(ImportedOutputVk, a_dropped_barrier_is_heard_and_names_its_pass) {
     {
         FramePlan plan = make_plan();

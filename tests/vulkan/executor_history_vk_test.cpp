@@ -1,5 +1,5 @@
-// Persistent resources: histories of every length with every kind of access, kept resources, and first-frame
-// values.
+// Purpose: tests persistent resources: histories of several lengths with several kinds of access, resources
+// that are kept from frame to frame, and values for the first frame.
 #include <string>
 
 #include "tests/vulkan/executor_fixture.h"
@@ -15,7 +15,8 @@ constexpr uint32_t kFrames = 9;
 constexpr uint32_t kFirst = 7;
 constexpr std::array<float, 4> kFirstFrame{kFirst, 0, 0, 0};
 
-// Computes the next number from that of an earlier frame, or a different number if there is no such frame.
+// GLSL code that computes the next number: 3 × the number of an earlier frame, plus 1 if there was such a
+// frame.
 constexpr const char* kNext = "texelFetch(src, ivec2(AT), 0).r * 3u + params.srcValid";
 
 uint32_t next(uint32_t before, bool valid) {
@@ -45,7 +46,8 @@ class ExecutorHistoryVk : public ExecutorTest, public testing::WithParamInterfac
                                       "; }");
     }
 
-    // "state" is computed from "state[-N]"; the ages in between are only kept.
+    // Adds the pass "next", which computes the image "state" from "state[-N]" for a history of N frames. No
+    // pass reads the versions between them.
     void add_next(GraphBuilder& builder, PassKind kind, uint32_t history) {
         ResourceId state = builder.image("state", Format::r32u, 4);
         ResourceId oldest = state;
@@ -80,7 +82,8 @@ class ExecutorHistoryVk : public ExecutorTest, public testing::WithParamInterfac
     void expect_numbers(FramePlan plan, uint32_t history) {
         const auto executor = executor_for(input_for(std::move(plan)));
         ASSERT_NE(executor, nullptr);
-        // Frame numbers may start anywhere: validity depends on the number of frames that ran.
+        // The number of the first frame may be any number. The validity of a history depends only on how many
+        // frames have run.
         FrameInput first;
         first.frame_index = 100;
         const std::vector<ReadbackData> read = run_frames(*executor, kFrames, first);
@@ -116,7 +119,8 @@ INSTANTIATE_TEST_SUITE_P(Lengths, ExecutorHistoryVk, testing::Values(1u, 2u, 3u)
 
 using ExecutorKeptVk = ExecutorHistoryVk;
 
-// Copies, clears and readbacks also use the right copy, and depth also has a first-frame value.
+// Copies, clears and readbacks must also use the right copy of the resource in each frame. The depth image
+// has a value for the first frame too.
 TEST_F(ExecutorKeptVk, copies_and_clears_follow_the_ring) {
     GraphBuilder builder;
     const ResourceId words = builder.buffer("words", 16);

@@ -1,4 +1,5 @@
-// Data from the host reaches exactly its own frame, for any number of frames in flight.
+// Purpose: tests that data from the host reach exactly the frame for which the program set them, with several
+// frames in flight.
 #include "tests/vulkan/executor_fixture.h"
 #include "weft/pass.h"
 
@@ -71,7 +72,8 @@ TEST_P(ParamsVk, reach_the_frame_they_were_given_for) {
 INSTANTIATE_TEST_SUITE_P(PushAndUniform, ParamsVk, testing::Bool(),
                          [](const auto& kind) { return kind.param ? "push" : "uniform"; });
 
-// A C++ pass that uploads words, tries one word too many, and fills a second port.
+// A pass in C++ that uploads words to one port and fills another port. On purpose, it also tries to upload
+// one word too many and to write to a port that does not exist.
 struct UploadWords {
     static constexpr std::string_view kType = "upload_words";
     static constexpr std::array<PortDecl, 2> kPorts{Out{"words", Access::copy_write},

@@ -1,4 +1,4 @@
-// Dispatches and draws whose sizes are computed by an earlier pass of the same frame.
+// Purpose: tests indirect dispatches and draws: an earlier pass of the same frame computes their sizes.
 #include "tests/vulkan/executor_fixture.h"
 #include "tests/vulkan/triangle_source.h"
 
@@ -10,7 +10,8 @@ using ExecutorIndirectVk = ExecutorTest;
 
 constexpr uint32_t kWords = 64;
 
-// Frame f runs f + 2 workgroups of four: one pass computes the count, the next one records the invocations.
+// Frame f runs f + 2 workgroups of four invocations. The pass "count" writes the number of workgroups, and
+// "trace" marks which invocations ran.
 TEST_F(ExecutorIndirectVk, workgroups_are_counted_by_an_earlier_pass) {
     write_shader("count.comp", R"(
         layout(local_size_x = 1) in;
@@ -59,7 +60,8 @@ constexpr uint32_t kSide = 8;
 
 class ExecutorIndirectDrawVk : public ExecutorTest {
  protected:
-    // "write" makes the commands of both draws, "cull" removes one (2: none), "draw" executes the rest.
+    // Adds three passes: "write" writes the commands of two draws, "cull" removes the draw `culled` (2
+    // removes none), and "draw" executes the commands.
     void add_passes(GraphBuilder& builder, uint32_t culled) {
         write_shader("write.comp", R"(
             layout(local_size_x = 2) in;
@@ -123,7 +125,9 @@ TEST_F(ExecutorIndirectDrawVk, a_draw_without_instances_is_not_drawn) {
         ASSERT_EQ(texels.size(), kSide * kSide);
         for (uint32_t y = 0; y < kSide; ++y)
             for (uint32_t x = 0; x < kSide; ++x) {
-                if (x + y == kSide - 1) continue;  // centres on the edge depend on the fill rule
+                // Texels whose centre is exactly on the triangle's edge are skipped, because the rasteriser's
+                // fill rule decides about them.
+                if (x + y == kSide - 1) continue;
                 const uint32_t draw = x + y < kSide - 1 ? 0 : 1;
                 ASSERT_EQ(texels[y * kSide + x], draw == culled ? 0u : 5u)
                     << x << ", " << y << " without draw " << culled;

@@ -1,4 +1,4 @@
-// The result of every kind of pass, byte by byte, without validation messages.
+// Purpose: tests the result of every kind of pass, byte by byte, and that there are no validation messages.
 #include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
@@ -93,7 +93,8 @@ TEST_F(ExecutorPassesVk, clear_values_of_integer_images_and_buffers_are_integers
     }
 }
 
-// Vulkan requires depth copies at multiples of four bytes, but the delivered data has no gaps.
+// Vulkan copies depth to buffer offsets that are multiples of four bytes. The data that the executor returns
+// must have no gaps.
 TEST_F(ExecutorPassesVk, depth_reads_back_tightly_packed) {
     GraphBuilder builder;
     const ResourceId depth = builder.image("depth", Format::d16, 3, 2);
@@ -107,7 +108,8 @@ TEST_F(ExecutorPassesVk, depth_reads_back_tightly_packed) {
     EXPECT_EQ(values_of<uint16_t>(read[0]), std::vector<uint16_t>(9 + 1, 0xFFFF));
 }
 
-// Blending uses the previous content; the colour mask protects a channel.
+// Blending adds to the previous content of the image. The colour mask excludes the blue channel, which must
+// not change.
 TEST_F(ExecutorPassesVk, fullscreen_blends_onto_what_is_there) {
     write_shader("add.frag", R"(
         layout(location = 0) out vec4 dst;
@@ -138,7 +140,8 @@ TEST_F(ExecutorPassesVk, fullscreen_blends_onto_what_is_there) {
     }
 }
 
-// A pass that leaves optional bindings of its shader unconnected still has valid descriptors.
+// A graph may leave bindings of a shader without a resource. The descriptors of such bindings must still be
+// valid.
 TEST_F(ExecutorPassesVk, bindings_that_the_graph_leaves_out_have_dummies) {
     write_shader("optional.comp", R"(
         layout(local_size_x = 1) in;

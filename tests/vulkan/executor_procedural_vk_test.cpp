@@ -1,4 +1,5 @@
-// Draws without a draw list: vertices that differ only in their index, and instances in order.
+// Purpose: tests draws without a draw list: vertices differ only in their index, and instances are drawn in
+// order.
 #include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {
@@ -9,7 +10,7 @@ using ExecutorProceduralVk = ExecutorTest;
 
 constexpr uint32_t kSide = 8;
 
-// Instance i covers the columns from i on; each column shows the last instance that covers it.
+// Instance i covers all columns from column i on. Each column must show the last instance that covers it.
 TEST_F(ExecutorProceduralVk, instances_are_drawn_one_after_the_other) {
     write_shader("strip/strip.vert", R"(
         layout(location = 0) flat out uint shade;

@@ -1,4 +1,4 @@
-// Batches on several logical queues: their waits and signals, and failures.
+// Purpose: tests batches on several logical queues: their waits and signals, and failures.
 #include <algorithm>
 
 #include "tests/vulkan/executor_fixture.h"
@@ -10,7 +10,7 @@ namespace {
 
 using test::GraphBuilder;
 
-// Functions that replace the device's: the recorded calls and the results to return.
+// The calls of vkQueueSubmit that watched_submit() has recorded, and the call that it lets fail.
 struct Submissions {
     struct One {
         std::vector<uint64_t> waits;
@@ -46,7 +46,8 @@ VKAPI_ATTR VkResult VKAPI_CALL never_reached(VkDevice, const VkSemaphoreWaitInfo
 
 class ExecutorQueuesVk : public ExecutorTest {
  protected:
-    // "fill" on the first queue, "twice" on the second, "read" on the first again.
+    // Makes a plan: the pass "fill" is on the first queue, "twice" on the second queue, and "read" on the
+    // first queue again.
     FramePlan make_plan(uint32_t queues) {
         write_shader("fill.comp", R"(
             layout(local_size_x = 8, local_size_y = 8) in;
@@ -140,7 +141,9 @@ TEST_F(ExecutorQueuesVk, batches_signal_and_await_the_values_that_plans_document
         for (const QueueWait& wait : batches[batch].waits)
             if (frame > 0 || !wait.previous_frame)
                 waits.push_back(value(wait.batch, wait.previous_frame ? frame - 1 : frame));
-        if (frame == 0) waits.push_back(1);  // the work before the first frame
+        // In the first frame, each batch also waits for value 1, which signals the end of the work before the
+        // first frame.
+        if (frame == 0) waits.push_back(1);
         EXPECT_EQ(one.waits, waits) << "frame " << frame << ", batch " << batch;
     }
 }

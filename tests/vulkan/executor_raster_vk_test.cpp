@@ -1,5 +1,5 @@
-// Raster passes: pipelines for every variant, vertex streams and sets according to the shader, state from
-// data.
+// Purpose: tests raster passes: a pipeline for every variant of a draw list, vertex streams and descriptor
+// sets that fit the shader, and the rasterisation state of the pass.
 #include "tests/vulkan/executor_fixture.h"
 #include "tests/vulkan/triangle_source.h"
 
@@ -12,7 +12,8 @@ constexpr uint32_t kSide = 8;
 
 class ExecutorRasterVk : public ExecutorTest {
  protected:
-    // One pass "draw" to a cleared rgba32f image (and d32f depth), read back by "read".
+    // Adds the raster pass "draw", which draws to an rgba32f image and a d32f depth image after clearing
+    // them. run() adds a readback of the colour image.
     PassDecl& add_draw(GraphBuilder& builder, const std::string& shader) {
         target_ = builder.image("target", Format::rgba32f, kSide);
         const ResourceId depth = builder.image("depth", Format::d32f, kSide);
@@ -57,13 +58,16 @@ class ExecutorRasterVk : public ExecutorTest {
         return read.empty() ? std::vector<float>{} : values_of<float>(read[0]);
     }
 
-    // The triangle covers the texels on and above the diagonal from bottom left to top right.
+    // Checks the colour image: the triangle must cover the texels above the diagonal from bottom left to top
+    // right.
     static void expect_triangle(const std::vector<float>& texels, const std::array<float, 4>& inside) {
         ASSERT_EQ(texels.size(), kSide * kSide * 4);
         for (uint32_t y = 0; y < kSide; ++y)
             for (uint32_t x = 0; x < kSide; ++x)
                 for (uint32_t c = 0; c < 4; ++c) {
-                    if (x + y == kSide - 1) continue;  // centres on the edge depend on the fill rule
+                    // Texels whose centre is exactly on the triangle's edge are skipped, because the
+                    // rasteriser's fill rule decides about them.
+                    if (x + y == kSide - 1) continue;
                     ASSERT_EQ(texels[(y * kSide + x) * 4 + c], x + y < kSide - 1 ? inside[c] : -1)
                         << x << ", " << y;
                 }
@@ -78,7 +82,8 @@ TEST_F(ExecutorRasterVk, draws_every_variant_of_a_list_with_its_constants) {
     const TriangleSource source(device());
     GraphBuilder builder;
     add_draw(builder, "flat");
-    // The second variant draws over the first, with the product of set 3 and set 0.
+    // Variant 1 of the list draws over variant 0. Its colour is the product of the colours in set 3 and set
+    // 0.
     expect_triangle(run(builder, source), {0.25F * 4, 0.5F * 3, 0.75F * 2, 1});
     EXPECT_EQ(source.drawn, (std::vector<std::string>{"opaque/0", "opaque/1"}));
 }
@@ -125,7 +130,9 @@ TEST_F(ExecutorRasterVk, scissor_and_viewport_are_the_pass_s) {
     const std::vector<float> texels = run(builder, source);
     ASSERT_EQ(texels.size(), kSide * kSide * 4);
     for (uint32_t i = 0; i < kSide * kSide; ++i)
-        if (i != 7) {  // its centre is on the triangle's edge
+        // The centre of texel 7 is exactly on the triangle's edge, so the rasteriser's fill rule decides
+        // about this texel.
+        if (i != 7) {
             EXPECT_EQ(texels[i * 4] > 0, i == 5 || i == 6) << i;
         }
 }

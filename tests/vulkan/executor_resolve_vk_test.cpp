@@ -1,5 +1,5 @@
-// Resolving multisampled attachments at the end of a pass, compared sample by sample with edge functions
-// computed here.
+// Purpose: tests the resolve of multisampled attachments at the end of a pass. The result is compared sample
+// by sample with edge functions that this file computes.
 #include <algorithm>
 #include <cmath>
 
@@ -17,10 +17,10 @@ constexpr uint32_t kSamples = 4;
 struct Point {
     double x = 0, y = 0;
 };
-// In pixels; all corners are on the 1/256 grid to which rasterisers round, and no edge passes through a
-// sample.
+// Corners of the triangle in pixels. All corners are on the 1/256 grid to which rasterisers round, and no
+// edge passes through a sample.
 constexpr std::array<Point, 3> kCorners{Point{1.25, 2.0625}, Point{3.6875, 14.25}, Point{14.5625, 5.875}};
-// Vulkan's standard sample locations.
+// The standard sample locations of Vulkan for four samples per pixel.
 constexpr std::array<Point, kSamples> kSamplePoints{Point{0.375, 0.125}, Point{0.875, 0.375},
                                                     Point{0.125, 0.625}, Point{0.625, 0.875}};
 
@@ -53,7 +53,8 @@ class ExecutorResolveVk : public ExecutorTest {
         return id;
     }
 
-    // Draws the triangle to `many`, resolved to `one` (or to the given part of it).
+    // Adds a pass that draws the triangle to the multisampled image `many` and resolves it to the image
+    // `one`, or to the subresource `part` of this image.
     PassDecl& add_draw(GraphBuilder& builder, ResourceId many, ResourceId one,
                        std::optional<SubresourceRange> part = {}) {
         const ResourceId depth = multisampled(builder, "depth", Format::d32f);
@@ -81,7 +82,8 @@ class ExecutorResolveVk : public ExecutorTest {
         use_shader(draw, "tri", ProgramKind::raster);
     }
 
-    // Resolves to one mip of one of two layers; "read" reads that layer, "read_other" the other one.
+    // Makes a graph that resolves to one mip of one layer of an image with two layers. The pass "read" reads
+    // this layer back, and "read_other" reads the other layer back.
     GraphBuilder draw_into(uint32_t mip, uint32_t layer) {
         GraphBuilder builder;
         const ResourceId many = multisampled(builder, "many", Format::rgba32f);
@@ -134,7 +136,8 @@ class ExecutorResolveVk : public ExecutorTest {
                               inside[c] * static_cast<float>(count) / kSamples)
                         << x << ", " << y;
             }
-        // The triangle has interior and exterior pixels, and pixels with every number of covered samples.
+        // The triangle must have pixels with every number of covered samples from 0 to 4. Otherwise the test
+        // would check too little.
         EXPECT_TRUE(std::ranges::all_of(pixels_with, [](uint32_t pixels) { return pixels > 0; }));
     }
 };
@@ -157,7 +160,7 @@ TEST_F(ExecutorResolveVk, the_target_may_be_any_mip) {
 TEST_F(ExecutorResolveVk, the_target_may_be_any_layer) {
     const GraphBuilder builder = draw_into(1, 1);
     if (!device().info().driver.starts_with("llvmpipe")) return expect_only_the_part(run(builder));
-    // The driver would write layer 0 instead.
+    // llvmpipe would write to layer 0 instead of the selected layer, so the executor must refuse the plan.
     const Result<std::unique_ptr<Executor>> made =
         Executor::create(device(), input_for(compile_plan(builder)));
     ASSERT_FALSE(made.ok());

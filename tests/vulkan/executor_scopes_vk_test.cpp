@@ -1,5 +1,5 @@
-// Passes that share a rendering scope draw in order, each with its own state, and the scope stores as its
-// last pass declares.
+// Purpose: tests passes that share a rendering scope. They must draw in order, each with its own state, and
+// the attachments must be stored as the last pass of the scope declares.
 #include <cmath>
 
 #include "tests/graph/compile/naive_plan.h"
@@ -47,7 +47,7 @@ class ExecutorScopesVk : public ExecutorTest {
         return read;
     }
 
-    // A fullscreen pass that writes `value` everywhere.
+    // Adds a fullscreen pass that writes `value` to all texels inside its scissor.
     void add_fill(GraphBuilder& builder, const char* name, const char* value, ResourceId target,
                   const BlendState& blend, const std::optional<RectPx>& scissor) {
         const std::string file = std::string(name) + ".frag";
@@ -60,7 +60,7 @@ class ExecutorScopesVk : public ExecutorTest {
         use_shader(pass, file, ProgramKind::fullscreen);
     }
 
-    // Draws the list's triangle at depth `z`.
+    // Adds a raster pass that draws the triangle of the draw list at the depth `z`.
     PassDecl& add_draw(GraphBuilder& builder, const std::string& name, const char* z, const char* color,
                        const std::vector<test::BuilderUse>& uses) {
         write_shader(name + "/" + name + ".vert",
@@ -83,7 +83,7 @@ class ExecutorScopesVk : public ExecutorTest {
     ImportCatalog imports_;
 };
 
-// (x + y) * 3 inside the scissors; another order would give another value.
+// Inside both scissors the result must be (x + y) * 3. Another order of the passes would give another value.
 TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors) {
     BlendState add, multiply;
     add.enabled = multiply.enabled = true;
@@ -116,7 +116,8 @@ TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors
     }
 }
 
-// The near triangle is clipped to the left half; the far one, drawn later, is visible only in the rest.
+// The near triangle is clipped to the left half of the image. The far triangle is drawn later and must be
+// visible only in the right half, because the depth test hides it on the left.
 TEST_F(ExecutorScopesVk, a_depth_tested_pair_in_one_scope_sees_its_depth) {
     const TriangleSource source(device());
     GraphBuilder builder;
@@ -144,8 +145,12 @@ TEST_F(ExecutorScopesVk, a_depth_tested_pair_in_one_scope_sees_its_depth) {
             ASSERT_EQ(texels.size(), kSide * kSide * 4);
             for (uint32_t i = 0; i < texels.size(); ++i) {
                 const uint32_t x = i / 4 % kSide, y = i / 4 / kSide;
-                if (x + y == kSide - 1) continue;            // centres on the edge depend on the fill rule
-                const float inside = x < kSide / 2 ? 4 : 6;  // the second variant adds one
+                // Texels whose centre is exactly on the triangle's edge are skipped, because the rasteriser's
+                // fill rule decides about them.
+                if (x + y == kSide - 1) continue;
+                // Each pass also draws the second variant of the list, which adds 1 to the colour: 3 + 1 on
+                // the left, 5 + 1 on the right.
+                const float inside = x < kSide / 2 ? 4 : 6;
                 ASSERT_EQ(texels[i], x + y < kSide - 1 ? inside : -1) << x << ", " << y;
             }
         }

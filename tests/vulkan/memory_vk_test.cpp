@@ -1,4 +1,5 @@
-// Buffers and images contain the uploaded data, and every failure is a typed error without leaks.
+// Purpose: tests that buffers and images contain the data that were uploaded to them. Every failure must be
+// an error with a code and must not leak objects.
 #include "weft/vulkan/memory.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ ResourceDecl image_decl(Format format, Extent3D extent, uint32_t mips, uint32_t 
     return decl;
 }
 
-// Content of mip `mip` of a newly uploaded image.
+// Returns the content of one mip of an image that was just uploaded.
 std::vector<std::byte> read_back(Device& device, const Image& image, uint32_t mip, size_t size_bytes) {
     Result<Buffer> target = Buffer::create(device, size_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                            Buffer::Memory::readback, "readback");
@@ -85,7 +86,7 @@ TEST_F(MemoryVk, a_buffer_holds_what_was_uploaded) {
 }
 
 TEST_F(MemoryVk, every_mip_and_layer_holds_what_was_uploaded) {
-    // Odd sizes, so that levels do not end on a multiple of the staging alignment.
+    // The sizes are odd, so that mip levels do not end on a multiple of the staging buffer's alignment.
     const ResourceDecl decl = image_decl(Format::rgba8, {13, 7, 1}, 3, 2);
     ResourceDecl array = decl;
     array.image_kind = ImageKind::d2_array;
@@ -221,8 +222,8 @@ TEST_F(MemoryVk, a_time_out_is_a_typed_error_after_which_nothing_is_destroyed) {
         ASSERT_EQ(owned->fn().vkDeviceWaitIdle(owned->handle()), VK_SUCCESS);
     }
     EXPECT_TRUE(owned->abandoned());
-    EXPECT_TRUE(destroy_device(std::move(owned)).empty());  // destroying the device with all its objects
-                                                            // gives no message
+    // The device is destroyed with all its objects. The validation layer must not report a message.
+    EXPECT_TRUE(destroy_device(std::move(owned)).empty());
 }
 
 TEST(CreationInfo, follows_the_declaration) {
@@ -233,7 +234,8 @@ TEST(CreationInfo, follows_the_declaration) {
     EXPECT_EQ(info.mipLevels, 7u);
     EXPECT_EQ(info.arrayLayers, 6u);
     decl.image_kind = ImageKind::d2_array;
-    decl.lifetime = ResourceLifetime::transient;  // may share memory, but never texels
+    // A transient image may share memory with another image, but never its texels. So it needs no alias flag.
+    decl.lifetime = ResourceLifetime::transient;
     info = image_create_info(decl);
     EXPECT_EQ(info.flags, 0u);
 

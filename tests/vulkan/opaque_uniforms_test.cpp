@@ -1,4 +1,5 @@
-// Shaders with hidden uniform values are valid, and keep their interface.
+// Purpose: tests with_opaque_uniforms(), which hides the values of uniforms from the shader compiler. The
+// changed shaders must be valid and keep their interface.
 #include "vulkan/pipelines/opaque_uniforms.h"
 
 #include <map>
@@ -17,7 +18,8 @@ void expect_valid(const ShaderProgram& program) {
         EXPECT_EQ(shader::spirv_fault(module.spirv), std::nullopt) << program.reference;
 }
 
-// In shaders of graphs, push constants must be named Params. The index added to all blocks has another name.
+// Returns the interface of the changed program. Faults about push constants are expected: their block must
+// have the name Params, but the hidden index is in a block with another name.
 ShaderInterface reflected(const ShaderProgram& program) {
     shader::InterfaceFaults faults;
     ShaderInterface interface = shader::reflect_program(program.modules, faults);
@@ -26,11 +28,12 @@ ShaderInterface reflected(const ShaderProgram& program) {
     return interface;
 }
 
-// First indices into arrays of blocks, in order; in a module with hidden uniforms, the added index of each.
+// Returns the first index of each access to an array of uniform blocks, in order. In a module with hidden
+// uniforms this index is a sum; the function then returns the original index in the sum.
 std::vector<uint32_t> first_indices(const ShaderModule& module, bool hidden) {
     constexpr uint32_t kVariable = 59, kAccessChain = 65, kIAdd = 128, kUniform = 2;
     std::set<uint32_t> blocks;
-    std::map<uint32_t, uint32_t> summands;  // index: result id of the sum
+    std::map<uint32_t, uint32_t> summands;  // Original index by the result id of the sum that contains it.
     std::vector<uint32_t> indices;
     shader::SpirvReader reader(module.spirv);
     for (shader::SpirvInstruction i; reader.next(i);) {
@@ -112,7 +115,8 @@ void main() { sums.items[0] = 1u; }
     EXPECT_EQ(with_opaque_uniforms(program).modules[0].spirv, program.modules[0].spirv);
 }
 
-// glslang does not produce this: a variable of storage class Uniform (2) that is loaded as a whole.
+// The module loads a variable of storage class Uniform (2) as a whole. glslang never produces this, so the
+// SPIR-V words are written by hand.
 TEST_F(OpaqueUniforms, LeaveProgramsThatTakeABlockAsOneValue) {
     ShaderProgram program;
     program.modules.push_back(

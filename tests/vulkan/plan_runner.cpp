@@ -12,7 +12,7 @@
 namespace weft::vk {
 namespace {
 
-// Arbitrary numbers that differ between words and between imports.
+// Returns arbitrary content for an import. The numbers differ from word to word and from import to import.
 std::vector<std::byte> content_of(const std::string& name, uint64_t size_bytes) {
     uint32_t state = 2166136261u;
     for (const char c : name) state = (state ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -24,7 +24,7 @@ std::vector<std::byte> content_of(const std::string& name, uint64_t size_bytes) 
     return bytes;
 }
 
-// Orders all earlier work before the copy, and makes the copy visible to the host.
+// Records a barrier: all earlier work ends before `stage`, and its writes are visible to `access`.
 void order_copy(const Device& device, VkCommandBuffer commands, VkPipelineStageFlags2 stage,
                 VkAccessFlags2 access) {
     VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
@@ -81,7 +81,7 @@ TestImports::TestImports(Device& device, const ResolvedGraph& graph) : device_(&
 
 void TestImports::make(const ResourceDecl& decl) {
     ResourceDecl own = decl;
-    // An upload leaves the image in shader_read_only.
+    // After an upload the image has the layout shader_read_only, which requires the usage kSampled.
     own.usage |= usage::kTransferSrc | usage::kTransferDst | usage::kSampled;
     const std::vector<std::byte> content = content_of(decl.name, content_bytes(decl));
     Status filled = Unit{};

@@ -1,5 +1,5 @@
-// Purpose: runs plans on a device for tests: compiles their shaders, creates their imports and reads back all
-// results. A failure is reported to gtest, and the result is empty.
+// Purpose: runs a plan on a device in a test: compiles its shaders, creates its imports and reads back all
+// results. If something fails, the failure is reported to gtest and the result is empty.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,25 @@
 
 namespace weft::vk {
 
-// Programs of tests/graph/shaders/, by file name; each is compiled on first use.
+// The shader programs of tests/graph/shaders/, by file name. Each program is compiled when a graph uses it
+// for the first time.
 class TestShaders {
  public:
-    // Adds the programs that `graph` needs and returns all programs.
+    // Compiles the programs that `graph` needs and that are not compiled yet. Returns all programs compiled
+    // so far.
     const ShaderCatalog& for_graph(const ResolvedGraph& graph);
 
  private:
     ShaderCatalog catalog_;
 };
 
-// Objects for a plan's imports, filled with numbers that depend only on their names.
+// Buffers and images for the imports of a plan. Their content depends only on their names.
 class TestImports {
  public:
     TestImports(Device& device, const ResolvedGraph& graph);
 
     [[nodiscard]] ImportBindings bindings() const;
-    // Call this when no frame is in flight.
+    // Reads back the imported buffers. No frame may be in flight during this call.
     [[nodiscard]] std::map<std::string, std::vector<std::byte>> buffer_contents() const;
 
  private:
@@ -39,8 +41,9 @@ class TestImports {
 };
 
 struct PlanResult {
-    std::vector<ReadbackData> readbacks;                    // in the order of frames
-    std::map<std::string, std::vector<std::byte>> imports;  // content of the buffers after the last frame
+    std::vector<ReadbackData> readbacks;  // Results of all readback passes, in the order of the frames.
+    // Content of each imported buffer after the last frame.
+    std::map<std::string, std::vector<std::byte>> imports;
 };
 
 struct RunOptions {

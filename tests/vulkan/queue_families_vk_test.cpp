@@ -1,6 +1,6 @@
-// Tests with three queue families, which a layer below the validation layer simulates on a driver with one.
-// The validation layer checks every ownership transfer, every shared resource and the capabilities of each
-// queue.
+// Purpose: tests plans with three queue families. The layer in mock_families/ simulates them on a driver with
+// one family. The validation layer checks every ownership transfer, every shared resource and the
+// capabilities of each queue.
 #include <algorithm>
 #include <set>
 
@@ -22,7 +22,8 @@ class QueueFamiliesVk : public ExecutorTest {
         return options;
     }
 
-    // A plan of a random frame, with every kind of transfer that plans can contain.
+    // Makes a plan of a random frame. The frame uses all features, so that all kinds of queue ownership
+    // transfer can occur.
     FramePlan plan_of(uint32_t seed) {
         const ResolvedGraph graph = test::random_graph(seed, test::all_features());
         CompileOptions options;
@@ -31,7 +32,8 @@ class QueueFamiliesVk : public ExecutorTest {
     }
 
  private:
-    // The loader orders layers by search path: the validation layer comes first, next to the program.
+    // The loader orders layers by the search path. The validation layer must come first, so that it sees the
+    // simulated families.
     ScopedEnvironment path_{"VK_LAYER_PATH",
                             "/usr/local/share/vulkan/explicit_layer.d:/etc/vulkan/explicit_layer.d:"
                             "/usr/share/vulkan/explicit_layer.d:" WEFT_MOCK_FAMILIES_DIR};
@@ -105,7 +107,8 @@ TEST_F(QueueFamiliesVk, a_transfer_without_its_first_half_is_heard) {
     })) << (messages.empty() ? "nothing was heard" : messages[0].text);
 }
 
-// Makes a barrier on a transfer queue wait for fragment shaders; returns false if there is no such barrier.
+// Plants a fault: a barrier on a transfer queue names the fragment shader stage. Returns false if the plan
+// has no such barrier.
 bool plant_fragment_stage(FramePlan& plan) {
     const Schedule& schedule = plan.schedule;
     for (uint32_t position = 0; position < schedule.queue.size(); ++position) {

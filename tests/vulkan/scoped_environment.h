@@ -1,4 +1,5 @@
-// Purpose: changes an environment variable of the Vulkan loader during the object's lifetime.
+// Purpose: sets an environment variable, for example of the Vulkan loader. The destructor restores the
+// previous value.
 #pragma once
 
 #include <cstdlib>

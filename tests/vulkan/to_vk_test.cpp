@@ -1,4 +1,5 @@
-// The tables between Weft's enumerations and Vulkan's are complete, and one-to-one where necessary.
+// Purpose: tests the tables between Weft's enumerations and Vulkan's: they must be complete, and one-to-one
+// where this is necessary.
 #include "vulkan/device/to_vk.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace weft::vk {
 namespace {
 
-// Number of different Vulkan values for the enumerators up to `last`.
+// Returns how many different Vulkan values the enumerators from 0 to `last` have.
 template <class Enum>
 size_t distinct(Enum last) {
     std::set<int64_t> values;

@@ -1,5 +1,5 @@
-// Purpose: a minimal DrawSource: one triangle in two vertex streams, a frame set with one colour per view,
-// and a set 3 with another colour. It records its calls for the test.
+// Purpose: a minimal DrawSource for tests: one triangle in two vertex streams, a frame set (set 0) with one
+// colour per view, and a set 3 with another colour. The object records which draws were requested.
 #pragma once
 
 #include <array>
@@ -14,22 +14,25 @@ namespace weft::vk {
 
 class TriangleSource final : public DrawSource {
  public:
-    // Corners in clip space, counter-clockwise with y pointing down; the second stream has a weight per
-    // corner.
+    // Creates the triangle. The corners are in clip space, counter-clockwise with y pointing down. The second
+    // vertex stream has one weight per corner.
     explicit TriangleSource(Device& device);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
-    // With indirect draws, a list has two draws: the indices of the triangle, then those of its mirror image.
+    // Records the draws of one variant of a list. With indirect draws, a list has two draws: the triangle and
+    // its mirror image.
     void record(const DrawContext& context) const override;
 
-    // Stream 0: "position" (two floats), stream 1: "weight" (one float). Variants "plain" and "tinted" (TINT
-    // is true).
+    // Returns a draw list with two vertex streams: stream 0 has "position" (two floats), stream 1 has
+    // "weight" (one float). The list has the variants "plain" and "tinted"; in "tinted" the constant TINT is
+    // true.
     [[nodiscard]] static ImportDecl draw_list(const std::string& name);
 
     static constexpr std::array<float, 4> kCameraColor{0.25F, 0.5F, 0.75F, 1.0F};
     static constexpr std::array<float, 4> kSunColor{4, 3, 2, 1};
-    mutable std::vector<std::string> drawn;  // "opaque/0"
+    // The recorded draws as list/variant, for example "opaque/0" for variant 0 of the list "opaque".
+    mutable std::vector<std::string> drawn;
     FrontFace front_face = FrontFace::counter_clockwise;
 
  private:
@@ -41,7 +44,8 @@ class TriangleSource final : public DrawSource {
     Buffer colors_;
     SetLayoutHandle layout_;
     DescriptorPoolHandle pool_;
-    std::array<VkDescriptorSet, 2> sets_{};  // camera, sun(0)
+    // The frame sets of the views: sets_[0] for "camera", sets_[1] for "sun(0)".
+    std::array<VkDescriptorSet, 2> sets_{};
 };
 
 }  // namespace weft::vk

@@ -7,7 +7,8 @@
 namespace weft::mock_families {
 namespace {
 
-// Every dispatchable handle begins with the loader's dispatch pointer.
+// A simulated queue. Every dispatchable handle of Vulkan points to an object that begins with the loader's
+// dispatch pointer.
 struct MockQueue {
     const void* loader_data = nullptr;
     VkQueue real = VK_NULL_HANDLE;
@@ -19,7 +20,8 @@ struct DeviceEntry {
     std::array<MockQueue, kFamilyCount> queues;
 };
 
-// Global state, because the loader calls plain functions, without an object of the layer.
+// State of the layer. It is global, because the loader calls plain functions and passes no object of the
+// layer.
 struct Registry {
     std::mutex mutex;
     std::map<const void*, InstanceFunctions> instances;

@@ -1,6 +1,6 @@
-// Purpose: the layer's state: the next layer's functions by instance and device, and the queues that it
-// simulates. Handles of one instance or device begin with the same pointer, the loader's dispatch table,
-// which is used as the key.
+// Purpose: state of the layer: the functions of the next layer for each instance and device, and the
+// simulated queues. The objects behind all handles of one instance or device begin with the same pointer (the
+// loader's dispatch table). This pointer is the key of the state.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -13,7 +13,7 @@ namespace weft::mock_families {
 
 inline constexpr uint32_t kFamilyCount = 3;
 
-// The next layer's versions of the functions that this layer replaces.
+// The functions of the next layer that correspond to the functions that this layer replaces.
 struct DeviceFunctions {
     PFN_vkDestroyDevice vkDestroyDevice = nullptr;
     PFN_vkGetDeviceQueue vkGetDeviceQueue = nullptr;
@@ -33,7 +33,8 @@ void add_device(VkDevice device, PFN_vkGetDeviceProcAddr next);
 void forget(VkInstance instance);
 void forget(VkDevice device);
 
-// Queried during instance creation: later the loader returns functions of the top layer, not of the next one.
+// These functions are queried while the instance is created. Later queries to the loader would return the
+// functions of the top layer instead of the next one.
 struct InstanceFunctions {
     PFN_vkGetInstanceProcAddr next = nullptr;
     PFN_vkDestroyInstance vkDestroyInstance = nullptr;
@@ -43,7 +44,8 @@ struct InstanceFunctions {
 
 [[nodiscard]] const DeviceFunctions& functions_of(const void* dispatchable);
 
-// The simulated queue in this family for the driver's queue `real`.
+// Returns the simulated queue of this family; `real` is the driver's queue to which the simulated queue
+// submits.
 [[nodiscard]] VkQueue mock_queue(VkDevice device, uint32_t family, VkQueue real);
 [[nodiscard]] VkQueue real_queue(VkQueue mock);
 

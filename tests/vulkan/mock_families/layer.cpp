@@ -1,7 +1,8 @@
-// A Vulkan layer that shows a driver with one queue family as three families with one queue each: graphics,
-// compute and transfer; compute and transfer; transfer only. The driver below sees only its own queue. The
-// validation layer above sees three families and checks transfers, sharing and queue capabilities. Loaded by
-// tests/vulkan/queue_families_vk_test.cpp.
+// Purpose: a Vulkan layer for tests on a driver with one queue family. The layer reports three families with
+// one queue each: family 0 supports graphics, compute and transfer; family 1 compute and transfer; family 2
+// only transfer. The driver below the layer uses only its own queue. The validation layer above checks
+// ownership transfers, sharing and the capabilities of each queue. tests/vulkan/queue_families_vk_test.cpp
+// loads the layer.
 #include <vulkan/vk_layer.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr std::array<VkQueueFamilyProperties, kFamilyCount> kFamilies{{
     {VK_QUEUE_TRANSFER_BIT, 1, 0, {1, 1, 1}},
 }};
 
-// The driver's only family.
+// Index of the only queue family of the driver.
 constexpr uint32_t kRealFamily = 0;
 
 VKAPI_ATTR void VKAPI_CALL get_families(VkPhysicalDevice, uint32_t* count, VkQueueFamilyProperties* out) {
@@ -43,7 +44,7 @@ template <class Link, VkStructureType Type>
 Link* find_link(const void* chain) {
     for (auto* at = static_cast<const VkBaseInStructure*>(chain); at != nullptr; at = at->pNext) {
         if (at->sType != Type) continue;
-        // Every layer must advance the loader's chain.
+        // The link is not constant, because every layer must advance the loader's chain to the next layer.
         auto* link = const_cast<Link*>(reinterpret_cast<const Link*>(at));
         if (link->function == VK_LAYER_LINK_INFO) return link;
     }
