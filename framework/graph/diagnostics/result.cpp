@@ -8,7 +8,8 @@
 namespace weft {
 namespace {
 
-// For a name longer than this, did_you_mean() suggests nothing, because misspelt names are rarely so long.
+// did_you_mean() suggests nothing for a name that is longer than this, because misspelt names are rarely so
+// long.
 constexpr size_t kMostNameBytes = 64;
 // Limits the cost of one search for similar names: the search stops after it has compared this many pairs of
 // letters.

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-
 namespace weft {
 namespace {
 
@@ -25,8 +24,8 @@ std::vector<uint32_t> count_newlines(std::string_view text) {
 size_t offset_of_line(const SourceFile& file, uint32_t line) {
     if (line <= 1) return 0;
     const uint32_t newlines = line - 1;
-    // `block` is the first block that has at least `newlines` newlines before it. So the newline that ends
-    // the previous line lies in the block before `block`, and the search starts there.
+    // Each block knows how many newlines precede it. `block` is the first block that at least `newlines`
+    // newlines precede, so the newline before the wanted line is in the block before `block`.
     const auto block = std::ranges::lower_bound(file.newlines_before, newlines);
     const auto blocks_before = block - file.newlines_before.begin();
     size_t at = blocks_before > 0 ? static_cast<size_t>(blocks_before - 1) * kBlockBytes : 0;

@@ -107,7 +107,7 @@ AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask asp
     if (aspects == aspect::kNone) {
         state.layout = Layout::undefined;
         if (a == Access::sampled_read) state.access = access::kStorageRead;
-        // Filling a buffer waits and signals in both stages, clear and copy, because validation layers and
+        // A barrier for the fill of a buffer names two stages, clear and copy, because validation layers and
         // drivers disagree on which of the two stages vkCmdFillBuffer belongs to.
         if (a == Access::clear_write) state.stages |= stage::kCopy;
     }

@@ -1,7 +1,7 @@
 // Purpose: divides an image into boxes of mips × layers, called cells. The cells are as large as possible,
-// but each range that a pass uses in the frame is a union of whole cells. So the state of an image is tracked
-// per cell, and cells with equal results are merged into ranges again. Aspects are not divided, because depth
-// and stencil of an image always change together.
+// but each range that a pass uses in the frame is a union of whole cells. So the state of an image can be
+// tracked per cell. Cells that need the same barrier are merged into ranges again. Aspects are not divided,
+// because depth and stencil of an image always change together.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Purpose: displays any resource of a graph for debugging. A pass and an image are added to the graph before
-// the graph is resolved, and the added image is observed; the output image of the graph does not change.
-// Errors: W103 no debug view and no resource has the given name, W109 the graph already uses a name that
-// would be added.
+// the graph is resolved. The pass draws the resource into the image, which the program can read back or show.
+// The output image of the graph does not change. Errors: W103 no debug view and no resource has the given
+// name, W109 the graph already uses a name that would be added.
 #pragma once
 
 #include <string>

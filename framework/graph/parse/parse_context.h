@@ -107,7 +107,7 @@ bool read_expression(ParseContext& context, const JsonNode& node, Expr& out);
 void read_color(ParseContext& context, const JsonNode& node, std::optional<ColorDesc>& out);
 // Reads an expression as read_expression() does, but also accepts true as 1 and false as 0.
 bool read_switch(ParseContext& context, const JsonNode& node, Expr& out);
-// Reads a size or a number: a number, an expression in a string, or an array [width, height] of both kinds.
+// Reads a size or a number: one number or expression, or an array [width, height] of numbers or expressions.
 bool read_size(ParseContext& context, const JsonNode& node, Expr& out);
 // Reads an array of names and records the source location of each name.
 void read_names(ParseContext& context, const JsonNode& node, std::vector<std::string>& names,
@@ -123,7 +123,8 @@ void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, st
 void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
                 const std::vector<std::string>& allowed);
 
-// Readers for values from a table of allowed words. Returns false if `choices` has no entry with this name.
+// Searches a table of allowed words and sets `out` to the value of the word `name`. Returns false if the
+// table does not contain this word.
 template <class E>
 bool find_choice(std::span<const Choice<E>> choices, std::string_view name, E& out) {
     for (const Choice<E>& choice : choices) {

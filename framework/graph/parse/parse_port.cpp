@@ -226,7 +226,8 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
     for (const auto& [key, help] :
          {std::pair{"list", "name the draw list: { \"list\": \"opaque\", \"indirect\": \"commands\" }"},
           std::pair{"indirect", "name the buffer of draw commands, or write \"draws\": [\"opaque\"]"}})
-        // With two members, a key that is not found is probably misspelt and already reported as unknown.
+        // If the object has two members but not this key, the key is probably misspelt and was already
+        // reported as unknown.
         if (node.find(key) == nullptr && node.members.size() < 2)
             missing_key(context, node.loc, "a list drawn indirectly", key, help);
     if (!draft.list.empty()) {
@@ -242,7 +243,8 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
     constexpr std::string_view kWhat = "draws without a list";
     if (!read_object(context, node, kWhat, kVerticesKeys, pass)) return;
     const auto is_known = [](const JsonMember& member) { return member.key == "instances"; };
-    // Any key except "instances" is either "vertices" or a misspelling that was already reported.
+    // The missing key is reported only if there is no key except "instances". Any other key is "vertices"
+    // itself, or a misspelling that was already reported.
     if (std::ranges::all_of(node.members, is_known))
         missing_key(context, node.loc, kWhat, "vertices", "give the number: { \"vertices\": 3 }");
 }

@@ -1,7 +1,7 @@
-// Purpose: the stage of resolve() that binds the ports of passes. A reference becomes a resource, a range of
-// the resource and a pinned pass. Each port is matched by name with the shader's binding or with the port
-// that the pass type declares, which determines the kind of access. Draw lists, views and specialisation
-// constants are bound too.
+// Purpose: the stage of resolve() that binds the ports of passes. A reference of a port becomes a resource, a
+// range of the resource, and the passes that `@pass` names. Each port is matched by name with the shader's
+// binding or with the port that the pass type declares, which determines the kind of access. Draw lists,
+// views and specialisation constants are bound too.
 // Errors: W103 to W106, W109, W110, W112 to W114, W118, W121 to W123, W165, W167, W168, W170, W171, W173,
 // W175, W176, W182, W185, W186. Warnings: W137.
 #pragma once
@@ -33,8 +33,9 @@ struct PortDraft {
     const ShaderBinding* binding = nullptr;
     // The fragment output of the shader; null unless the port is a colour attachment.
     const StageVariable* color_output = nullptr;
-    // The passes that `@pass` in the reference names. If the named pass has a repeat, all its passes in the
-    // order of the repeat. Empty: the reference pins no version.
+    // The passes that `@pass` in the reference names: the reference selects the version of the resource after
+    // these passes. If the named pass has a repeat, all its passes in the order of the repeat. Empty: the
+    // reference contains no `@pass`.
     std::vector<PassId> pins;
     WriteRank rank = WriteRank::fresh;
     bool is_depth_port = false;

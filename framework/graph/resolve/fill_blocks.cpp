@@ -162,8 +162,8 @@ class BlockFiller {
     }
 
     // Fills a member such as "colorValid", which says whether a frame has written the content of the port
-    // "color". The value is always 1, except for content of an earlier frame, which the first frames do not
-    // have.
+    // "color". The value is always 1, except for content of an earlier frame, which does not exist yet in the
+    // first frames.
     bool from_port_valid(const BlockMember& member, ParamWrite& write) {
         if (stands_for_absent(member.name, kValidSuffix)) {
             store(member, write, {0}, shader_loc());

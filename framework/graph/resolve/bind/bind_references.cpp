@@ -83,7 +83,7 @@ class ReferenceBinder {
         return kNoId;
     }
 
-    // Checks the pass that a reference pins. Returns false after reporting an error.
+    // Checks the pass that a reference names with `@pass`. Returns false after reporting an error.
     bool check_pin(PassId pass, const RefDesc& ref) {
         if (ref.pass == declared_.author_name(pass) &&
             declared_.expansion.passes[pass].desc->repeat.empty()) {
@@ -118,7 +118,7 @@ class ReferenceBinder {
             return std::nullopt;
         }
         if (!check_pin(pass, ref) || result_.suspects.shapes[resource]) {
-            // The pass writes this resource, but it is unknown which range of it.
+            // The pass writes this resource, but it is unknown which range of the resource.
             result_.suspects.passes[pass] = 1;
             if (is_output) result_.suspects.writers[resource] = 1;
             return std::nullopt;

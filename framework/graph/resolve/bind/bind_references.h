@@ -1,4 +1,5 @@
-// Purpose: finds the resource, range and pinned passes for the references of all ports. Private to bind().
+// Purpose: finds the resource, the range, and the passes named with `@pass` for the references of all ports.
+// Private to bind().
 #pragma once
 
 #include "graph/resolve/bind.h"

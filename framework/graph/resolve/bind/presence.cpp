@@ -20,7 +20,8 @@ bool passes_on(const PassDesc& desc, const std::string& name) {
     return reads_it || blend_of(desc, out->port).enabled;
 }
 
-// Returns the name of the pass that a removed pass itself pins for this resource, or null if it pins none.
+// Returns the name of the pass whose version of the resource a removed pass itself selects with `@pass`, or
+// null if the removed pass contains no such reference.
 const std::string* own_pin(const PassDesc& desc, const std::string& name) {
     for (const std::vector<PortDesc>* ports : {&desc.in, &desc.out}) {
         for (const PortDesc& port : *ports) {
@@ -52,7 +53,8 @@ std::set<std::string> Presence::writers_of(const std::string& resource, PassId e
 void Presence::find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const {
     const Expansion& expansion = declared_.expansion;
     const std::string* name = &ref.pass;
-    // Limits the number of iterations, because removed passes may pin each other in a cycle.
+    // Limits the number of iterations, because removed passes may refer to each other with `@pass` in a
+    // cycle.
     for (size_t steps = 0; steps <= expansion.dropped.size(); ++steps) {
         const std::vector<PassId>& pins = expansion.instances.at(*name);
         reporter_.spend(1 + pins.size(), ref.loc);

@@ -13,7 +13,8 @@ namespace weft {
 struct BoundPort {
     UseDecl use;
     PortDraft draft;
-    // True if the pinned pass was removed, and it is unknown which earlier version would have stayed visible.
+    // True if the pass that the reference names with `@pass` was removed, and it is unknown which earlier
+    // version would have stayed visible.
     bool pin_is_gone = false;
 };
 
@@ -27,8 +28,8 @@ class Presence {
              PassReporter& report, Reporter& reporter)
         : declared_(declared), outputs_(outputs), suspects_(suspects), report_(report), reporter_(reporter) {}
 
-    // Finds the passes that the `@pass` of `ref` pins; `ref` must have one. If the pinned pass was removed by
-    // `if`, finds the passes whose version stays visible in its place.
+    // Finds the passes that `@pass` in `ref` names; `ref` must contain an `@pass`. If that pass was removed
+    // by `if`, finds the passes whose version stays visible in its place.
     void find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const;
     // Returns false if only removed passes write the resource that the input reads.
     [[nodiscard]] bool is_present(PassId pass, const BoundPort& input) const;

@@ -30,7 +30,8 @@ ValueRange float_range(const FormatInfo& format) {
     if (name == "b10g11r11f") return {0, 64512};
     if (name == "rgb9e5") return {0, 65408};
     if (name.find("snorm") != std::string_view::npos) return {-1, 1};
-    if (!name.ends_with("f")) return {0, 1};  // unorm and sRGB
+    // The names of float formats end with "f". All other formats at this point are unorm or sRGB.
+    if (!name.ends_with("f")) return {0, 1};
     if (channel_bits(format) == 16) return {-kMostHalf, kMostHalf};
     return {-double{std::numeric_limits<float>::max()}, double{std::numeric_limits<float>::max()}};
 }

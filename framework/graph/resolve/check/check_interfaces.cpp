@@ -246,8 +246,9 @@ class InterfaceCheck {
         }
         if (binding.members.empty() || !binding.members.back().is_runtime_array || resource.stride_bytes == 0)
             return;
-        // Reading vec4s as floats is allowed; the shader's elements must not cross the boundaries of the
-        // resource's elements.
+        // The shader may declare elements of another size than those of the buffer, for example read a buffer
+        // of vec4 as floats. But one of the two sizes must be a multiple of the other, so that no element
+        // crosses the border of another element.
         const uint32_t step = binding.members.back().array_stride_bytes;
         if (step == 0 || step % resource.stride_bytes == 0 || resource.stride_bytes % step == 0) return;
         error(use, "W166",
@@ -275,7 +276,8 @@ bool both_writes_or_other_layout(const std::vector<ResourceDecl>& resources, con
            access_state(b.access, 0, resource.aspects).layout;
 }
 
-// A subresource has one layout while a pass runs, and only one port may write it.
+// Checks the ports of a pass against each other: during a pass, each subresource has one layout, and at most
+// one port writes it.
 void check_layouts(const Declared& declared, const FormattedGraph& graph, PassId pass, PassReporter& report) {
     const std::vector<UseDecl>& uses = graph.passes[pass].uses;
     for (size_t i = 0; i < uses.size(); ++i) {

@@ -1,5 +1,5 @@
 // Purpose: divides a resource into cells: the largest boxes of mips, layers and aspects that every use covers
-// completely or not at all. So versions can be tracked per cell. Private to version().
+// completely or not at all. Versions are tracked per cell. Private to version().
 #pragma once
 
 #include <map>
@@ -19,13 +19,14 @@ struct CellUse {
 struct Cell {
     ResourceId resource = kNoId;
     SubresourceRange range;
-    // One use for each pass that writes the cell. In the order of the versions if `ordered` is true.
+    // The passes that write the cell, one use for each pass. If `ordered` is true, they are in the order of
+    // their versions.
     std::vector<CellUse> writers;
     // The uses that read the cell and do not write it.
     std::vector<CellUse> readers;
     bool ordered = false;
-    // For each reader that pins a pass which does not write this cell: the writers whose versions may come
-    // before the reader.
+    // For each reader with an `@pass` that names a pass which does not write this cell: the writers whose
+    // versions may come before the reader.
     std::map<CellUse, std::vector<PassId>> foreign_pins;
 
     // Returns the index into `writers` of a pass, or -1 if the pass does not write the cell.

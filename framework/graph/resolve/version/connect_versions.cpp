@@ -10,7 +10,8 @@
 namespace weft {
 namespace {
 
-// The content that one use sees, collected from all cells of the use's range.
+// The content that one use sees, collected from all cells of its range. A cell is a part of a resource that
+// every use covers completely or not at all.
 struct Seen {
     // The version seen in each cell that has content.
     std::vector<VersionSource> sources;
@@ -18,7 +19,8 @@ struct Seen {
     std::vector<VersionSource> nothing;
     // True if the use sees content that a pass of this frame has written.
     bool this_frame = false;
-    // True if the order of the writers is unknown in some cell. An error about that was reported.
+    // True if the order of the writers is unknown in some cell of the use's range. An error about that was
+    // reported.
     bool unknown = false;
 };
 
@@ -141,8 +143,9 @@ class VersionConnector {
                (declared_.expansion.passes[u.pass].custom && reads(a)) || wants_last_frame(u);
     }
 
-    // Returns true if the author declares ("partial" or a pin) that the previous version stays visible where
-    // this pass does not write. Not for attachments, which are cleared if there is no previous version.
+    // Returns true if the author declares, with "partial" or `@pass`, that the previous version stays visible
+    // where this pass does not write. Returns false for attachments, which are cleared if there is no
+    // previous version.
     bool keeps_the_rest(const CellUse& u) {
         const PortDraft& draft = port(u);
         const bool attachment = draft.color_output != nullptr || draft.is_depth_port;

@@ -9,11 +9,11 @@
 
 namespace weft {
 
-// Returns the pinned passes whose versions `pass` may see. If `pass` belongs to the pinned repeat itself,
-// these are only the earlier passes of the repeat.
+// Returns those passes named by the port's `@pass` whose versions `pass` may see. If `pass` belongs to the
+// named repeat itself, these are only the earlier passes of the repeat.
 [[nodiscard]] std::span<const PassId> visible_pins(const PortDraft& port, PassId pass);
-// Returns the index of the writer whose version `reader` sees in a cell with ordered writers, or -1 if
-// `reader` sees the content from before the frame.
+// Returns which version of a cell (a part of a resource) `reader` sees, as an index into the ordered writers
+// of the cell. -1 means the content from before the frame.
 [[nodiscard]] int version_seen(const VersionedGraph& graph, const Cell& cell, const CellUse& reader);
 // Fills in the sources, accesses and states of all uses, and the edges of the graph. Errors: W110 for reads
 // of content that no pass writes.

@@ -10,10 +10,11 @@
 namespace weft {
 namespace {
 
-// Finds the order of the passes that write each cell. First collects what orders passes: `after`, pins, and
-// reads that must follow all writers. Then puts the writers of each cell in order. This orders more passes,
-// because the readers of a version run before the next writer; so the step is repeated until nothing changes.
-// Writers that have no order in the end are error W111, and a cycle is error W150.
+// Finds the order of the passes that write each cell, a part of a resource that every use covers completely
+// or not at all. First collects what orders passes: `after`, references with `@pass`, and reads that must
+// follow all writers. Then puts the writers of each cell in order. This orders more passes, because the
+// readers of a version run before the next writer; so this step is repeated until nothing changes. Writers
+// that have no order in the end are error W111, and a cycle is error W150.
 class WriterOrder {
  public:
     WriterOrder(const Declared& declared, VersionedGraph& graph, std::vector<Cell>& cells, Reporter& reporter)
@@ -55,14 +56,14 @@ class WriterOrder {
 
     const std::vector<PassDraft>& drafts() const { return declared_.expansion.passes; }
 
-    // Counts the steps that searches in the order have taken since the last call.
+    // Counts the steps that searches of the pass order have taken since the last call.
     void pay(SourceLoc loc) {
         reporter_.spend(order_.work() - paid_, loc);
         paid_ = order_.work();
     }
 
-    // Returns the number of steps for finding one writer of a cell. One step covers many comparisons, because
-    // they are fast.
+    // Returns the number of steps that are counted for finding one writer of a cell. One step covers 64
+    // comparisons, because a comparison is fast.
     static uint64_t search_steps(const Cell& cell) {
         constexpr size_t kWritersPerStep = 64;
         return 1 + cell.writers.size() / kWritersPerStep;
@@ -146,7 +147,8 @@ class WriterOrder {
         if (!writes_cell) cell.foreign_pins[reader];
     }
 
-    // Adds arcs so that the passes of one repeat write a cell one after the other.
+    // Adds arcs ("from" runs before "to") between the passes of one repeat that write the cell, so that they
+    // run one after the other.
     void add_repeats(const Cell& cell) {
         std::map<const PassDesc*, std::map<uint32_t, CellUse>> repeats;
         for (const CellUse& writer : cell.writers) {
@@ -163,9 +165,9 @@ class WriterOrder {
         }
     }
 
-    // If exactly one writer starts a new version, adds arcs so that it runs before all other writers of the
-    // cell. If no writer starts a new version, the same holds for a single writer that continues a version
-    // but can also start without one (WriteRank::resumes).
+    // If exactly one writer of the cell starts a new version, adds arcs so that this writer runs before all
+    // other writers. If no writer starts a new version, the same holds for a single writer that continues a
+    // version but can also start without one (WriteRank::resumes).
     void add_base(const Cell& cell) {
         if (cell.writers.size() < 2) return;
         const auto rank = [this](const CellUse& w) { return port(w).rank; };
@@ -178,8 +180,9 @@ class WriterOrder {
         }
     }
 
-    // Resolves pins x@p where pass p does not write x. The pin means the version of the last writer of x that
-    // does not run after p, so the reader runs after all such writers. Returns false if this causes a cycle.
+    // Resolves references x@p where pass p does not write x. The reference means the version of the last
+    // writer of x that does not run after p, so the reader runs after all such writers. Returns false if this
+    // causes a cycle.
     bool add_foreign_pins() {
         std::map<PassId, std::vector<uint8_t>> reached;
         bool any = false;

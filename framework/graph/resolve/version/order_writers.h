@@ -1,4 +1,5 @@
-// Purpose: orders the passes that write each cell. Private to version().
+// Purpose: orders the passes that write each cell, a part of a resource that every use covers completely or
+// not at all. Private to version().
 #pragma once
 
 #include <vector>

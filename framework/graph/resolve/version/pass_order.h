@@ -15,8 +15,8 @@ struct OrderArc {
     EdgeKind kind = EdgeKind::raw;
     ResourceId resource = kNoId;
     SourceLoc loc;
-    // True if pass `to` reads a resource with several writers without pinning one of them. Then a pin can
-    // break a cycle.
+    // True if pass `to` reads a resource with several writers, and its reference contains no `@pass` that
+    // selects one of them. Adding an `@pass` can then break a cycle.
     bool pinnable = false;
 };
 

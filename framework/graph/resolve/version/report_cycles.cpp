@@ -104,8 +104,8 @@ class CycleReport {
         return knot;
     }
 
-    // Returns the arc with which the message begins: preferably an arc that a pin would remove, then an arc
-    // of `after`.
+    // Returns the arc with which the message begins: preferably an arc that an `@pass` in a reference would
+    // remove, otherwise an arc from an `after`.
     const OrderArc* best_cut(const std::vector<PassId>& knot) const {
         const OrderArc* best = nullptr;
         const auto rank = [](const OrderArc& arc) {
@@ -137,7 +137,7 @@ class CycleReport {
     }
 
     // Returns the name of a pass outside the cycle that writes the resource, so that the help can suggest to
-    // pin its version. Returns an empty text if there is none.
+    // read its version with `@pass`. Returns an empty text if there is none.
     std::string writer_outside(const std::vector<PassId>& knot, ResourceId resource) const {
         for (const WriteRank rank : {WriteRank::fresh, WriteRank::resumes, WriteRank::in_place}) {
             for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
