@@ -4,23 +4,17 @@
 
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
+#include "graph/resolve/pass_stage.h"
 
 namespace weft {
 namespace {
 
-class PassAttacher {
+class PassAttacher : PassStage {
  public:
     PassAttacher(const Declared& declared, const VersionedGraph& graph, PassId pass, Attachments& attachments,
                  Reporter& reporter)
-        : declared_(declared),
-          graph_(graph),
-          pass_(pass),
-          draft_(declared.expansion.passes[pass]),
-          bound_(graph.passes[pass]),
-          result_(attachments.passes[pass]),
-          suspects_(attachments.suspects),
-          evaluator_(declared.evaluator(attachments.suspects, reporter)),
-          report_(declared.shapes, declared.expansion, attachments.suspects, reporter) {}
+        : PassStage(declared, graph, pass, attachments.suspects, reporter),
+          result_(attachments.passes[pass]) {}
 
     void run() {
         for (uint32_t i = 0; i < bound_.uses.size(); ++i) {
@@ -42,10 +36,8 @@ class PassAttacher {
     }
 
  private:
-    const PassDesc& desc() const { return *draft_.desc; }
-
     void error(SourceLoc loc, const char* code, const std::string& message, const std::string& help) {
-        add_help(report_.error(pass_, loc, code, message), help);
+        add_help(report(loc, code, message), help);
     }
 
     std::array<float, 4> clear_value(const UseDecl& use) {
@@ -215,15 +207,7 @@ class PassAttacher {
         }
     }
 
-    const Declared& declared_;
-    const VersionedGraph& graph_;
-    PassId pass_;
-    const PassDraft& draft_;
-    const BoundPass& bound_;
     PassAttachments& result_;
-    const Suspects& suspects_;
-    Evaluator evaluator_;
-    PassReporter report_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "graph/diagnostics/whole_number.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
+#include "graph/resolve/pass_stage.h"
 
 namespace weft {
 namespace {
@@ -25,19 +26,11 @@ constexpr std::string_view kSizeSuffix = "Size";
 constexpr std::string_view kValidSuffix = "Valid";
 constexpr std::string_view kDrawsSuffix = "Draws";
 
-class BlockFiller {
+class BlockFiller : PassStage {
  public:
     BlockFiller(const Declared& declared, const VersionedGraph& graph, PassId pass, Blocks& blocks,
                 Reporter& reporter)
-        : declared_(declared),
-          graph_(graph),
-          pass_(pass),
-          draft_(declared.expansion.passes[pass]),
-          bound_(graph.passes[pass]),
-          result_(blocks.passes[pass]),
-          suspects_(blocks.suspects),
-          evaluator_(declared.evaluator(pass, blocks.suspects, reporter)),
-          report_(declared.shapes, declared.expansion, blocks.suspects, reporter) {}
+        : PassStage(declared, graph, pass, blocks.suspects, reporter), result_(blocks.passes[pass]) {}
 
     void run() {
         report_params_without_member();
@@ -47,10 +40,10 @@ class BlockFiller {
         result_.push_constants = block.push_constants;
         const uint32_t limit = declared_.input.profile.max_push_constants_bytes;
         if (block.push_constants && block.size_bytes > limit) {
-            Diagnostic& d = report_.error(pass_, shader_loc(), "W178",
-                                          "Params of shader " + quote(draft_.desc->shader) + " has " +
-                                              std::to_string(block.size_bytes) +
-                                              " bytes; push constants hold " + std::to_string(limit));
+            Diagnostic& d = report(shader_loc(), "W178",
+                                   "Params of shader " + quote(draft_.desc->shader) + " has " +
+                                       std::to_string(block.size_bytes) + " bytes; push constants hold " +
+                                       std::to_string(limit));
             add_help(d, "declare it as a uniform block: `uniform Params { … };`");
         }
         for (const BlockMember& member : block.members) write_member(member);
@@ -62,7 +55,7 @@ class BlockFiller {
     }
 
     void error(SourceLoc loc, const std::string& message, const std::vector<std::string>& help) {
-        Diagnostic& d = report_.error(pass_, loc, "W113", message);
+        Diagnostic& d = report(loc, "W113", message);
         for (const std::string& line : help) add_help(d, line);
     }
 
@@ -245,15 +238,7 @@ class BlockFiller {
                "give it in the pass: \"params\": { " + quote(member.name) + ": 0 }"});
     }
 
-    const Declared& declared_;
-    const VersionedGraph& graph_;
-    PassId pass_;
-    const PassDraft& draft_;
-    const BoundPass& bound_;
     PassBlock& result_;
-    const Suspects& suspects_;
-    Evaluator evaluator_;
-    PassReporter report_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "graph/resolve/check/check_copy.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
+#include "graph/resolve/pass_stage.h"
 
 namespace weft {
 namespace {
@@ -24,19 +25,11 @@ bool holds_floats(const Shapes& shapes, ResourceId resource) {
     return desc->element == "f32" || desc->element == "mat4" || desc->element.starts_with("vec");
 }
 
-class DispatchSizer {
+class DispatchSizer : PassStage {
  public:
     DispatchSizer(const Declared& declared, const VersionedGraph& graph, PassId pass, Dispatches& dispatches,
                   Reporter& reporter)
-        : declared_(declared),
-          graph_(graph),
-          pass_(pass),
-          draft_(declared.expansion.passes[pass]),
-          bound_(graph.passes[pass]),
-          result_(dispatches.passes[pass]),
-          suspects_(dispatches.suspects),
-          evaluator_(declared.evaluator(pass, dispatches.suspects, reporter)),
-          report_(declared.shapes, declared.expansion, dispatches.suspects, reporter) {}
+        : PassStage(declared, graph, pass, dispatches.suspects, reporter), result_(dispatches.passes[pass]) {}
 
     void run() {
         check_local_size();
@@ -61,7 +54,7 @@ class DispatchSizer {
 
  private:
     void error(SourceLoc loc, const std::string& message, const std::string& help) {
-        add_help(report_.error(pass_, loc, "W114", message), help);
+        add_help(report(loc, "W114", message), help);
     }
 
     void count_indirectly() {
@@ -165,15 +158,7 @@ class DispatchSizer {
         }
     }
 
-    const Declared& declared_;
-    const VersionedGraph& graph_;
-    PassId pass_;
-    const PassDraft& draft_;
-    const BoundPass& bound_;
     PassDispatch& result_;
-    const Suspects& suspects_;
-    Evaluator evaluator_;
-    PassReporter report_;
 };
 
 // Finds the buffer with the draw commands of a raster pass, and checks that it has room for one command per

@@ -69,6 +69,15 @@ TEST_F(AttachTest, AFreshWriteCoversUnlessThePassClears) {
     EXPECT_EQ(found.colors[0].clear, (std::array<float, 4>{1, 0.5, 0, 1}));
 }
 
+TEST_F(AttachTest, AClearValueMayUseTheIndexOfTheRepeat) {
+    add_color(0, add_image("x"));
+    graph.passes["draw"].clear =
+        ColorDesc{{expression("i / 4"), expression("0"), expression("0"), expression("1")}};
+    expansion.passes[draw].indices = {{"i", 3}};
+    EXPECT_EQ(run().colors[0].clear, (std::array<float, 4>{0.75, 0, 0, 1}));
+    EXPECT_EQ(codes(), "");
+}
+
 TEST_F(AttachTest, AnAttachmentIsOneMipOfOneLayer) {
     const ResourceId x = add_image("x");
     shapes.resources[x].layers = 6;
