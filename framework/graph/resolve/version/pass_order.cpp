@@ -1,6 +1,7 @@
 #include "graph/resolve/version/pass_order.h"
 
 #include <cassert>
+#include <utility>
 
 namespace weft {
 
@@ -28,41 +29,47 @@ bool PassOrder::sort() {
     return ready.size() == out_.size();
 }
 
-bool PassOrder::reaches(PassId from, PassId to) {
-    ++search_;
+template <class Visitor>
+void PassOrder::search(PassId from, const Visitor& visit) const {
     std::vector<PassId> open{from};
     while (!open.empty()) {
         const PassId pass = open.back();
         open.pop_back();
         work_ += 1 + out_[pass].size();
         for (const uint32_t index : out_[pass]) {
-            const PassId next = arcs_[index].to;
-            if (next == to) return true;
-            // Positions are in topological order, so a pass at a later position than the goal cannot lead to
-            // the goal.
-            if (position_[next] > position_[to] || stamp_[next] == search_) continue;
-            stamp_[next] = search_;
-            open.push_back(next);
+            switch (visit(arcs_[index].to)) {
+                case Visit::stop:
+                    return;
+                case Visit::enter:
+                    open.push_back(arcs_[index].to);
+                    break;
+                case Visit::skip:
+                    break;
+            }
         }
     }
-    return false;
+}
+
+bool PassOrder::reaches(PassId from, PassId to) {
+    ++search_;
+    bool found = false;
+    search(from, [&](PassId next) {
+        found = next == to;
+        if (found) return Visit::stop;
+        // Positions are in topological order, so a pass at a later position than the goal cannot lead to it.
+        if (position_[next] > position_[to] || stamp_[next] == search_) return Visit::skip;
+        stamp_[next] = search_;
+        return Visit::enter;
+    });
+    return found;
 }
 
 std::vector<uint8_t> PassOrder::reached_from(PassId from) const {
     std::vector<uint8_t> reached(out_.size(), 0);
     work_ += out_.size() / 16;
-    std::vector<PassId> open{from};
-    while (!open.empty()) {
-        const PassId pass = open.back();
-        open.pop_back();
-        work_ += 1 + out_[pass].size();
-        for (const uint32_t index : out_[pass]) {
-            const PassId next = arcs_[index].to;
-            if (reached[next]) continue;
-            reached[next] = 1;
-            open.push_back(next);
-        }
-    }
+    search(from, [&](PassId next) {
+        return std::exchange(reached[next], uint8_t{1}) == 0 ? Visit::enter : Visit::skip;
+    });
     return reached;
 }
 

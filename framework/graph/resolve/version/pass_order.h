@@ -40,6 +40,12 @@ class PassOrder {
     [[nodiscard]] const std::vector<std::vector<uint32_t>>& arcs_out() const { return out_; }
 
  private:
+    enum class Visit : uint8_t { enter, skip, stop };
+    // Calls visit(pass) for the end of every arc that leaves `from` or a pass that `visit` entered, until
+    // `visit` stops.
+    template <class Visitor>
+    void search(PassId from, const Visitor& visit) const;
+
     std::vector<OrderArc> arcs_;
     // Indices into arcs_ of the arcs that start at each pass, indexed by PassId.
     std::vector<std::vector<uint32_t>> out_;
