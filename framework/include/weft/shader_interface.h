@@ -13,6 +13,8 @@
 
 namespace weft {
 
+inline constexpr uint32_t kPortSet = 1;  // the descriptor set of a pass's ports
+
 enum class ShaderStage : uint8_t { vertex, fragment, compute };
 
 using ShaderStageMask = uint32_t;  // bit = 1 << ShaderStage

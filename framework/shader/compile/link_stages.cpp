@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 
-#include "shader/reflect/port_set.h"
 #include "shader/reflect/reflect_stage.h"
 
 namespace weft::shader {

@@ -2,7 +2,6 @@
 #include <optional>
 #include <utility>
 
-#include "shader/reflect/port_set.h"
 #include "shader/reflect/reflector.h"
 
 namespace weft::shader {

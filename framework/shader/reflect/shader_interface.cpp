@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <string_view>
 
-#include "shader/reflect/port_set.h"
-
 namespace weft {
 
 const ShaderBinding* ShaderInterface::find(std::string_view name) const {
     const auto found = std::ranges::find_if(bindings, [&](const ShaderBinding& binding) {
-        return binding.set == shader::kPortSet && binding.name == name;
+        return binding.set == kPortSet && binding.name == name;
     });
     return found == bindings.end() ? nullptr : &*found;
 }

@@ -14,7 +14,6 @@
 namespace weft::vk {
 
 inline constexpr uint32_t kFrameSet = 0;
-inline constexpr uint32_t kPortSet = 1;
 inline constexpr uint32_t kMaterialSet = 2;
 inline constexpr uint32_t kInstanceSet = 3;
 inline constexpr uint32_t kSetCount = 4;

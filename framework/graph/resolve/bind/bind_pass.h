@@ -7,9 +7,6 @@
 
 namespace weft {
 
-// The descriptor set that contains the ports of a pass.
-inline constexpr uint32_t kPortSet = 1;
-
 // The pass that is being bound; the argument of the functions below.
 struct PassBinding {
     const Declared& declared;
