@@ -56,7 +56,7 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         const bool mirrored = glm::determinant(glm::mat3(instance.transform)) < 0;
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
         const glm::vec3 center =
-            instance.transform * glm::vec4((mesh.bounds_min + mesh.bounds_max) * 0.5f, 1);
+            instance.transform * glm::vec4((mesh.bounds.min + mesh.bounds.max) * 0.5f, 1);
         for (const char* list : kDrawLists)
             if (is_in_draw_list(material, list))
                 lists_[list].push_back({geometry_.meshes[instance.mesh], i, instance.material,

@@ -37,9 +37,7 @@ Scene make_atrium(float hour) {
     add_cameras(parts);
     bake_floor_occlusion(parts);
 
-    const Bounds bounds = world_bounds(parts.scene);
-    parts.scene.bounds_min = bounds.min;
-    parts.scene.bounds_max = bounds.max;
+    parts.scene.bounds = world_bounds(parts.scene);
     return std::move(parts.scene);
 }
 

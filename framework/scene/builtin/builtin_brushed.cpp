@@ -155,9 +155,7 @@ Scene make_brushed() {
     scene.sky_zenith = glm::vec3(9, 10, 12);
     scene.sky_horizon = glm::vec3(14, 13, 12);
     scene.exposure_ev = -6.2f;
-    const Bounds bounds = world_bounds(scene);
-    scene.bounds_min = bounds.min;
-    scene.bounds_max = bounds.max;
+    scene.bounds = world_bounds(scene);
     return scene;
 }
 

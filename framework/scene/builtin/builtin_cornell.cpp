@@ -74,12 +74,6 @@ Camera front_camera(glm::vec3 eye, glm::vec3 at, float fov_y_rad) {
     return camera;
 }
 
-void finish(Scene& scene) {
-    const Bounds bounds = world_bounds(scene);
-    scene.bounds_min = bounds.min;
-    scene.bounds_max = bounds.max;
-}
-
 // Adds objects around the middle of the floor. The floor reflects each object, and some objects reflect each
 // other.
 void add_mirror_things(Scene& scene) {
@@ -125,7 +119,7 @@ Scene make_cornell() {
     // A constant ambient light that stands in for the indirect light between the walls.
     scene.sky_zenith = scene.sky_horizon = glm::vec3(2.6f, 2.2f, 1.8f);
     scene.exposure_ev = -4.2f;
-    finish(scene);
+    scene.bounds = world_bounds(scene);
     return scene;
 }
 
@@ -148,7 +142,7 @@ Scene make_mirror() {
     scene.sky_zenith = glm::vec3(70, 105, 170);
     scene.sky_horizon = glm::vec3(210, 225, 240);
     scene.exposure_ev = -8.6f;
-    finish(scene);
+    scene.bounds = world_bounds(scene);
     return scene;
 }
 

@@ -80,9 +80,7 @@ Scene make_spheres() {
     scene.sky_zenith = glm::vec3(70, 105, 170);
     scene.sky_horizon = glm::vec3(210, 225, 240);
     scene.exposure_ev = -9.6f;
-    const Bounds bounds = world_bounds(scene);
-    scene.bounds_min = bounds.min;
-    scene.bounds_max = bounds.max;
+    scene.bounds = world_bounds(scene);
     return scene;
 }
 

@@ -334,9 +334,7 @@ Scene make_stage() {
     scene.cameras.push_back(camera("wing", {-4.6f, 1.7f, 4.4f}, {0.5f, 1.1f, -0.4f}, 44));
     scene.sky_zenith = scene.sky_horizon = glm::vec3(1.1f, 1.2f, 1.6f);
     scene.exposure_ev = -5.6f;
-    const Bounds bounds = world_bounds(scene);
-    scene.bounds_min = bounds.min;
-    scene.bounds_max = bounds.max;
+    scene.bounds = world_bounds(scene);
     return scene;
 }
 

@@ -47,7 +47,7 @@ float range_for(glm::vec3 size, uint32_t count) {
 
 std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t seed) {
     LightRandom random(seed);
-    const glm::vec3 size = scene.bounds_max - scene.bounds_min;
+    const glm::vec3 size = scene.bounds.max - scene.bounds.min;
     const float range_m = range_for(size, count);
     // Illuminance of a light at a quarter of its range, in lux. There a surface with an albedo of 50 %
     // appears as middle grey (0.18).
@@ -57,7 +57,7 @@ std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t se
         Light& light = lights[i];
         light.name = "light " + std::to_string(i);
         const float x = random.unit(), y = random.unit(), z = random.unit();
-        light.position = scene.bounds_min + size * glm::vec3(x, y, z);
+        light.position = scene.bounds.min + size * glm::vec3(x, y, z);
         light.color = hue(random.unit());
         light.direction = random.direction();
         light.range_m = range_m * (0.5f + random.unit());
@@ -74,7 +74,7 @@ std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t se
     std::vector<Light> lights = seeded_lights(scene, count, seed);
     LightRandom random(seed ^ 0x9e3779b9u);
     for (Light& light : lights) {
-        const glm::vec3 room = glm::min(light.position - scene.bounds_min, scene.bounds_max - light.position);
+        const glm::vec3 room = glm::min(light.position - scene.bounds.min, scene.bounds.max - light.position);
         const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();
         const float x = nearest * random.unit(), z = nearest * random.unit();
         // The path is an ellipse along the x and z axes. Both of its half axes are at most the distance to

@@ -106,9 +106,7 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     if (scene.instances.empty()) {
         report.warn("S156", {}, "the scene has no triangles to draw", "add a mesh to a node of the scene");
     }
-    const Bounds bounds = world_bounds(scene);
-    scene.bounds_min = bounds.min;
-    scene.bounds_max = bounds.max;
+    scene.bounds = world_bounds(scene);
     return scene;
 }
 

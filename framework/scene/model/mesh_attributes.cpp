@@ -181,13 +181,13 @@ void generate_tangents(Mesh& mesh, uint32_t uv_set) {
 
 void compute_bounds(Mesh& mesh) {
     if (mesh.positions.empty()) {
-        mesh.bounds_min = mesh.bounds_max = glm::vec3(0);
+        mesh.bounds.min = mesh.bounds.max = glm::vec3(0);
         return;
     }
-    mesh.bounds_min = mesh.bounds_max = mesh.positions.front();
+    mesh.bounds.min = mesh.bounds.max = mesh.positions.front();
     for (const glm::vec3& position : mesh.positions) {
-        mesh.bounds_min = glm::min(mesh.bounds_min, position);
-        mesh.bounds_max = glm::max(mesh.bounds_max, position);
+        mesh.bounds.min = glm::min(mesh.bounds.min, position);
+        mesh.bounds.max = glm::max(mesh.bounds.max, position);
     }
 }
 

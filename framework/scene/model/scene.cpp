@@ -50,9 +50,9 @@ Bounds world_bounds(const Scene& scene) {
         }
         for (int corner = 0; corner < 8; ++corner) {
             grow(bounds, instance.transform,
-                 {(corner & 1) != 0 ? mesh.bounds_max.x : mesh.bounds_min.x,
-                  (corner & 2) != 0 ? mesh.bounds_max.y : mesh.bounds_min.y,
-                  (corner & 4) != 0 ? mesh.bounds_max.z : mesh.bounds_min.z});
+                 {(corner & 1) != 0 ? mesh.bounds.max.x : mesh.bounds.min.x,
+                  (corner & 2) != 0 ? mesh.bounds.max.y : mesh.bounds.min.y,
+                  (corner & 4) != 0 ? mesh.bounds.max.z : mesh.bounds.min.z});
         }
     }
     if (!(bounds.min.x <= bounds.max.x)) return {};

@@ -37,10 +37,10 @@ void move_away(scene::Scene& scene, const glm::vec3& by) {
 // The scene's own cameras, and views from inside its bounds in all directions.
 std::vector<scene::Camera> cameras(const scene::Scene& scene, size_t count) {
     std::vector<scene::Camera> found = scene.cameras;
-    const glm::vec3 size = scene.bounds_max - scene.bounds_min;
+    const glm::vec3 size = scene.bounds.max - scene.bounds.min;
     for (size_t i = found.size(); i < count; ++i) {
         const auto turn = 2.4f * static_cast<float>(i);
-        const glm::vec3 eye = scene.bounds_min + size * glm::vec3(0.5f + 0.3f * std::sin(turn), 0.4f,
+        const glm::vec3 eye = scene.bounds.min + size * glm::vec3(0.5f + 0.3f * std::sin(turn), 0.4f,
                                                                   0.5f + 0.3f * std::cos(turn));
         const glm::vec3 at = eye + glm::vec3(std::cos(turn), -0.2f, std::sin(turn));
         scene::Camera camera;

@@ -19,8 +19,8 @@ scene::Scene room(const Radii& radii) {
     std::mt19937 engine(5);
     const auto unit = [&] { return static_cast<float>(engine() >> 8u) / 16777216.0f; };
     scene::Scene scene;
-    scene.bounds_min = {-8, -2, -60};
-    scene.bounds_max = {8, 6, 0};
+    scene.bounds.min = {-8, -2, -60};
+    scene.bounds.max = {8, 6, 0};
     for (int i = 0; i < 3072; ++i) {
         scene::Light light;
         const float x = unit(), y = unit(), z = unit();

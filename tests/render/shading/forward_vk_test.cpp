@@ -77,8 +77,8 @@ scene::Scene panes(bool nearest_first) {
     quad.tangents.assign(4, {1, 0, 0, 1});
     quad.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     quad.indices = {0, 1, 2, 0, 2, 3};
-    quad.bounds_min = {-4, -4, 0};
-    quad.bounds_max = {4, 4, 0};
+    quad.bounds.min = {-4, -4, 0};
+    quad.bounds.max = {4, 4, 0};
     scene.meshes = {quad};
     const std::array<glm::vec3, 3> glow{{{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}};
     for (uint32_t i = 0; i < 3; ++i) {

@@ -35,8 +35,8 @@ class Irradiance : public SessionTest {
         return measure(std::move(scene));
     }
     Measured measure(scene::Scene scene) {
-        scene.bounds_min = glm::vec3(-4);
-        scene.bounds_max = glm::vec3(4);
+        scene.bounds.min = glm::vec3(-4);
+        scene.bounds.max = glm::vec3(4);
         const Rendered r =
             render(scene, scene::framing_camera(scene, 1), {16, 16, 1}, 0, {"irradiance", "highlight"},
                    WEFT_SOURCE_DIR "/tests/render/irradiance/irradiance.json");

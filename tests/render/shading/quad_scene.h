@@ -22,8 +22,8 @@ inline scene::Scene quad_scene() {
     quad.tangents.assign(4, {1, 0, 0, 1});
     quad.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     quad.indices = {0, 1, 2, 0, 2, 3};
-    quad.bounds_min = {-1, -1, 0};
-    quad.bounds_max = {1, 1, 0};
+    quad.bounds.min = {-1, -1, 0};
+    quad.bounds.max = {1, 1, 0};
     scene.meshes = {quad};
     scene::Material material;
     material.metallic = 0;

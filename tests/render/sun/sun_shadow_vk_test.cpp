@@ -34,8 +34,8 @@ scene::Mesh box_mesh(const glm::vec3& least, const glm::vec3& most) {
             for (const uint32_t i : faces) mesh.indices.push_back(first + i);
         }
     }
-    mesh.bounds_min = least;
-    mesh.bounds_max = most;
+    mesh.bounds.min = least;
+    mesh.bounds.max = most;
     return mesh;
 }
 

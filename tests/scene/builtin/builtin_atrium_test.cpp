@@ -179,8 +179,8 @@ TEST(BuiltinLights, MoveWithinTheAtriumAndComeBack) {
         EXPECT_LT(glm::distance(position_at(light, 0.3), position_at(light, 0.3 + period_s)), 1e-3f);
         for (int i = 0; i < 16; ++i) {
             const glm::vec3 at = position_at(light, i * period_s / 16);
-            EXPECT_TRUE(glm::all(glm::greaterThanEqual(at, scene->bounds_min - 1e-3f)));
-            EXPECT_TRUE(glm::all(glm::lessThanEqual(at, scene->bounds_max + 1e-3f)));
+            EXPECT_TRUE(glm::all(glm::greaterThanEqual(at, scene->bounds.min - 1e-3f)));
+            EXPECT_TRUE(glm::all(glm::lessThanEqual(at, scene->bounds.max + 1e-3f)));
         }
     }
 }

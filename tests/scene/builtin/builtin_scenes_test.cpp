@@ -132,8 +132,8 @@ void expect_full_mip_chain(const Texture& texture) {
 
 void expect_bounds_of_everything(const Scene& scene) {
     const Bounds bounds = world_bounds(scene);
-    EXPECT_EQ(scene.bounds_min, bounds.min);
-    EXPECT_EQ(scene.bounds_max, bounds.max);
+    EXPECT_EQ(scene.bounds.min, bounds.min);
+    EXPECT_EQ(scene.bounds.max, bounds.max);
     for (const Camera& camera : scene.cameras) {
         EXPECT_LT(glm::length(glm::vec3(camera.transform[3])), 2 * glm::length(bounds.max - bounds.min))
             << camera.name;

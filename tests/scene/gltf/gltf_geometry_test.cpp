@@ -27,7 +27,7 @@ TEST_F(GltfGeometry, ReadsATriangle) {
     ASSERT_EQ(mesh.tangents.size(), 3u);
     expect_near(mesh.positions[1], {1, 0, 0});
     EXPECT_EQ(mesh.uvs[2], glm::vec2(0, 0));
-    expect_near(scene.bounds_max, {1, 1, 0});
+    expect_near(scene.bounds.max, {1, 1, 0});
     EXPECT_TRUE(warnings_.empty());
 }
 
@@ -63,7 +63,7 @@ TEST_F(GltfGeometry, KeepsOnlyTheVerticesThatAreUsed) {
     text.members["meshes"] = R"([{"primitives":[{"attributes":{"POSITION":0,"NORMAL":0},"indices":1}]}])";
     const Mesh mesh = load(text).meshes.at(0);
     EXPECT_EQ(mesh.positions.size(), 3u);
-    expect_near(mesh.bounds_max, {1, 1, 0});
+    expect_near(mesh.bounds.max, {1, 1, 0});
 }
 
 TEST_F(GltfGeometry, MissingNormalsAreFlat) {
@@ -196,8 +196,8 @@ TEST_F(GltfGeometry, ReadsQuantizedPositions) {
         R"([{"bufferView":0,"componentType":5122,"normalized":true,"count":3,"type":"VEC3"}])";
     text.members["meshes"] = R"([{"primitives":[{"attributes":{"POSITION":0}}]}])";
     const Mesh mesh = load(text).meshes.at(0);
-    expect_near(mesh.bounds_min, {0, -1, 0});
-    expect_near(mesh.bounds_max, {1, 0, 0});
+    expect_near(mesh.bounds.min, {0, -1, 0});
+    expect_near(mesh.bounds.max, {1, 0, 0});
 }
 
 }  // namespace

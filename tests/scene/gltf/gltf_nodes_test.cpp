@@ -22,8 +22,8 @@ TEST_F(GltfNodes, ComposesTranslationRotationScale) {
         {"mesh":0,"rotation":[0,0,0.70710678,0.70710678],"scale":[2,1,1]}])";
     const Scene scene = load(text);
     expect_near(apply(scene.instances.at(0).transform, {1, 0, 0}), {1, 4, 3});
-    expect_near(scene.bounds_min, {0, 2, 3});
-    expect_near(scene.bounds_max, {1, 4, 3});
+    expect_near(scene.bounds.min, {0, 2, 3});
+    expect_near(scene.bounds.max, {1, 4, 3});
     // Within one node, the scale applies first, then the rotation, then the translation.
     text.members["nodes"] =
         R"([{"mesh":0,"translation":[1,2,3],"rotation":[0,0,0.70710678,0.70710678],"scale":[2,1,1]}])";
@@ -146,10 +146,10 @@ TEST_F(GltfNodes, TheFramingCameraSeesTheWholeScene) {
 // fit into the smaller of the two fields of view.
 TEST_F(GltfNodes, TheFramingCameraOfAPortraitHoldsTheBoundingSphere) {
     const Scene scene = load(GltfText());
-    const float radius = glm::length(scene.bounds_max - scene.bounds_min) / 2;
+    const float radius = glm::length(scene.bounds.max - scene.bounds.min) / 2;
     for (const float aspect : {0.99f, 9.0f / 16, 0.25f, 0.01f}) {
         const Camera camera = framing_camera(scene, aspect);
-        const glm::vec3 centre = (scene.bounds_min + scene.bounds_max) * 0.5f;
+        const glm::vec3 centre = (scene.bounds.min + scene.bounds.max) * 0.5f;
         const float distance = glm::length(glm::vec3(camera.transform[3]) - centre);
         EXPECT_NEAR(distance, 1.9f * radius, 1e-4f);
         const float half_width = std::atan(std::tan(camera.fov_y_rad / 2) * aspect);

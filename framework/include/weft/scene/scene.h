@@ -17,6 +17,11 @@ namespace weft::scene {
 
 inline constexpr uint32_t kNone = UINT32_MAX;
 
+struct Bounds {
+    glm::vec3 min{0};
+    glm::vec3 max{0};
+};
+
 // One indexed triangle list. Every stream has as many elements as `positions`; the last two streams may be
 // empty.
 struct Mesh {
@@ -28,8 +33,7 @@ struct Mesh {
     std::vector<uint32_t> indices;      // three per triangle
     std::vector<glm::vec4> colors;      // factor for base colour and alpha, in [0, 1]; empty: 1 everywhere
     std::vector<glm::vec2> second_uvs;  // for slots whose uv_set is 1; empty: these slots use `uvs`
-    glm::vec3 bounds_min{0};
-    glm::vec3 bounds_max{0};
+    Bounds bounds;
 };
 
 enum class ColorSpace : uint8_t { linear, srgb };
@@ -159,8 +163,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<LightFunction> light_functions;
     std::vector<Camera> cameras;
-    glm::vec3 bounds_min{0};  // bounds of all instances, in world space
-    glm::vec3 bounds_max{0};
+    Bounds bounds;            // of all instances, in world space
     glm::vec3 sky_zenith{0};  // background radiance in cd/m², as a gradient; 0 with --env none
     glm::vec3 sky_horizon{0};
     Environment environment;  // if present, replaces the sky
@@ -171,10 +174,6 @@ struct Scene {
 
 [[nodiscard]] glm::vec3 position_at(const Light& light, double time_s);
 
-struct Bounds {
-    glm::vec3 min{0};
-    glm::vec3 max{0};
-};
 [[nodiscard]] Bounds world_bounds(const Scene& scene);
 
 // The default camera for a scene without one: it looks at the bounds' centre from direction (0.9, 0.75, 1.3),
