@@ -4,6 +4,18 @@
 #include "vulkan/device/vk_result.h"
 
 namespace weft::render {
+namespace {
+
+VkWriteDescriptorSet write_of(VkDescriptorSet set, uint32_t binding, VkDescriptorType type, size_t count) {
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = static_cast<uint32_t>(count);
+    write.descriptorType = type;
+    return write;
+}
+
+}  // namespace
 
 Result<DescriptorSets> DescriptorSets::create(vk::Device& device,
                                               std::span<const VkDescriptorSetLayoutBinding> bindings,
@@ -44,22 +56,15 @@ Result<DescriptorSets> DescriptorSets::create(vk::Device& device,
 
 void write_buffers(vk::Device& device, VkDescriptorSet set, uint32_t binding, VkDescriptorType type,
                    std::span<const VkDescriptorBufferInfo> buffers) {
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = set;
-    write.dstBinding = binding;
-    write.descriptorCount = static_cast<uint32_t>(buffers.size());
-    write.descriptorType = type;
+    VkWriteDescriptorSet write = write_of(set, binding, type, buffers.size());
     write.pBufferInfo = buffers.data();
     device.fn().vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }
 
 void write_images(vk::Device& device, VkDescriptorSet set, uint32_t binding,
                   std::span<const VkDescriptorImageInfo> images) {
-    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-    write.dstSet = set;
-    write.dstBinding = binding;
-    write.descriptorCount = static_cast<uint32_t>(images.size());
-    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    VkWriteDescriptorSet write =
+        write_of(set, binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, images.size());
     write.pImageInfo = images.data();
     device.fn().vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }

@@ -9,16 +9,22 @@
 namespace weft::vk {
 namespace {
 
+// Makes `region` a VkImageCopy or VkImageBlit from mip `i` of the range `from` to mip `i` of the range `to`.
+template <class Region>
+void select_mip(Region& region, const SubresourceRange& from, const SubresourceRange& to, uint32_t i) {
+    region.srcSubresource = layers_to_vk(from);
+    region.srcSubresource.mipLevel = from.mip + i;
+    region.dstSubresource = layers_to_vk(to);
+    region.dstSubresource.mipLevel = to.mip + i;
+}
+
 void copy_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
     const FramePlan& plan = context.objects.plan;
     const Extent3D& source_extent = plan.graph.resources[from.resource].extent;
     std::vector<VkImageCopy> copies;
     for (uint32_t i = 0; i < std::min(from.range.mips, to.range.mips); ++i) {
         VkImageCopy copy{};
-        copy.srcSubresource = layers_to_vk(from.range);
-        copy.srcSubresource.mipLevel = from.range.mip + i;
-        copy.dstSubresource = layers_to_vk(to.range);
-        copy.dstSubresource.mipLevel = to.range.mip + i;
+        select_mip(copy, from.range, to.range, i);
         copy.extent = to_vk(mip_extent(source_extent, from.range.mip + i));
         copies.push_back(copy);
     }
@@ -39,10 +45,7 @@ void blit_images(const RecordContext& context, const UseDecl& from, const UseDec
     std::vector<VkImageBlit> blits;
     for (uint32_t i = 0; i < std::min(from.range.mips, to.range.mips); ++i) {
         VkImageBlit blit{};
-        blit.srcSubresource = layers_to_vk(from.range);
-        blit.srcSubresource.mipLevel = from.range.mip + i;
-        blit.dstSubresource = layers_to_vk(to.range);
-        blit.dstSubresource.mipLevel = to.range.mip + i;
+        select_mip(blit, from.range, to.range, i);
         blit.srcOffsets[1] =
             far_corner(mip_extent(plan.graph.resources[from.resource].extent, from.range.mip + i));
         blit.dstOffsets[1] =
