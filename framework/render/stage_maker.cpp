@@ -57,10 +57,8 @@ Rebuilt compare(const StageFingerprint& from, const StageFingerprint& to) {
 }  // namespace
 
 Result<FramePlan> StageMaker::make_plan(const ResolvedGraph& graph, const std::string& path) const {
-    CompileOptions options;
-    options.queues = logical_queues(device_.profile(), settings_.queues);
-    options.granularity_bytes = device_.profile().buffer_image_granularity_bytes;
-    FramePlan plan = compile(graph, vk::query_memory_needs(device_, graph), options);
+    FramePlan plan = compile(graph, vk::query_memory_needs(device_, graph),
+                             compile_options(device_.profile(), settings_.queues));
     Diagnostics faults;
     if (settings_.check_plan) faults = check_plan(plan);
     if (faults.empty()) faults = find_excess(device_, plan, loader_.settings().limits.graph, path);

@@ -75,10 +75,8 @@ uint64_t hash_of(const std::string& text) {
 }
 
 void prove(const ResolvedGraph& graph, const DeviceProfile& profile, uint32_t queues) {
-    CompileOptions options;
-    options.queues = logical_queues(profile, queues);
-    options.granularity_bytes = profile.buffer_image_granularity_bytes;
-    const Diagnostics faults = check_plan(compile(graph, profile_needs(graph, profile), options));
+    const Diagnostics faults =
+        check_plan(compile(graph, profile_needs(graph, profile), compile_options(profile, queues)));
     if (faults.empty()) return;
     std::fputs(to_text(faults).c_str(), stderr);
     std::abort();

@@ -17,10 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 FramePlan plan_for(const ResolvedGraph& graph, const DeviceProfile& profile, uint32_t queues) {
-    CompileOptions options;
-    options.queues = logical_queues(profile, queues);
-    options.granularity_bytes = profile.buffer_image_granularity_bytes;
-    return compile(graph, profile_needs(graph, profile), options);
+    return compile(graph, profile_needs(graph, profile), compile_options(profile, queues));
 }
 
 }  // namespace

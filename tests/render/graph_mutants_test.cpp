@@ -13,8 +13,7 @@
 #include "shader/shader_memory.h"
 #include "tests/render/graph_mutants.h"
 #include "weft/check/check_plan.h"
-#include "weft/compile.h"
-#include "weft/load/load_graph.h"
+#include "weft/load/plan_graph.h"
 #include "weft/registry.h"
 #include "weft/render/import_catalog.h"
 #include "weft/report/memory_report.h"
@@ -80,12 +79,9 @@ class GraphMutantsTest : public testing::Test {
     // Returns the faults of one tier; if there are none, checks its plan.
     Diagnostics check_tier(const JsonDoc& document, const LoadInput& input, uint32_t queues,
                            Diagnostics& warnings) {
-        const Result<LoadedGraph> loaded = load_graph(document, input, warnings);
-        if (!loaded) return loaded.errors();
-        CompileOptions options;
-        options.queues = logical_queues(profile_, queues);
-        options.granularity_bytes = profile_.buffer_image_granularity_bytes;
-        const FramePlan plan = compile(loaded->graph, profile_needs(loaded->graph, profile_), options);
+        const Result<PlannedGraph> planned = plan_graph(document, input, queues, warnings);
+        if (!planned) return planned.errors();
+        const FramePlan& plan = planned->plan;
         Diagnostics faults = budget_faults(plan, input.settings.limits.graph, input.request.path);
         if (!faults.empty()) return faults;
         EXPECT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));

@@ -4,8 +4,7 @@
 #include "viewer/commands/load_settings.h"
 #include "viewer/files/files.h"
 #include "weft/check/check_plan.h"
-#include "weft/compile.h"
-#include "weft/load/load_graph.h"
+#include "weft/load/plan_graph.h"
 #include "weft/registry.h"
 #include "weft/render/import_catalog.h"
 #include "weft/report/memory_report.h"
@@ -18,8 +17,9 @@ Diagnostics of_tier(Diagnostics faults, const std::string& tier) {
     return faults;
 }
 
-Result<LoadedGraph> load_offline(const JsonDoc& document, const OfflineOptions& options,
-                                 const DeviceProfile& profile, Diagnostics& warnings, SharedByTiers* shared) {
+Result<PlannedGraph> plan_offline(const JsonDoc& document, const OfflineOptions& options,
+                                  const DeviceProfile& profile, Diagnostics& warnings,
+                                  SharedByTiers* shared) {
     const PassCatalog passes = registered_passes();
     const ImportCatalog imports = render::scene_imports(options.request.size);
     const LoadSettings settings = load_settings(options.limits);
@@ -35,7 +35,7 @@ Result<LoadedGraph> load_offline(const JsonDoc& document, const OfflineOptions& 
             shared->formats = common_formats(document, input);
         if (shared->formats) input.common_formats = &*shared->formats;
     }
-    return load_graph(document, input, warnings);
+    return plan_graph(document, input, options.queues, warnings);
 }
 
 }  // namespace
@@ -48,18 +48,14 @@ Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOption
                                     Diagnostics& warnings, SharedByTiers* shared) {
     Result<DeviceProfile> profile = load_profile(options.profile);
     if (!profile) return profile.take_errors();
-    Result<LoadedGraph> loaded = load_offline(document, options, *profile, warnings, shared);
-    if (!loaded) return loaded.take_errors();
-    CompileOptions compile_options;
-    compile_options.granularity_bytes = profile->buffer_image_granularity_bytes;
-    compile_options.queues = logical_queues(*profile, options.queues);
-    OfflinePlan made{compile(loaded->graph, profile_needs(loaded->graph, *profile), compile_options),
-                     std::move(*profile),
-                     {}};
+    Result<PlannedGraph> planned = plan_offline(document, options, *profile, warnings, shared);
+    if (!planned) return planned.take_errors();
+    const LoadedGraph& loaded = planned->loaded;
+    OfflinePlan made{std::move(planned->plan), std::move(*profile), {}};
     // Check the debug views only if the graph has an output. A graph without an output is a module that other
     // graphs include, and those graphs may declare the resources that the views show.
-    if (loaded->graph.output != kNoId)
-        made.view_faults = of_tier(debug_view_faults(loaded->desc), options.request.tier);
+    if (loaded.graph.output != kNoId)
+        made.view_faults = of_tier(debug_view_faults(loaded.desc), options.request.tier);
     for (Diagnostic& d : made.view_faults) d.pointer = pointer_at(document, d.file, d.line, d.column);
     const std::string& file = document.sources.files.front().path;
     Diagnostics faults = budget_faults(made.plan, options.limits.graph, file);

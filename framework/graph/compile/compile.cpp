@@ -56,6 +56,11 @@ FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const Co
                                      .submissions = std::move(submitted)}));
 }
 
+CompileOptions compile_options(const DeviceProfile& profile, uint32_t queue_count) {
+    return {.granularity_bytes = profile.buffer_image_granularity_bytes,
+            .queues = logical_queues(profile, queue_count)};
+}
+
 MemoryNeeds content_needs(const ResolvedGraph& graph, uint64_t alignment_bytes) {
     MemoryNeeds needs(graph.resources.size());
     for (ResourceId id = 0; id < graph.resources.size(); ++id)

@@ -26,6 +26,9 @@ struct StageTime {
 // used.
 [[nodiscard]] std::vector<LogicalQueue> logical_queues(const DeviceProfile& profile, uint32_t count);
 
+// The options for a device with this profile and `queue_count` logical queues.
+[[nodiscard]] CompileOptions compile_options(const DeviceProfile& profile, uint32_t queue_count);
+
 // Runs the stages from cull to link. The checker is not called here: callers check the plan with check_plan()
 // (weft/check/check_plan.h), as every test and every debug build does. `times` gets the time of every stage,
 // in the order in which the stages run.

@@ -29,10 +29,7 @@ Result<DeviceProfile> shipped(const std::string& name) {
 }
 
 FramePlan planned(const ResolvedGraph& graph, const DeviceProfile& profile, uint32_t queues) {
-    CompileOptions options;
-    options.granularity_bytes = profile.buffer_image_granularity_bytes;
-    options.queues = logical_queues(profile, queues);
-    return compile(graph, profile_needs(graph, profile), options);
+    return compile(graph, profile_needs(graph, profile), compile_options(profile, queues));
 }
 
 class ShippedProfile : public testing::TestWithParam<const char*> {};
