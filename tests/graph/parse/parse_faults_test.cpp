@@ -1,5 +1,5 @@
 // Tests the errors for faults in the top level of a graph file and in its resources.
-#include "tests/graph/report/marked_graph.h"
+#include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <random>
 #include <sstream>
 
-#include "tests/graph/report/marked_graph.h"
 #include "tests/graph/samples/full_graph.h"
+#include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {
 namespace {

@@ -1,5 +1,5 @@
 // Tests the errors for faults in passes and in their pipeline states.
-#include "tests/graph/report/marked_graph.h"
+#include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {
 namespace {

@@ -1,7 +1,7 @@
 #include <ctime>
 
-#include "tests/graph/report/marked_graph.h"
 #include "tests/graph/samples/full_graph.h"
+#include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {
 namespace {

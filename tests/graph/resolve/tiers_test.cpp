@@ -1,5 +1,5 @@
 // Tests quality tiers: the effects of `set` and `patch`, and the errors for faults in them.
-#include "tests/graph/report/marked_graph.h"
+#include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {
 namespace {

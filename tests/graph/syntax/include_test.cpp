@@ -3,7 +3,7 @@
 #include <map>
 
 #include "graph/syntax/read_graph.h"
-#include "tests/graph/report/marked_graph.h"
+#include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/graph/report/marked_graph.h"
+#include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {
 namespace {

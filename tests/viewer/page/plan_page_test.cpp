@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "tests/graph/report/markup_reader.h"
+#include "tests/graph/report/html/markup_reader.h"
 #include "tests/viewer/program.h"
 
 namespace weft::test {

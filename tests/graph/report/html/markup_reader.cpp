@@ -1,4 +1,4 @@
-#include "tests/graph/report/markup_reader.h"
+#include "tests/graph/report/html/markup_reader.h"
 
 #include <cctype>
 #include <regex>

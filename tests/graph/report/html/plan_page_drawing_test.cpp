@@ -9,7 +9,7 @@
 #include "graph/report/html/plan_page_bytes.h"
 #include "graph/report/html/plan_page_sizes.h"
 #include "tests/graph/compile/plan_expectations.h"
-#include "tests/graph/report/markup_reader.h"
+#include "tests/graph/report/html/markup_reader.h"
 #include "tests/graph/samples/random_plan.h"
 
 namespace weft::test {

@@ -8,7 +8,7 @@
 #include "graph/compile/bench_graph.h"
 #include "graph/report/html/plan_page.h"
 #include "tests/graph/compile/plan_expectations.h"
-#include "tests/graph/report/markup_reader.h"
+#include "tests/graph/report/html/markup_reader.h"
 #include "tests/graph/samples/random_plan.h"
 
 namespace weft::test {
