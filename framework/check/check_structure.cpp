@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/check_scopes.h"
-#include "check/check_turns.h"
+#include "check/check_frame_slices.h"
 #include "check/overlaps.h"
 
 namespace weft::check {
@@ -287,7 +287,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_scopes(plan, faults);
     check_transfers(plan, faults);
     check_stages(plan, faults);
-    check_turns(plan, faults);
+    check_frame_slices(plan, faults);
     return true;
 }
 

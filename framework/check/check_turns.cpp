@@ -1,4 +1,4 @@
-#include "check/check_turns.h"
+#include "check/check_frame_slices.h"
 
 #include <algorithm>
 #include <map>
@@ -8,14 +8,14 @@
 namespace weft::check {
 namespace {
 
-bool takes_turns(const PassDecl& pass) {
+bool is_sliced(const PassDecl& pass) {
     return pass.frame_slices > 1;
 }
 
 // Returns true if both passes always run in the same frames.
 bool run_together(const PassDecl& a, const PassDecl& b) {
-    if (takes_turns(a) != takes_turns(b)) return false;
-    return !takes_turns(a) || (a.frame_slices == b.frame_slices && a.frame_slice == b.frame_slice);
+    if (is_sliced(a) != is_sliced(b)) return false;
+    return !is_sliced(a) || (a.frame_slices == b.frame_slices && a.frame_slice == b.frame_slice);
 }
 
 // The transitive successors of each pass in the graph.
@@ -52,9 +52,9 @@ class Followers {
 
 // The subresources of one resource that is written by at least one pass with frame slices, with all passes
 // that write each of them.
-class TurnedResource {
+class SlicedResource {
  public:
-    TurnedResource(const FramePlan& plan, ResourceId resource, Followers& followers, FaultList& faults)
+    SlicedResource(const FramePlan& plan, ResourceId resource, Followers& followers, FaultList& faults)
         : plan_(plan),
           decl_(plan.graph.resources[resource]),
           resource_(resource),
@@ -69,7 +69,7 @@ class TurnedResource {
             for (const UseDecl& use : plan_.graph.passes[id].uses) {
                 if (use.resource != resource_ || !writes(use.access)) continue;
                 add_writer(id, use);
-                if (!stays && takes_turns(plan_.graph.passes[id]) && plan_.live.live_passes[id])
+                if (!stays && is_sliced(plan_.graph.passes[id]) && plan_.live.live_passes[id])
                     report_lost(id, use);
             }
         }
@@ -88,7 +88,7 @@ class TurnedResource {
     struct Part {
         std::vector<PassId> writers;
         bool overwritten = false;  // True if a writer discards the previous content.
-        bool turned = false;       // True if a writer runs only in some frames.
+        bool sliced = false;       // True if a writer runs only in some frames.
     };
 
     template <class Visit>
@@ -104,11 +104,11 @@ class TurnedResource {
 
     void add_writer(PassId id, const UseDecl& use) {
         for_each_part(use.range, [&](Part& part, const SubresourceRange& cell) {
-            const bool goes_on = std::any_of(use.sources.begin(), use.sources.end(),
+            const bool scope_continues = std::any_of(use.sources.begin(), use.sources.end(),
                                              [&](const VersionSource& s) { return contains(s.range, cell); });
             if (part.writers.empty() || part.writers.back() != id) part.writers.push_back(id);
-            part.overwritten = part.overwritten || !goes_on;
-            part.turned = part.turned || takes_turns(plan_.graph.passes[id]);
+            part.overwritten = part.overwritten || !scope_continues;
+            part.sliced = part.sliced || is_sliced(plan_.graph.passes[id]);
         });
     }
 
@@ -116,11 +116,11 @@ class TurnedResource {
         for_each_part(source.range, [&](const Part& part, const SubresourceRange& cell) {
             // If every writer modifies the previous content, a reader sees the current content in every
             // frame.
-            if (!part.turned || !part.overwritten) return;
+            if (!part.sliced || !part.overwritten) return;
             const bool before = source.producer == kNoId;
             const PassId named = before ? last_of(part) : source.producer;
             const PassDecl& maker = plan_.graph.passes[named];
-            if (!takes_turns(maker) || (!before && run_together(maker, plan_.graph.passes[reader]))) return;
+            if (!is_sliced(maker) || (!before && run_together(maker, plan_.graph.passes[reader]))) return;
             for (const PassId other : part.writers) {
                 if (other == named) continue;
                 if (run_together(maker, plan_.graph.passes[other]) && !followers_.follows(named, other))
@@ -169,7 +169,7 @@ class TurnedResource {
 void check_dropped_content(const FramePlan& plan, FaultList& faults) {
     for (const PassStep& step : plan.barriers.steps) {
         const PassDecl& pass = plan.graph.passes[step.pass];
-        if (!takes_turns(pass)) continue;
+        if (!is_sliced(pass)) continue;
         for (const BarrierDecl& barrier : step.barriers) {
             const ResourceDecl& resource = plan.graph.resources[barrier.resource];
             const bool image = resource.kind == ResourceKind::image;
@@ -187,15 +187,15 @@ void check_dropped_content(const FramePlan& plan, FaultList& faults) {
 
 }  // namespace
 
-void check_turns(const FramePlan& plan, FaultList& faults) {
-    std::vector<uint8_t> turned(plan.graph.resources.size(), 0);
+void check_frame_slices(const FramePlan& plan, FaultList& faults) {
+    std::vector<uint8_t> sliced(plan.graph.resources.size(), 0);
     for (const PassDecl& pass : plan.graph.passes)
         for (const UseDecl& use : pass.uses)
-            if (takes_turns(pass) && writes(use.access)) turned[use.resource] = 1;
-    if (std::find(turned.begin(), turned.end(), 1) == turned.end()) return;
+            if (is_sliced(pass) && writes(use.access)) sliced[use.resource] = 1;
+    if (std::find(sliced.begin(), sliced.end(), 1) == sliced.end()) return;
     Followers followers(plan.graph);
-    for (ResourceId id = 0; id < turned.size(); ++id)
-        if (turned[id]) TurnedResource(plan, id, followers, faults).check();
+    for (ResourceId id = 0; id < sliced.size(); ++id)
+        if (sliced[id]) SlicedResource(plan, id, followers, faults).check();
     check_dropped_content(plan, faults);
 }
 

@@ -10,6 +10,6 @@
 
 namespace weft::check {
 
-void check_turns(const FramePlan& plan, FaultList& faults);
+void check_frame_slices(const FramePlan& plan, FaultList& faults);
 
 }  // namespace weft::check

@@ -14,10 +14,10 @@ uint32_t needed_of(const FramePlan& plan, std::vector<BarrierDecl>& barriers) {
     uint32_t needed = 0;
     for (size_t i = 0; i < barriers.size(); ++i) {
         const auto at = barriers.begin() + static_cast<std::ptrdiff_t>(i);
-        BarrierDecl left_out = std::move(*at);
+        BarrierDecl without = std::move(*at);
         barriers.erase(at);
         if (has_errors(check_plan(plan))) ++needed;
-        barriers.insert(barriers.begin() + static_cast<std::ptrdiff_t>(i), std::move(left_out));
+        barriers.insert(barriers.begin() + static_cast<std::ptrdiff_t>(i), std::move(without));
     }
     return needed;
 }

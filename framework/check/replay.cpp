@@ -165,10 +165,10 @@ void Replay::batch(uint32_t index) {
     clock_.end_batch(index);
 }
 
-void Replay::step(const PassStep& step, bool goes_on) {
+void Replay::step(const PassStep& step, bool scope_continues) {
     barriers(step.barriers, step.pass);
     if (!step.merges_render_pass) ++scope_;
-    uses(step, goes_on);
+    uses(step, scope_continues);
     barriers(step.after, step.pass);
 }
 
@@ -178,7 +178,7 @@ Actor Replay::actor_of_use(PassId pass, uint32_t use) const {
     return by;
 }
 
-void Replay::uses(const PassStep& step, bool goes_on) {
+void Replay::uses(const PassStep& step, bool scope_continues) {
     const PassDecl& pass = plan_.graph.passes[step.pass];
     for (uint32_t u = 0; u < pass.uses.size(); ++u) {
         const UseDecl& use = pass.uses[u];
@@ -208,7 +208,7 @@ void Replay::uses(const PassStep& step, bool goes_on) {
         if (writes(use.access) || (ops && ops->store != StoreOp::none))
             // The content is kept if the next pass draws in the same rendering scope, because the store
             // operation takes effect only at the end of the scope.
-            write(actor_of_use(step.pass, u), use, state, !ops || goes_on || ops->store == StoreOp::store);
+            write(actor_of_use(step.pass, u), use, state, !ops || scope_continues || ops->store == StoreOp::store);
     }
 }
 

@@ -32,10 +32,10 @@ class Replay {
     void enter_imports();
     void leave_imports();
     void batch(uint32_t index);
-    // Simulates a pass with its barriers. `goes_on` is true if the next pass draws into the same rendering
+    // Simulates a pass with its barriers. `scope_continues` is true if the next pass draws into the same rendering
     // scope.
-    void step(const PassStep& step, bool goes_on);
-    void uses(const PassStep& step, bool goes_on);
+    void step(const PassStep& step, bool scope_continues);
+    void uses(const PassStep& step, bool scope_continues);
 
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);

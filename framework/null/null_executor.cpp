@@ -121,7 +121,7 @@ class Execution {
                 continue;
             const Accessor accessor{id, node.stage, effective.access, use.state.layout};
             const ResourceId object = memory_.object_of(use.resource, node.frame);
-            const bool lost = (effective.loses_written && !(instance.goes_on && draws_to(pass, u))) ||
+            const bool lost = (effective.loses_written && !(instance.scope_continues && draws_to(pass, u))) ||
                               (effective.loses_old && !sees_content(use));
             for_each_cell(plan_.graph.resources[use.resource], use.range,
                           [&](uint32_t cell, const SubresourceRange& range) {

@@ -208,13 +208,13 @@ class Unroller {
         include(queue.everything, id);
     }
 
-    void pass(QueueIndex queue, uint32_t position, bool goes_on) {
+    void pass(QueueIndex queue, uint32_t position, bool scope_continues) {
         const PassStep& step = plan_.barriers.steps[position];
         const PassDecl& pass = plan_.graph.passes[step.pass];
         Node node;
         node.queue = queue;
         node.instance = static_cast<uint32_t>(timeline_.instances.size());
-        timeline_.instances.push_back({frame_, position, goes_on});
+        timeline_.instances.push_back({frame_, position, scope_continues});
         StageMask reading = 0, writing = 0;
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const EffectiveUse use = effective_use(pass, step, u);

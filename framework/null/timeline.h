@@ -49,7 +49,7 @@ struct PassInstance {
     uint32_t position = 0;
     // True if the next pass draws into the same rendering scope. Then the store operations happen only after
     // that pass.
-    bool goes_on = false;
+    bool scope_continues = false;
 };
 
 struct Timeline {

@@ -29,7 +29,7 @@ layout(local_size_x = 32) in;
 uniform sampler2D depth, hiz, glassDepth, lightBounds;
 readonly buffer SuperLights { uvec2 items[]; } superLights;
 writeonly buffer TileLights { uint items[]; } tileLights;
-buffer TileOverflow { uint left_out, lists, longest; } tileOverflow;
+buffer TileOverflow { uint overflowed, lists, longest; } tileOverflow;
 coherent buffer TileMask { uint items[]; } tileMask;
 
 #include "bounds_of_light.glsl"
@@ -108,7 +108,7 @@ void main() {
     if (gl_LocalInvocationIndex != 0u) return;
     tileLights.items[list] = min(listed, room);
     if (listed <= room) return;
-    atomicAdd(tileOverflow.left_out, listed - room);
+    atomicAdd(tileOverflow.overflowed, listed - room);
     atomicAdd(tileOverflow.lists, 1u);
     atomicMax(tileOverflow.longest, listed);
 }

@@ -141,7 +141,7 @@ TEST_F(PlantedFault, LivePlacementsOverlap) {
 }
 
 // Removes the first alias barrier between two different resources within one frame.
-TEST_F(PlantedFault, HandOverDropped) {
+TEST_F(PlantedFault, AliasTransitionDropped) {
     for (PassStep& s : plan.barriers.steps) {
         for (size_t i = 0; i < s.barriers.size(); ++i) {
             const BarrierDecl b = s.barriers[i];
@@ -160,7 +160,7 @@ TEST_F(PlantedFault, HandOverDropped) {
     FAIL() << "this graph hands no memory over within a frame";
 }
 
-TEST_F(PlantedFault, HandOverDroppedFromTheMemoryPlanOnly) {
+TEST_F(PlantedFault, AliasTransitionDroppedFromTheMemoryPlanOnly) {
     ASSERT_FALSE(plan.memory.alias_transitions.empty());
     const AliasTransition dropped = plan.memory.alias_transitions.front();
     plan.memory.alias_transitions.erase(plan.memory.alias_transitions.begin());
@@ -168,7 +168,7 @@ TEST_F(PlantedFault, HandOverDroppedFromTheMemoryPlanOnly) {
         {plan.graph.resources[dropped.from].name.c_str(), plan.graph.resources[dropped.to].name.c_str()});
 }
 
-TEST_F(PlantedFault, WrapAroundHandOverDropped) {
+TEST_F(PlantedFault, WrapAroundAliasTransitionDropped) {
     for (PassStep& s : plan.barriers.steps) {
         for (BarrierDecl& b : s.barriers) {
             if (b.reason != BarrierReason::alias || !b.from_previous_frame) continue;

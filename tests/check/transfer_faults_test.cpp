@@ -13,7 +13,7 @@ namespace {
 
 // Returns a plan in which passes on a compute queue write both mips of an image. If `one_reader` is true, one
 // pass on the graphics queue reads both mips; otherwise each mip has its own reader.
-FramePlan hand_over(bool one_reader) {
+FramePlan family_transfer(bool one_reader) {
     GraphBuilder b;
     const ResourceId image = b.image("image", Format::r32u, 16, 2);
     for (uint32_t mip = 0; mip < 2; ++mip)
@@ -41,13 +41,13 @@ bool has_c360(const FramePlan& plan) {
 
 TEST(TransferFaults, NoneHoweverManyPassesWriteAndRead) {
     for (const bool one_reader : {true, false}) {
-        const Diagnostics faults = check_plan(hand_over(one_reader));
+        const Diagnostics faults = check_plan(family_transfer(one_reader));
         EXPECT_TRUE(faults.empty()) << to_text(faults);
     }
 }
 
 TEST(TransferFaults, HalvesOfOtherRanges) {
-    FramePlan plan = hand_over(true);
+    FramePlan plan = family_transfer(true);
     for (PassStep& step : plan.barriers.steps) {
         const auto is_half = [](const BarrierDecl& b) { return b.src_family != b.dst_family; };
         if (std::count_if(step.barriers.begin(), step.barriers.end(), is_half) != 2) continue;

@@ -59,7 +59,7 @@ ProfilePlan ProfilePlans::make(uint32_t seed, uint32_t max_passes) const {
     else
         ADD_FAILURE() << "seed " << seed << " for " << name << " is rejected\n"
                       << to_text(graph.errors()) << text.text;
-    made.left_out = text.left_out;
+    made.omitted = text.omitted;
     return made;
 }
 

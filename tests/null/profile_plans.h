@@ -25,7 +25,7 @@ struct ProfilePlan {
     std::string profile;
     bool from_text = false;
     // True if a condition of the text removed a pass or changed an input.
-    bool left_out = false;
+    bool omitted = false;
 };
 
 class ProfilePlans {

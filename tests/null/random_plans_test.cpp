@@ -61,7 +61,7 @@ TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesForAllProfiles) {
     for (uint32_t seed = 0; seed < graphs && failures < 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const ProfilePlan made = plans.make(seed);
-        coverage.add(made.plan, made.left_out);
+        coverage.add(made.plan, made.omitted);
         ++by_profile[made.profile];
         texts += made.from_text ? 1 : 0;
         const Diagnostics faults = check_plan(made.plan);

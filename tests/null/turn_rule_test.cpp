@@ -17,7 +17,7 @@
 namespace weft::test {
 namespace {
 
-struct TurnGraph {
+struct SliceGraph {
     // Text of the graph with `perFrame`.
     std::string text;
     // Text of the same graph without `perFrame`.
@@ -29,11 +29,11 @@ struct TurnGraph {
 };
 
 // Makes random graphs in which chains of passes read and write the layers of two kept images.
-class TurnGenerator {
+class SliceGenerator {
  public:
-    explicit TurnGenerator(uint32_t seed) : random_(seed) {}
+    explicit SliceGenerator(uint32_t seed) : random_(seed) {}
 
-    TurnGraph run() {
+    SliceGraph run() {
         const uint32_t passes = 2 + below(4);
         for (uint32_t p = 0; p < passes; ++p) add(p);
         passes_.push_back(R"j("see0": {"type": "readback", "in": ["k0"]})j");
@@ -98,11 +98,11 @@ class TurnGenerator {
     }
 
     std::mt19937 random_;
-    TurnGraph graph_;
+    SliceGraph graph_;
     std::vector<std::string> passes_, names_;
 };
 
-void set_turns(const TurnGraph& made, ResolvedGraph& graph) {
+void set_slices(const SliceGraph& made, ResolvedGraph& graph) {
     for (PassDecl& pass : graph.passes) {
         const size_t mark = pass.name.find('#');
         const auto found = made.at_once.find(pass.name.substr(0, mark));
@@ -123,18 +123,18 @@ class BruteForce {
         for (const PassDecl& pass : graph.passes) {
             const bool always = pass.frame_slices <= 1;
             const auto key = std::pair(pass.frame_slices, pass.frame_slice);
-            turn_of_.push_back(
+            slice_of_.push_back(
                 always ? kNoId : numbers.emplace(key, static_cast<uint32_t>(numbers.size())).first->second);
         }
-        turns_ = static_cast<uint32_t>(numbers.size());
+        slices_ = static_cast<uint32_t>(numbers.size());
         find_changing_cells();
     }
 
-    uint32_t turns() const { return turns_; }
+    uint32_t turns() const { return slices_; }
 
     bool is_wrong() {
-        for (uint32_t one = 0; one < 1u << turns_; ++one)
-            for (uint32_t two = 0; two < 1u << turns_; ++two)
+        for (uint32_t one = 0; one < 1u << slices_; ++one)
+            for (uint32_t two = 0; two < 1u << slices_; ++two)
                 if (is_wrong({~0u, one, two})) return true;
         return false;
     }
@@ -181,7 +181,7 @@ class BruteForce {
         Memory memory, first;
         for (size_t frame = 0; frame < runs.size(); ++frame) {
             for (const PassId pass : order_) {
-                if (turn_of_[pass] != kNoId && !(runs[frame] >> turn_of_[pass] & 1)) continue;
+                if (slice_of_[pass] != kNoId && !(runs[frame] >> slice_of_[pass] & 1)) continue;
                 bool wrong = false;
                 for_each_layer(pass, [&](const UseDecl& use, uint32_t layer) {
                     const VersionSource* source = source_of(use, layer);
@@ -205,14 +205,14 @@ class BruteForce {
 
     const ResolvedGraph& graph_;
     std::vector<PassId> order_;
-    std::vector<uint32_t> turn_of_;
-    uint32_t turns_ = 0;
+    std::vector<uint32_t> slice_of_;
+    uint32_t slices_ = 0;
     std::map<std::pair<ResourceId, uint32_t>, bool> overwritten_;
 };
 
-class TurnRule : public ResolveTest {
+class FrameSliceRule : public ResolveTest {
  protected:
-    TurnRule() {
+    FrameSliceRule() {
         const auto both = [&](const char* name, const ShaderProgram& program) {
             shaders[name] = program;
             ShaderProgram arrays = program;
@@ -229,16 +229,16 @@ class TurnRule : public ResolveTest {
     }
 };
 
-TEST_F(TurnRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
+TEST_F(FrameSliceRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 60000 : 4000;
     uint32_t sound = 0, wrong = 0, turning = 0;
     for (uint32_t seed = 0; seed < seeds; ++seed) {
-        const TurnGraph made = TurnGenerator(seed).run();
+        const SliceGraph made = SliceGenerator(seed).run();
         Result<ResolvedGraph> steady = run(made.steady);
         // The random graph has a cycle or unordered writers.
         if (!steady) continue;
         ResolvedGraph graph = std::move(*steady);
-        set_turns(made, graph);
+        set_slices(made, graph);
         BruteForce brute(graph);
         if (brute.turns() == 0 || brute.turns() > 5) continue;
         SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + made.text);
@@ -266,10 +266,10 @@ TEST_F(TurnRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
 
 // Culling must not change results: for any set of frame slices that runs, the plan must give the same content
 // as all passes together.
-TEST_F(TurnRule, WhatIsAcceptedGivesWhatTheWholeGraphMeans) {
+TEST_F(FrameSliceRule, WhatIsAcceptedGivesWhatTheWholeGraphMeans) {
     uint32_t compared = 0, culled = 0;
     for (uint32_t seed = 0; seed < 1000; ++seed) {
-        const TurnGraph made = TurnGenerator(seed).run();
+        const SliceGraph made = SliceGenerator(seed).run();
         const Result<ResolvedGraph> judged = run(made.text);
         if (!judged) continue;
         SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + made.text);
@@ -294,7 +294,7 @@ TEST_F(TurnRule, WhatIsAcceptedGivesWhatTheWholeGraphMeans) {
 
 // A repeat of four iterations, one per frame, writes the kept image `scratch`, and a second repeat stores
 // each result. Culling removes three of the four writers, so the checker must reject the plan.
-TEST_F(TurnRule, TheCheckerDoesNotProveAChainThatCullingBroke) {
+TEST_F(FrameSliceRule, TheCheckerDoesNotProveAChainThatCullingBroke) {
     const char* graph_text = R"j("resources": {
         "scratch": {"format": "rgba16f", "keep": true}, "stored": {"format": "rgba16f", "layers": 4, "keep": true}},
       "passes": {

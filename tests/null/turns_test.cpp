@@ -35,7 +35,7 @@ uint32_t spread_over_frames(ResolvedGraph& graph) {
     return count;
 }
 
-TEST(Turns, RandomFramesGiveWhatTheyMean) {
+TEST(FrameSlices, RandomFramesGiveWhatTheyMean) {
     uint32_t passes = 0;
     for (uint32_t seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -53,7 +53,7 @@ TEST(Turns, RandomFramesGiveWhatTheyMean) {
     EXPECT_GE(passes, 30u);
 }
 
-TEST(Turns, ContentThatIsDroppedIsMissed) {
+TEST(FrameSlices, ContentThatIsDroppedIsMissed) {
     uint32_t planted = 0;
     for (uint32_t seed = 0; seed < 300 && planted < 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

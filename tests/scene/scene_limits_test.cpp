@@ -220,7 +220,7 @@ const std::vector<Edge>& edges() {
     return all;
 }
 
-TEST(SceneLimits, EachHasAnEdgeThatIsWalked) {
+TEST(SceneLimits, EachHoldsAtItsEdge) {
     for (const LimitRow& row : limit_table()) {
         const std::string name = row.name;
         if (!name.starts_with("scene.")) continue;

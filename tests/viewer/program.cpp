@@ -21,7 +21,7 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
 }
 
-// Turns the forked child process into the program: connects stdin, stdout and stderr, sets the environment,
+// FrameSlices the forked child process into the program: connects stdin, stdout and stderr, sets the environment,
 // and calls exec. The child must not return from this function.
 [[noreturn]] void become(std::vector<char*>& arguments, const Environment& environment,
                          const std::filesystem::path& folder, const char* out, const char* err) {

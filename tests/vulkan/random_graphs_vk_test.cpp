@@ -23,8 +23,8 @@ using RandomGraphsVk = DeviceTest;
 
 uint32_t alias_transition_count(const FramePlan& plan) {
     uint32_t count = 0;
-    for (const AliasTransition& hand_over : plan.memory.alias_transitions)
-        count += hand_over.from != hand_over.to ? 1 : 0;
+    for (const AliasTransition& transition : plan.memory.alias_transitions)
+        count += transition.from != transition.to ? 1 : 0;
     return count;
 }
 

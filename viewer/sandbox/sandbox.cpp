@@ -49,15 +49,15 @@ struct StagedFile {
 
 // The temporary folders for the output files of the child process. move_all() moves the written files to the
 // wanted paths. The destructor removes the folders.
-class Stage {
+class StagingFolders {
  public:
-    Stage() = default;
-    ~Stage() {
+    StagingFolders() = default;
+    ~StagingFolders() {
         std::error_code error;
         for (const StagedFile& file : files_) fs::remove_all(file.folder, error);
     }
-    Stage(const Stage&) = delete;
-    Stage& operator=(const Stage&) = delete;
+    StagingFolders(const StagingFolders&) = delete;
+    StagingFolders& operator=(const StagingFolders&) = delete;
 
     Status add(const std::string& output, OpenRules& rules) {
         const FileTarget target = find_target(output);
@@ -170,7 +170,7 @@ int end_group(pid_t child) {
     return status;
 }
 
-ExitCode conclude(int status, const Stage& stage) {
+ExitCode conclude(int status, const StagingFolders& stage) {
     if (WIFSIGNALED(status)) {
         Diagnostic d;
         d.code = "X596";
@@ -194,7 +194,7 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
     OpenRules rules = rules_of_program(needs.device);
     for (const std::string& path : needs.read)
         if (!path.empty()) rules.read.emplace_back(path);
-    Stage stage;
+    StagingFolders stage;
     std::vector<std::string> outputs;
     for (const std::string* output : needs.outputs) outputs.push_back(*output);
     if (const ExitCode code = check_outputs(outputs, needs.inputs); code != ExitCode::ok) return code;

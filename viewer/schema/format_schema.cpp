@@ -166,7 +166,7 @@ void add_patches(Json& schema) {
 }  // namespace
 
 std::string format_schema() {
-    Json schema = Json::parse(described_format());
+    Json schema = Json::parse(format_description());
     add_words(schema["definitions"]);
     add_patches(schema);
     return schema.dump(1, ' ') + "\n";

@@ -10,7 +10,7 @@ namespace weft::viewer {
 
 // Returns the contents of schema/format.json. Definitions that are {} in that file are filled in by
 // format_schema().
-[[nodiscard]] std::string_view described_format();
+[[nodiscard]] std::string_view format_description();
 
 // Returns the schema of all graphs. The file graphs/weft.schema.json contains this text.
 [[nodiscard]] std::string format_schema();

@@ -50,7 +50,7 @@ bool is_float_element(const std::string& element) {
     return element == "f32" || element.starts_with("vec") || element == "mat4";
 }
 
-Shown described(const ResourceDesc& resource) {
+Shown to_shown(const ResourceDesc& resource) {
     Shown shown;
     shown.is_buffer = resource.is_buffer;
     shown.float_buffer = is_float_element(resource.element);
@@ -62,7 +62,7 @@ Shown described(const ResourceDesc& resource) {
     return shown;
 }
 
-Shown described(const ResourceDecl& import) {
+Shown to_shown(const ResourceDecl& import) {
     Shown shown;
     shown.is_buffer = import.kind == ResourceKind::buffer;
     shown.layered = import.layers > 1;
@@ -222,9 +222,9 @@ Status add_debug_view(GraphDesc& graph, const ImportCatalog& imports, const std:
     const auto resource = graph.resources.find(view->show.name);
     const auto import = imports.imports.find(view->show.name);
     if (resource != graph.resources.end())
-        shown = described(resource->second);
+        shown = to_shown(resource->second);
     else if (import != imports.imports.end())
-        shown = described(import->second.resource);
+        shown = to_shown(import->second.resource);
     if (shown.needs_own_shader && view->shader.empty()) {
         Diagnostic d = graph.sources.error(
             view->loc, "W109",

@@ -167,7 +167,7 @@ std::string stem(const std::string& path) {
 
 }  // namespace
 
-void list_graph_words(std::vector<GrammarTable>& lists) {
+void list_graph_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "graph", kTopKeys);
     list_keys(lists, "import", kImportKeys);
     lists.push_back({"importKind", false, import_kinds()});

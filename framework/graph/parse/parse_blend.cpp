@@ -161,7 +161,7 @@ T lookup(const std::map<std::string, T>& values, const std::string& port, T othe
 
 }  // namespace
 
-void list_blend_words(std::vector<GrammarTable>& lists) {
+void list_blend_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "blendEquations", kBlendKeys);
     list_choices(lists, "blendName", kPresets);
     list_choices(lists, "blendFactor", kFactors);

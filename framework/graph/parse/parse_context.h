@@ -229,14 +229,14 @@ void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_blend(ParseContext& context, const JsonNode* blend, const JsonNode* write_mask, PassDesc& pass);
 
 // Functions that append the keys and words of one part of the grammar to the lists of grammar_tables().
-void list_graph_words(std::vector<GrammarTable>& lists);
-void list_param_words(std::vector<GrammarTable>& lists);
-void list_resource_words(std::vector<GrammarTable>& lists);
-void list_pass_words(std::vector<GrammarTable>& lists);
-void list_port_words(std::vector<GrammarTable>& lists);
-void list_state_words(std::vector<GrammarTable>& lists);
-void list_blend_words(std::vector<GrammarTable>& lists);
-void list_debug_words(std::vector<GrammarTable>& lists);
-void list_test_words(std::vector<GrammarTable>& lists);
+void list_graph_grammar(std::vector<GrammarTable>& lists);
+void list_param_grammar(std::vector<GrammarTable>& lists);
+void list_resource_grammar(std::vector<GrammarTable>& lists);
+void list_pass_grammar(std::vector<GrammarTable>& lists);
+void list_port_grammar(std::vector<GrammarTable>& lists);
+void list_state_grammar(std::vector<GrammarTable>& lists);
+void list_blend_grammar(std::vector<GrammarTable>& lists);
+void list_debug_grammar(std::vector<GrammarTable>& lists);
+void list_test_grammar(std::vector<GrammarTable>& lists);
 
 }  // namespace weft

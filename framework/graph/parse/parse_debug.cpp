@@ -46,7 +46,7 @@ constexpr std::array kViewKeys{
 
 }  // namespace
 
-void list_debug_words(std::vector<GrammarTable>& lists) {
+void list_debug_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "debugView", kViewKeys);
 }
 

@@ -104,7 +104,7 @@ void read_values(ParseContext& context, const JsonNode& node, std::string_view w
 
 }  // namespace
 
-void list_param_words(std::vector<GrammarTable>& lists) {
+void list_param_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "parameter", kParamKeys);
 }
 

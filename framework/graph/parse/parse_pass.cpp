@@ -339,7 +339,7 @@ void read_pass(ParseContext& context, const JsonMember& member, const JsonNode& 
 
 }  // namespace
 
-void list_pass_words(std::vector<GrammarTable>& lists) {
+void list_pass_grammar(std::vector<GrammarTable>& lists) {
     lists.push_back({"anyPass", true, keys_of(kAll)});
     lists.push_back({"customPass", true, keys_of(kCustom), {"type"}, "anyPass"});
     for (const Choice<TypeMask>& type : kBuiltinTypes) {

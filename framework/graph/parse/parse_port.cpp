@@ -140,7 +140,7 @@ void read_ports(ParseContext& context, const JsonNode& node, F read) {
 
 }  // namespace
 
-void list_port_words(std::vector<GrammarTable>& lists) {
+void list_port_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "input", kInputKeys);
     list_keys(lists, "output", kOutputKeys);
     list_keys(lists, "sampler", kSamplerKeys);

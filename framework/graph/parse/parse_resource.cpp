@@ -212,7 +212,7 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
 
 }  // namespace
 
-void list_resource_words(std::vector<GrammarTable>& lists) {
+void list_resource_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "resource", kResourceKeys);
     static constexpr std::array<std::string_view, 2> kNotOfImages{"buffer", "count"};
     lists.push_back({"imageResource", true, keys_but(kNotOfImages), {"format"}, "resource"});

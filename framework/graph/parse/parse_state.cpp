@@ -229,7 +229,7 @@ constexpr std::array kStateKeys{
 
 }  // namespace
 
-void list_state_words(std::vector<GrammarTable>& lists) {
+void list_state_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "state", kStateKeys);
     list_choices(lists, "cull", kCulls);
     list_choices(lists, "frontFace", kFrontFaces);

@@ -206,7 +206,7 @@ constexpr std::array kTestKeys{
 
 }  // namespace
 
-void list_test_words(std::vector<GrammarTable>& lists) {
+void list_test_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "test", kTestKeys);
     list_keys(lists, "expectation", kExpectKeys);
 }

@@ -32,6 +32,6 @@ struct Declared {
 // pass that reads back an observed resource.
 [[nodiscard]] std::string name_reader(const PassDraft& pass);
 // Returns the names of all passes in the graph file, including passes that `if` removes.
-[[nodiscard]] std::vector<std::string> described_pass_names(const GraphDesc& graph);
+[[nodiscard]] std::vector<std::string> list_pass_names(const GraphDesc& graph);
 
 }  // namespace weft

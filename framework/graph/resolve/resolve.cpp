@@ -15,7 +15,7 @@ ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
     const Declared declared{input, values, shapes, expansion};
     FormattedGraph formatted = choose_formats(declared, bind(declared, reporter), reporter);
     Suspects suspects = check_interfaces(declared, formatted, reporter);
-    suspects = check_turns(declared, formatted, std::move(suspects), reporter);
+    suspects = check_frame_slices(declared, formatted, std::move(suspects), reporter);
     const VersionedGraph graph = version(declared, std::move(formatted), std::move(suspects), reporter);
     const Attachments attachments = attach(declared, graph, reporter);
     check_clear_values(declared, graph, attachments.suspects, reporter);

@@ -34,7 +34,7 @@ VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects 
     std::vector<Cell> cells = make_cells(versioned, reporter);
     if (!order_writers(declared, versioned, cells, reporter)) return versioned;
     connect_versions(declared, cells, versioned, reporter);
-    check_turned_reads(declared, cells, versioned, reporter);
+    check_sliced_reads(declared, cells, versioned, reporter);
     return versioned;
 }
 

@@ -2,7 +2,7 @@
 
 namespace weft {
 
-AccessState merged_reads(std::span<const AccessEvent> events) {
+AccessState merge_reads(std::span<const AccessEvent> events) {
     AccessState state = events.front().state;
     for (const AccessEvent& event : events) {
         if (event.writes || event.state.layout != state.layout) break;
@@ -56,7 +56,7 @@ void SingleQueueTracker::advance(std::span<const AccessEvent> events, CellSync& 
     if (needs_barrier(event)) {
         sync.barriers.push_back({.position = event.position,
                                  .src = {pending_stages(), unflushed_, layout_},
-                                 .dst = event.writes ? event.state : merged_reads(events),
+                                 .dst = event.writes ? event.state : merge_reads(events),
                                  .reason = reason(event),
                                  .from = pass_,
                                  .previous_frame = previous_frame_});

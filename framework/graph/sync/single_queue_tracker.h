@@ -52,7 +52,7 @@ struct CellSync {
 
 // Returns the union of the stages and accesses of the first read and of the reads that follow it on the same
 // queue, in the same layout and before the next write.
-[[nodiscard]] AccessState merged_reads(std::span<const AccessEvent> events);
+[[nodiscard]] AccessState merge_reads(std::span<const AccessEvent> events);
 
 class SingleQueueTracker {
  public:

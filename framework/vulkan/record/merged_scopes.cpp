@@ -14,14 +14,14 @@ uint32_t next_on_queue(const FramePlan& plan, uint32_t position) {
 
 }  // namespace
 
-bool scope_goes_on(const FramePlan& plan, uint32_t position) {
+bool scope_continues(const FramePlan& plan, uint32_t position) {
     const uint32_t next = next_on_queue(plan, position);
     return next != kNoId && plan.barriers.steps[next].merges_render_pass;
 }
 
 PassStep step_of_scope(const FramePlan& plan, uint32_t position) {
     PassStep step = plan.barriers.steps[position];
-    while (scope_goes_on(plan, position)) position = next_on_queue(plan, position);
+    while (scope_continues(plan, position)) position = next_on_queue(plan, position);
     const PassStep& last = plan.barriers.steps[position];
     assert(step.attachments.size() == last.attachments.size() &&
            "a scope's passes have the same attachments");

@@ -116,7 +116,7 @@ Status prepare_ring_phase(Device& device, PlanObjects& objects, uint32_t positio
         make_rendering_scope(objects.plan, step_of_scope(objects.plan, position), objects.views, frame);
     if (!scope) return scope.take_errors();
     scope->begins = !step.merges_render_pass;
-    scope->ends = !scope_goes_on(objects.plan, position);
+    scope->ends = !scope_continues(objects.plan, position);
     prepared.scopes.push_back(std::move(*scope));
     return Unit{};
 }

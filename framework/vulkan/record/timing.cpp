@@ -14,7 +14,7 @@ Result<PassTimer> PassTimer::create(Device& device, const FramePlan& plan, bool 
     timer.device_ = &device;
     timer.before_.resize(plan.schedule.order.size(), kNoId);
     for (uint32_t position = 0; position < plan.schedule.order.size(); ++position)
-        timer.inside_scope_.push_back(scope_goes_on(plan, position) ? 1 : 0);
+        timer.inside_scope_.push_back(scope_continues(plan, position) ? 1 : 0);
     const std::vector<PlanQueue> queues = map_queues(device, plan.schedule.queues);
     for (const Batch& batch : plan.submissions.batches) {
         uint32_t before = static_cast<uint32_t>(timer.batch_timed_.size());

@@ -87,7 +87,7 @@ TEST_F(ExpandTest, AnObservedReferenceIsAReadback) {
     EXPECT_TRUE(found.passes[0].is_observer);
 }
 
-TEST_F(ExpandTest, PassesThatTakeTurnsAreSlicedOverFrames) {
+TEST_F(ExpandTest, PassesOfARepeatAreSlicedOverFrames) {
     describe_repeat("probe", "0", "4").per_frame = expression("2");
     const Expansion found = run();
     EXPECT_EQ(found.passes[4].decl.frame_slice, 2u);

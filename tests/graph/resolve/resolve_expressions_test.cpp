@@ -87,7 +87,7 @@ TEST_F(ResolveExpressions, ConstantsInACircleAndOfSizes) {
     EXPECT_EQ(bad(R"j("consts": {"a": "output"}, "passes": {})j").code, "W106");
 }
 
-TEST_F(ResolveExpressions, SoManyTurnsAFrame) {
+TEST_F(ResolveExpressions, SoManySlicesAFrame) {
     const auto turns = [&](const std::string& each) {
         const ResolvedGraph g = good(R"j("params": {"rate": 2},
           "resources": {"a": {"format": "rgba16f", "layers": 5, "keep": true}},

@@ -138,7 +138,7 @@ std::string turns(const std::string& keys, const std::string& repeat = R"j("repe
            repeat + R"j("perFrame": true, "out": {"dst": "x.layer(0)"}}})j";
 }
 
-TEST_F(ResolveRepeat, PassesMayTakeTurns) {
+TEST_F(ResolveRepeat, PassesMayBeSlicedOverFrames) {
     const ResolvedGraph g = good(turns(R"j(, "keep": true)j"));
     ASSERT_EQ(g.passes.size(), 6u);
     for (uint32_t i = 0; i < 6; ++i) {
@@ -150,7 +150,7 @@ TEST_F(ResolveRepeat, PassesMayTakeTurns) {
     EXPECT_TRUE(runs_in_frame(g.passes[2], 8));
 }
 
-TEST_F(ResolveRepeat, WhatTurnsWriteMustStay) {
+TEST_F(ResolveRepeat, ContentOfSlicesMustPersist) {
     const Diagnostic lost = bad(turns(""));
     EXPECT_EQ(lost.code, "W124");
     expect_help(lost, R"j(add "keep": true to resource "x")j");

@@ -33,7 +33,7 @@ bool tests_against_its_input(const PassDecl& pass) {
 
 }  // namespace
 
-void GraphCoverage::add(const FramePlan& plan, bool left_out) {
+void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     ++graphs;
     alias_transitions +=
         any(plan.memory.alias_transitions, [](const AliasTransition& h) { return h.from != h.to; });
@@ -56,7 +56,7 @@ void GraphCoverage::add(const FramePlan& plan, bool left_out) {
     chains += any_live_pass(plan, [&](const PassDecl& pass) {
         return !is_round(pass) && pass.name.find("_down_") != std::string::npos;
     });
-    conditionals += left_out ? 1 : 0;
+    conditionals += omitted ? 1 : 0;
     after += any(plan.graph.edges, [](const EdgeDecl& edge) { return edge.kind == EdgeKind::after; });
     depth_inputs += any_live_pass(plan, tests_against_its_input);
     merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.merges_render_pass; });

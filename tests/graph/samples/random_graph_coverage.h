@@ -36,9 +36,9 @@ struct GraphCoverage {
     uint32_t culled = 0;
     uint32_t merged_scopes = 0;
 
-    // Counts the features of one plan. `left_out` is RandomText::left_out: a condition removed a pass or
+    // Counts the features of one plan. `omitted` is RandomText::omitted: a condition removed a pass or
     // changed an input.
-    void add(const FramePlan& plan, bool left_out = false);
+    void add(const FramePlan& plan, bool omitted = false);
     // Returns the share of frames with each feature, in percent.
     [[nodiscard]] std::string text() const;
 };

@@ -12,7 +12,7 @@ class TextGenerator : public RandomTextFaults {
     RandomText run() {
         make();
         shuffle();
-        return {text_of(model_, false), text_of(model_, true), params_, left_out_};
+        return {text_of(model_, false), text_of(model_, true), params_, omitted_};
     }
 
     FaultyText run_with_fault() {

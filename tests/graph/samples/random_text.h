@@ -27,7 +27,7 @@ struct RandomText {
     // Values of the parameters by name, for `text` and for `plain`.
     std::map<std::string, double> params;
     // True if a false `if` has removed a pass or changed an input.
-    bool left_out = false;
+    bool omitted = false;
 };
 
 [[nodiscard]] RandomText random_text(uint32_t seed);

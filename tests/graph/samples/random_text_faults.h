@@ -23,7 +23,7 @@ class RandomTextFaults : public RandomTextRepeats {
                 return part_of_nothing();
             case 2:
             case 3:
-                chain_turns_wrongly();
+                chain_slices_wrongly();
                 return {"W124", "chained turns"};
             case 4:
                 return stencil_without_attachment();

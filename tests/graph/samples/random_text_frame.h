@@ -151,7 +151,7 @@ class RandomTextFrame {
                 port.otherwise = last_version(other);
                 nearest |= resource_of(other).format == "r32f";
             }
-            if (model_.holds(condition) && !model_.holds(needs)) left_out_ = true;
+            if (model_.holds(condition) && !model_.holds(needs)) omitted_ = true;
         }
         if (nearest && kind_of(value) == ValueKind::color)
             port.more = ", \"sampler\": {\"filter\": \"nearest\", \"mipFilter\": \"nearest\"}";
@@ -206,14 +206,14 @@ class RandomTextFrame {
         v.read = false;
     }
     void settle_condition() {
-        if (!model_.holds(model_.passes.back().condition)) left_out_ = true;
+        if (!model_.holds(model_.passes.back().condition)) omitted_ = true;
     }
 
     std::mt19937 random_;
     TextModel model_;
     std::map<std::string, double> params_;
     uint32_t names_ = 0;
-    bool left_out_ = false;
+    bool omitted_ = false;
 };
 
 }  // namespace weft::test

@@ -85,7 +85,7 @@ class RandomTextRepeats : public RandomTextPasses {
         if (odd) {
             pass.more_text += R"j(, "if": "i % 2")j";
             pass.more_plain = R"j(, "repeat": {"j": "1..2", "i": "1..j by 2"})j";
-            left_out_ = true;
+            omitted_ = true;
         }
         pass.out = {said("dst", model_.resources[image].name + ".layer(j * 3 + i - 3)")};
         for (const uint32_t layer : {0, 1, 3, 4, 5})
@@ -133,7 +133,7 @@ class RandomTextRepeats : public RandomTextPasses {
         }
         const size_t v = add_value(kept);
         model_.values[v].fresh = false;
-        const std::string shader = words ? "turn_words.comp" : "update_" + r.format + ".comp";
+        const std::string shader = words ? "slice_words.comp" : "update_" + r.format + ".comp";
         TextPass& pass = add_pass("keep", "compute", shader.c_str());
         if (words) pass.more += ", \"groups\": 4";
         const std::string name = r.name;
@@ -150,18 +150,18 @@ class RandomTextRepeats : public RandomTextPasses {
     // layers. Or all iterations modify parts of one buffer.
     void turns() {
         const uint32_t rounds = between(2, 4);
-        const std::string turn = turn_keys(rounds);
+        const std::string turn = slice_keys(rounds);
         if (chance(30)) {
             const size_t kept = new_words();
             model_.resources[kept].more = ", \"keep\": true";
             const std::string name = model_.resources[kept].name;
-            TextPass& pass = add_pass("turn", "compute", "turn_words.comp");
+            TextPass& pass = add_pass("turn", "compute", "slice_words.comp");
             pass.more += turn + ", \"groups\": 4, \"partial\": true";
             pass.out = {said("x", name)};
             add_closed_value(kept);
             return;
         }
-        const size_t kept = kept_layers("turned", rounds);
+        const size_t kept = kept_layers("sliced", rounds);
         add_pass("turn", "compute", "mix_1.comp").more += turn;
         model_.passes.back().in = {input("a", plain_color(), kNone, false)};
         model_.passes.back().out = {said("dst", model_.resources[kept].name + ".layer(i)")};
@@ -169,7 +169,7 @@ class RandomTextRepeats : public RandomTextPasses {
         if (!chance(60)) return;
         const size_t next = kept_layers("chained", rounds);
         TextPass& chained = add_pass("chain", "compute", "mix_1.comp");
-        chained.more += turn_keys(rounds);
+        chained.more += slice_keys(rounds);
         chained.in = {said("a", model_.resources[kept].name + ".layer(i)", nearest(kept))};
         chained.out = {said("dst", model_.resources[next].name + ".layer(i)")};
         close_layers(next, rounds);
@@ -177,11 +177,11 @@ class RandomTextRepeats : public RandomTextPasses {
 
     // Adds a fault: all iterations of a repeat with `perFrame` write the same kept image. So the next
     // iteration overwrites each result before the reader's iteration runs in a later frame.
-    void chain_turns_wrongly() {
+    void chain_slices_wrongly() {
         const uint32_t rounds = between(2, 4);
         const size_t scratch = new_image("scratch"), kept = kept_layers("stored", rounds);
         model_.resources[scratch].more = ", \"keep\": true";
-        const std::string name = model_.resources[scratch].name, turn = turn_keys(rounds, rounds - 1);
+        const std::string name = model_.resources[scratch].name, turn = slice_keys(rounds, rounds - 1);
         add_pass("bake", "compute", "mix_1.comp").more += turn;
         model_.passes.back().in = {input("a", plain_color(), kNone, false)};
         model_.passes.back().out = {said("dst", name)};
@@ -193,7 +193,7 @@ class RandomTextRepeats : public RandomTextPasses {
     }
 
  private:
-    std::string turn_keys(uint32_t rounds, uint32_t most = UINT32_MAX) {
+    std::string slice_keys(uint32_t rounds, uint32_t most = UINT32_MAX) {
         return ", \"repeat\": {\"i\": \"0.." + std::to_string(rounds - 1) +
                "\"}, \"perFrame\": " + std::to_string(between(1, std::min(most, rounds)));
     }
@@ -242,7 +242,7 @@ class RandomTextRepeats : public RandomTextPasses {
             case 1:
                 pass.more_text = R"j(, "repeat": {"i": "0..3"}, "if": "i % 2")j";
                 pass.more_plain = R"j(, "repeat": {"i": "1..3 by 2"})j";
-                left_out_ = true;
+                omitted_ = true;
                 break;
             default:
                 pass.more += ", \"repeat\": {\"i\": \"" + std::to_string(between(1, 3)) + "..0 by -1\"}";

@@ -49,7 +49,7 @@ ShaderCatalog make_shaders() {
     shaders["unpack.comp"] = seeded(compute({words_in, dst}));
     shaders["words.comp"] = seeded(compute({words_in, words_out}));
     shaders["words_2.comp"] = seeded(compute({words_in, buffer("b", true, false), words_out}));
-    shaders["turn_words.comp"] = seeded(compute({buffer("x", true, true)}));
+    shaders["slice_words.comp"] = seeded(compute({buffer("x", true, true)}));
     shaders["foreign.comp"] = seeded(compute({dst, foreign_set(3)}));
     return shaders;
 }

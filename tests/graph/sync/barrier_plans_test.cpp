@@ -156,7 +156,7 @@ TEST(BarrierPlans, DepthWrittenThenSampled) {
     expect_state(raw.dst, {stage::kComputeShader, access::kSampledRead, Layout::depth_read_only});
 }
 
-TEST(BarrierPlans, DepthTestedAndSampledAtOnceIsOneTouch) {
+TEST(BarrierPlans, DepthTestedAndSampledAtOnceIsOneAccess) {
     GraphBuilder b;
     const ResourceId z = b.image("z", Format::d32f), color = b.image("color");
     b.pass("depth", PassKind::raster, {{"depth", z, Access::depth_write, {}, kNoId}});
@@ -175,7 +175,7 @@ TEST(BarrierPlans, DepthTestedAndSampledAtOnceIsOneTouch) {
     EXPECT_EQ(ops[1].store, StoreOp::none);
 }
 
-TEST(BarrierPlans, HandOverAndWrapAround) {
+TEST(BarrierPlans, AliasTransitionAndWrapAround) {
     GraphBuilder b;
     const ResourceId a = b.image("a"), mid = b.image("mid"), last = b.image("last");
     b.compute("p1", {stored(a)});
@@ -205,7 +205,7 @@ TEST(BarrierPlans, HandOverAndWrapAround) {
     expect_state(self.src, {stage::kComputeShader, access::kNone, Layout::undefined});
 }
 
-TEST(BarrierPlans, AnUnreadWriteIsFlushedByTheHandOver) {
+TEST(BarrierPlans, AnUnreadWriteIsFlushedByTheAliasTransition) {
     GraphBuilder b;
     const ResourceId x = b.buffer("x");
     b.compute("only", {stored(x)}).side_effect = true;

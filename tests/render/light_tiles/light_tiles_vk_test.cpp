@@ -153,20 +153,20 @@ TEST_F(LightTiles, CountWhatHasNoRoom) {
     const scene::Scene scene = scene_with("lights", 512);
     const TileFrame whole = frame_of(scene, scene.cameras.at(0)),
                     cut = frame_of(scene, scene.cameras.at(0), kSize, kRoom);
-    size_t left_out = 0, lists = 0, longest = 0;
+    size_t overflowed = 0, lists = 0, longest = 0;
     for (uint32_t tile = 0; tile < whole.tiles(); ++tile) {
         std::vector<uint32_t> list = list_of(whole, whole.tile_lights, tile);
         if (list.size() > kRoom) {
-            left_out += list.size() - kRoom;
+            overflowed += list.size() - kRoom;
             ++lists;
             longest = std::max(longest, list.size());
             list.resize(kRoom);
         }
         EXPECT_EQ(list, list_of(cut, cut.tile_lights, tile)) << tile;
     }
-    std::printf("%zu lights have no room in %zu lists of %u\n", left_out, lists, kRoom);
-    EXPECT_GT(left_out, 0u);
-    EXPECT_EQ(cut.overflow.at(0), left_out);
+    std::printf("%zu lights have no room in %zu lists of %u\n", overflowed, lists, kRoom);
+    EXPECT_GT(overflowed, 0u);
+    EXPECT_EQ(cut.overflow.at(0), overflowed);
     EXPECT_EQ(cut.overflow.at(1), lists);
     EXPECT_EQ(cut.overflow.at(2), longest);
     EXPECT_EQ(cut.mask, whole.mask) << "bits have no limit";

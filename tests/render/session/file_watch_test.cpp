@@ -52,7 +52,7 @@ TEST_F(FileWatching, EveryWayOfSavingIsSeen) {
             for (int time = 0; time < 2; ++time)
                 EXPECT_TRUE(notices([&] { folder_.set(name, "x", way); })) << name;
     EXPECT_TRUE(notices([&] { folder_.remove("tint.glsl"); }));
-    EXPECT_TRUE(notices([&] { folder_.mend(); }));
+    EXPECT_TRUE(notices([&] { folder_.restore(); }));
     EXPECT_TRUE(notices([&] {
         fs::create_symlink(folder_.path("live.json"), folder_.path("link"));
         fs::rename(folder_.path("link"), folder_.path("tint.glsl"));
@@ -97,7 +97,7 @@ TEST_F(FileWatching, AFolderMayGoAndComeBack) {
     static_cast<void>(watch({"sub/a.glsl"}));
     EXPECT_TRUE(notices([&] {
         fs::create_directory(folder_.path("sub"));
-        folder_.mend();
+        folder_.restore();
     }));
     EXPECT_TRUE(watch({"sub/a.glsl"})) << "a folder of the same name is another one";
     EXPECT_TRUE(notices([&] { folder_.set("sub/a.glsl", "b"); }));

@@ -46,7 +46,7 @@ void LiveFolder::remove(const std::string& name) const {
     fs::remove(path(name));
 }
 
-void LiveFolder::mend() const {
+void LiveFolder::restore() const {
     fs::create_directories(folder_);
     for (const auto& [name, text] : texts_)
         if (read_text(path(name).string()) != text) spoil(name, text);

@@ -26,10 +26,10 @@ class LiveFolder {
     // Replaces the only occurrence of `from`. The test fails if there is none.
     void replace(const std::string& name, const std::string& from, const std::string& to,
                  Way way = Way::rename);
-    // Writes other content until mend(), which restores the wanted content of all files.
+    // Writes other content until restore(), which restores the wanted content of all files.
     void spoil(const std::string& name, const std::string& text, Way way = Way::rename) const;
     void remove(const std::string& name) const;
-    void mend() const;
+    void restore() const;
 
  private:
     std::filesystem::path folder_;

@@ -190,7 +190,7 @@ class Reloading : public SessionTest {
             EXPECT_FALSE(to_text(made.result.errors()).empty());
         }
         expect_still_good();
-        folder_.mend();
+        folder_.restore();
     }
 
     LiveFolder folder_;

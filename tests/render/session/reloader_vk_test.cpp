@@ -108,7 +108,7 @@ TEST_F(Reloads, AnEditAnErrorAndItsEnd) {
     draw(2);
     EXPECT_EQ(last_texel(), after);
 
-    folder_.mend();
+    folder_.restore();
     reload = next();
     ASSERT_TRUE(reload) << "an include that was missing is waited for";
     EXPECT_TRUE(reload->good()) << to_text(reload->errors);
@@ -131,7 +131,7 @@ TEST_F(Reloads, WhatABrokenGraphDoesNotNameIsStillWatched) {
     reload = next();
     ASSERT_TRUE(reload);
     EXPECT_FALSE(reload->good()) << "the graph is as broken as before";
-    folder_.mend();
+    folder_.restore();
     reload = next();
     ASSERT_TRUE(reload);
     EXPECT_EQ(to_text(reload->rebuilt), "1 of 4 shaders, 1 of 4 pipelines");

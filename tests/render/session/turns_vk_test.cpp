@@ -4,9 +4,9 @@
 namespace weft::test {
 namespace {
 
-class Turns : public SessionTest {};
+class FrameSlices : public SessionTest {};
 
-TEST_F(Turns, TheFirstFrameRunsAllAndLaterOnesOneEach) {
+TEST_F(FrameSlices, TheFirstFrameRunsAllAndLaterOnesOneEach) {
     const std::unique_ptr<render::Session> session =
         start(WEFT_SOURCE_DIR "/tests/render/turns/turns.json", {8, 8, 1}, {"probe"});
     ASSERT_TRUE(session);

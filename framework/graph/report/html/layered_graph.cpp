@@ -10,7 +10,7 @@ namespace {
 constexpr int32_t kLineHeight_px = 6;
 // Maximum number of dummy nodes (bend points of edges). If a graph needs more, its longest edges are drawn as
 // straight lines, because nobody can follow so many lines anyway.
-constexpr size_t kMostStandIns = 6000;
+constexpr size_t kMostDummyNodes = 6000;
 
 // Assigns a layer to each box: the length of the longest path to it. A box without incoming edges goes
 // directly before its first reader.
@@ -43,10 +43,10 @@ std::vector<uint32_t> find_layers(size_t boxes, const std::vector<LayoutEdge>& e
 uint32_t longest_span(const std::vector<uint32_t>& layer, const std::vector<LayoutEdge>& edges) {
     std::map<uint32_t, size_t> by_span;
     for (const LayoutEdge& e : edges) ++by_span[layer[e.to] - layer[e.from]];
-    size_t stand_ins = 0;
+    size_t dummies = 0;
     for (const auto& [span, count] : by_span) {
-        stand_ins += (span - 1) * count;
-        if (stand_ins > kMostStandIns) return span - 1;
+        dummies += (span - 1) * count;
+        if (dummies > kMostDummyNodes) return span - 1;
     }
     return UINT32_MAX;
 }
@@ -60,9 +60,9 @@ void connect(LayeredGraph& graph, uint32_t a, uint32_t b) {
 
 // Creates dummy nodes: an edge that crosses a layer bends at a dummy node there. All edges from one box share
 // the dummy node of each layer and separate only where they arrive.
-class StandIns {
+class DummyNodes {
  public:
-    explicit StandIns(LayeredGraph& graph) : graph_(graph) {}
+    explicit DummyNodes(LayeredGraph& graph) : graph_(graph) {}
 
     void lead(size_t edge, uint32_t from, uint32_t to) {
         uint32_t last = from;
@@ -151,10 +151,10 @@ LayeredGraph make_layers(const std::vector<LayoutBox>& boxes, const std::vector<
         graph.nodes.push_back({box, layer[box], boxes[box].height_px, {}, {}, 0});
     graph.ways.resize(edges.size());
     const uint32_t longest = longest_span(layer, edges);
-    StandIns stand_ins(graph);
+    DummyNodes dummies(graph);
     for (size_t e = 0; e < edges.size(); ++e)
         if (layer[edges[e].to] - layer[edges[e].from] <= longest)
-            stand_ins.lead(e, edges[e].from, edges[e].to);
+            dummies.lead(e, edges[e].from, edges[e].to);
     for (uint32_t node = 0; node < graph.nodes.size(); ++node) {
         const uint32_t its = graph.nodes[node].layer;
         if (graph.layers.size() <= its) graph.layers.resize(its + 1);

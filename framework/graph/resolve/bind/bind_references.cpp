@@ -100,9 +100,9 @@ class ReferenceBinder {
         if (ref.pass.empty() || declared_.expansion.instances.contains(ref.pass)) return true;
         Diagnostic& d =
             report_.error(pass, ref.loc, "W104", quote(ref.text) + " names unknown pass " + quote(ref.pass));
-        const std::string near = did_you_mean_text(ref.pass, described_pass_names(declared_.input.graph));
+        const std::string near = did_you_mean_text(ref.pass, list_pass_names(declared_.input.graph));
         add_help(
-            d, near.empty() ? "passes are " + quote_all(described_pass_names(declared_.input.graph)) : near);
+            d, near.empty() ? "passes are " + quote_all(list_pass_names(declared_.input.graph)) : near);
         return false;
     }
 

@@ -35,7 +35,7 @@ void check_outputs(const Declared& declared, const FormattedGraph& graph, PassId
 
 }  // namespace
 
-Suspects check_turns(const Declared& declared, const FormattedGraph& graph, Suspects suspects,
+Suspects check_frame_slices(const Declared& declared, const FormattedGraph& graph, Suspects suspects,
                      Reporter& reporter) {
     PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
     for (const auto& [name, desc] : declared.input.graph.passes) check_repeat(desc, reporter);

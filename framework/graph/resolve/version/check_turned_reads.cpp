@@ -12,15 +12,15 @@ namespace {
 
 // The frames in which a pass with `perFrame` runs: frame f runs the pass if f mod count = index. A pass that
 // runs in every frame has count 1.
-struct Turn {
+struct FrameSlice {
     uint32_t count = 1;
     uint32_t index = 0;
-    bool operator==(const Turn&) const = default;
+    bool operator==(const FrameSlice&) const = default;
 };
 
-Turn turn_of(const Declared& declared, PassId pass) {
+FrameSlice slice_of(const Declared& declared, PassId pass) {
     const PassDecl& decl = declared.expansion.passes[pass].decl;
-    return decl.frame_slices > 1 ? Turn{decl.frame_slices, decl.frame_slice} : Turn{};
+    return decl.frame_slices > 1 ? FrameSlice{decl.frame_slices, decl.frame_slice} : FrameSlice{};
 }
 
 // Checks the reads of one cell (a part of a resource that every use covers completely or not at all) that
@@ -29,11 +29,11 @@ Turn turn_of(const Declared& declared, PassId pass) {
 // - The pass whose version the read names runs in every frame in which the reader runs.
 // - The named version is the last one of the cell, and all writers of the cell run in the same frames.
 // - Every writer modifies the content in place. Then each read names the current content and sees it.
-class TurnedCell {
+class SlicedCell {
  public:
     using Reported = std::set<std::tuple<const PassDesc*, const PassDesc*, ResourceId>>;
 
-    TurnedCell(const Declared& declared, const VersionedGraph& graph, const Cell& cell, Reported& reported,
+    SlicedCell(const Declared& declared, const VersionedGraph& graph, const Cell& cell, Reported& reported,
                PassReporter& report, Reporter& reporter)
         : declared_(declared),
           graph_(graph),
@@ -43,8 +43,8 @@ class TurnedCell {
           reporter_(reporter) {}
 
     void check() {
-        const auto takes_turns = [&](const CellUse& w) { return turn_of(declared_, w.pass) != Turn{}; };
-        if (!cell_.ordered || std::ranges::none_of(cell_.writers, takes_turns)) return;
+        const auto is_sliced = [&](const CellUse& w) { return slice_of(declared_, w.pass) != FrameSlice{}; };
+        if (!cell_.ordered || std::ranges::none_of(cell_.writers, is_sliced)) return;
         const auto changes = [&](const CellUse& w) { return source_of(w) != nullptr; };
         if (std::ranges::all_of(cell_.writers, changes)) return;
         for (const CellUse& reader : cell_.readers) check_read(reader);
@@ -70,10 +70,10 @@ class TurnedCell {
         const size_t version =
             before ? cell_.writers.size() - 1 : static_cast<size_t>(cell_.writer_index(source->producer));
         const CellUse& wanted = cell_.writers[version];
-        const Turn turn = turn_of(declared_, wanted.pass);
-        if (turn == Turn{} || (!before && turn == turn_of(declared_, reader.pass))) return;
+        const FrameSlice turn = slice_of(declared_, wanted.pass);
+        if (turn == FrameSlice{} || (!before && turn == slice_of(declared_, reader.pass))) return;
         const auto other = std::ranges::find_if(
-            cell_.writers, [&](const CellUse& w) { return turn_of(declared_, w.pass) != turn; });
+            cell_.writers, [&](const CellUse& w) { return slice_of(declared_, w.pass) != turn; });
         if (other != cell_.writers.end()) return report(reader, wanted, *other);
         if (version + 1 < cell_.writers.size()) report(reader, wanted, cell_.writers[version + 1]);
     }
@@ -108,11 +108,11 @@ class TurnedCell {
 
 }  // namespace
 
-void check_turned_reads(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
+void check_sliced_reads(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                         Reporter& reporter) {
     PassReporter report(declared.shapes, declared.expansion, graph.suspects, reporter);
-    TurnedCell::Reported reported;
-    for (const Cell& cell : cells) TurnedCell(declared, graph, cell, reported, report, reporter).check();
+    SlicedCell::Reported reported;
+    for (const Cell& cell : cells) SlicedCell(declared, graph, cell, reported, report, reporter).check();
 }
 
 }  // namespace weft

@@ -21,7 +21,7 @@ void connect_versions(const Declared& declared, const std::vector<Cell>& cells, 
                       Reporter& reporter);
 // Checks that each read sees the version that it names in every frame, although passes with `perFrame` run
 // only in some frames. Errors: W124.
-void check_turned_reads(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
+void check_sliced_reads(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                         Reporter& reporter);
 
 }  // namespace weft

@@ -109,8 +109,8 @@ class WriterOrder {
             pass, loc, "W104",
             itself ? who + " can't run after itself" : who + " runs after unknown pass " + quote(name));
         add_help(d, itself ? "leave it out"
-                           : did_you_mean_text(name, described_pass_names(declared_.input.graph)));
-        add_help(d, itself ? "" : "passes are " + quote_all(described_pass_names(declared_.input.graph)));
+                           : did_you_mean_text(name, list_pass_names(declared_.input.graph)));
+        add_help(d, itself ? "" : "passes are " + quote_all(list_pass_names(declared_.input.graph)));
     }
 
     void add_read(const Cell& cell, PassId writer, const CellUse& reader, bool pinnable) {
