@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/check_frame_slices.h"
 #include "check/check_scopes.h"
 #include "check/check_frame_slices.h"
 #include "check/overlaps.h"

@@ -98,10 +98,10 @@ TEST_F(ResolveExpressions, SoManySlicesAFrame) {
             text += std::to_string(pass.frame_slice) + "/" + std::to_string(pass.frame_slices) + " ";
         return text;
     };
-    EXPECT_EQ(turns("true"), "0/5 1/5 2/5 3/5 4/5 ");
-    EXPECT_EQ(turns("\"rate\""), "0/3 0/3 1/3 1/3 2/3 ");
-    EXPECT_EQ(turns("9"), "0/1 0/1 0/1 0/1 0/1 ");
-    EXPECT_EQ(turns("false"), "0/0 0/0 0/0 0/0 0/0 ");
+    EXPECT_EQ(slices("true"), "0/5 1/5 2/5 3/5 4/5 ");
+    EXPECT_EQ(slices("\"rate\""), "0/3 0/3 1/3 1/3 2/3 ");
+    EXPECT_EQ(slices("9"), "0/1 0/1 0/1 0/1 0/1 ");
+    EXPECT_EQ(slices("false"), "0/0 0/0 0/0 0/0 0/0 ");
 }
 
 TEST_F(ResolveExpressions, WhatAParameterCosts) {

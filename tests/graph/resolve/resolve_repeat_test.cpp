@@ -132,7 +132,7 @@ TEST_F(ResolveRepeat, ConditionsMaySpeakOfTheIndex) {
 
 // Returns a graph with an image of six layers. Repeated pass "p" writes one layer per frame (`perFrame`).
 // `keys` are further members of the image.
-std::string turns(const std::string& keys, const std::string& repeat = R"j("repeat": {"i": "0..5"}, )j") {
+std::string slices(const std::string& keys, const std::string& repeat = R"j("repeat": {"i": "0..5"}, )j") {
     return R"j("resources": {"x": {"format": "rgba16f", "layers": 6)j" + keys + R"j(}}, "passes": {
       "p": {"type": "compute", "shader": "make.comp", )j" +
            repeat + R"j("perFrame": true, "out": {"dst": "x.layer(0)"}}})j";
@@ -154,8 +154,8 @@ TEST_F(ResolveRepeat, ContentOfSlicesMustPersist) {
     const Diagnostic lost = bad(turns(""));
     EXPECT_EQ(lost.code, "W124");
     expect_help(lost, R"j(add "keep": true to resource "x")j");
-    EXPECT_EQ(bad(turns(R"j(, "history": 1)j")).code, "W124");
-    const Diagnostic alone = bad(turns(R"j(, "keep": true)j", ""));
+    EXPECT_EQ(bad(slices(R"j(, "history": 1)j")).code, "W124");
+    const Diagnostic alone = bad(slices(R"j(, "keep": true)j", ""));
     EXPECT_EQ(alone.code, "W124");
     expect_help(alone, "\"repeat\"");
 }

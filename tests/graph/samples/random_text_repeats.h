@@ -148,7 +148,7 @@ class RandomTextRepeats : public RandomTextPasses {
     // Adds repeats that are spread over frames (`perFrame`), so that each frame runs only some iterations.
     // Each iteration writes its own layer, and sometimes a second repeat with its own `perFrame` reads the
     // layers. Or all iterations modify parts of one buffer.
-    void turns() {
+    void frame_slices() {
         const uint32_t rounds = between(2, 4);
         const std::string turn = slice_keys(rounds);
         if (chance(30)) {
@@ -186,7 +186,7 @@ class RandomTextRepeats : public RandomTextPasses {
         model_.passes.back().in = {input("a", plain_color(), kNone, false)};
         model_.passes.back().out = {said("dst", name)};
         TextPass& store = add_pass("store", "compute", "mix_1.comp");
-        store.more += turn;
+        store.more += slice;
         store.in = {said("a", name, nearest(scratch))};
         store.out = {said("dst", model_.resources[kept].name + ".layer(i)")};
         close_layers(kept, rounds);

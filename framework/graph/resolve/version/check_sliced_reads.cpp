@@ -24,8 +24,8 @@ FrameSlice slice_of(const Declared& declared, PassId pass) {
 }
 
 // Checks the reads of one cell (a part of a resource that every use covers completely or not at all) that
-// passes with different turns write. The turn of a pass is the set of frames in which it runs. The rule does
-// not depend on which turn comes first. A read is right in every frame if one of these holds:
+// passes with different frame slices write. The frame slice of a pass is the set of frames in which it runs. The rule does
+// not depend on which slice comes first. A read is right in every frame if one of these holds:
 // - The pass whose version the read names runs in every frame in which the reader runs.
 // - The named version is the last one of the cell, and all writers of the cell run in the same frames.
 // - Every writer modifies the content in place. Then each read names the current content and sees it.

@@ -84,13 +84,13 @@ class SliceGenerator {
         names_.push_back(name);
     }
 
-    std::string joined_passes(bool turns) {
+    std::string joined_passes(bool slices) {
         std::string all;
         for (size_t i = 0; i < passes_.size(); ++i) {
             all += (i == 0 ? "" : ",\n") + passes_[i];
             if (i >= names_.size()) continue;
             const auto found = graph_.at_once.find(names_[i]);
-            if (turns && found != graph_.at_once.end())
+            if (slices && found != graph_.at_once.end())
                 all += ", \"perFrame\": " + std::to_string(found->second);
             all += "}";
         }
@@ -231,7 +231,7 @@ class FrameSliceRule : public ResolveTest {
 
 TEST_F(FrameSliceRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 60000 : 4000;
-    uint32_t sound = 0, wrong = 0, turning = 0;
+    uint32_t sound = 0, wrong = 0, slices = 0;
     for (uint32_t seed = 0; seed < seeds; ++seed) {
         const SliceGraph made = SliceGenerator(seed).run();
         Result<ResolvedGraph> steady = run(made.steady);
@@ -240,11 +240,11 @@ TEST_F(FrameSliceRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
         ResolvedGraph graph = std::move(*steady);
         set_slices(made, graph);
         BruteForce brute(graph);
-        if (brute.turns() == 0 || brute.turns() > 5) continue;
+        if (brute.slices() == 0 || brute.slices() > 5) continue;
         SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + made.text);
         const bool is_wrong = brute.is_wrong();
         ++(is_wrong ? wrong : sound);
-        turning += brute.turns();
+        slices += brute.slices();
 
         const Result<ResolvedGraph> judged = run(made.text);
         ASSERT_EQ(judged.ok(), !is_wrong) << (judged ? "accepted" : to_text(judged.errors()));
@@ -258,8 +258,8 @@ TEST_F(FrameSliceRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
         const Diagnostics faults = check_plan(compile(graph, content_needs(graph), options));
         ASSERT_EQ(faults.empty(), !is_wrong) << to_text(faults);
     }
-    std::cout << "seeds 0.." << seeds - 1 << ": " << sound << " sound, " << wrong << " wrong, " << turning
-              << " turns\n";
+    std::cout << "seeds 0.." << seeds - 1 << ": " << sound << " sound, " << wrong << " wrong, " << slices
+              << " slices\n";
     EXPECT_GE(sound * 15, seeds);
     EXPECT_GE(wrong * 15, seeds);
 }

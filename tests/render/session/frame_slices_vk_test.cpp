@@ -8,7 +8,7 @@ class FrameSlices : public SessionTest {};
 
 TEST_F(FrameSlices, TheFirstFrameRunsAllAndLaterOnesOneEach) {
     const std::unique_ptr<render::Session> session =
-        start(WEFT_SOURCE_DIR "/tests/render/turns/turns.json", {8, 8, 1}, {"probe"});
+        start(WEFT_SOURCE_DIR "/tests/render/frame_slices/frame_slices.json", {8, 8, 1}, {"probe"});
     ASSERT_TRUE(session);
     constexpr uint32_t kFrames = 8, kLayers = 3;
     for (uint32_t i = 0; i < kFrames; ++i) ASSERT_TRUE(draw_frame(*session));
@@ -17,8 +17,8 @@ TEST_F(FrameSlices, TheFirstFrameRunsAllAndLaterOnesOneEach) {
     ASSERT_EQ(readbacks.size(), kFrames);
     std::array<float, kLayers> wanted{0, 100, 200};
     for (uint32_t frame = 0; frame < kFrames; ++frame) {
-        const uint32_t turn = frame % kLayers;
-        if (frame > 0) wanted[turn] = static_cast<float>(100 * turn + frame);
+        const uint32_t slice = frame % kLayers;
+        if (frame > 0) wanted[slice] = static_cast<float>(100 * slice + frame);
         const std::vector<glm::vec4> texels =
             render::decode_texels(readbacks[frame].format, readbacks[frame].bytes);
         ASSERT_EQ(texels.size(), 16u * kLayers);

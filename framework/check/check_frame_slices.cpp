@@ -104,8 +104,9 @@ class SlicedResource {
 
     void add_writer(PassId id, const UseDecl& use) {
         for_each_part(use.range, [&](Part& part, const SubresourceRange& cell) {
-            const bool scope_continues = std::any_of(use.sources.begin(), use.sources.end(),
-                                             [&](const VersionSource& s) { return contains(s.range, cell); });
+            const bool keeps_previous =
+                std::any_of(use.sources.begin(), use.sources.end(),
+                            [&](const VersionSource& s) { return contains(s.range, cell); });
             if (part.writers.empty() || part.writers.back() != id) part.writers.push_back(id);
             part.overwritten = part.overwritten || !scope_continues;
             part.sliced = part.sliced || is_sliced(plan_.graph.passes[id]);
@@ -139,20 +140,21 @@ class SlicedResource {
 
     void report_lost(PassId writer, const UseDecl& use) {
         faults_.add("C332", use.loc,
-                    "pass " + faults_.pass_name(writer) + " takes turns and writes " +
+                    "pass " + faults_.pass_name(writer) + " runs in some frames only (perFrame) and writes " +
                         faults_.resource_name(resource_) +
-                        ", whose content does not stay until the next frame",
-                    "only what is kept may be written in turns");
+                        ", which does not keep its content until the next frame",
+                    "such a pass may only write resources that keep their content");
     }
 
     void report(PassId reader, const UseDecl& use, const SubresourceRange& cell, PassId named, PassId other) {
-        faults_.add(
-            "C332", use.loc,
-            "pass " + faults_.pass_name(reader) + " reads " + faults_.resource_name(resource_) +
-                range_text(cell) + " as pass " + faults_.pass_name(named) +
-                " leaves it, but in frames in which that pass does not run, pass " +
-                faults_.pass_name(other) + " has overwritten it",
-            "passes that take turns must not overwrite each other's work where another pass reads it");
+        faults_.add("C332", use.loc,
+                    "pass " + faults_.pass_name(reader) + " reads " + faults_.resource_name(resource_) +
+                        range_text(cell) + " as pass " + faults_.pass_name(named) +
+                        " leaves it, but in frames in which that pass does not run, pass " +
+                        faults_.pass_name(other) + " has overwritten it",
+                    "a pass that runs in some frames only (perFrame) must not overwrite the result of "
+                    "another such pass "
+                    "that is still read");
     }
 
     const FramePlan& plan_;

@@ -15,16 +15,18 @@ void check_repeat(const PassDesc& desc, Reporter& reporter) {
     if (none || !desc.repeat.empty()) return;
     Diagnostic& d = reporter.error(desc.per_frame_loc, "W124",
                                    "pass " + quote(desc.name) + " says \"perFrame\" but repeats nothing");
-    add_help(d, "say what takes turns: \"repeat\": { \"i\": \"0..5\" }");
+    add_help(d, "add the repeat whose passes are spread over frames: \"repeat\": { \"i\": \"0..5\" }");
 }
 
 void check_outputs(const Declared& declared, const FormattedGraph& graph, PassId pass, PassReporter& report) {
     for (const UseDecl& use : graph.passes[pass].uses) {
         const ResourceDecl& resource = graph.resources[use.resource];
         if (!writes(use.access) || stays(resource)) continue;
-        Diagnostic& d = report.error(pass, use.loc, "W124",
-                                     "pass " + quote(declared.author_name(pass)) + " writes a part of " +
-                                         quote(resource.name) + " each frame, but its content does not stay");
+        Diagnostic& d =
+            report.error(pass, use.loc, "W124",
+                         "pass " + quote(declared.author_name(pass)) +
+                             " runs in some frames only (\"perFrame\") and writes " + quote(resource.name) +
+                             ", which does not keep its content between frames");
         if (resource.lifetime == ResourceLifetime::imported)
             add_help(d, "write a resource with \"keep\": true, and copy that");
         else
