@@ -141,8 +141,8 @@ TEST_F(ExecutorQueuesVk, batches_signal_and_await_the_values_that_plans_document
         for (const QueueWait& wait : batches[batch].waits)
             if (frame > 0 || !wait.previous_frame)
                 waits.push_back(value(wait.batch, wait.previous_frame ? frame - 1 : frame));
-        // In the first frame, each batch also waits for value 1, which signals the end of the work before the
-        // first frame.
+        // In the first frame, each batch also waits for the semaphore value 1. This value signals the end of
+        // the work before the first frame.
         if (frame == 0) waits.push_back(1);
         EXPECT_EQ(one.waits, waits) << "frame " << frame << ", batch " << batch;
     }

@@ -82,8 +82,8 @@ TEST_F(ExecutorRasterVk, draws_every_variant_of_a_list_with_its_constants) {
     const TriangleSource source(device());
     GraphBuilder builder;
     add_draw(builder, "flat");
-    // Variant 1 of the list draws over variant 0. Its colour is the product of the colours in set 3 and set
-    // 0.
+    // Variant 1 of the list draws over variant 0. The colour of variant 1 is the product of the colours in
+    // set 3 and set 0.
     expect_triangle(run(builder, source), {0.25F * 4, 0.5F * 3, 0.75F * 2, 1});
     EXPECT_EQ(source.drawn, (std::vector<std::string>{"opaque/0", "opaque/1"}));
 }

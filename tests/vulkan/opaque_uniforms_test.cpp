@@ -18,8 +18,8 @@ void expect_valid(const ShaderProgram& program) {
         EXPECT_EQ(shader::spirv_fault(module.spirv), std::nullopt) << program.reference;
 }
 
-// Returns the interface of the changed program. Faults about push constants are expected: their block must
-// have the name Params, but the hidden index is in a block with another name.
+// Returns the interface of the changed program. Faults about push constants are expected: Weft requires the
+// name Params for a push constant block, but the added index is in a block with another name.
 ShaderInterface reflected(const ShaderProgram& program) {
     shader::InterfaceFaults faults;
     ShaderInterface interface = shader::reflect_program(program.modules, faults);

@@ -28,8 +28,8 @@ void add_arch_ring(MeshBuilder& builder, glm::vec3 center) {
     shape.segments = kArchSegments;
     shape.from_rad = -0.5f * kPi;
     shape.to_rad = 0.5f * kPi;
-    // Length of the texture around the arch: it has fifteen wedges, and four wedges of the texture are 1.1 m
-    // long.
+    // Length of the texture around the arch in metres. The arch has fifteen wedge stones, and four stones of
+    // the texture are 1.1 m long together.
     shape.u_span_m = 15 * 1.1f / 4;
     builder.set_transform(arch_frame(center));
     builder.set_uv_offset({0.1375f, 0});
@@ -44,8 +44,8 @@ void add_arch_ring(MeshBuilder& builder, glm::vec3 center) {
     builder.set_uv_offset({0, 0});
 }
 
-// Adds the wall above one arch, on one side of the wall: the area between the ring of stones and the
-// rectangle that is as wide as one bay.
+// Adds one side of the wall above an arch. The area is a rectangle as wide as one bay (the distance between
+// two columns), without the ring of stones and the opening of the arch.
 void add_spandrel(MeshBuilder& builder, float center_x, float z, float facing) {
     const float height = kWallTop - kSpring;
     const float half = 0.5f * kBay;

@@ -86,8 +86,8 @@ uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface&
     material.name = name;
     material.alpha_mode = AlphaMode::mask;
     material.double_sided = true;
-    // Leaves are waxy and so would need a higher value. But scattered specular light without shadows would
-    // turn backlit leaves white.
+    // Leaves are waxy and so would need a stronger specular reflection. But without shadows, scattered
+    // specular light would turn backlit leaves white.
     material.specular = 0.45f;
     material.base_color_texture.texture = textures.color;
     material.metallic_roughness_texture.texture = textures.metallic_roughness;
@@ -103,8 +103,8 @@ uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface&
 
 void shade_by_height(Parts& parts, uint32_t material, const std::vector<float>& values, float low_m,
                      float high_m) {
-    // Row 0 of the texture is its top, so row 0 gets the last of `values`, which is the one for the greatest
-    // height.
+    // Row 0 is the top of the texture. So row 0 gets the value for the greatest height, which is the last one
+    // in `values`.
     constexpr uint32_t kRows = 64;
     std::vector<float> ramp(4 * static_cast<size_t>(kRows));
     for (uint32_t row = 0; row < kRows; ++row) {

@@ -7,9 +7,9 @@
 
 namespace weft::scene::gltf {
 
-// Makes such materials opaque because every graph draws opaque surfaces, and blending with an alpha of 1
-// gives the same picture. Alpha is the product of material factor, texture and vertex colour. The texture
-// slots in `materials` must already contain indices of scene textures.
+// Makes materials opaque that are marked as transparent but have an alpha of 1 everywhere. The picture stays
+// the same, and every graph draws opaque surfaces. Alpha is the product of material factor, texture and
+// vertex colour. The texture slots in `materials` must already contain indices of scene textures.
 void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures,
                   std::vector<Material>& materials);
 

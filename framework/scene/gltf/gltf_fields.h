@@ -52,7 +52,7 @@ class Fields {
     void each(const char* key, uint64_t max_items, const std::function<void(const Fields&)>& visit) const;
 
     void wrong(const char* key, const std::string& found, const std::string& wanted) const;
-    // Reports a wrong member like the function above, but takes the text of the found value from the JSON.
+    // Reports a wrong member. The message shows the value that the JSON contains.
     void wrong(const char* key, const std::string& wanted) const;
 
  private:

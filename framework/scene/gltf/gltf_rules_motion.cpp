@@ -80,8 +80,8 @@ void check_animations(Checker& c, const std::vector<std::string>& nodes) {
 }  // namespace
 
 void check_motion(Checker& c) {
-    // Wrong items of the arrays were already reported as errors. With such items, the labels would not match
-    // the nodes and meshes.
+    // If an array has wrong items, the check ends here. The wrong items were already reported as errors, and
+    // the labels would not match the nodes and meshes.
     if (c.report.failed()) return;
     const std::vector<std::string> nodes = labels_of(c, "nodes", "node");
     const std::vector<std::string> meshes = labels_of(c, "meshes", "mesh");
