@@ -1,5 +1,5 @@
-// Purpose: finds a pass that would write a resource if its `if` or its empty repeat did not remove it.
-// Several stages name this pass in their messages.
+// Purpose: finds a pass that would write a resource, but that is removed because its `if` is false or its
+// repeat is empty. Several stages name this pass in their messages.
 #pragma once
 
 #include <string>

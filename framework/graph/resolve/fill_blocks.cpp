@@ -90,8 +90,8 @@ class BlockFiller : PassStage {
         report_unknown(member);
     }
 
-    // Returns true if the name stands for the number of draws in an imported draw list, such as "opaqueDraws"
-    // for the list "opaque".
+    // Returns true if the name is the number of draws in an imported draw list, such as "opaqueDraws" for the
+    // list "opaque".
     bool counts_draws(std::string_view name) const {
         if (!name.ends_with(kDrawsSuffix) || declared_.input.graph.sizes.contains(std::string(name)))
             return false;

@@ -123,8 +123,8 @@ class ClearCheck {
         if (!value || value->is_size) return;
         const double x = value->x;
         const bool inside = x >= range.least && x <= range.most && (!range.whole || x == std::floor(x));
-        // Clear values are stored as floats. A float cannot represent UINT32_MAX, but the next float above it
-        // stands for "all bits set", so UINT32_MAX is allowed.
+        // Clear values are stored as floats. A float cannot represent UINT32_MAX exactly, but the next
+        // greater float is used for "all bits set", so UINT32_MAX is allowed.
         const bool exact = !range.whole || static_cast<double>(saturated_float(x)) == x || x == UINT32_MAX;
         if (inside && exact) return;
         Diagnostic fault =
