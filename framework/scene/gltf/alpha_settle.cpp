@@ -36,8 +36,8 @@ std::vector<bool> with_translucent_meshes(const BuiltMeshes& built, size_t mater
 void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures,
                   std::vector<Material>& materials) {
     const std::vector<bool> translucent = with_translucent_meshes(built, materials.size());
-    // Stores for each texture whether the texture is opaque. So each texture is inspected only once, even when
-    // many materials use it.
+    // Stores for each texture whether the texture is opaque. So each texture is inspected only once, even
+    // when many materials use it.
     std::vector<std::optional<bool>> opaque(textures.size());
     const auto is_opaque_texture = [&](uint32_t texture) {
         if (!opaque[texture]) opaque[texture] = is_opaque(textures[texture]);

@@ -9,7 +9,7 @@
 namespace weft::scene {
 namespace {
 
-// Largest value that glm stores in the shared-exponent format (VK_FORMAT_E5B9G9R9).
+// Largest value that glm stores in the shared-exponent format (E5B9G9R9).
 constexpr float kMostStored = 32768;
 // Largest factor for stored texels. kMostStored times this factor is more than the luminance of the sun's
 // disc.
