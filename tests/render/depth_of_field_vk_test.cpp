@@ -1,5 +1,5 @@
-// Depth of field, rendered with the passes of its own graph: colours do not leak, and small bright lamps
-// become uniform discs.
+// Tests the depth-of-field passes of graphs/dof.json on pictures with known depths: sharp objects do not leak
+// into the background, and small bright lamps become uniform discs.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,8 @@ class DepthOfField : public ShippedEffects {
  protected:
     static constexpr Extent3D kSize{128, 64, 1};
 
-    // The test picture after the lens effect; its right half is at distance `right_m`.
+    // Returns the test picture (pictures/halves.frag) after the depth-of-field passes. The right half of the
+    // picture is at the distance `right_m`; the left half is in focus.
     Image through_lens(double right_m) {
         const Json picture{{"type", "fullscreen"},
                            {"shader", "halves.frag"},
@@ -29,7 +30,8 @@ class DepthOfField : public ShippedEffects {
     static const glm::vec4& at(const Image& image, uint32_t x, uint32_t y) {
         return image[size_t{y} * kSize.width + x];
     }
-    // Contrast of the stripes; 0 where they have merged to one colour.
+    // Returns the contrast of the blue and green stripes in column x, in blue. It is 0 where the stripes have
+    // merged to one colour.
     static float contrast(const Image& image, uint32_t x) {
         float low = 100, high = 0;
         for (uint32_t y = 24; y < 40; ++y) {
@@ -58,7 +60,8 @@ TEST_F(DepthOfField, WhatIsSharpLeaksIntoNothingBehindIt) {
 TEST_F(DepthOfField, WhatIsBlurredBeforeTheFocusSpreadsAndLetsThroughAtItsBorderOnly) {
     const Image image = through_lens(3);
     ASSERT_EQ(image.size(), size_t{kSize.width} * kSize.height);
-    constexpr uint32_t kWidestCircle = 24 + 4;  // widest circle, plus the error of half resolution
+    // Largest radius of blur in pixels (24), plus 4 pixels for the error of blurring at half resolution.
+    constexpr uint32_t kWidestCircle = 24 + 4;
     for (uint32_t y = 0; y < kSize.height; ++y)
         for (uint32_t x = kSize.width / 2 + kWidestCircle; x < kSize.width; ++x)
             ASSERT_EQ(at(image, x, y).r, 0) << x << ", " << y;
@@ -69,8 +72,9 @@ TEST_F(DepthOfField, WhatIsBlurredBeforeTheFocusSpreadsAndLetsThroughAtItsBorder
     EXPECT_LT(contrast(image, 100), 0.3f) << "blurred";
 }
 
-// The exact result that the passes approximate: gathers over every pixel at full resolution in double
-// precision. Valid only for pictures whose foreground hides a plain colour.
+// Computes exactly what the depth-of-field passes approximate: for each pixel it gathers the light of all
+// pixels around it, at full resolution and in double precision. Valid only if all objects in the foreground
+// hide the same plain colour.
 class LampReference {
  public:
     LampReference(const Image& color, const Image& depth, Extent3D size, const shared::ViewConstants& view,
@@ -90,7 +94,7 @@ class LampReference {
         const glm::dvec3 below = glm::mix(sharp, lit, blurred(own_px));
         const double covered = std::min(close.a, 1.0);
         const glm::dvec3 front = close.a > 1 ? glm::dvec3(close) / close.a : glm::dvec3(close);
-        // A blurred pixel in the foreground reveals the colour behind it.
+        // A blurred pixel in the foreground is partly transparent and reveals the colour behind it.
         return front + (own_px < 0 ? glm::mix(sharp, hidden_, blurred(-own_px)) : below) * (1 - covered);
     }
     void set_hidden(const glm::dvec3& color) { hidden_ = color; }
@@ -105,8 +109,8 @@ class LampReference {
         const double t = std::clamp((radius_px / 2 - 0.25) / 0.6, 0.0, 1.0);
         return t * t * (3 - 2 * t);
     }
-    // Gathers the pixels behind (side 1) or before the focus (−1): premultiplied light, and their share of
-    // the circle.
+    // Gathers the light of the pixels behind the focus (side 1) or in front of it (side -1). Returns their
+    // premultiplied colour, and in alpha the share of the circle that they cover.
     glm::dvec4 gathered(int x, int y, double reach_px, double side) const {
         const int reach = static_cast<int>(std::ceil(reach_px));
         glm::dvec4 sum(0);
@@ -123,7 +127,8 @@ class LampReference {
 
     const Image& color_;
     Extent3D size_;
-    std::vector<double> radius_px_;  // radii of the circles of confusion, at full resolution
+    // Radius of each pixel's circle of confusion, in pixels of the full resolution.
+    std::vector<double> radius_px_;
     glm::dvec3 hidden_{0};
 };
 
@@ -155,7 +160,8 @@ class Lamps : public ShippedEffects {
     }
 
  private:
-    // Half resolution and the upsampling filter may move light by this many pixels.
+    // Blurring at half resolution and the upsampling filter may move light by this many pixels, so a pixel is
+    // compared with all reference values within this distance.
     static constexpr int kNear = 5;
 
     static Overshoot compare(const Image& image, const LampReference& reference) {

@@ -1,4 +1,4 @@
-// Runs the passes of a shipped effect alone, on a picture that a test draws.
+// Purpose: test fixture that runs only some passes of a shipped effect, on a picture that a test draws.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,8 +18,9 @@ inline Json shipped(const std::string& name) {
     return Json::parse(read_text(shipped_path(name)).value_or("{}"), nullptr, true, true);
 }
 
-// A graph with a pass that writes `hdr`, followed by the named passes of another graph. The graphs call the
-// last pass of the scene `glass`.
+// Returns a graph whose first pass, `picture`, writes `hdr`, followed by the passes `passes` of the shipped
+// graph `name`. The first pass is called "glass", because in the shipped graphs that is the last pass before
+// the effect.
 inline Json behind_picture(const std::string& name, const Json& picture,
                            std::initializer_list<const char*> passes,
                            std::initializer_list<const char*> resources) {
@@ -39,7 +40,8 @@ inline Json behind_picture(const std::string& name, const Json& picture,
 
 class ShippedEffects : public SessionTest {
  protected:
-    // The content of the observed resources after each frame, by name.
+    // Renders `count` frames of a graph. Returns the decoded content of the observed resources after each
+    // frame, by resource name.
     std::vector<std::map<std::string, Image>> frames(const Json& graph, const std::string& path,
                                                      Extent3D size, uint32_t count,
                                                      std::vector<std::string> observed) {
@@ -66,7 +68,8 @@ class ShippedEffects : public SessionTest {
         return seen.empty() ? std::map<std::string, Image>{} : std::move(seen[0]);
     }
 
-    shared::ViewConstants view_{};  // view of the last frame
+    // View constants of the last frame that frames() rendered.
+    shared::ViewConstants view_{};
 };
 
 }  // namespace weft::test

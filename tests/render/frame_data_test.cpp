@@ -1,4 +1,4 @@
-// Views, lights and instances in the form that shaders read.
+// Tests how views, lights and instances are converted to the form that shaders read.
 #include "render/frame_data.h"
 
 #include <gtest/gtest.h>
@@ -103,7 +103,8 @@ TEST(Texels, EveryKindOfChannel) {
     EXPECT_EQ(decode_texels(Format::d16, bytes_of<uint16_t>({65535}))[0], glm::vec4(1, 0, 0, 1));
     EXPECT_EQ(decode_texels(Format::rgb10a2, bytes_of<uint32_t>({0x3FFu | 3u << 30}))[0],
               glm::vec4(1, 0, 0, 1));
-    const uint32_t one_half_two = 0x3C0u | (0x380u << 11) | (0x200u << 22);  // 1, ½, 2
+    // The values 1, 0.5 and 2 as small floats of 11, 11 and 10 bits.
+    const uint32_t one_half_two = 0x3C0u | (0x380u << 11) | (0x200u << 22);
     EXPECT_EQ(decode_texels(Format::b10g11r11f, bytes_of<uint32_t>({one_half_two}))[0],
               glm::vec4(1, .5f, 2, 1));
 }

@@ -27,7 +27,8 @@ size_t end_of_string(const std::string& text, size_t begin) {
     return std::min(end + 1, text.size());
 }
 
-// A rough tokenizer, so that a text that is already damaged can be changed again.
+// Splits JSON text into tokens. The tokenizer tolerates errors, so that a text that is already damaged can be
+// changed again.
 std::vector<Token> tokens_of(const std::string& text) {
     std::vector<Token> tokens;
     for (size_t i = 0; i < text.size();) {
@@ -56,14 +57,16 @@ class Mutator {
     Mutator(std::string text, Random& random, const std::vector<std::string>& values)
         : text_(std::move(text)), random_(random), values_(values) {}
 
-    // Makes one change and returns its description; empty if no change was possible.
+    // Makes one random change and returns its description. Returns an empty string if the chosen change was
+    // not possible.
     std::string edit() {
         using Edit = bool (Mutator::*)();
         struct Named {
             const char* name;
             Edit edit;
         };
-        // Changes that keep the file readable are more frequent, because they test later stages.
+        // Several entries occur more than once, so they are chosen more often. These are changes that leave
+        // the file valid JSON, because such files reach the later stages of loading.
         static constexpr std::array kEdits{Named{"key misspelt", &Mutator::misspell_key},
                                            Named{"value misspelt", &Mutator::misspell_value},
                                            Named{"values swapped", &Mutator::swap_values},
@@ -121,7 +124,7 @@ class Mutator {
         return true;
     }
 
-    // Removes, doubles or changes a letter, or swaps two.
+    // Removes, doubles or changes one letter of the token, or swaps two neighbouring letters.
     bool misspell(const Token* token) {
         if (token == nullptr || token->end - token->begin < 4) return false;
         std::string word = text_of(*token);
@@ -154,13 +157,13 @@ class Mutator {
     bool swap_values() { return swap_two(pick(is_value), pick(is_value)); }
     bool swap_keys() { return swap_two(pick(TokenKind::key), pick(TokenKind::key)); }
 
-    // Replaces a name by another string of any graph.
+    // Replaces a name or number by a string that occurs in any of the shipped graphs.
     bool exchange_name() {
         const Token* token = pick([](const Token& t) { return t.kind != TokenKind::mark; });
         return token != nullptr && replace(*token, values_[below(values_.size())]);
     }
 
-    // Replaces a name by another one of the same graph; keys by keys.
+    // Replaces a name by another name of the same graph: a key by a key, or a string value by a string value.
     bool repeat_name() {
         const Token* token =
             pick([](const Token& t) { return t.kind == TokenKind::key || t.kind == TokenKind::string; });
@@ -168,7 +171,8 @@ class Mutator {
         return other != nullptr && other != token && replace(*token, text_of(*other));
     }
 
-    // The range from the key to the end of its value, including the comma after or before it.
+    // Removes a member: the text from its key to the end of its value, with the comma after the value if
+    // there is one.
     bool drop_member() {
         const Token* key = pick(TokenKind::key);
         if (key == nullptr) return false;
@@ -211,7 +215,8 @@ class Mutator {
     }
 
     struct Line {
-        size_t begin = 0, end = 0;  // including its newline
+        // Offsets of the line in the text; `end` is behind the newline.
+        size_t begin = 0, end = 0;
     };
     Line pick_line() {
         const size_t at = below(text_.size());
@@ -316,7 +321,8 @@ Mutant GraphMutants::make(uint32_t seed) const {
     mutant.seed = seed;
     mutant.root = files_[random() % files_.size()];
     mutant.file = mutant.root;
-    // In one of four mutants the change is in an included file.
+    // In some mutants (one of four for each included file), the change is in an included file instead of the
+    // graph.
     for (const std::string& file : files_) {
         const std::string name = fs::path(file).filename().string();
         const bool included =

@@ -1,6 +1,6 @@
-// Changes the text of shipped graphs as a typing mistake would: misspelt keys, swapped values, removed
-// passes, numbers out of range, missing braces and quotes, swapped names, duplicated lines. Each seed gives
-// one mutant.
+// Purpose: changes the text of shipped graphs as a typing mistake would: misspelt keys, swapped values,
+// removed members, numbers out of range, missing braces and quotes, swapped names, duplicated lines. Each
+// seed gives one changed text (a mutant).
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,14 @@ namespace weft::test {
 
 struct Mutant {
     uint32_t seed = 0;
-    std::string root;  // the graph to load, relative to the source folder: "graphs/taa.json"
-    std::string file;  // the changed file: the graph, or an included file
-    std::string text;  // text of `file`
-    std::string how;   // description of the change
+    // The graph to load, relative to the source folder, such as "graphs/taa.json".
+    std::string root;
+    // The changed file: the graph itself, or a file that it includes.
+    std::string file;
+    // The changed text of `file`.
+    std::string text;
+    // Description of the change, such as "key misspelt".
+    std::string how;
 };
 
 class GraphMutants {
@@ -26,15 +30,18 @@ class GraphMutants {
     GraphMutants();
 
     [[nodiscard]] Mutant make(uint32_t seed) const;
-    // Returns the mutant's text instead of its file; other files are unchanged.
+    // Returns a reader that gives the mutant's text for the changed file. All other files are read from disk.
     [[nodiscard]] static FileReader reader_of(const Mutant& mutant);
     [[nodiscard]] static std::string path_of(const std::string& file);
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
  private:
-    std::vector<std::string> files_;            // files of all shipped graphs
-    std::map<std::string, std::string> texts_;  // index: file
-    std::vector<std::string> values_;           // strings that occur in these files, with their quotes
+    // All shipped graphs, relative to the source folder.
+    std::vector<std::string> files_;
+    // The text of each of these files, by file.
+    std::map<std::string, std::string> texts_;
+    // All strings that occur in these files, including their quotes.
+    std::vector<std::string> values_;
 };
 
 }  // namespace weft::test

@@ -1,5 +1,6 @@
-// Mutants of shipped graphs, in all tiers: each is rejected within a second, and each message has a code, a
-// place and a remedy; or its plan passes the checker. No device is needed.
+// Tests many mutants (damaged copies) of the shipped graphs in all tiers, without a device. A mutant must
+// either be rejected within one second, with a code, a place and a help text in each message, or its plan
+// must pass the checker.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +38,8 @@ double cpu_time_s() {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
-// The place must exist in the file as it was read.
+// Checks that a diagnostic has a code, a message and a help text, and that its line and column exist in the
+// file.
 void expect_useful(const Diagnostic& d, const FileReader& reader) {
     EXPECT_EQ(d.code.size(), 4u) << to_text(d);
     EXPECT_FALSE(d.help.empty()) << to_text(d);
@@ -48,7 +50,8 @@ void expect_useful(const Diagnostic& d, const FileReader& reader) {
     std::string line;
     uint32_t count = 0;
     while (count < d.line && std::getline(lines, line)) ++count;
-    if (count < d.line) line.clear();  // after the last newline
+    // The line after the last newline is empty.
+    if (count < d.line) line.clear();
     EXPECT_LE(d.line, count + 1) << to_text(d);
     EXPECT_LE(d.column, line.size() + 1) << to_text(d);
 }
@@ -76,7 +79,8 @@ class GraphMutantsTest : public testing::Test {
         return settings;
     }
 
-    // Returns the faults of one tier; if there are none, checks its plan.
+    // Returns the errors of one tier of the graph. If there are no errors, also expects that the plan passes
+    // the checker.
     Diagnostics check_tier(const JsonDoc& document, const LoadInput& input, uint32_t queues,
                            Diagnostics& warnings) {
         const Result<PlannedGraph> planned = plan_graph(document, input, queues, warnings);
@@ -132,7 +136,8 @@ class GraphMutantsTest : public testing::Test {
     PassCatalog passes_ = registered_passes();
     ImportCatalog imports_ = render::scene_imports({64, 36, 1});
     DeviceProfile profile_;
-    ShaderMemory memory_;  // programs shared by all mutants
+    // Compiled shader programs, which all mutants share to save time.
+    ShaderMemory memory_;
 };
 
 TEST_F(GraphMutantsTest, AreRefusedAtAPlaceOrProved) {

@@ -1,4 +1,5 @@
-// Renders those mutants of shipped graphs that load; the validation layers must give no message.
+// Tests those mutants (damaged copies) of the shipped graphs that can be loaded: renders them on a device,
+// and expects no validation message.
 #include <cstdlib>
 
 #include "tests/render/graph_mutants.h"
@@ -10,7 +11,8 @@ namespace {
 constexpr uint32_t kFirstSeed = 61000;
 constexpr Extent3D kSize{64, 36, 1};
 constexpr uint32_t kFrames = 2;
-// A number out of range may request too much memory for a CPU device; such mutants are skipped.
+// A number out of range may request too much memory or work for a CPU device. Mutants above these limits are
+// skipped.
 constexpr uint64_t kMostMemory_bytes = uint64_t{256} << 20;
 constexpr uint64_t kMostInvocations = uint64_t{1} << 22;
 constexpr size_t kMostPasses = 600;
@@ -72,7 +74,8 @@ class GraphMutantsVkTest : public SessionTest {
 
     Result<scene::Scene> scene_ = scene::make_builtin("spheres");
     scene::Camera camera_;
-    size_t messages_ = 0;  // number of messages already checked
+    // Number of validation messages that have been checked already.
+    size_t messages_ = 0;
 };
 
 TEST_F(GraphMutantsVkTest, AreDrawnWithoutAMessage) {

@@ -5,8 +5,8 @@
 namespace weft::render {
 namespace {
 
-// Programs copy or blit the output between frames: the frame's end must come before, and the next frame's
-// begin after.
+// The program may copy or blit the output between frames. So the import's exit state must make the frame's
+// writes available to copies and blits, and its entry state must make the next frame wait for them.
 TEST(ImportCatalog, TheOutputMayBeCopiedAndBlittedBetweenFrames) {
     const ImportCatalog catalog = scene_imports({64, 64, 1});
     const ResourceDecl& output = catalog.imports.at("backbuffer").resource;

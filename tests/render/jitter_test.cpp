@@ -1,4 +1,4 @@
-// The camera's sample positions inside a pixel, and their effect on the views for shaders.
+// Tests the sub-pixel camera offsets (jitter), and their effect on the view constants for shaders.
 #include "render/jitter.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// One scene rendered with graphs/deferred.json on a validated device; reads back the resources that a test needs.
+// Purpose: test fixture that renders a scene on a device with validation, with graphs/deferred.json unless a
+// test names another graph, and reads back the resources that the test needs.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ inline std::optional<std::string> read_text(const std::string& path) {
     return text.str();
 }
 
-// With the camera and the exposure that SessionTest::start() was given; tests may change them.
+// Returns the input for the next frames of a session. SessionTest::start() sets its camera and exposure;
+// tests may change it.
 inline render::FrameInput& frame_of(const render::Session& session) {
     static std::map<const render::Session*, render::FrameInput> frames;
     return frames[&session];
@@ -38,7 +40,8 @@ inline Status draw_frame(render::Session& session, double time_s = 0, double del
 }
 
 struct Rendered {
-    std::map<std::string, std::vector<glm::vec4>> images;  // by reference, decoded
+    // Decoded images by the reference under which the test observed them, such as "hdr@glass".
+    std::map<std::string, std::vector<glm::vec4>> images;
     shared::ViewConstants view{};
     std::vector<shared::Light> lights;
     float pre_exposure = 1;
@@ -51,7 +54,8 @@ class SessionTest : public ::testing::Test {
         vk::DeviceOptions options;
         options.validate = validate;
         options.queues = queues_;
-        options.timeout_ns = 1'500'000'000'000;  // a busy machine is no reason to fail
+        // The time-out is long, so that the test does not fail on a busy machine.
+        options.timeout_ns = 1'500'000'000'000;
         Result<std::unique_ptr<vk::Device>> made = vk::Device::create(options);
         ASSERT_TRUE(made) << to_text(made.errors());
         device_ = std::move(*made);
@@ -61,7 +65,7 @@ class SessionTest : public ::testing::Test {
         for (const vk::Message& m : device_->messages().messages()) ADD_FAILURE() << m.id << ": " << m.text;
     }
 
-    // Null: the test has failed.
+    // Starts a session that renders `scene` with `graph`. On an error, the test fails and the result is null.
     std::unique_ptr<render::Session> start(const scene::Scene& scene, const scene::Camera& camera,
                                            const std::string& graph, Extent3D size,
                                            std::vector<std::string> observed, float exposure_ev = 0,
@@ -84,7 +88,7 @@ class SessionTest : public ::testing::Test {
         frame_of(**session) = {.camera = camera, .exposure_ev = exposure_ev};
         return std::move(*session);
     }
-    // A graph for which the scene doesn't matter.
+    // Starts a session for a graph that does not depend on the scene.
     std::unique_ptr<render::Session> start(const std::string& graph, Extent3D size,
                                            std::vector<std::string> observed = {}) {
         const Result<scene::Scene> scene = scene::make_builtin("spheres");
@@ -92,7 +96,8 @@ class SessionTest : public ::testing::Test {
         return start(*scene, scene::framing_camera(*scene, 1), graph, size, std::move(observed));
     }
 
-    // Fails the test and returns nothing when anything goes wrong.
+    // Renders one frame and returns the observed images. On any error, the test fails and the result is
+    // empty.
     Rendered render(const scene::Scene& scene, const scene::Camera& camera, Extent3D size, float exposure_ev,
                     std::vector<std::string> observed,
                     const std::string& graph = WEFT_SOURCE_DIR "/graphs/deferred.json") {

@@ -1,4 +1,4 @@
-// The warning about what a graph does not draw.
+// Tests the warnings about parts of a scene that a graph does not draw.
 #include "render/unsupported_report.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@ namespace {
 FramePlan plan_that_draws(std::vector<std::string> lists) {
     FramePlan plan;
     plan.graph.name = "deferred";
-    plan.graph.passes.resize(2);  // the second one is culled
+    // Pass 1 is culled, because the schedule's order contains only pass 0.
+    plan.graph.passes.resize(2);
     plan.graph.passes[0].draw_lists = std::move(lists);
     plan.graph.passes[1].draw_lists = {"transparent"};
     plan.schedule.order = {0};

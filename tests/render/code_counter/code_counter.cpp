@@ -35,8 +35,8 @@ Count& count() {
     return in_file != nullptr ? *in_file : in_memory;
 }
 
-// Each driver has its own LLVM, so this searches the libraries that the caller depends on. Two drivers in one
-// process have two copies.
+// Finds LLVM's own function in the driver that called. Each driver has its own copy of LLVM, so only the
+// libraries that this driver depends on are searched; two drivers in one process have two copies.
 MakeModule find_real(void* caller) {
     Dl_info driver{};
     void* library =
@@ -46,7 +46,8 @@ MakeModule find_real(void* caller) {
         std::fprintf(stderr, "code counter: no LLVM to call\n");
         std::abort();
     }
-    dlclose(library);  // the driver itself keeps it loaded
+    // This only undoes the dlopen() above. The driver itself keeps the library loaded.
+    dlclose(library);
     return reinterpret_cast<MakeModule>(function);
 }
 
@@ -58,8 +59,8 @@ uint64_t compiled_modules() {
 
 }  // namespace weft::test
 
-// The driver calls this function instead of LLVM's, because the dynamic linker searches a program's own
-// libraries first.
+// Counts a module and calls LLVM's function. The driver calls this function instead of LLVM's own, because
+// the dynamic linker searches this library before LLVM.
 extern "C" __attribute__((visibility("default"))) void* LLVMModuleCreateWithNameInContext(const char* name,
                                                                                           void* context) {
     ++weft::test::count();

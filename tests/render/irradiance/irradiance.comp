@@ -1,5 +1,5 @@
-// Measures irradiance with the shaders' light_reflection(): a white diffuse surface reflects irradiance / π.
-// Also measures highlights.
+// Measures irradiance with light_reflection() of the shader library: a white diffuse surface reflects irradiance / π.
+// Also measures the highlights on a white metal.
 #version 460
 #include "brdf.glsl"
 #include "frame_set.glsl"

@@ -1,4 +1,4 @@
-// Places panes in front of the scene and its sky: writes the nearest transparent surface of each pixel, or 0.
+// Places glass panes in front of the scene. Writes the depth of each pixel's nearest pane, or 0 if there is none.
 #version 460
 #include "frame_set.glsl"
 

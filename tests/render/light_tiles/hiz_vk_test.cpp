@@ -1,4 +1,5 @@
-// Every texel of every Hi-Z mip is the exact depth range of the pixels that it covers, for any size.
+// Tests that every texel of every Hi-Z mip level is the exact depth range (nearest, farthest) of the pixels
+// that it covers, for pictures of any size.
 #include <algorithm>
 #include <map>
 
@@ -18,7 +19,8 @@ struct DepthRange {
     }
 };
 
-// The definition: the depth range of the pixels in squares of `side`.
+// Computes the correct result directly: the depth range of the pixels in each square of `side` x `side`
+// pixels.
 std::vector<DepthRange> ranges(const std::vector<glm::vec4>& depth, Extent3D size, uint32_t side,
                                uint32_t columns, uint32_t rows) {
     std::vector<DepthRange> found(size_t{columns} * rows);
@@ -47,7 +49,7 @@ class HiZ : public SessionTest {
         }
     }
 
-    // Two frames with different depths, for each size.
+    // Renders two frames with different depths for each size, and checks every texel of every mip level.
     void run(const std::vector<Extent3D>& sizes) {
         std::vector<std::string> observed{"depth"};
         for (uint32_t mip = 0; mip < kMips; ++mip) observed.push_back("hiz.mip(" + std::to_string(mip) + ")");
@@ -87,7 +89,8 @@ TEST_F(HiZ, IsExactInColumns) {
     run(sizes);
 }
 
-// Tests positions across the border of a square of 128 pixels, in both directions.
+// Tests sizes just below, at and above a multiple of 128 pixels, in both directions. 128 pixels are the area
+// of one workgroup.
 TEST_F(HiZ, IsExactAroundSquares) {
     run({{127, 129, 1}, {128, 128, 1}, {129, 127, 1}, {257, 130, 1}});
 }

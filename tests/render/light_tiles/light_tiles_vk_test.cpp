@@ -1,5 +1,5 @@
-// The light list of each tile contains every light that reaches one of its pixels, is sorted and the same in
-// every run, and lights without room are reported.
+// Tests the light list of each screen tile: it contains every light that reaches one of the tile's pixels, is
+// sorted, and is the same in every run. Lights that do not fit into a list are counted.
 #include <algorithm>
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
@@ -14,7 +14,8 @@ namespace {
 constexpr Extent3D kSize{320, 180, 1};
 constexpr const char* kGraph = "tiles.json";
 
-// The scene has one directional light, which is never in a list.
+// Returns a built-in scene with `lights` lights. One of them is directional: directional lights must never be
+// in a list.
 scene::Scene scene_with(const char* name, uint32_t lights) {
     Result<scene::Scene> scene = scene::make_builtin(name);
     EXPECT_TRUE(scene);
@@ -26,7 +27,7 @@ scene::Scene scene_with(const char* name, uint32_t lights) {
     return std::move(*scene);
 }
 
-// Moves the scene far from the origin, where single precision has few fractional digits.
+// Moves the whole scene away from the origin, to a place where float has few fractional digits.
 void move_away(scene::Scene& scene, const glm::vec3& by) {
     const glm::mat4 move = glm::translate(glm::mat4(1), by);
     for (scene::Instance& instance : scene.instances) instance.transform = move * instance.transform;
@@ -34,7 +35,8 @@ void move_away(scene::Scene& scene, const glm::vec3& by) {
     for (scene::Camera& camera : scene.cameras) camera.transform = move * camera.transform;
 }
 
-// The scene's own cameras, and views from inside its bounds in all directions.
+// Returns `count` cameras: the scene's own cameras first, then views from inside the scene's bounds in all
+// directions.
 std::vector<scene::Camera> cameras(const scene::Scene& scene, size_t count) {
     std::vector<scene::Camera> found = scene.cameras;
     const glm::vec3 size = scene.bounds.max - scene.bounds.min;
@@ -86,9 +88,9 @@ TEST_F(LightTiles, MissNoLightFarFromTheOrigin) {
     expect_nothing_missed(frame_of(scene, scene.cameras.at(0)), "far away");
 }
 
-// Each light is directly in front of a pixel and its range ends just behind the surface. On a wall that faces
-// the camera, rounding decides whether it reaches the surface, so the shaders' tolerance for rounding is
-// needed.
+// Returns the scene with 1024 lights, each in front of a visible surface point, with a range that ends just
+// behind the point. On a wall that faces the camera, rounding decides whether such a light reaches the wall,
+// so the shaders need their tolerance for rounding.
 scene::Scene lights_that_just_reach(const scene::Scene& scene, const scene::Camera& camera,
                                     const TileFrame& frame) {
     std::mt19937 engine(3);
@@ -172,8 +174,8 @@ TEST_F(LightTiles, CountWhatHasNoRoom) {
     EXPECT_EQ(cut.mask, whole.mask) << "bits have no limit";
 }
 
-// Positions every few centimetres from the nearest pane to the surface behind it, or for 200 m if there is
-// none.
+// Returns positions where glass could be lit: in each pixel that shows glass, 41 positions from the nearest
+// pane to the surface behind it, or to 200 m if there is no surface.
 TilePlaces glass_places(const TileFrame& frame) {
     TilePlaces places(frame.tiles());
     const glm::dmat4 to_world = glm::inverse(glm::dmat4(frame.view.projection) * glm::dmat4(frame.view.view));
@@ -233,7 +235,8 @@ TEST_P(ManyLightTiles, MissNoLightInAnyView) {
     const scene::Scene scene = scene_with(name, lights);
     for (const Extent3D& size : {kSize, Extent3D{641, 361, 1}, Extent3D{1366, 768, 1}})
         for (const scene::Camera& camera : cameras(scene, 5))
-            // More lights would need larger buffers than some devices support.
+            // The number of lights is limited to 4096, because longer lists would need larger buffers than
+            // some devices support.
             expect_nothing_missed(frame_of(scene, camera, size, std::min(lights, 4096u)),
                                   std::string(name) + ", " + std::to_string(lights) + " lights, " +
                                       camera.name + ", " + std::to_string(size.width) + " × " +

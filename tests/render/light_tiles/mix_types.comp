@@ -1,5 +1,5 @@
-// Changes points and spots to lights of all types; some have no range limit, some have cones of more than
-// 90°.
+// Changes some point and spot lights to lights of other types. Some lights get no range limit, and some spot lights get
+// cones of more than 90°.
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"

@@ -1,6 +1,6 @@
-// The depth of the reference room for light culling: a floor and a ceiling 8 m apart, walls 16 m apart, the
-// far wall 60 m away, two rows of columns and 60 spheres, seen from the origin along −z. Units: metres.
-// out  depth  near / distance along the view, of the first surface behind each pixel's centre
+// Writes the depth of the reference room for light culling: floor and ceiling 8 m apart, walls 16 m apart, far wall 60
+// m away, two rows of columns and 60 spheres, seen from the origin along -z. Units: metres. Output `depth`: near plane
+// / distance along the view, of the first surface seen through the pixel's centre.
 #version 460
 #include "frame_set.glsl"
 
@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(r32f) writeonly uniform image2D depth;
 
 const int kSpheres = 60;
-const vec4 kSphere[kSpheres] = vec4[](  // centre, radius
+const vec4 kSphere[kSpheres] = vec4[](  // centre in x, y, z; radius in w
     vec4(-3.336082, -1.489640, -42.182953, 0.482531),
     vec4(-3.519370, -0.872526, -44.337490, 0.541778),
     vec4(-0.139066, -1.420358, -30.528475, 0.308695),
@@ -71,7 +71,7 @@ const vec4 kSphere[kSpheres] = vec4[](  // centre, radius
     vec4(4.715811, -1.343897, -46.432091, 0.198927),
     vec4(3.239192, -0.389379, -37.159462, 0.543439));
 
-// All positions are t · ray, where the ray has z = −1: t is the distance along the view.
+// Returns the distance along the view to the nearest wall, floor or ceiling. It is t in t * ray, with ray.z = -1.
 float planes_hit(vec3 ray) {
     float t = min(60.0, 8.0 / abs(ray.x));
     if (ray.y < 0.0) t = min(t, -2.0 / ray.y);
@@ -79,7 +79,7 @@ float planes_hit(vec3 ray) {
     return t;
 }
 
-// The first t ≥ 0 with a t² + 2 b t + c = 0; `otherwise` if there is none.
+// Returns the smaller root t of a t² + 2 b t + c = 0 if it is positive and below `otherwise`; else `otherwise`.
 float first_root(float a, float b, float c, float otherwise) {
     const float root = b * b - a * c;
     if (root <= 0.0) return otherwise;

@@ -1,4 +1,5 @@
-// Renders one frame of a graph with light tiles, and reads the lists and the data that they were made from.
+// Purpose: test fixture that renders one frame of a graph with light tiles, and reads back the light lists
+// and the data from which they were made.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +16,15 @@ struct TileFrame {
     std::vector<float> depth, glass_depth;
     std::vector<shared::Light> lights;
     uint32_t directional = 0;
-    std::vector<uint32_t> tile_lights, overflow, mask, glass_lights;  // raw words of the buffers
+    // The words of the buffers as the GPU wrote them.
+    std::vector<uint32_t> tile_lights, overflow, mask, glass_lights;
 
     [[nodiscard]] uint32_t across() const { return (size.width + kTilePx - 1) / kTilePx; }
     [[nodiscard]] uint32_t tiles() const { return across() * ((size.height + kTilePx - 1) / kTilePx); }
 };
 
-// The lights in the list of a tile, in the list's order.
+// Returns the light indices in the list of a tile, in the order of the list. The first word of a list is the
+// number of lights.
 inline std::vector<uint32_t> list_of(const TileFrame& frame, const std::vector<uint32_t>& words,
                                      uint32_t tile) {
     const size_t begin = size_t{tile} * (words.size() / frame.tiles());
@@ -33,7 +36,8 @@ class TileTest : public SessionTest {
  protected:
     using Params = std::map<std::string, double>;
 
-    // On any error, fails the test and returns an empty frame.
+    // Renders one frame and returns the observed buffers. On any error, the test fails and the frame is
+    // empty.
     TileFrame tiles(const std::string& graph, const scene::Scene& scene, const scene::Camera& camera,
                     Extent3D size, const Params& params, std::vector<std::string> observed) {
         passes_ = registered_passes();
@@ -80,13 +84,14 @@ class TileTest : public SessionTest {
         if (name == "tileMask") copy(data.bytes, frame.mask);
         if (name == "glassLights") copy(data.bytes, frame.glass_lights);
         if (name != "lights") return;
-        const size_t count = frame.lights.size();  // number of lights in the buffer
+        // The buffer has room for more lights than the scene has, so the copy is cut to this number.
+        const size_t count = frame.lights.size();
         copy(data.bytes, frame.lights);
         frame.lights.resize(count);
     }
 };
 
-// The result of comparing the lists with a search pixel by pixel.
+// Counts entries of the light lists, compared with the lights that a search pixel by pixel finds.
 struct Comparison {
     size_t listed = 0, needed = 0, missed = 0;
     [[nodiscard]] double in_vain_percent() const {

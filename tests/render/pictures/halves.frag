@@ -1,4 +1,4 @@
-// Bright red in focus on the left; blue and green stripes at the given distance on the right.
+// Draws bright red in focus on the left half, and blue and green stripes at the distance right_m on the right half.
 #version 460
 #include "frame_set.glsl"
 layout(location = 0) in vec2 uv;

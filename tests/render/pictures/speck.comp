@@ -1,4 +1,4 @@
-// One bright texel in the middle of a dim picture.
+// Draws one bright texel in the middle of a uniform dim picture.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f) writeonly uniform image2D hdr;

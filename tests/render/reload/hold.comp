@@ -4,7 +4,7 @@ layout(push_constant) uniform Params { uint beforeValid; } params;
 uniform sampler2D before;
 layout(rgba32f) writeonly uniform image2D dst;
 
-// Writes 1 if the history has its expected value or is not valid yet; once it is lost, the output stays 0.25.
+// Writes 1 while the history is intact (1) or not valid yet. If the history is lost once, the output stays 0.25.
 void main() {
     const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     const vec4 past = texelFetch(before, at, 0);

@@ -1,4 +1,5 @@
-// Changes of files as made by editors, compilers and version control, and which of them are reported.
+// Tests FileWatch with changes of files as editors, compilers and version control make them, and with changes
+// that it must ignore.
 #include "render/file_watch.h"
 
 #include <gtest/gtest.h>
@@ -28,9 +29,10 @@ class FileWatching : public ::testing::Test {
         for (const std::string& name : names) files.insert(folder_.path(name));
         return watch_->watch(files);
     }
-    // Waits for a long time: the limit is reached only if a fault makes it wait forever.
+    // The limit of 600 s is long, so that it is reached only if a bug makes wait() wait forever.
     bool notices(const std::function<void()>& change) { return changes_within(600s, change); }
-    // The system queues a change before the call that makes it returns, so waiting for one second is enough.
+    // Before a call that changes a file returns, the kernel has already queued the event. So waiting for one
+    // second is enough to see that nothing was reported.
     bool ignores(const std::function<void()>& change) { return !changes_within(1s, change); }
 
     bool changes_within(std::chrono::seconds most, const std::function<void()>& change) {
@@ -59,7 +61,8 @@ TEST_F(FileWatching, EveryWayOfSavingIsSeen) {
     }));
 }
 
-// A file that was written under another name or without a name appears complete.
+// Tests a file that was written under another name and then linked to its place, so that it appears there
+// with its complete content.
 TEST_F(FileWatching, AFileThatIsLinkedIntoItsPlaceIsSeen) {
     static_cast<void>(watch({"linked.json"}));
     folder_.set("draft", "x");
@@ -104,7 +107,8 @@ TEST_F(FileWatching, AFolderMayGoAndComeBack) {
     EXPECT_TRUE(notices([&] { fs::rename(folder_.path("sub"), folder_.path("away")); }));
 }
 
-// All changes are made before the wait begins, so that pauses between them do not depend on the machine.
+// All changes are made before wait() begins, so the result does not depend on pauses between them on a slow
+// machine.
 TEST_F(FileWatching, SavesInARowAreOneChange) {
     static_cast<void>(watch({"live.json"}));
     for (int i = 0; i < 20; ++i) folder_.set("live.json", std::to_string(i), LiveFolder::Way::in_place);
@@ -112,8 +116,8 @@ TEST_F(FileWatching, SavesInARowAreOneChange) {
     EXPECT_TRUE(ignores([] {}));
 }
 
-// On a busy machine there may be pauses between saves that make several changes of them; the last save is
-// seen.
+// On a busy machine, pauses between the saves may be long enough that wait() reports several changes. The
+// last save must be reported in any case.
 TEST_F(FileWatching, TheLastOfManySavesIsSeen) {
     static_cast<void>(watch({"live.json"}));
     std::future<int> changes = std::async(std::launch::async, [this] {

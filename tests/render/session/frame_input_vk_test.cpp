@@ -1,4 +1,4 @@
-// Values that change from frame to frame: the camera and the exposure.
+// Tests values that change from frame to frame: the camera and the exposure.
 #include "tests/render/session_fixture.h"
 
 namespace weft::test {

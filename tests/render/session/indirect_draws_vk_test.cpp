@@ -1,5 +1,5 @@
-// The shipped graph with its opaque list drawn with a copy of the scene's commands: the same picture, or an
-// error if the device does not support it.
+// Tests indirect draws: a shipped graph draws its opaque list with a copy of the scene's draw commands. The
+// picture must be the same as without it; a device without the needed feature must give an error.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -23,7 +23,7 @@ std::string indirect_graph() {
 
 class IndirectDraws : public SessionTest {
  protected:
-    // The albedo of two frames on `device`.
+    // Renders two frames on `device` and returns their albedo images as bytes.
     static Result<std::vector<std::vector<std::byte>>> albedo(vk::Device& device, FileReader reader) {
         const PassCatalog passes = registered_passes();
         const scene::Scene scene = scene::make_spheres();

@@ -1,7 +1,7 @@
 #include "tests/render/session/live_folder.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
+#include <stdlib.h>  // for mkdtemp()
 
 #include <fstream>
 

@@ -1,4 +1,5 @@
-// Purpose: a folder with a graph's files that a test can edit, break and restore. Removed after the test.
+// Purpose: a temporary folder with copies of a graph's files, which a test can edit, damage and restore. The
+// folder is removed after the test.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,7 @@ namespace weft::test {
 
 class LiveFolder {
  public:
-    // Holds copies of tests/render/reload/*.
+    // Creates the folder with copies of the files tests/render/reload/*.
     LiveFolder();
     ~LiveFolder();
     LiveFolder(const LiveFolder&) = delete;
@@ -19,14 +20,14 @@ class LiveFolder {
     [[nodiscard]] std::string graph() const { return path("live.json").string(); }
     [[nodiscard]] const std::string& text(const std::string& name) const { return texts_.at(name); }
 
-    // In place, or as most editors do, by writing another file and renaming it.
+    // How a file is written: in place, or as most editors do, by writing another file and renaming it.
     enum class Way : uint8_t { in_place, rename };
-    // Sets the wanted content of the file.
+    // Changes a file for good: `text` becomes its wanted content, which restore() restores.
     void set(const std::string& name, const std::string& text, Way way = Way::rename);
-    // Replaces the only occurrence of `from`. The test fails if there is none.
+    // Replaces `from` by `to` in the wanted content of a file. The test fails if `from` does not occur.
     void replace(const std::string& name, const std::string& from, const std::string& to,
                  Way way = Way::rename);
-    // Writes other content until restore(), which restores the wanted content of all files.
+    // Writes other content to a file until restore() restores the wanted content of all files.
     void spoil(const std::string& name, const std::string& text, Way way = Way::rename) const;
     void remove(const std::string& name) const;
     void restore() const;

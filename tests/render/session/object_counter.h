@@ -1,5 +1,6 @@
-// Purpose: counts the live objects of a device by replacing the functions that create and destroy them. Only
-// one counter at a time, because the device's table holds plain functions.
+// Purpose: counts the live Vulkan objects of a device. It replaces the functions in the device's table that
+// create and destroy objects. Only one counter may exist at a time, because the table contains plain function
+// pointers, so the count is global.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +17,17 @@ class ObjectCounter {
     ObjectCounter(const ObjectCounter&) = delete;
     ObjectCounter& operator=(const ObjectCounter&) = delete;
 
-    // Counts only objects made since the counter was created.
+    // Returns the number of live objects. Only objects made since the counter was created count.
     [[nodiscard]] int64_t live() const;
 
  private:
     vk::Device& device_;
-    vk::DeviceFunctions functions_;  // the original functions
+    // The device's original functions, which the destructor puts back.
+    vk::DeviceFunctions functions_;
 };
 
-// Memory of this process that is in use, in bytes, after the allocator returned unused memory to the system.
+// Returns the memory that this process uses, in bytes, after the allocator has returned unused memory to the
+// system.
 [[nodiscard]] uint64_t resident_bytes();
 
 }  // namespace weft::test

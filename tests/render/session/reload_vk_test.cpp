@@ -1,5 +1,5 @@
-// A graph that is edited while it runs: after any edit, the last valid picture stays until the next valid one
-// is ready, histories are preserved, and no objects or memory are leaked.
+// Tests a graph that is edited while it runs. After a faulty edit, the last valid picture stays until a valid
+// edit is ready. Histories are kept, and no objects or memory are leaked.
 #include <cstdlib>
 #include <cstring>
 #include <functional>
@@ -13,9 +13,10 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kSize{64, 36, 1};
-constexpr uint32_t kSettlingFrames = 3;  // as long as the longest history
+// The number of frames after which the picture no longer changes: the longest history has 2 frames.
+constexpr uint32_t kSettlingFrames = 3;
 
-// An edit that is valid, made and undone in turn, and the work that it may cause.
+// A valid edit, which the test applies and undoes alternately, and the work that it may cause.
 struct GoodEdit {
     const char* name;
     std::function<void(LiveFolder&, bool there)> apply;
@@ -141,21 +142,22 @@ class Reloading : public SessionTest {
         EXPECT_TRUE(output);
         return output ? std::move(output->bytes) : std::vector<std::byte>();
     }
-    // The picture of a session that starts with the wanted content of the files.
+    // Returns the picture of a new session that starts with the current wanted content of the files.
     std::vector<std::byte> wanted() {
         const std::unique_ptr<render::Session> fresh = start(folder_.graph(), kSize, {"frames"});
         if (!fresh) return {};
         draw(*fresh, kSettlingFrames);
         return shown(*fresh);
     }
-    // Prepares on a separate thread while frames are rendered.
+    // Prepares the edited graph on a separate thread while this thread renders frames.
     render::PrepareResult prepare() {
         std::future<render::PrepareResult> made = std::async(
             std::launch::async, [this, selection = live_->selection()] { return live_->prepare(selection); });
         while (made.wait_for(std::chrono::milliseconds(2)) != std::future_status::ready) draw(*live_, 1);
         return made.get();
     }
-    // Expects that a frame was counted for each frame rendered, across all swaps.
+    // Expects that the counter in the graph, which must survive all swaps, equals the number of frames
+    // rendered.
     void expect_all_counted() {
         ASSERT_TRUE(live_->finish());
         uint32_t counted = 0;
@@ -199,7 +201,8 @@ class Reloading : public SessionTest {
     uint32_t drawn_ = 0;
 };
 
-// Objects and memory at two moments, with many edits between them.
+// Number of live Vulkan objects and bytes of memory at one moment. The test compares two moments with many
+// edits between them.
 struct Leftovers {
     int64_t objects = 0;
     uint64_t bytes = 0;
@@ -211,8 +214,9 @@ class ManyEdits : public Reloading {
         EXPECT_TRUE(live_->finish());
         return {objects.live(), resident_bytes()};
     }
-    // Valid and faulty edits in turn. Measures at two moments at which all edits are in the same state:
-    // complete cycles lie between them.
+    // Applies valid and faulty edits alternately, and measures after `settled` and after `count` edits. At
+    // both moments the files must have the same content, so complete cycles of applying and undoing all edits
+    // lie between them.
     void run(uint32_t settled, uint32_t count) {
         const std::vector<GoodEdit> good = good_edits();
         const std::vector<BrokenEdit> broken = broken_edits();
@@ -261,7 +265,7 @@ TEST_F(ManyEdits, ShowTheLastGoodPictureAndLeaveNoObjectBehind) {
     extended() ? run(60, 500) : run(20, 60);
 }
 
-// One executor stays in use for all of these edits.
+// Tests edits that only replace pipelines, so that one executor stays in use for all of them.
 TEST_F(ManyEdits, OfOneShaderLeaveNoPipelineBehind) {
     const ObjectCounter objects(*device_);
     begin();
@@ -273,7 +277,8 @@ TEST_F(ManyEdits, OfOneShaderLeaveNoPipelineBehind) {
         render::PrepareResult made = prepare();
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
         EXPECT_EQ(to_text(made.result->rebuilt()), "1 of 4 shaders, 1 of 4 pipelines");
-        // Frames are in flight; their pipelines are destroyed when they have finished.
+        // Frames are in flight during the swap, so the replaced pipelines can be destroyed only when these
+        // frames have finished.
         ASSERT_NO_FATAL_FAILURE(draw(*live_, 2));
         const Result<bool> swapped = live_->swap_in(std::move(*made.result));
         ASSERT_TRUE(swapped && *swapped);
@@ -299,15 +304,15 @@ TEST_F(ManyEditsOnQueues, AreTheSame) {
 
 class ManyEditsUnwatched : public ManyEdits {
  protected:
-    // The validation layer of Vulkan 1.3.239 keeps data for every command buffer, which would hide leaks of
-    // Weft.
+    // This test runs without validation, because the validation layer of Vulkan 1.3.239 keeps data for every
+    // command buffer, which would hide leaks of Weft.
     void SetUp() override { make_device(false); }
 };
 
 TEST_F(ManyEditsUnwatched, LeaveNoMemoryBehind) {
     if (!extended()) GTEST_SKIP() << "runs with WEFT_EXTENDED=1";
     run(60, 500);
-    // Equal except for memory that the allocator keeps at one moment and not at the other.
+    // The tolerance of 2 MiB is for memory that the allocator holds at one moment and not at the other.
     EXPECT_LE(over_.bytes, settled_.bytes + (2u << 20));
 }
 

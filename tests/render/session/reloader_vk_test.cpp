@@ -1,5 +1,5 @@
-// The complete path from a saved file to another picture: the change is noticed, prepared on a thread, and
-// taken over between frames.
+// Tests the complete path from a saved file to a new picture: the change is noticed, prepared on another
+// thread, and swapped in between two frames.
 #include <chrono>
 #include <cstring>
 #include <thread>
@@ -15,7 +15,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr Extent3D kSize{64, 36, 1};
 
-// The threads that make pipelines. Global, because the device's table holds plain functions.
+// The threads that created pipelines. Global, because the functions in the device's table are plain functions
+// without an object.
 std::set<std::thread::id> pipeline_threads;
 PFN_vkCreateGraphicsPipelines real_graphics = nullptr;
 PFN_vkCreateComputePipelines real_compute = nullptr;
@@ -49,7 +50,7 @@ class Reloads : public SessionTest {
             ++drawn_;
         }
     }
-    // Renders frames until a change has a result; without limit, unless `most` is given.
+    // Renders frames until a changed file has led to a result, or until the time `most` is over.
     std::optional<render::Reload> next(std::chrono::milliseconds most = std::chrono::minutes(10)) {
         const Clock::time_point end = Clock::now() + most;
         while (Clock::now() < end) {
@@ -59,7 +60,7 @@ class Reloads : public SessionTest {
         }
         return std::nullopt;
     }
-    // The number of all frames rendered, across swaps.
+    // Returns the number of frames rendered since the start, which a counter in the graph keeps across swaps.
     uint32_t counted() {
         EXPECT_TRUE(live_->finish());
         uint32_t count = 0;
@@ -67,7 +68,7 @@ class Reloads : public SessionTest {
             if (data.pass == "observe:frames") std::memcpy(&count, data.bytes.data(), sizeof count);
         return count;
     }
-    // In the last frame.
+    // Returns the last texel of the output image of the last frame.
     uint32_t last_texel() {
         EXPECT_TRUE(live_->finish());
         const Result<vk::ReadbackData> output = live_->read_output();
@@ -79,7 +80,8 @@ class Reloads : public SessionTest {
 
     LiveFolder folder_;
     std::unique_ptr<render::Session> live_;
-    std::unique_ptr<render::Reloader> reloader_;  // destroyed first
+    // Declared after the session, so that it is destroyed before the session.
+    std::unique_ptr<render::Reloader> reloader_;
     uint32_t drawn_ = 0;
 };
 
@@ -158,7 +160,7 @@ TEST_F(Reloads, AGraphThatStartsToIncludeIsFollowedThere) {
 TEST_F(Reloads, ANewSizeMayComeInBetween) {
     begin();
     folder_.replace("live.json", "[40, 24]", "[56, 16]");
-    // Waits until a graph is prepared, which the new size makes out of date.
+    // Waits until the new graph is probably prepared. The resize then makes that prepared graph out of date.
     std::this_thread::sleep_for(std::chrono::milliseconds(400));
     ASSERT_TRUE(live_->resize({48, 20, 1}, warnings_));
     const std::optional<render::Reload> reload = next();
@@ -175,7 +177,7 @@ TEST_F(Reloads, ANewSizeMayComeInBetween) {
     EXPECT_EQ(counted(), drawn_);
 }
 
-// As a menu of tiers or parameters would do.
+// Tests a change of parameters, as a menu of the program would make it.
 TEST_F(Reloads, OtherParametersAreAnotherSelection) {
     begin();
     const uint32_t before = last_texel();
@@ -202,7 +204,7 @@ TEST_F(Reloads, AnotherTierIsAnotherSelection) {
     ASSERT_TRUE(live_->finish());
     EXPECT_EQ(find_resource(live_->plan().graph, "paint")->extent, (Extent3D{20, 12, 1}));
     EXPECT_EQ(counted(), drawn_);
-    // The tier stays when files change.
+    // The selected tier stays selected when a file changes.
     folder_.replace("paint.comp", "scale = 1.0", "scale = 0.5");
     ASSERT_TRUE(next());
     EXPECT_EQ(live_->selection().request.tier, "low");

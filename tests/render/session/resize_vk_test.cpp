@@ -1,4 +1,4 @@
-// A window that changes its size: persistent resources are preserved, and no objects or memory are leaked.
+// Tests a window that changes its size: persistent resources are kept, and no objects or memory are leaked.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -28,7 +28,7 @@ class Resize : public SessionTest {
             ASSERT_TRUE(done) << to_text(done.errors());
         }
     }
-    // Of the last frame.
+    // Returns the content of the observed resource `name` after the last frame.
     static vk::ReadbackData last(render::Session& session, const std::string& name) {
         EXPECT_TRUE(session.finish());
         vk::ReadbackData found;
@@ -55,7 +55,7 @@ struct Picture {
         return texels[static_cast<size_t>(clamp(y, size.height)) * size.width +
                       static_cast<size_t>(clamp(x, size.width))];
     }
-    // As sampled by a linear filter with clamped edges.
+    // Returns the value that a linear filter with clamped edges gives at `uv`.
     [[nodiscard]] glm::vec4 sample(glm::dvec2 uv) const {
         const glm::dvec2 place = uv * glm::dvec2(size.width, size.height) - 0.5;
         const glm::dvec2 corner = glm::floor(place), part = place - corner;
