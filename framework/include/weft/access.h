@@ -1,6 +1,6 @@
-// Purpose: describes how a pass accesses a resource, with enough detail to derive every barrier: stages,
-// access bits, image layout. The names follow Vulkan's synchronization2; only to_vk.cpp maps them to its
-// values.
+// Purpose: describes how a pass accesses a resource: pipeline stages, access bits and image layout, enough to
+// derive every barrier. The names follow Vulkan's synchronization2. Only vulkan/device/to_vk.cpp converts
+// them to Vulkan's values.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ inline constexpr StageMask kResolve = 1u << 10;
 inline constexpr StageMask kClear = 1u << 11;
 inline constexpr StageMask kHost = 1u << 12;
 inline constexpr int kCount = 13;
-inline constexpr StageMask kAll = (1u << kCount) - 1;  // all stages that the recording queue supports
+// The value kAll means all stages that the recording queue supports.
+inline constexpr StageMask kAll = (1u << kCount) - 1;
 }  // namespace stage
 
 using AccessMask = uint32_t;
@@ -56,7 +57,7 @@ inline constexpr AccessMask kAllWrites =
 
 using AspectMask = uint8_t;
 namespace aspect {
-inline constexpr AspectMask kNone = 0;  // for buffers
+inline constexpr AspectMask kNone = 0;  // A buffer has no aspects.
 inline constexpr AspectMask kColor = 1;
 inline constexpr AspectMask kDepth = 2;
 inline constexpr AspectMask kStencil = 4;
@@ -66,16 +67,17 @@ enum class Layout : uint8_t {
     undefined,
     general,
     color_attachment,
-    depth_attachment,  // depth and stencil, read and write
-    depth_read_only,   // attachment and sampled image at the same time
+    depth_attachment,  // Layout of a depth or stencil attachment that is read and written.
+    // Layout of a depth image that is a read-only attachment and a sampled image at the same time.
+    depth_read_only,
     shader_read_only,
     transfer_src,
     transfer_dst,
     present,
 };
 
-// The kind of access of one use of a resource. For shader accesses, `stages` depend on the pass; see
-// access_state().
+// The way in which a pass uses a resource. access_state() gives the stages, access bits and layout for it;
+// the stages of shader accesses depend on the pass.
 enum class Access : uint8_t {
     none,
     indirect_read,
@@ -84,13 +86,14 @@ enum class Access : uint8_t {
     uniform_read,
     sampled_read,
     storage_read,
-    storage_write,       // writes the whole range: previous content is not visible
-    storage_read_write,  // in place
-    color_write,         // cleared, or completely covered
-    color_read_write,    // blended, masked or loaded
-    depth_write,         // first write of a frame: cleared, then tested and written
-    depth_read_write,    // loaded, tested, written
-    depth_read,          // tested only
+    storage_write,       // A shader writes the whole range, so that previous content is not visible.
+    storage_read_write,  // A shader reads and writes the range in place.
+    color_write,  // The pass draws to the colour attachment after clearing it, or covers it completely.
+    // The pass draws to the colour attachment and needs its content: blending, masked channels, or loading.
+    color_read_write,
+    depth_write,       // The pass is the first of the frame to write depth: it clears, then tests and writes.
+    depth_read_write,  // The pass loads depth, tests against it and writes it.
+    depth_read,        // The pass tests against depth and does not write it.
     copy_read,
     copy_write,
     blit_read,
@@ -100,7 +103,7 @@ enum class Access : uint8_t {
     present,
 };
 
-// Stages, access bits and layout: one side of a barrier.
+// One side of a barrier: pipeline stages, access bits and image layout.
 struct AccessState {
     StageMask stages = stage::kNone;
     AccessMask access = access::kNone;
@@ -109,14 +112,16 @@ struct AccessState {
     bool operator==(const AccessState&) const = default;
 };
 
-// The state for access `a` by the given shader stages (ignored by fixed-function accesses). Buffers (no
-// aspects) have the layout `undefined`. Sampled depth uses `depth_read_only`, so that it can be attachment
-// and input at the same time; sampled colour uses `shader_read_only`; storage images use `general`.
+// Returns the state that access `a` needs. `shader_stages` are the shader stages that access the resource;
+// accesses by fixed-function stages ignore them. A buffer has no aspects and gets the layout `undefined`.
+// Sampled colour images use `shader_read_only`, sampled depth images `depth_read_only`, so that they can be
+// an attachment at the same time. Storage images use `general`.
 [[nodiscard]] AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask aspects);
-[[nodiscard]] bool reads(Access a);  // true if the access sees previous content
+[[nodiscard]] bool reads(Access a);  // Returns true if the access can see previous content of the resource.
 [[nodiscard]] bool writes(Access a);
 
-// For dumps and messages: "compute_shader|fragment_shader", "storage_write", "shader_read_only".
+// These functions return texts for dumps and messages. Examples: "compute_shader|fragment_shader",
+// "storage_write", "shader_read_only".
 [[nodiscard]] std::string stages_text(StageMask mask);
 [[nodiscard]] std::string access_text(AccessMask mask);
 [[nodiscard]] std::string layout_text(Layout layout);

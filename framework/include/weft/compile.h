@@ -1,4 +1,5 @@
-// Purpose: the compiler: makes a plan from a resolved graph and the device's memory requirements.
+// Purpose: declares the compiler, which makes a plan from a resolved graph and the memory requirements of its
+// resources.
 #pragma once
 
 #include <string>
@@ -10,45 +11,46 @@
 namespace weft {
 
 struct CompileOptions {
-    bool keep_all_passes = false;  // disables culling
+    bool keep_all_passes = false;  // True: no pass is culled.
     uint64_t granularity_bytes = 64;
-    std::vector<LogicalQueue> queues{LogicalQueue{}};  // the first one must be a graphics queue
+    // The logical queues of the plan. The first queue must be a graphics queue.
+    std::vector<LogicalQueue> queues{LogicalQueue{}};
 };
 
-// The time of one stage, for benchmarks.
+// The time that one stage of the compiler took, in microseconds. Benchmarks report it.
 struct StageTime {
     std::string stage;
     double us = 0;
 };
 
-// `count` logical queues for a device: graphics, then compute, transfer and a second compute queue. Each uses
-// the family with the fewest other capabilities. If the device lacks such a family, a more capable one is
-// used.
+// Returns `count` logical queues for a device, in this order: graphics, compute, transfer, a second compute
+// queue. Each queue uses the family with the fewest other capabilities. If the device has no such family, the
+// queue uses a more capable one.
 [[nodiscard]] std::vector<LogicalQueue> logical_queues(const DeviceProfile& profile, uint32_t count);
 
-// The options for a device with this profile and `queue_count` logical queues.
+// Returns the options for a plan on a device with this profile, with `queue_count` logical queues.
 [[nodiscard]] CompileOptions compile_options(const DeviceProfile& profile, uint32_t queue_count);
 
-// Runs the stages from cull to link. The checker is not called here: callers check the plan with check_plan()
-// (weft/check/check_plan.h), as every test and every debug build does. `times` gets the time of every stage,
-// in the order in which the stages run.
+// Runs the stages from cull() to link(). compile() does not check the plan: callers do this with check_plan()
+// (weft/check/check_plan.h), as all tests and debug builds do. If `times` is not null, it gets the time of
+// every stage, in the order in which the stages run.
 [[nodiscard]] FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs,
                                 const CompileOptions& options, std::vector<StageTime>* times = nullptr);
 
-// Memory requirements from the contents alone: exact bytes at `alignment_bytes`, any heap. For tests and
-// `weft plan`.
+// Returns memory requirements that need no device: the exact size of each content, aligned to
+// `alignment_bytes`, in any memory type. For tests and `weft plan`.
 [[nodiscard]] MemoryNeeds content_needs(const ResolvedGraph& graph, uint64_t alignment_bytes = 16);
 
-// Memory requirements of a device with this profile: padded rows, extra bytes, alignments, and the allowed
-// memory types of each resource. Resources that are only attachments use lazily allocated memory if the
-// profile has it.
+// Returns the memory requirements on a device with this profile: sizes with padded rows and extra bytes,
+// alignments, and the allowed memory types. Images that are only attachments get lazily allocated memory if
+// the profile has such a memory type.
 [[nodiscard]] MemoryNeeds profile_needs(const ResolvedGraph& graph, const DeviceProfile& profile);
 
-// The hash of a plan: 32 hexadecimal digits.
+// Returns the hash of a plan as 32 hexadecimal digits. Places in files are not included.
 [[nodiscard]] std::string plan_hash(const FramePlan& plan);
-// The hash without the parts that can change between two frames of a running plan: values of parameters and
-// constants, and the state of pipelines. Plans with equal structure have the same resources, passes, barriers
-// and bindings.
+// Returns the hash of everything in a plan that cannot change while the plan runs: resources, passes,
+// barriers and bindings. The hash leaves out values of parameters and constants, and the state of pipelines,
+// because a running executor can exchange these between two frames.
 [[nodiscard]] std::string structure_hash(FramePlan plan);
 
 }  // namespace weft

@@ -1,6 +1,7 @@
-// Purpose: the declarations of a frame's passes and resources, with every name, size, format and version
-// resolved. resolve() makes them; later stages read them; the checker reads only them and the plan. Units:
-// extents in pixels, sizes in bytes. Ids are indices into ResolvedGraph's vectors.
+// Purpose: defines the resolved graph: the resources and passes of a frame, in which every name, size, format
+// and version is known. resolve() makes it, and all later stages of the compiler read it. The checker
+// (framework/check/) reads only this data and the plan. Units: extents in pixels, sizes in bytes. A
+// ResourceId is an index into ResolvedGraph::resources, a PassId an index into ResolvedGraph::passes.
 #pragma once
 
 #include <array>
@@ -31,7 +32,8 @@ struct Extent3D {
 enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
 
-// A box of mips × layers × aspects. A buffer is one subresource: mip 0, layer 0, kColor.
+// A part of a resource: `mips` mip levels from `mip` on, `layers` layers from `layer` on, and the given
+// aspects. A buffer has one subresource: mip 0, layer 0, aspect kColor.
 struct SubresourceRange {
     uint32_t mip = 0;
     uint32_t mips = 1;
@@ -59,36 +61,43 @@ inline constexpr UsageMask kIndex = 1u << 8;
 inline constexpr UsageMask kIndirect = 1u << 9;
 }  // namespace usage
 
-// The usage flag for one kind of access.
+// Returns the usage flag that a resource needs for an access. Example: kSampled for Access::sampled_read.
 [[nodiscard]] UsageMask usage_of(Access a);
 
 enum class ResourceLifetime : uint8_t {
-    transient,   // lives within a frame; may share memory with others
-    persistent,  // keeps its memory and content from frame to frame (history, keep)
-    imported,    // owned by the program; entry and exit states are declared
+    // The content lives within one frame. The memory may be shared with other transient resources.
+    transient,
+    // Memory and content are kept from frame to frame, as for a resource with `history` or `keep`.
+    persistent,
+    // The program owns the resource and declares its states before and after the frame (ImportState).
+    imported,
 };
 
-// The states of an imported resource before and after the frame. `entry` describes accesses before the frame:
-// its writes are still pending, and its reads must complete before the frame writes. `exit` describes
-// accesses after the frame: the frame's writes are made visible to them.
+// The states of an imported resource before and after each frame. `entry` describes how the program uses the
+// resource before the frame: the frame must wait for these reads before it writes, and must make these writes
+// visible before it reads. `exit` describes how the program uses the resource after the frame: the frame
+// makes its own writes visible to these accesses.
 struct ImportState {
-    AccessState entry;  // layout `undefined`: the content is discarded
+    AccessState entry;  // The layout `undefined` means that the frame discards the old content.
     AccessState exit;
-    uint32_t family = 0;      // index into DeviceProfile::queue_families
-    bool concurrent = false;  // created for all queue families; otherwise only passes on queues of `family`
-                              // may use it
+    // Queue family that owns the resource between frames: an index into DeviceProfile::queue_families.
+    uint32_t family = 0;
+    // True: the resource was created for concurrent use by all queue families. False: only passes on queues
+    // of `family` may use the resource.
+    bool concurrent = false;
     bool operator==(const ImportState&) const = default;
 };
 
-// Content of a persistent resource after its size has changed: its first-frame value, its old content scaled
-// to the new size, or undefined until its writer has run again.
+// The content of a persistent resource after a change of its size. clear: the initial value `first_frame`.
+// resample: the old content, scaled to the new size. refill: undefined, until a pass has written the resource
+// again.
 enum class OnResize : uint8_t { clear, resample, refill };
 
 struct ResourceDecl {
     std::string name;
     ResourceKind kind = ResourceKind::image;
     ResourceLifetime lifetime = ResourceLifetime::transient;
-    // images
+    // The members from image_kind to aspects describe an image. Buffers do not use them.
     ImageKind image_kind = ImageKind::d2;
     Format format = Format::undefined;
     Extent3D extent;
@@ -96,33 +105,37 @@ struct ResourceDecl {
     uint32_t layers = 1;
     uint32_t samples = 1;
     AspectMask aspects = aspect::kColor;
-    // buffers
+    // The members size_bytes and stride_bytes describe a buffer. Images do not use them.
     uint64_t size_bytes = 0;
     uint32_t stride_bytes = 0;
-    // for both kinds
-    UsageMask usage = 0;  // union over all passes, including culled ones
-    // A persistent resource is a ring of history + 1 ResourceDecls: "color" is this frame's content,
-    // "color[-1]" that of one frame ago. Each frame advances the ring by one copy: age a in frame f uses the
-    // copy that age (f - a) mod (history + 1) had in frame 0. A ring of one resource keeps its content.
-    uint32_t history = 0;     // number of earlier frames to keep
-    ResourceId ring = kNoId;  // the resource of age 0 in this ring; kNoId if not persistent
+    // Union of the usage flags of all passes that use the resource, including culled passes.
+    UsageMask usage = 0;
+    // A resource with `history` n is a ring of n + 1 ResourceDecls. In a ring of 3, "color" (age 0) is the
+    // content of this frame, "color[-1]" (age 1) that of the previous frame, "color[-2]" (age 2) that of the
+    // frame before. The memory rotates, so that nothing is copied: in frame f, age a uses the memory that was
+    // placed for age (f - a) mod (n + 1). A resource with `keep` is a ring of one, which keeps its content.
+    uint32_t history = 0;  // Number of earlier frames whose content is kept.
+    // The resource of age 0 in the ring of this resource; kNoId if the resource is not persistent.
+    ResourceId ring = kNoId;
     uint32_t age = 0;
-    std::array<float, 4> first_frame{0, 0, 0, 0};  // initial content of every copy
+    // Initial value (r, g, b, a) of every copy in the ring, before the first write.
+    std::array<float, 4> first_frame{0, 0, 0, 0};
     OnResize on_resize = OnResize::clear;
     bool pre_exposed = false;
     std::optional<ImportState> import;
-    std::optional<std::array<float, 4>> clear;  // clear value for the first raster write
+    // Clear value, used if a raster pass is the first in a frame to write the image; absent: 0.
+    std::optional<std::array<float, 4>> clear;
     SourceLoc loc;
 
     [[nodiscard]] SubresourceRange whole() const;
 };
 
-// Bytes of all texels of all mips and layers, without padding; for a buffer its size.
+// Returns the bytes of all texels in all mips and layers, without padding; for a buffer, its size.
 [[nodiscard]] uint64_t content_bytes(const ResourceDecl& resource);
 [[nodiscard]] Extent3D mip_extent(const Extent3D& extent, uint32_t mip);
 
-// The pass that wrote the content seen by a read. producer == kNoId: content from before the frame (import,
-// history).
+// Names the pass that wrote the content that a read sees in `range`. producer == kNoId: the content is from
+// before the frame (an import, or history).
 struct VersionSource {
     SubresourceRange range;
     PassId producer = kNoId;
@@ -135,37 +148,46 @@ struct SamplerDecl {
     SamplerFilter filter = SamplerFilter::linear;
     SamplerFilter mip_filter = SamplerFilter::linear;
     SamplerWrap wrap = SamplerWrap::clamp;
-    bool compare_greater_equal = false;  // for sampler2DShadow
+    // True for a sampler2DShadow: the sampler compares with "greater or equal".
+    bool compare_greater_equal = false;
     bool operator==(const SamplerDecl&) const = default;
 };
 
-// The binding of a pass's port to a range of a resource.
+// Binds a port of a pass to a part of a resource, and tells how the pass accesses this part.
 struct UseDecl {
     std::string port;
     ResourceId resource = kNoId;
     SubresourceRange range;
     Access access = Access::none;
-    AccessState state;       // access_state(access, stages, is_image); the state that barriers must establish
-    uint32_t history = 0;    // 0: this frame's content; n: the final content of n frames ago
-    bool is_output = false;  // declared in "out" or "depth"
-    std::vector<VersionSource> sources;  // for reading accesses
-    uint32_t binding = kNoId;            // in set 1; kNoId for attachments, copies and C++ passes
+    // Stages, access bits and layout that the barriers must establish before the pass: access_state() of
+    // `access`.
+    AccessState state;
+    // 0: the content of this frame; n: the content at the end of n frames ago, as in "color[-n]".
+    uint32_t history = 0;
+    bool is_output = false;  // True if the port is declared in "out" or "depth" of the pass.
+    // The writers of the content that the pass reads. Empty if the access does not read.
+    std::vector<VersionSource> sources;
+    // Binding number in descriptor set 1; kNoId for attachments, copies and passes in C++.
+    uint32_t binding = kNoId;
     SamplerDecl sampler;
     SourceLoc loc;
 };
 
 enum class EdgeKind : uint8_t { raw, war, waw, after };
 
-// `to` must run after `from`. There is one edge for each reason, so that every barrier can be explained.
+// `to` must run after `from`. Two passes have a separate edge for each reason, so that every barrier can be
+// explained.
 struct EdgeDecl {
     PassId from = kNoId;
     PassId to = kNoId;
     EdgeKind kind = EdgeKind::raw;
-    ResourceId resource = kNoId;  // kNoId for edges from `after`
+    // The resource that causes the edge; kNoId if the cause is the key `after` in the graph.
+    ResourceId resource = kNoId;
     SourceLoc loc;
 };
 
-// `blit` is a copy with scaling. `readback` copies a range to host memory; observing a resource adds such a pass.
+// `blit` copies with scaling. `readback` copies a part of a resource to host memory. If a program observes a
+// resource (`--resource`), resolve() adds a readback pass.
 enum class PassKind : uint8_t { compute, fullscreen, raster, clear, copy, readback, custom, blit };
 
 enum class CompareOp : uint8_t { never, less, equal, less_equal, greater, not_equal, greater_equal, always };
@@ -203,7 +225,7 @@ struct BlendState {
     BlendOp color_op = BlendOp::add;
     BlendFactor src_alpha = BlendFactor::one, dst_alpha = BlendFactor::zero;
     BlendOp alpha_op = BlendOp::add;
-    uint8_t write_mask = 0xF;  // r 1, g 2, b 4, a 8
+    uint8_t write_mask = 0xF;  // Sum of the channels to write: r 1, g 2, b 4, a 8.
     bool operator==(const BlendState&) const = default;
 };
 
@@ -220,7 +242,7 @@ struct RectPx {
     bool operator==(const RectPx&) const = default;
 };
 
-// The state of the fixed-function pipeline as data (P. Cozzi, "The Graphics Pipeline").
+// The state of the fixed-function pipeline of one pass. Source: P. Cozzi, "The Graphics Pipeline".
 struct RasterState {
     Topology topology = Topology::triangles;
     FillMode fill = FillMode::fill;
@@ -234,23 +256,25 @@ struct RasterState {
     bool stencil_test = false;
     StencilFaceState stencil_front, stencil_back;
     bool alpha_to_coverage = false;
-    std::optional<RectPx> scissor;  // default: the whole attachment
+    std::optional<RectPx> scissor;  // Scissor rectangle in pixels; absent: the whole attachment.
     std::optional<RectPx> viewport;
     bool operator==(const RasterState&) const = default;
 };
 
 struct AttachmentDecl {
-    uint32_t use = kNoId;          // index into PassDecl::uses
-    uint32_t location = 0;         // for colour attachments
-    uint32_t resolve_use = kNoId;  // for a multisampled attachment: the use that gets its averages at the end
-                                   // of the pass
+    uint32_t use = kNoId;   // The attachment's use: an index into PassDecl::uses.
+    uint32_t location = 0;  // Location of the fragment shader's output. Not used for depth attachments.
+    // For a multisampled attachment: index into PassDecl::uses of the image that gets the resolved samples at
+    // the end of the pass. kNoId: nothing is resolved.
+    uint32_t resolve_use = kNoId;
     BlendState blend;
     std::array<float, 4> clear{0, 0, 0, 0};
-    bool covers = false;  // the pass writes every texel, so no clear is needed
+    // True: the pass writes every texel, so that the attachment need not be cleared first.
+    bool covers = false;
 };
 
-// Per-frame values from the executor's caller. `valid`: 1 if the content of ParamWrite::resource, a resource
-// of a ring, has been written, else 0.
+// A value that the executor's caller provides for every frame. `valid` belongs to a resource with history
+// (ParamWrite::resource): 1 if a frame has written its content, 0 if the content is still the initial value.
 enum class Builtin : uint8_t {
     none,
     frame_index,
@@ -261,14 +285,14 @@ enum class Builtin : uint8_t {
     valid,
 };
 
-// The value of one member of a pass's `Params` block: a literal, or a per-frame builtin.
+// The value of one member of the shader's block `Params`: a constant in `value`, or a Builtin of the frame.
 struct ParamWrite {
     std::string member;
     uint32_t offset_bytes = 0;
     ScalarType scalar = ScalarType::f32;
     uint8_t components = 1;
     Builtin builtin = Builtin::none;
-    ResourceId resource = kNoId;  // for Builtin::valid
+    ResourceId resource = kNoId;  // Only for Builtin::valid: the resource with history.
     std::array<double, 4> value{0, 0, 0, 0};
 };
 
@@ -283,12 +307,12 @@ struct NamedValue {
     double value = 0;
 };
 
-// The work needed after a change of a graph parameter.
+// The work that a change of a graph parameter causes. The list goes from the cheapest to the most expensive.
 enum class ParamCost : uint8_t {
-    nothing,   // no pass uses it
-    live,      // a value in the shaders' Params
-    pipeline,  // a specialisation constant: pipelines are created again
-    graph,     // sizes, ranges, conditions: the graph is compiled again
+    nothing,   // No pass uses the parameter, so that nothing has to be done.
+    live,      // The parameter is a value in `Params` of shaders: the next frame uses the new value.
+    pipeline,  // The parameter is a specialisation constant: pipelines are created again.
+    graph,     // The parameter changes sizes, ranges or conditions: the graph is compiled again.
 };
 
 struct GraphParam {
@@ -299,55 +323,65 @@ struct GraphParam {
 
 struct PassDecl {
     std::string name;
-    std::string type;  // "compute", "raster", … or the name of a C++ pass
+    std::string type;  // "compute", "raster" and so on, or the name of a pass type in C++.
     PassKind kind = PassKind::compute;
-    QueueKind queue = QueueKind::graphics;  // a hint only
-    std::vector<UseDecl> uses;              // inputs, then outputs, both sorted by name
-    bool side_effect = false;               // true: never culled
-    std::string shader;                     // key into ShaderCatalog
+    // The queue that the author prefers. The compiler may choose a more capable queue.
+    QueueKind queue = QueueKind::graphics;
+    std::vector<UseDecl> uses;  // The inputs sorted by port name, then the outputs sorted by port name.
+    bool side_effect = false;   // True: the pass has an effect outside the graph, so that it is never culled.
+    std::string shader;  // The name of the shader in the graph: the key of its program in ShaderCatalog.
     std::vector<SpecValue> spec_values;
     std::vector<ParamWrite> params;
     uint32_t params_bytes = 0;
     bool params_push = false;
-    std::vector<NamedValue> custom_params;    // for C++ passes: parameters by name
-    std::array<uint32_t, 3> groups{0, 0, 0};  // for compute passes
-    uint32_t indirect_use = kNoId;  // for compute passes: the use whose first three words are `groups`
-    // for raster and fullscreen passes
-    std::vector<AttachmentDecl> colors;  // sorted by location
+    std::vector<NamedValue> custom_params;    // Parameters by name; only for passes in C++.
+    std::array<uint32_t, 3> groups{0, 0, 0};  // Numbers of workgroups; only for compute passes.
+    // For indirect dispatches: index into `uses` of the buffer whose first three words are the numbers of
+    // workgroups. kNoId: `groups` has these numbers.
+    uint32_t indirect_use = kNoId;
+    // The members from `colors` to `view` describe a pass that draws: raster or fullscreen.
+    std::vector<AttachmentDecl> colors;  // Colour attachments, sorted by their output location in the shader.
     std::optional<AttachmentDecl> depth;
     Extent3D render_extent;
     RasterState state;
-    std::vector<std::string> draw_lists;  // names of imports
-    uint32_t draw_commands_use = kNoId;   // for raster passes: the use with a draw command for each draw
-    uint32_t vertices = 0;   // for raster passes without draw lists: number of vertices, which the shader
-                             // computes from their index
-    uint32_t instances = 0;  // number of instances of these vertices
+    // Names of imported draw lists. The pass draws all objects in these lists.
+    std::vector<std::string> draw_lists;
+    // For indirect draws: index into `uses` of the buffer with a draw command for each draw. kNoId: direct
+    // draws.
+    uint32_t draw_commands_use = kNoId;
+    // For a raster pass without draw lists: number of vertices. The shader computes their positions from
+    // gl_VertexIndex.
+    uint32_t vertices = 0;
+    uint32_t instances = 0;  // For a raster pass without draw lists: number of instances of these vertices.
     std::string view = "camera";
-    std::array<float, 4> clear{0, 0, 0, 0};  // for clear passes
-    double flops = 0;                        // declared arithmetic cost
-    // One pass of a repeat with `perFrame`, which is cut into slices: frame f runs slice f mod frame_slices,
-    // frame 0 runs all slices. Its results are kept for the frames in between. 0 slices: it runs in every frame.
+    std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
+    double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
+    // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass
+    // belongs to slice `frame_slice`. Frame f runs slice f mod frame_slices; frame 0 runs all slices. A
+    // pass's results are kept in the frames in which the pass does not run. If frame_slices is 0, the pass
+    // runs in every frame.
     uint32_t frame_slice = 0;
     uint32_t frame_slices = 0;
-    uint32_t order_key = 0;  // program order of graphs made in memory; ties are ordered by
-                             // name
+    // For graphs that a program makes in memory: passes are ordered by this key, then by name.
+    uint32_t order_key = 0;
     SourceLoc loc;
 };
 
-// True if the pass runs in a frame; frames are counted from the start of the plan. Its barriers are recorded
-// in every frame.
+// Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of
+// the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
 
 struct ResolvedGraph {
     std::string name;
     Extent3D output_extent;
-    std::vector<ResourceDecl> resources;  // sorted by name
-    std::vector<PassDecl> passes;         // sorted by name
-    std::vector<EdgeDecl> edges;          // sorted by (to, from, kind, resource)
-    ResourceId output = kNoId;            // the import of kind "output"
-    std::vector<GraphParam> params;       // parameters of the graph
-    uint32_t frames = 1;                  // default number of frames of a run; not hashed
-    SourceMap sources;                    // for messages; not hashed
+    std::vector<ResourceDecl> resources;  // Resources, sorted by name.
+    std::vector<PassDecl> passes;         // Passes, sorted by name.
+    std::vector<EdgeDecl> edges;  // Dependencies between passes, sorted by (to, from, kind, resource).
+    // The import of kind "output", to which the picture is written; kNoId if the graph has no output.
+    ResourceId output = kNoId;
+    std::vector<GraphParam> params;  // The graph's parameters with their values.
+    uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
+    SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };
 
 [[nodiscard]] const ResourceDecl* find_resource(const ResolvedGraph& graph, std::string_view name);

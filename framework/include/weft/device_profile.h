@@ -1,6 +1,6 @@
-// Purpose: the properties of a device that the compiler uses, as data: queues, limits, formats, memory.
-// Profiles are JSON files in framework/profiles/, or made from the current device (`weft doctor --json`).
-// Units: bytes, pixels.
+// Purpose: describes a device as data, so that the compiler needs no device: queues, limits, formats, memory.
+// Profiles are JSON files in framework/profiles/, or are made from a device (`weft doctor --json`). Units:
+// bytes, pixels.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ inline constexpr FormatFeatureMask kBlitDst = 1u << 9;
 }  // namespace format_feature
 
 struct QueueFamilyProfile {
-    QueueKind kind = QueueKind::graphics;  // its most capable kind
+    QueueKind kind = QueueKind::graphics;  // The most capable kind of work that the family supports.
     uint32_t count = 1;
 };
 
@@ -40,7 +40,8 @@ struct MemoryHeapProfile {
     bool operator==(const MemoryHeapProfile&) const = default;
 };
 
-// Kinds of content that a memory type may hold. Some devices separate buffers, colour and depth.
+// The kinds of resources that a memory type may contain, as a bit mask. On some devices, buffers, colour
+// images and depth images need different memory types.
 using MemoryContentMask = uint8_t;
 namespace memory_content {
 inline constexpr MemoryContentMask kBuffers = 1;
@@ -50,23 +51,26 @@ inline constexpr MemoryContentMask kAll = 7;
 }  // namespace memory_content
 
 struct MemoryTypeProfile {
-    uint32_t heap = 0;  // index into DeviceProfile::memory_heaps
+    uint32_t heap = 0;  // The heap of this memory type: an index into DeviceProfile::memory_heaps.
     bool device_local = true;
     bool host_visible = false;
-    bool lazily_allocated = false;  // on a tiler: attachments that stay in on-chip memory use no memory here
+    // True on tilers: an attachment in this memory type uses no memory as long as it stays in on-chip memory.
+    bool lazily_allocated = false;
     MemoryContentMask holds = memory_content::kAll;
     bool operator==(const MemoryTypeProfile&) const = default;
 };
 
-// Supported sample counts, one bit each: 1 | 4 means one or four samples per pixel.
+// Supported numbers of samples per pixel, as a sum: 1 | 4 means that one and four samples are supported.
 using SampleCountMask = uint32_t;
 
-// Shader capabilities that only some devices have. Files use the names of SPIR-V's capabilities.
+// Shader capabilities that only some devices have, as a bit mask. In profile files they have the names of
+// SPIR-V's capabilities.
 using ShaderCapabilityMask = uint32_t;
 namespace shader_capability {
 inline constexpr ShaderCapabilityMask kImageGatherExtended = 1u << 0;
 inline constexpr ShaderCapabilityMask kImageCubeArray = 1u << 1;
-// Subgroup operations of compute stages, in addition to the basic ones that every device has.
+// The constants from here on are subgroup operations in compute shaders. All devices have the basic
+// operations; these are additional.
 inline constexpr ShaderCapabilityMask kSubgroupVote = 1u << 2;
 inline constexpr ShaderCapabilityMask kSubgroupArithmetic = 1u << 3;
 inline constexpr ShaderCapabilityMask kSubgroupBallot = 1u << 4;
@@ -79,16 +83,19 @@ inline constexpr ShaderCapabilityMask kSubgroupQuad = 1u << 8;
 struct DeviceProfile {
     std::string name;
     std::vector<QueueFamilyProfile> queue_families{{QueueKind::graphics, 1}};
-    std::map<Format, FormatFeatureMask> formats;  // absent: unsupported
+    // The features of each supported format. A format without an entry is not supported.
+    std::map<Format, FormatFeatureMask> formats;
     uint32_t max_image_2d_px = 16384;
     uint32_t max_image_layers = 2048;
     uint32_t max_push_constants_bytes = 128;
     uint32_t max_color_attachments = 8;
-    SampleCountMask color_samples = 1 | 4;  // sample counts of images that passes draw to and sample
+    // Supported numbers of samples of colour images that passes both draw to and sample.
+    SampleCountMask color_samples = 1 | 4;
     SampleCountMask integer_samples = 1;
     SampleCountMask depth_samples = 1 | 4;
     uint32_t max_workgroup_invocations = 1024;
-    uint32_t max_shared_bytes = 32768;  // limit on `shared` variables of a compute stage
+    // Limit on the total size of the `shared` variables of a compute shader.
+    uint32_t max_shared_bytes = 32768;
     uint32_t max_sampled_images_per_stage = 128;
     uint32_t max_storage_images_per_stage = 128;
     uint64_t max_uniform_buffer_bytes = 65536;
@@ -96,25 +103,27 @@ struct DeviceProfile {
     uint64_t buffer_image_granularity_bytes = 64;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
-    // Optional pipeline state: "fill" other than "fill", "depthClamp", "clamp" of "depthBias".
+    // Optional pipeline state: "fill" with the value "line" or "point", "depthClamp", and "clamp" in
+    // "depthBias".
     bool non_solid_fill = false;
     bool depth_clamp = false;
     bool depth_bias_clamp = false;
     ShaderCapabilityMask shader_capabilities = 0;
-    // Memory heaps and types; empty lists mean unknown. The bit of a type in MemoryNeed::type_bits is its
-    // index in memory_types.
+    // The memory heaps and types of the device; empty lists mean that they are unknown. Bit i of
+    // MemoryNeed::type_bits is set if memory_types[i] is allowed.
     std::vector<MemoryHeapProfile> memory_heaps;
-    std::vector<MemoryTypeProfile> memory_types;  // at most 32
-    uint64_t image_alignment_bytes = 64;          // powers of two
+    // At most 32 memory types, because a mask of types has 32 bits.
+    std::vector<MemoryTypeProfile> memory_types;
+    uint64_t image_alignment_bytes = 64;  // Alignment of images in memory. All alignments are powers of two.
     uint64_t buffer_alignment_bytes = 64;
-    uint64_t image_row_alignment_bytes = 1;  // each row of texels is padded to a multiple of this
-    uint64_t image_extra_bytes = 0;          // extra bytes of an image besides its texels
+    uint64_t image_row_alignment_bytes = 1;  // Each row of texels is padded to a multiple of this size.
+    uint64_t image_extra_bytes = 0;          // Bytes that every image needs in addition to its texels.
 
     [[nodiscard]] FormatFeatureMask features(Format format) const;
     [[nodiscard]] SampleCountMask samples(Format format) const;
 };
 
-// Reads a profile file; `file` names it in errors. Errors: W140.
+// Reads a profile from JSON text. `file` names the profile in messages. Errors: W140.
 [[nodiscard]] Result<DeviceProfile> parse_profile(const std::string& json, const std::string& file);
 [[nodiscard]] std::string profile_to_json(const DeviceProfile& profile);
 

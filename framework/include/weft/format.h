@@ -1,4 +1,4 @@
-// Purpose: image formats with the names used in graphs, and their properties. Independent of Vulkan.
+// Purpose: lists the image formats, with their names in graphs and their properties. Independent of Vulkan.
 #pragma once
 
 #include <cstdint>
@@ -57,7 +57,7 @@ enum class NumericClass : uint8_t { float_like, sint, uint, depth };
 
 struct FormatInfo {
     Format format = Format::undefined;
-    std::string_view name;  // the name used in graphs
+    std::string_view name;  // Name of the format in graphs, such as "rgba16f".
     uint8_t bytes_per_texel = 0;
     uint8_t components = 0;
     NumericClass numeric = NumericClass::float_like;

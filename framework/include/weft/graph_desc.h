@@ -1,5 +1,6 @@
-// Purpose: a graph as its author wrote it: names are strings, expressions are parsed, nothing is resolved.
-// Every part keeps its place in the file.
+// Purpose: describes a graph as its author wrote it: names are strings, expressions are parsed but not
+// evaluated, and nothing is resolved. Every part knows its place in the file, so that messages can name the
+// line.
 #pragma once
 
 #include <array>
@@ -15,9 +16,9 @@
 
 namespace weft {
 
-// A number or a size (two components) in postfix form. Names are parameters, constants, sizes or repeat
-// indices; `.x`, `.y` and mips(res) are operations. evaluate() in framework/graph/parse/expression.h
-// evaluates it.
+// An expression is a number or a size (width and height). It is stored in postfix form: "half.x + 1" becomes
+// half, .x, 1, +. Names are parameters, constants, sizes or indices of repeats; `.x`, `.y` and mips(res) are
+// operations. evaluate() in framework/graph/parse/expression.h computes the value.
 enum class ExprOp : uint8_t {
     number,
     name,
@@ -35,37 +36,41 @@ enum class ExprOp : uint8_t {
     ceil,
     floor,
     log2,
-    make_size,  // makes a size from two numbers: "size": [w, h]
+    make_size,  // Makes a size from two numbers, as in "size": [w, h].
 };
 
 struct ExprNode {
     ExprOp op = ExprOp::number;
     double number = 0;
-    std::string name;  // for `name` and `mips_of`
-    SourceLoc loc;     // place of the token inside its string
+    // For the operation `name`: the name to look up. For `mips_of`: the name of the image. Else empty.
+    std::string name;
+    SourceLoc loc;  // Place of this token in the file.
 };
 
 struct Expr {
-    std::vector<ExprNode> postfix;  // empty: absent
+    // The operations in postfix order; empty if the graph does not give the expression.
+    std::vector<ExprNode> postfix;
     std::string text;
     SourceLoc loc;
 
     [[nodiscard]] bool empty() const { return postfix.empty(); }
 };
 
-// One number per channel.
+// A colour: one expression for each channel, in the order r, g, b, a.
 struct ColorDesc {
     std::array<Expr, 4> channels;
 };
 
-// name@pass[-N].mip(a..b).layer(a..b).depth
+// A reference to a resource or to a part of it. Grammar: name@pass[-N].mip(a..b).layer(a..b).depth
 struct RefDesc {
     std::string name;
-    std::string pass;  // empty: no pin
+    // The pass after which the resource is read, as in "hdr@lighting"; empty if the reference has no `@pass`.
+    std::string pass;
     uint32_t history = 0;
-    std::optional<Expr> mip_first, mip_last;  // mip_last absent: a single mip
+    // The range of mips, as in ".mip(a..b)". If mip_last is absent, the range is the single mip mip_first.
+    std::optional<Expr> mip_first, mip_last;
     std::optional<Expr> layer_first, layer_last;
-    AspectMask aspects = 0;  // 0: all aspects
+    AspectMask aspects = 0;  // The selected aspects, as in ".depth" or ".stencil"; 0: all aspects.
     std::string text;
     SourceLoc loc;
 };
@@ -73,19 +78,22 @@ struct RefDesc {
 struct PortDesc {
     std::string port;
     RefDesc ref;
-    std::optional<RefDesc> otherwise;  // "else": read instead of `ref` if the `if` conditions remove all its
-                                       // writers
-    bool optional = false;             // may be left unconnected: the shader has HAS_<port>
+    // The reference in the key "else". The port reads it instead of `ref` if conditions ("if") have removed
+    // all passes that write `ref`.
+    std::optional<RefDesc> otherwise;
+    // True: the port may have no resource. Then the shader's constant HAS_<port> is false.
+    bool optional = false;
     std::optional<SamplerDecl> sampler;
-    SourceLoc loc;  // place of the port's name
+    SourceLoc loc;  // Place of the port's name in the file.
 };
 
 struct ParamDesc {
     std::string name;
     double default_value = 0;
+    // True if the parameter is true or false instead of a number.
     bool is_bool = false;
     std::optional<std::array<double, 2>> range;
-    std::vector<double> allowed;  // for kind "enum"
+    std::vector<double> allowed;  // The allowed values, from the key "enum"; empty: all values in `range`.
     double step = 0;
     std::string unit;
     std::string ui;
@@ -98,54 +106,62 @@ struct ImportDesc {
     SourceLoc loc;
 };
 
-// Which content a resource keeps between frames, without extra copies: none, its content while the plan
-// exists, or also across plans (tiers, reloads).
+// Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames: from
+// frame to frame, as long as the plan exists. shared: from frame to frame, also across plans (another tier, a
+// reload). No copies are made.
 enum class KeepMode : uint8_t { none, frames, shared };
 
 struct ResourceDesc {
     std::string name;
     bool is_buffer = false;
-    std::vector<std::string> formats;  // "a|b": the first supported format is used
-    Expr size;                         // one or two components; absent: "render" if defined, else "output"
+    // Alternatives such as "rg16_snorm|rg16f": the first format that the device supports is used.
+    std::vector<std::string> formats;
+    // One or two components. Absent: the size named "render" if the graph defines it, else the size "output".
+    Expr size;
     ImageKind image_kind = ImageKind::d2;
-    Expr mips;  // absent: 1
+    Expr mips;  // Number of mips; absent: 1.
+    // True for "mips": "full": the chain of mips ends with one texel.
     bool full_mips = false;
-    Expr layers;          // absent: 1; number of cubes of a cube array, depth of a 3D image
-    Expr samples;         // absent: 1
-    std::string element;  // buffers: "u32", "vec4", or a struct of the import catalogue
+    Expr layers;   // Number of layers, number of cubes of a cube array, or depth of a 3D image; absent: 1.
+    Expr samples;  // Number of samples per pixel; absent: 1.
+    // Element type of a buffer: "u32", "vec4", or the name of a struct in the import catalogue.
+    std::string element;
     Expr count;
     bool pre_exposed = false;
     std::optional<ColorDesc> clear;
-    Expr history;  // number of earlier frames to keep; absent: 0
+    Expr history;  // Number of earlier frames whose content is kept; absent: 0.
     KeepMode keep = KeepMode::none;
-    std::optional<ColorDesc> first_frame;  // for resources with history or keep; absent: 0
+    // Initial content of a resource with `history` or `keep`; absent: 0.
+    std::optional<ColorDesc> first_frame;
     OnResize on_resize = OnResize::clear;
     SourceLoc loc;
 };
 
 struct ParamValueDesc {
     std::string name;
-    std::vector<Expr> components;  // one component for a scalar
+    std::vector<Expr> components;  // One expression for a scalar, two to four for a vector.
     SourceLoc loc;
 };
 
-// "i": "a..b by s": makes one pass for each value of the index.
+// The key "repeat": { "i": "a..b by s" }. It makes one pass for each value of the index i.
 struct RepeatDesc {
     std::string index;
     Expr first, last;
-    Expr step;            // absent: 1
-    SourceLoc loc;        // place of the index's name
-    SourceLoc range_loc;  // place of the range
+    Expr step;            // Step of the index; absent: 1.
+    SourceLoc loc;        // Place of the index's name in the file.
+    SourceLoc range_loc;  // Place of the range "a..b by s" in the file.
 };
 
-// A multisampled colour output, and the resource for its averages at the end of the pass.
+// The key "resolve" of a pass: at the end of the pass, the averages of the samples of the multisampled output
+// `output` are written to `target`.
 struct ResolveDesc {
     PortDesc target;
-    std::string output;  // name of the port
+    std::string output;  // Port name of the multisampled output.
     SourceLoc output_loc;
 };
 
-// A number of the fixed-function state given by an expression: its allowed values, and its destination.
+// A number of the fixed-function state that the graph gives as an expression. resolve() evaluates `value`,
+// checks that the result is in [least, most] and whole if required, and stores it with `set`.
 struct StateNumberDesc {
     Expr value;
     double least = 0, most = 0;
@@ -153,7 +169,7 @@ struct StateNumberDesc {
     std::function<void(RasterState&, double)> set;
 };
 
-// Places of state that requires optional device features.
+// Places in the file of state that only some devices support, for the messages about missing features.
 struct StateLocs {
     SourceLoc fill, depth_clamp, depth_bias_clamp;
 };
@@ -170,66 +186,76 @@ struct PassDesc {
     std::vector<ResolveDesc> resolves;
     std::vector<std::string> draws;
     std::vector<SourceLoc> draw_locs;
-    Expr vertices, instances;  // alternative: number of vertices without a list; instances absent: 1
-    std::string view;          // "camera", or the name of a numbered view: "sun" of "sun(i)"
-    Expr view_number;          // absent: the view is not numbered
+    // Numbers of vertices and instances for a pass that draws without a list; `instances` absent: 1.
+    Expr vertices, instances;
+    std::string view;  // "camera", or the name of a numbered view without its number: "sun" for "sun(i)".
+    Expr view_number;  // The number of a numbered view: i in "sun(i)"; absent: the view has no number.
     SourceLoc view_loc;
     std::vector<ParamValueDesc> params;
-    std::vector<ParamValueDesc> constants;  // specialisation constants of the shader, by name
-    Expr condition;                         // "if"; absent: true
-    std::vector<RepeatDesc> repeat;         // outermost first
-    Expr per_frame;  // "perFrame": number of rounds that run in each frame; absent: all
+    std::vector<ParamValueDesc> constants;  // Values of the shader's specialisation constants, by name.
+    Expr condition;  // The key "if": the pass is removed if the value is 0; absent: the pass exists.
+    // The indices of the key "repeat". If there are several, the first is the outermost loop.
+    std::vector<RepeatDesc> repeat;
+    // The key "perFrame": number of passes of the repeat that run in each frame; absent: all.
+    Expr per_frame;
     SourceLoc per_frame_loc;
-    std::optional<PortDesc> indirect;  // the port with the workgroup counts, or with draw commands for
-                                       // `draws`
-    std::vector<Expr> groups;          // workgroup counts: one or three (or one with two components)
-    std::vector<Expr> threads;         // invocation counts
+    // A port that reads a buffer with the numbers of workgroups of an indirect dispatch, or, with `draws`,
+    // with the draw commands of an indirect draw.
+    std::optional<PortDesc> indirect;
+    std::vector<Expr> groups;   // Numbers of workgroups: one or three expressions, or a single size.
+    std::vector<Expr> threads;  // Numbers of shader invocations, in the same form as `groups`.
     RasterState state;
     std::vector<StateNumberDesc> state_numbers;
     StateLocs state_locs;
-    std::map<std::string, BlendState> blend;       // by output port; "": all outputs
-    std::map<std::string, ColorDesc> clear_ports;  // by output port
+    // Blending, by the name of the output port; the key "" applies to all outputs.
+    std::map<std::string, BlendState> blend;
+    std::map<std::string, ColorDesc> clear_ports;  // Clear values, by the name of the output port.
     std::optional<ColorDesc> clear;
     bool covers = false;
-    bool partial = false;  // writes only a part, so previous content stays visible
+    // True: the pass writes only a part of its outputs. The rest of each output keeps its previous content.
+    bool partial = false;
     std::vector<std::string> after;
     std::vector<SourceLoc> after_locs;
     Expr flops;
     SourceLoc loc;
-    uint32_t order_key = 0;  // for graphs made in memory
+    // For graphs that a program makes in memory: passes are ordered by this key, then by name.
+    uint32_t order_key = 0;
 };
 
-// A debug view of a resource.
+// A debug view: it shows the values of a resource as colours.
 struct DebugViewDesc {
     std::string name;
     RefDesc show;
-    std::string decode;                        // one of debug_decoders(); empty: depends on the format
-    std::string shader;                        // the author's own shader instead of a decoder
-    std::optional<std::array<Expr, 2>> range;  // values shown as black and white
+    // The method that converts values to colours, one of debug_decoders(); empty: chosen by the format.
+    std::string decode;
+    std::string shader;  // The author's own shader, used instead of a decoder; empty: a decoder is used.
+    std::optional<std::array<Expr, 2>> range;  // The values that are shown as black and as white.
     SourceLoc loc;
 };
 
-// An expected result in a graph's own test: a maximum, or bounds for values.
+// An expected result in a test of the graph: a measured value must lie in [least, most].
 struct ExpectationDesc {
-    std::string what;  // kind of expectation: "validation", "finite", "range", …
-    std::string ref;   // name of the resource; empty: the whole frame
+    std::string what;  // Kind of expectation: "validation", "finite", "range" and so on.
+    std::string ref;   // Name of the resource that is examined; empty: the whole frame.
     double least = 0, most = 0;
     SourceLoc loc;
 };
 
 struct GraphTestDesc {
-    std::vector<std::string> tiers;  // tiers to run; "": without a tier
-    std::vector<std::string> swap;   // alternative: tiers to swap between in one run
-    uint32_t every = 8;              // number of frames between two swaps
-    std::string scene;               // empty: builtin:spheres
+    // The tiers with which the test runs, one run for each; "" is the graph without a tier.
+    std::vector<std::string> tiers;
+    // Used instead of `tiers`: one run that changes from each of these tiers to the next.
+    std::vector<std::string> swap;
+    uint32_t every = 8;  // Number of frames between two changes of the tier in `swap`.
+    std::string scene;   // The scene to render; empty: builtin:spheres.
     Extent3D size{320, 180, 1};
-    uint32_t frames = 0;  // 0: the graph's number of frames
+    uint32_t frames = 0;  // Number of frames of the run; 0: GraphDesc::frames.
     std::map<std::string, double> params;
     std::vector<ExpectationDesc> expect;
     SourceLoc loc;
 };
 
-// A quality tier. Its changes are already merged into the graph that was loaded with this tier.
+// A quality tier of the graph. GraphDesc already contains the changes of the tier with which it was loaded.
 struct TierDesc {
     std::string name;
     SourceLoc loc;
@@ -239,18 +265,20 @@ inline constexpr uint32_t kMaxFrames = 1'000'000;
 
 struct GraphDesc {
     std::string name;
-    std::string tier;             // name of the merged tier; empty: none
-    std::vector<TierDesc> tiers;  // in the order written
+    std::string tier;             // Name of the tier whose changes are contained in this graph; empty: none.
+    std::vector<TierDesc> tiers;  // All tiers, in the order in which the file lists them.
     std::map<std::string, Expr> consts;
     std::map<std::string, ParamDesc> params;
     std::map<std::string, Expr> sizes;
     std::map<std::string, ImportDesc> imports;
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
-    Expr frames;  // absent: 1
+    Expr frames;  // Number of frames of a run; absent: 1.
     std::map<std::string, DebugViewDesc> debug;
     std::vector<GraphTestDesc> tests;
-    uint32_t jitter = 0;  // period of the camera's sub-pixel offsets in frames; 0: no offsets
+    // The camera moves by fractions of a pixel, and repeats this movement after so many frames; 0: no
+    // movement.
+    uint32_t jitter = 0;
     SourceMap sources;
 };
 

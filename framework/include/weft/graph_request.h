@@ -1,5 +1,5 @@
-// Purpose: a program's request for a graph: the file and tier, parameters, size, and the resources that are
-// read back. The command line fills it once; load_graph() and resolve() read it. Units: pixels.
+// Purpose: describes which graph a program wants: the file and tier, parameters, output size, and the
+// resources to read back. The command line fills it once; load_graph() and resolve() read it. Units: pixels.
 #pragma once
 
 #include <map>
@@ -11,13 +11,15 @@
 namespace weft {
 
 struct GraphRequest {
-    std::string path = {};                      // the graph file
-    std::string tier = {};                      // empty: the graph without a tier
-    std::map<std::string, double> params = {};  // values that replace the graph's defaults, by name
-    Extent3D size{1280, 720, 1};                // of the output
-    std::vector<std::string> observed =
-        {};  // references ("name@pass.mip(e)") that are read back in every frame
-    // A debug view of the graph, or any resource. It is rendered to "debugView", which can be observed.
+    std::string path = {};  // Path of the graph file.
+    std::string tier = {};  // Name of the quality tier; empty: the graph without a tier.
+    // Parameter values by name. They replace the defaults in the graph.
+    std::map<std::string, double> params = {};
+    Extent3D size{1280, 720, 1};  // Size of the output image.
+    // References such as "name@pass.mip(e)". These resources are read back in every frame.
+    std::vector<std::string> observed = {};
+    // Name of a debug view of the graph, or a reference to any resource; empty: none. The view is rendered to
+    // the resource "debugView", which `observed` may contain.
     std::string debug = {};
 };
 

@@ -1,5 +1,5 @@
-// Purpose: the resources that a program offers to graphs: draw lists, buffers, images, views, the output. A
-// graph names the imports that it uses; resolve() checks them against this catalogue.
+// Purpose: lists the resources that a program offers to graphs: draw lists, buffers, images, views and the
+// output. A graph names the imports that it uses, and resolve() checks these names against this catalogue.
 #pragma once
 
 #include <cstdint>
@@ -13,55 +13,60 @@ namespace weft {
 
 enum class ImportKind : uint8_t { draw_list, buffer, image, cube, output };
 
-// A pipeline variant that a draw list may need. The set of variants is fixed.
+// A variant of the pipelines that draw a list. The draws of a list may need different variants; the set of
+// variants is fixed.
 struct DrawVariant {
-    std::string name;                        // "opaque", "masked"
-    std::vector<NamedValue> spec_constants;  // set if the shader declares them
+    std::string name;  // Name of the variant, such as "opaque" or "masked".
+    // Values of specialisation constants. A value is ignored if the shader does not declare the constant.
+    std::vector<NamedValue> spec_constants;
 };
 
-// An attribute of the standard vertex format, bound by the name of the shader's input.
+// An attribute of the vertices of a draw list. It is bound to the shader's input with the same name.
 struct VertexAttribute {
-    std::string name;  // "position", "normal", "tangent", "uv"
+    std::string name;  // Name of the attribute: "position", "normal", "tangent" or "uv".
     Format format = Format::undefined;
     uint32_t stream = 0;
     uint32_t offset_bytes = 0;
 };
 
 struct VertexFormat {
-    std::vector<uint32_t> stride_bytes;  // index: stream
+    std::vector<uint32_t> stride_bytes;  // By stream: number of bytes from one vertex to the next.
     std::vector<VertexAttribute> attributes;
 };
 
 struct ImportDecl {
     std::string name;
     ImportKind kind = ImportKind::buffer;
-    // buffers and images
-    ResourceDecl resource;  // format, extent or size; lifetime = imported; import states are set
-    // draw lists
+    // For buffers and images: format, extent or size, and import states. The lifetime is `imported`.
+    ResourceDecl resource;
+    // The members from `variants` to `draws` describe a draw list.
     std::vector<DrawVariant> variants;
     VertexFormat vertex_format;
-    uint32_t draws = 1;  // number of draws in the list
+    uint32_t draws = 1;  // Number of draws in the list.
 };
 
-// A descriptor that the program binds besides the ports: in set 0 for all passes with shaders, in sets 2 and
-// 3 for raster passes that draw lists. Shaders may only read it.
+// A descriptor that the program binds itself, in addition to the ports of a pass: in set 0 for all passes
+// with shaders, in sets 2 and 3 for raster passes that draw lists. Shaders may only read it.
 struct OfferedBinding {
     uint32_t set = 0;
     uint32_t binding = 0;
     BindingKind kind = BindingKind::uniform_buffer;
     ShaderStageMask stages = 0;
-    uint32_t bytes = 0;    // size of a uniform buffer
-    bool arrayed = false;  // for images: sampler2DArray instead of sampler2D
+    uint32_t bytes = 0;    // Size in bytes; only for a uniform buffer.
+    bool arrayed = false;  // True: the image is a sampler2DArray. False: the image is a sampler2D.
 };
 
 struct ImportCatalog {
     std::map<std::string, ImportDecl, std::less<>> imports;
-    std::vector<std::string> views;                        // "camera", "sun(0)", "sun(1)", …
-    std::map<std::string, double, std::less<>> numbers;    // numbers that expressions may name:
-                                                           // "directionalLights"
-    std::map<std::string, uint32_t, std::less<>> strides;  // sizes of element types of buffers: "Light" →
-                                                           // bytes
-    std::vector<OfferedBinding> bindings;                  // empty: unknown, so only set numbers are checked
+    // Names of the views that passes may use: "camera", "sun(0)", "sun(1)" and so on.
+    std::vector<std::string> views;
+    // Numbers that expressions may use by name, such as "directionalLights".
+    std::map<std::string, double, std::less<>> numbers;
+    // Size in bytes of each element type of buffers that graphs may name, such as "Light".
+    std::map<std::string, uint32_t, std::less<>> strides;
+    // All descriptors that the program binds. If the list is empty, the descriptors are unknown, and only the
+    // set numbers in shaders are checked.
+    std::vector<OfferedBinding> bindings;
 };
 
 [[nodiscard]] const char* import_kind_name(ImportKind kind);

@@ -1,6 +1,6 @@
-// Purpose: the lights of a frame, which the program gives to the `light_upload` pass as HostInputs "lights":
-// any number, in the program's order. Lights for which the graph's buffer has no room are dropped from the
-// end. Layout and units: struct Light of shaders/include/shared/light.glsl.
+// Purpose: passes the lights of a frame to the `light_upload` pass, as the HostInputs value "lights". There
+// may be any number of lights, in the order that the program chooses. If the graph's buffer is too small, the
+// last lights are dropped. Layout and units: struct Light in shaders/include/shared/light.glsl.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace weft {
 
 struct LightList {
-    std::span<const std::byte> bytes;  // of an array of Light
+    std::span<const std::byte> bytes;  // The bytes of an array of struct Light.
 };
 
 }  // namespace weft

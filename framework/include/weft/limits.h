@@ -1,7 +1,8 @@
-// Purpose: limits on the contents of files. All limits are in this table: code that reads files gets a part
-// of it as an argument, and `--limits FILE` changes limits by name. Input over a limit is refused before work
-// or memory is spent. Units: in the names; counts have none. Errors: X560 a limit that does not exist, is not
-// a whole number, or lies outside 1 … `most`.
+// Purpose: limits on the contents of files, so that a hostile file cannot exhaust memory or time. All limits
+// are in this table; `--limits FILE` changes them by name. Code that reads files gets its part of the table
+// as an argument, and refuses input over a limit before it spends work or memory on it. Units: in the names;
+// counts have none. Errors: X560 a limit that does not exist, is not a whole number, or is not from 1 to
+// LimitRow::most.
 #pragma once
 
 #include <cstdint>
@@ -68,11 +69,12 @@ struct SceneLimits {
     uint64_t vertices = 4'000'000;
     uint64_t triangles = 8'000'000;
     uint64_t image_side_px = 16'384;
-    uint64_t memory_bytes = 640ull << 20;  // together with the memory of a driver, the program stays below 1
-                                           // GiB
+    // Memory for a scene. With this value the whole program, including the memory of a driver, stays below 1
+    // GiB.
+    uint64_t memory_bytes = 640ull << 20;
 };
 
-// Limits for the pictures that `weft compare` reads.
+// Limits for the picture files that `weft compare` reads.
 struct PictureLimits {
     uint64_t file_bytes = 512ull << 20;
     uint64_t side_px = 16'384;
@@ -87,18 +89,23 @@ struct Limits {
 };
 
 struct LimitRow {
-    const char* name;    // "graph.passes": the name in messages, files and docs/SECURITY.md
-    const char* unit;    // "bytes", "px", "ms"; empty for counts
-    const char* guards;  // the things that it limits
-    uint64_t most;       // with a higher value, recursion or 64-bit sums might be unsafe
+    // Name in messages, in limit files and in docs/SECURITY.md, for example "graph.passes".
+    const char* name;
+    const char* unit;    // Unit: "bytes", "px" or "ms"; empty if the limit is a count.
+    const char* guards;  // The quantity that is limited, in words.
+    // The largest value that may be set. With a larger one, recursion could overflow the stack, or a 64-bit
+    // sum could overflow.
+    uint64_t most;
+    // Returns the limit of this row in `limits`.
     uint64_t& (*of)(Limits& limits);
 };
 [[nodiscard]] std::span<const LimitRow> limit_table();
 
-// Reads a JSON object of limits by name: { "graph.passes": 8192 }. Other limits keep their default.
+// Reads a JSON object that sets limits by name, such as { "graph.passes": 8192 }. All other limits keep their
+// default.
 [[nodiscard]] Result<Limits> read_limits(const std::string& path, const FileReader& reader);
 
-// "raise graph.passes with --limits": the end of every message about a limit.
+// Returns the end of every message about a limit: "raise graph.passes with --limits".
 [[nodiscard]] std::string raise_limit_text(const std::string& name);
 
 }  // namespace weft

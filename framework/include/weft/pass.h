@@ -1,6 +1,6 @@
-// Purpose: declares pass types to the compiler and the executor. Most passes are only JSON and GLSL; a C++
-// pass is a struct with static members, which pass_type<T>() converts to a PassType. Passes use no Vulkan
-// type: they write host data with Uploads and record commands with Recorder.
+// Purpose: declares the types of passes written in C++. Most passes are only JSON and GLSL; C++ is for passes
+// that need work on the CPU. Such a pass is a struct with static members, and pass_type<T>() converts it to a
+// PassType. Passes use no Vulkan type: they write host data with Uploads and record commands with Recorder.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,8 @@ struct Out : PortDecl {
     constexpr Out(std::string_view port, Access a) : PortDecl{port, a, true} {}
 };
 
-// A parameter of a pass type, for JSON, `weft doctor` and the documentation.
+// A parameter of a pass type: its name, default, range and unit. Graphs set it in "params"; `weft doctor` and
+// the documentation list it.
 struct ParamDecl {
     std::string_view name;
     double default_value = 0;
@@ -40,8 +41,8 @@ struct ParamDecl {
     std::string_view unit;
 };
 
-// Typed values that the program gives to its passes each frame, by name. They must stay valid until the frame
-// is recorded.
+// Values of any C++ type that the program gives to its passes in each frame, by name. Only pointers are
+// stored, so the values must stay valid until the frame is recorded.
 class HostInputs {
  public:
     template <class T>
@@ -63,16 +64,18 @@ class HostInputs {
     std::map<std::string, Entry, std::less<>> values_;
 };
 
-// This frame's upload memory. Recorder::copy_upload copies the bytes stored for a port to that port.
+// The upload memory of the current frame. put() stores bytes for a port, and Recorder::copy_upload() copies
+// these bytes to the resource of the port.
 class Uploads {
  public:
     virtual ~Uploads() = default;
-    // Stores at most `capacity(port)` bytes.
+    // Stores `bytes` for a port: at most capacity(port) bytes.
     virtual void put(std::string_view port, std::span<const std::byte> bytes) = 0;
     [[nodiscard]] virtual uint64_t capacity(std::string_view port) const = 0;
 };
 
-// The commands that a C++ pass may record. Its ports are bound and in their declared states.
+// The commands that a C++ pass may record. The resources of its ports are bound, and barriers have brought
+// them into their declared states.
 class Recorder {
  public:
     virtual ~Recorder() = default;
@@ -83,22 +86,23 @@ class Recorder {
 struct PassContext {
     std::span<const NamedValue> params;
 
-    [[nodiscard]] double param(std::string_view name) const;  // asserts that the pass type declares this
-                                                              // parameter
+    // Returns the value of a parameter. Asserts that the pass type declares a parameter of this name.
+    [[nodiscard]] double param(std::string_view name) const;
 };
 
-// A C++ pass type as plain function pointers: pass types have no state.
+// A type of C++ passes as function pointers. The functions keep no state between calls.
 struct PassType {
     std::string_view name;
     std::vector<PortDecl> ports;
     std::vector<ParamDecl> params;
-    Status (*check)(const PassDecl&, const ResolvedGraph&) = nullptr;  // checks shapes and formats; a pure
-                                                                       // function
+    // Checks the extents and formats of the ports' resources. The result depends only on the arguments.
+    Status (*check)(const PassDecl&, const ResolvedGraph&) = nullptr;
     void (*prepare)(const PassContext&, const HostInputs&, Uploads&) = nullptr;
     void (*record)(const PassContext&, Recorder&) = nullptr;
 };
 
-// T must have kType, kPorts (array of PortDecl), kParams (array of ParamDecl), check, prepare and record.
+// Makes a PassType from T. T must have kType, kPorts (array of PortDecl), kParams (array of ParamDecl),
+// check, prepare and record.
 template <class T>
 [[nodiscard]] PassType pass_type() {
     return PassType{T::kType,

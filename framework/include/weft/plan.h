@@ -1,5 +1,6 @@
-// Purpose: a compiled frame. It contains all of an executor's work; the executor makes no decisions. Units:
-// bytes. Positions are indices in schedule order. Barriers at position p are recorded before the pass at p.
+// Purpose: defines a compiled frame, the plan. It contains all decisions, so that an executor only has to
+// carry it out: order, queues, barriers, memory, submissions. Units: bytes. A position is an index into
+// Schedule::order. The barriers of position p are recorded before the pass at p.
 #pragma once
 
 #include <cstdint>
@@ -12,37 +13,39 @@ namespace weft {
 
 using QueueIndex = uint32_t;
 
-// A queue of a plan. The executor assigns it a queue of its family on the device; several may share one.
+// A queue of a plan. The executor maps it to a device queue of the given family. Several logical queues may
+// use one device queue.
 struct LogicalQueue {
-    QueueKind kind = QueueKind::graphics;  // its most capable kind
-    uint32_t family = 0;                   // index into DeviceProfile::queue_families
+    QueueKind kind = QueueKind::graphics;  // The most capable kind of work that the queue supports.
+    uint32_t family = 0;                   // Queue family: an index into DeviceProfile::queue_families.
     bool operator==(const LogicalQueue&) const = default;
 };
 
 enum class CullReason : uint8_t { live, unused_output, upstream_culled };
 
 struct LiveGraph {
-    std::vector<uint8_t> live_passes;     // index: PassId
-    std::vector<uint8_t> live_resources;  // index: ResourceId
-    std::vector<CullReason> reasons;      // index: PassId
-    std::vector<std::string> details;     // index: PassId; such as "nobody reads \"ssao\""; empty for live
-                                          // passes
+    std::vector<uint8_t> live_passes;     // By PassId: 1 if the pass is live (not culled), else 0.
+    std::vector<uint8_t> live_resources;  // By ResourceId: 1 if a live pass uses the resource, else 0.
+    std::vector<CullReason> reasons;      // By PassId: the kind of reason why the pass is culled.
+    // By PassId: the reason as text, such as "nobody reads \"ssao\""; empty for live passes.
+    std::vector<std::string> details;
 };
 
-// One candidate order with its cost.
+// One order of the passes that the scheduler compared with other orders, with its cost.
 struct ScheduleCandidate {
-    std::string name;  // "program", "forward", "backward"
+    std::string name;  // The method that made the order: "program", "forward" or "backward".
     uint64_t peak_live_bytes = 0;
     uint32_t barrier_batches = 0;
     uint32_t queue_switches = 0;
 };
 
 struct Schedule {
-    std::vector<PassId> order;       // live passes only
-    std::vector<uint32_t> position;  // index: PassId; kNoId if culled
-    std::vector<QueueIndex> queue;   // index: position
-    // By position: for each queue, 1 + the latest position of that queue that is known to precede it in this
-    // frame.
+    std::vector<PassId> order;  // The live passes in the order in which they run.
+    // By PassId: the position of the pass in `order`; kNoId if the pass is culled.
+    std::vector<uint32_t> position;
+    std::vector<QueueIndex> queue;  // By position: the queue on which the pass runs.
+    // Vector clocks. clocks[p][q] is 1 + the latest position on queue q that surely runs before position p in
+    // the same frame, or 0 if there is none.
     std::vector<std::vector<uint32_t>> clocks;
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;
@@ -55,11 +58,13 @@ struct QueueSpan {
     uint32_t last = 0;
 };
 
-// First and last schedule position that uses a transient. If not live, first > last.
+// The first and the last schedule position at which a transient resource is used. If the resource is not
+// live, first > last.
 struct LifetimeSpan {
     uint32_t first = 1;
     uint32_t last = 0;
-    std::vector<QueueSpan> queues;  // the same for each queue that uses it, in order of first use
+    // First and last position on each queue that uses the resource, in the order of the first use.
+    std::vector<QueueSpan> queues;
 };
 
 struct Lifetimes {
@@ -69,10 +74,11 @@ struct Lifetimes {
 struct MemoryNeed {
     uint64_t size_bytes = 0;
     uint64_t alignment_bytes = 1;
-    uint32_t type_bits = UINT32_MAX;  // memory types that it may use
+    // The memory types that the resource may use, one bit each, as in VkMemoryRequirements.
+    uint32_t type_bits = UINT32_MAX;
 };
 
-// Indexed by ResourceId. The size is zero for resources without placement (imports).
+// By ResourceId. The size is 0 for imports, because the plan does not allocate their memory.
 using MemoryNeeds = std::vector<MemoryNeed>;
 
 struct Placement {
@@ -82,7 +88,8 @@ struct Placement {
     uint64_t size_bytes = 0;
 };
 
-// `to` takes over memory from `from`. With `wrap`, `from` used it in the previous frame.
+// The resource `to` takes over memory that the resource `from` used before. If `wrap` is true, `from` used
+// the memory in the previous frame.
 struct AliasTransition {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
@@ -93,27 +100,31 @@ struct AliasTransition {
 struct HeapPlan {
     uint64_t size_bytes = 0;
     uint32_t type_bits = UINT32_MAX;
-    bool buffers = false;     // separates buffers and images if the device's granularity requires it
-    bool persistent = false;  // for persistent resources, which share no memory
+    // True: the heap contains only buffers. Buffers and images get separate heaps if the device's granularity
+    // for buffers beside images is so large that padding would waste memory.
+    bool buffers = false;
+    bool persistent = false;  // True: the heap contains persistent resources, which share no memory.
 };
 
 struct MemoryPlan {
     std::vector<HeapPlan> heaps;
-    std::vector<Placement>
-        placements;  // sorted by (heap, offset, resource); persistent resources share no memory
-    std::vector<AliasTransition> alias_transitions;  // sorted
-    uint64_t sum_bytes = 0;            // total without sharing
+    // Sorted by (heap, offset, resource). Transient resources may overlap; persistent resources never do.
+    std::vector<Placement> placements;
+    // All takeovers of memory from one resource by another, sorted by (to, from, wrap).
+    std::vector<AliasTransition> alias_transitions;
+    // Sum of the sizes of all transient resources: the memory needed if none were shared.
+    uint64_t sum_bytes = 0;
     uint64_t peak_live_bytes = 0;
     uint32_t peak_position = 0;
-    uint64_t heap_bytes = 0;        // heaps of transients
-    uint64_t persistent_bytes = 0;  // all other heaps
+    uint64_t heap_bytes = 0;        // Total size of the heaps for transient resources.
+    uint64_t persistent_bytes = 0;  // Total size of the heaps for persistent resources.
 };
 
 enum class LoadOp : uint8_t { load, clear, dont_care, none };
 enum class StoreOp : uint8_t { store, dont_care, none };
 
 struct AttachmentOps {
-    uint32_t use = kNoId;  // index into the pass's uses
+    uint32_t use = kNoId;  // The attachment's use: an index into PassDecl::uses.
     LoadOp load = LoadOp::load;
     StoreOp store = StoreOp::store;
 };
@@ -123,93 +134,107 @@ enum class BarrierReason : uint8_t {
     war,
     waw,
     layout,
-    alias,  // the resource takes over memory that another one held
+    alias,  // Alias transition: the resource takes over memory that another resource used before.
     acquire_import,
     release_import,
-    release_queue,  // the first half of an ownership transfer, after the last use on the old queue family
-    acquire_queue,  // the second half, before the first use on the new queue family
+    release_queue,  // First half of an ownership transfer: on the old queue family, after the last use there.
+    // Second half of an ownership transfer: on the new queue family, before the first use there.
+    acquire_queue,
     prologue,
 };
 
-// One dependency: for images a transition of `range`, for buffers a memory dependency. Stages are those of
-// the recording queue. Accesses on other queues are ordered by semaphores, which also make memory available
-// and visible; then the barrier only changes the layout or owner.
+// One dependency between accesses to a resource. For an image it is an image barrier of `range`, for a buffer
+// a memory barrier. The stages are stages of the queue that records the barrier. Semaphores order accesses on
+// different queues and make the data visible; a barrier between queues only changes the layout or the owner.
 struct BarrierDecl {
     ResourceId resource = kNoId;
     SubresourceRange range;
-    AccessState src;  // layout undefined: the content is discarded
+    AccessState src;  // The accesses to wait for. Layout `undefined`: the old content is discarded.
     AccessState dst;
     uint32_t src_family = 0;
-    uint32_t dst_family = 0;  // differs from src_family in an ownership transfer
+    // If dst_family differs from src_family, the barrier is part of an ownership transfer.
+    uint32_t dst_family = 0;
     BarrierReason reason = BarrierReason::raw;
-    PassId from = kNoId;  // the pass waited for, if a single pass is the reason
+    PassId from = kNoId;  // The pass to wait for, if a single pass is the reason for the barrier; else kNoId.
     PassId to = kNoId;
     bool from_previous_frame = false;
-    std::vector<ResourceId> aliased_from;  // resources whose memory is taken over
+    std::vector<ResourceId> aliased_from;  // For alias transitions: the resources whose memory is taken over.
 };
 
 struct PassStep {
     PassId pass = kNoId;
-    std::vector<BarrierDecl> barriers;       // recorded as one vkCmdPipelineBarrier2 before the pass
-    std::vector<BarrierDecl> after;          // recorded as one after it: releases, and transitions for
-                                             // several queues
-    std::vector<AttachmentOps> attachments;  // colours by location, then depth
-    // Draws into the rendering scope of the previous pass on its queue. The scope ends with the last such
-    // pass. Its load operations are those of its first pass, its store operations those of its last one.
+    // Barriers before the pass. All are recorded with one vkCmdPipelineBarrier2.
+    std::vector<BarrierDecl> barriers;
+    // Barriers after the pass: releases to other queue families, and layout transitions for readers on
+    // several queues. All are recorded with one vkCmdPipelineBarrier2.
+    std::vector<BarrierDecl> after;
+    // Load and store operations of the attachments: colours sorted by location, then depth.
+    std::vector<AttachmentOps> attachments;
+    // True: the pass draws inside the rendering scope that the previous pass on its queue has begun
+    // (vkCmdBeginRendering). Such a chain of passes has one scope: it begins with the load operations of its
+    // first pass, and ends with the store operations of its last pass.
     bool merges_render_pass = false;
 };
 
-// Runs once, on queue 0, before the first frame: initialises all copies of all persistent resources.
+// The commands that run once before the first frame, on queue 0. They initialise all copies of all persistent
+// resources.
 struct ProloguePlan {
-    std::vector<BarrierDecl> before;  // transitions from undefined
-    std::vector<ResourceId> cleared;  // completely cleared to ResourceDecl::first_frame
-    std::vector<BarrierDecl> after;   // transitions to the states that the first frame expects
+    std::vector<BarrierDecl> before;  // Layout transitions from `undefined`, before the clears.
+    std::vector<ResourceId> cleared;  // Resources to clear completely to ResourceDecl::first_frame.
+    std::vector<BarrierDecl> after;   // Transitions to the layouts that the first frame expects.
 };
 
 struct BarrierPlan {
-    std::vector<PassStep> steps;        // index: position
-    std::vector<BarrierDecl> epilogue;  // transitions of imports to their exit states, at the end of queue
-                                        // 0's last batch
+    std::vector<PassStep> steps;  // By position: the barriers and operations of each pass.
+    // Transitions of imports to their exit states. They are recorded at the end of the last batch of queue 0.
+    std::vector<BarrierDecl> epilogue;
     ProloguePlan prologue;
-    std::vector<uint8_t> concurrent;  // index: ResourceId; shared by several queue families without ownership
-                                      // transfers
-    uint32_t emitted = 0;             // number of barriers in a frame
+    // By ResourceId: 1 if several queue families share the resource, so that it needs no ownership transfers;
+    // else 0.
+    std::vector<uint8_t> concurrent;
+    uint32_t emitted = 0;  // Number of barriers that a frame records, without the prologue.
 };
 
-// `to` must not start before `from` completes, and they are on different queues. With `previous_frame`,
-// `from` is a position of the previous frame.
+// The pass at position `to` must not start before the pass at position `from` completes, and the two passes
+// run on different queues. If `previous_frame` is true, `from` is a position in the previous frame.
 struct QueueDependency {
     uint32_t from = 0;
     uint32_t to = 0;
     bool previous_frame = false;
-    ResourceId resource = kNoId;  // the reason; kNoId for `after`
+    // The resource that is the reason for the dependency; kNoId if the reason is the key `after` in the
+    // graph.
+    ResourceId resource = kNoId;
     bool operator==(const QueueDependency&) const = default;
 };
 
-// Before its first command, a batch waits until another batch is complete and all its memory writes are
-// visible.
+// A wait for a batch of another queue. The waiting batch starts its first command only after the other batch
+// is complete and all memory writes of that batch are visible.
 struct QueueWait {
-    uint32_t batch = 0;  // index into SubmissionPlan::batches, on another queue
+    // The batch to wait for: an index into SubmissionPlan::batches. It is on another queue.
+    uint32_t batch = 0;
     bool previous_frame = false;
-    uint32_t dependency = kNoId;  // index into SubmissionPlan::dependencies of the reason
+    uint32_t dependency = kNoId;  // The reason for the wait: an index into SubmissionPlan::dependencies.
 };
 
-// All work of a queue between two waits or signals. On completion, the timeline semaphore of its queue gets
-// the value frame × (batches of that queue) + 1 + (index among them); frames count from 0.
+// The passes of a queue between two waits or signals; they are one submission. A batch that completes sets
+// the timeline semaphore of its queue to frame × n + i + 1, where n is the number of batches on this queue, i
+// the index of the batch among them, and `frame` counts from 0.
 struct Batch {
     QueueIndex queue = 0;
-    std::vector<uint32_t> positions;  // in schedule order, all on `queue`
+    std::vector<uint32_t> positions;  // Positions of the passes, in schedule order. All run on `queue`.
     std::vector<QueueWait> waits;
-    bool epilogue = false;  // records BarrierPlan::epilogue after its passes
+    bool epilogue = false;  // True: the batch records BarrierPlan::epilogue after its passes.
 };
 
 struct SubmissionPlan {
-    std::vector<Batch> batches;                 // sorted by first position, which is a valid submission order
-    std::vector<QueueDependency> dependencies;  // the reasons for the waits
+    // Sorted by the first position of each batch. It is valid to submit the batches in this order.
+    std::vector<Batch> batches;
+    // The dependencies for which batches wait. QueueWait::dependency is an index into this list.
+    std::vector<QueueDependency> dependencies;
 };
 
-// The state of each range of every persistent or imported resource at the start of a frame. For persistent
-// resources, which only frames access, the layout is sufficient.
+// The state of a part of a persistent or imported resource at the start of every frame. For a persistent
+// resource, only the layout is needed, because only frames access the resource.
 struct BoundaryState {
     ResourceId resource = kNoId;
     SubresourceRange range;
@@ -226,7 +251,8 @@ struct FramePlan {
     BarrierPlan barriers;
     SubmissionPlan submissions;
     std::vector<BoundaryState> boundary;
-    std::string hash;  // 32 hexadecimal digits, for all members above except places in files
+    // 32 hexadecimal digits: a hash of all members above, except of places in files (file, line, column).
+    std::string hash;
 };
 
 }  // namespace weft

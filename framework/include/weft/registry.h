@@ -1,4 +1,4 @@
-// Purpose: the C++ pass types in this build, by the names used in graphs.
+// Purpose: returns the pass types in C++ that this build contains, by the names that graphs use.
 #pragma once
 
 #include "weft/pass.h"

@@ -1,5 +1,5 @@
-// Purpose: errors as data. Faults in the user's input are returned as Diagnostics. Units: lines and columns
-// count from 1; 0 means unknown. Columns count bytes.
+// Purpose: errors as data. Functions return the faults of the user's input as Diagnostics. Units: lines and
+// columns count from 1, and 0 means unknown. Columns count bytes.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,19 @@ struct Note {
     std::string message;
 };
 
-// One fault, self-contained: it can be printed after its file has been freed.
+// One fault or warning. It contains all texts that are printed, so that it outlives the file.
 struct Diagnostic {
     Severity severity = Severity::error;
-    std::string code;     // such as "W103"; explained in docs/diagnostics.md
-    std::string message;  // starts in lower case: the value found and the value wanted
+    std::string code;  // Code such as "W103". docs/diagnostics.md explains every code.
+    // Tells the value that was found and the value that was wanted. Begins in lower case.
+    std::string message;
     std::string file;
     uint32_t line = 0;
     uint32_t column = 0;
-    uint32_t length = 1;      // number of bytes to underline
-    std::string pointer;      // JSON pointer of the value, if there is one
-    std::string source_line;  // the text of `line`, for the excerpt
+    uint32_t length = 1;  // Number of bytes to underline in source_line.
+    // JSON pointer of the value, such as "/passes/outline/in/1"; empty if there is none.
+    std::string pointer;
+    std::string source_line;  // The text of line `line`, which is printed below the message.
     std::vector<std::string> help;
     std::vector<Note> notes;
     std::string tier;
@@ -39,17 +41,20 @@ using Diagnostics = std::vector<Diagnostic>;
 
 [[nodiscard]] bool has_errors(const Diagnostics& diagnostics);
 
-// "file:line:col: error[W103]: message" with an excerpt, help and notes; no trailing newline.
+// Formats a diagnostic as "file:line:col: error[W103]: message", followed by the source line, the help and
+// the notes. The text has no newline at the end.
 [[nodiscard]] std::string to_text(const Diagnostic& diagnostic);
 [[nodiscard]] std::string to_text(const Diagnostics& diagnostics);
 
-// At most three similar names, most similar first; only names that could be meant by a typing mistake.
+// Returns up to three names of `known` that the user may have meant by `name`, most similar first. A known
+// name is proposed if it differs from `name` by a few letters, or if it contains `name`.
 [[nodiscard]] std::vector<std::string> did_you_mean(const std::string& name,
                                                     const std::vector<std::string>& known);
-// A text such as `did you mean "a" or "b"?`; empty if no name is similar.
+// Returns a text such as `did you mean "a" or "b"?`; empty if no name is similar.
 [[nodiscard]] std::string did_you_mean_text(const std::string& name, const std::vector<std::string>& known);
 
-// A value, or the diagnostics that prevented it. Warnings are returned separately through `Diagnostics&`.
+// Contains a value, or the diagnostics with the reasons why there is no value. Functions that also have
+// warnings return them through a parameter of type `Diagnostics&`.
 template <class T>
 class [[nodiscard]] Result {
  public:

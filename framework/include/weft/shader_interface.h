@@ -1,6 +1,7 @@
-// Purpose: the inputs and outputs of a compiled shader as plain data. weft_shader makes it; weft_graph reads
-// it to match ports by name, weft_vulkan to make layouts and pipelines. No Vulkan. Units: offsets and sizes
-// in bytes. Sets: 0 frame and view, 1 the pass's ports, 2 material, 3 draw.
+// Purpose: describes the inputs and outputs of a compiled shader as data without Vulkan types. weft_shader
+// makes this description; weft_graph matches ports with it by name; weft_vulkan makes layouts and pipelines
+// from it. Units: offsets and sizes in bytes. Descriptor sets: 0 frame and view, 1 the ports of the pass, 2
+// material, 3 draw.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@ inline constexpr uint32_t kPortSet = 1;  // the descriptor set of a pass's ports
 
 enum class ShaderStage : uint8_t { vertex, fragment, compute };
 
-using ShaderStageMask = uint32_t;  // bit = 1 << ShaderStage
+using ShaderStageMask = uint32_t;  // A set of shader stages: stage s has the bit 1 << s.
 [[nodiscard]] constexpr ShaderStageMask stage_bit(ShaderStage stage) {
     return 1u << static_cast<uint32_t>(stage);
 }
@@ -29,13 +30,14 @@ struct BlockMember {
     uint32_t offset_bytes = 0;
     uint32_t size_bytes = 0;
     ScalarType scalar = ScalarType::f32;
-    uint8_t rows = 1;          // components of a vector, or rows of a matrix
-    uint8_t columns = 1;       // > 1 for matrices
-    uint32_t array_count = 0;  // 0: not an array; runtime arrays have is_runtime_array
+    uint8_t rows = 1;     // Number of components of a vector, or number of rows of a matrix.
+    uint8_t columns = 1;  // Number of columns of a matrix; 1 for scalars and vectors.
+    // Number of elements of an array; 0: not an array, or a runtime array (see is_runtime_array).
+    uint32_t array_count = 0;
     uint32_t array_stride_bytes = 0;
     bool is_runtime_array = false;
-    std::string struct_name;           // set for members of struct type
-    std::vector<BlockMember> members;  // members of that struct
+    std::string struct_name;  // Type name of the struct, if the member has a struct type; else empty.
+    std::vector<BlockMember> members;  // Members of that struct type; empty for other types.
     bool operator==(const BlockMember&) const = default;
 };
 
@@ -43,32 +45,34 @@ enum class BindingKind : uint8_t { sampled_image, storage_image, uniform_buffer,
 enum class ImageDim : uint8_t { d1, d2, d3, cube };
 
 struct ShaderBinding {
-    std::string name;  // instance name; for blocks without one, the block's name
+    // Instance name in the shader. For a block without an instance name, the name of the block.
+    std::string name;
     uint32_t set = 0;
     uint32_t binding = 0;
     BindingKind kind = BindingKind::sampled_image;
     ShaderStageMask stages = 0;
-    uint32_t count = 1;  // array size of the descriptor
-    // images
+    uint32_t count = 1;  // Number of descriptors of an array; 1 for a single descriptor.
+    // The members from `dim` to storage_format describe images.
     ImageDim dim = ImageDim::d2;
     bool arrayed = false;
     bool multisampled = false;
-    bool shadow = false;  // sampler2DShadow and similar types
+    bool shadow = false;  // True for samplers that compare, such as sampler2DShadow.
     NumericClass numeric = NumericClass::float_like;
-    Format storage_format = Format::undefined;  // the GLSL format qualifier; undefined if there is none
-    // storage images and buffers
+    // Format qualifier of a storage image in GLSL; undefined if the shader gives none.
+    Format storage_format = Format::undefined;
+    // The members `reads` and `writes` describe how the shader accesses a storage image or buffer.
     bool reads = true;
     bool writes = false;
-    // buffers
-    uint32_t block_bytes = 0;  // without the elements of a runtime array
+    // The members block_bytes and `members` describe buffers.
+    uint32_t block_bytes = 0;  // Size of the block, without the elements of a runtime array at its end.
     std::vector<BlockMember> members;
     bool operator==(const ShaderBinding&) const = default;
 };
 
-// The block named `Params`: push constants, or a uniform buffer in set 1.
+// The shader's block with the name `Params`. It is either push constants or a uniform buffer in set 1.
 struct ParamsBlock {
     bool push_constants = false;
-    uint32_t binding = 0;  // for a uniform buffer
+    uint32_t binding = 0;  // Binding number, if the block is a uniform buffer.
     uint32_t size_bytes = 0;
     ShaderStageMask stages = 0;
     std::vector<BlockMember> members;
@@ -91,37 +95,39 @@ struct StageVariable {
 
 struct ShaderInterface {
     ShaderStageMask stages = 0;
-    std::vector<ShaderBinding> bindings;  // sorted by set, then binding
+    std::vector<ShaderBinding> bindings;  // Descriptors that the shader uses, sorted by set, then by binding.
     bool has_params = false;
     ParamsBlock params;
-    std::vector<SpecConstant> spec_constants;  // sorted by name
-    std::vector<StageVariable> vertex_inputs;  // sorted by location
+    std::vector<SpecConstant> spec_constants;  // Specialisation constants, sorted by name.
+    std::vector<StageVariable> vertex_inputs;  // Inputs of the vertex stage, sorted by location.
     std::vector<StageVariable> fragment_outputs;
     std::array<uint32_t, 3> local_size{1, 1, 1};
-    bool discards = false;           // the fragment stage may discard its pixel
-    bool writes_depth = false;       // gl_FragDepth
-    bool writes_point_size = false;  // gl_PointSize, in the vertex stage
-    bool states_local_size = true;   // a compute stage that declares its local size explicitly
+    bool discards = false;           // True: the fragment stage can discard its fragment.
+    bool writes_depth = false;       // True: the fragment stage writes gl_FragDepth.
+    bool writes_point_size = false;  // True: the vertex stage writes gl_PointSize.
+    // False for a compute stage without `layout(local_size_x = ...) in`; true for all others.
+    bool states_local_size = true;
 
-    [[nodiscard]] const ShaderBinding* find(std::string_view name) const;  // searches set 1 only: the pass's
-                                                                           // ports
+    // Finds a binding by name in set 1, which has the ports of the pass. Returns null if there is none.
+    [[nodiscard]] const ShaderBinding* find(std::string_view name) const;
 };
 
 struct ShaderModule {
     ShaderStage stage = ShaderStage::compute;
-    std::vector<uint32_t> spirv;  // entry point "main"; passed spirv-val
+    std::vector<uint32_t> spirv;  // SPIR-V code that spirv-val has accepted. The entry point is "main".
 };
 
-// The program of one shader reference: a compute shader, or a vertex and a fragment stage.
+// The compiled program for the name of a shader in a graph: a compute stage, or a vertex and a fragment
+// stage.
 struct ShaderProgram {
-    std::string reference;  // as written in the graph
+    std::string reference;  // The name of the shader, as in the graph.
     std::vector<ShaderModule> modules;
     ShaderInterface interface;
-    uint64_t content_hash = 0;  // hash of all compiled sources, including included files
+    uint64_t content_hash = 0;  // Hash of all GLSL texts that were compiled, including the included files.
 };
 
-// Indexed by reference. A program that failed to compile is present without modules: it was already reported,
-// so later stages do not report it again.
+// The compiled programs by the shader's name in the graph. A shader with errors has an entry without modules.
+// Its errors were already reported, so later stages report no further error for it.
 using ShaderCatalog = std::map<std::string, ShaderProgram, std::less<>>;
 
 }  // namespace weft

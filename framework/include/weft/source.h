@@ -1,5 +1,5 @@
-// Purpose: places in files. Every node of a graph file has a SourceLoc, and the compiler copies it for
-// messages; it is never part of a plan's hash.
+// Purpose: places in files. Every value that is read from a graph file has a SourceLoc (file, line, column).
+// The compiler copies it into the plan for messages; a plan's hash never includes it.
 #pragma once
 
 #include <array>
@@ -15,29 +15,32 @@
 
 namespace weft {
 
-// A diagnostic quotes no source line that is longer than this: in a minified file one line can be the whole
-// file.
+// The longest source line that a diagnostic quotes. A longer line is not quoted, because in a minified file
+// one line can be the whole file.
 inline constexpr size_t kMaxExcerptBytes = 4096;
 
 inline constexpr uint32_t kNoFile = UINT32_MAX;
 
 struct SourceLoc {
-    uint32_t file = kNoFile;  // index into SourceMap::files
+    uint32_t file = kNoFile;  // The file: an index into SourceMap::files.
     uint32_t line = 0;
     uint32_t column = 0;
     uint32_t length = 1;
 };
 
 struct SourceFile {
-    std::string path;  // as written by the user
+    std::string path;  // Path of the file, as the user wrote it.
     std::string text;
-    SourceLoc included_at = {};  // place of the include that names this file; kNoFile: not included
-    // Number of newlines before each 4 KiB block of the text, so that finding a line need not read the whole
-    // text. Filled by SourceMap::add_file(); if empty, lines are searched from the first byte.
+    // Place of the "include" that names this file; SourceLoc::file is kNoFile if no other file includes it.
+    SourceLoc included_at = {};
+    // newlines_before[i] is the number of newlines before byte 4096 × i of the text. With this table, a line
+    // is found without reading the whole text. SourceMap::add_file() fills it; if it is empty, the search
+    // begins at the first byte.
     std::vector<uint32_t> newlines_before = {};
 };
 
-// A value that replaced another one: from an including file, or from a tier.
+// Records that the value at `by` replaced the value at `what`. A tier, or a file that includes another file,
+// replaces values.
 struct Replacement {
     SourceLoc by;
     SourceLoc what;
@@ -45,20 +48,21 @@ struct Replacement {
 
 struct SourceMap {
     std::vector<SourceFile> files;
-    // Key: file, line and column of `by`.
+    // The key is file, line and column of Replacement::by.
     std::multimap<std::array<uint32_t, 3>, Replacement> replacements;
 
-    // Returns the file's index.
+    // Adds a file and returns its index in `files`.
     uint32_t add_file(std::string path, std::string text, SourceLoc included_at = {});
     void add_replacement(const Replacement& replacement);
-    // A diagnostic with file, line, column and excerpt for `loc`. Its notes tell where the file was included,
-    // and which value was replaced.
+    // Makes a diagnostic with the file, line, column and excerpt of `loc`. Notes are added if the file is
+    // included by another file, or if the value at `loc` replaced another value.
     [[nodiscard]] Diagnostic error(SourceLoc loc, std::string code, std::string message) const;
-    // "deferred.json:40:73"; "<memory>" for things made by a program.
+    // Returns the place as text, such as "deferred.json:40:73"; "<memory>" if a program made the value.
     [[nodiscard]] std::string describe(SourceLoc loc) const;
 };
 
-// Reads a file; nullopt if it does not exist. All graph files are read with one of these.
+// A function that returns the text of a file, or nullopt if the file does not exist. All graph files are read
+// with such a function, so that tests and embedders can provide texts.
 using FileReader = std::function<std::optional<std::string>(const std::string& path)>;
 
 }  // namespace weft

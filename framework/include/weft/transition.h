@@ -1,7 +1,7 @@
-// Purpose: the transition between two plans, for a resize, a reload or another quality tier: which content of
-// persistent resources is kept, and which is initialised again. It runs once on queue 0, after the last frame
-// of the old plan and instead of the new plan's prologue. Units: `from` has ids of the old plan's resources,
-// all other members of the new plan's.
+// Purpose: the transition from one plan to the next, for a resize, a reload or another quality tier. It tells
+// which persistent resources keep their content, and which are initialised again. It runs once, on queue 0,
+// after the last frame of the old plan; it replaces the prologue of the new plan. Units: `from` is a
+// ResourceId of the old plan, all other ids are of the new plan.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,28 @@
 
 namespace weft {
 
-// The content of an old resource, as its next frame would find it, becomes the content of the new resource of
-// the same age.
+// Moves the content of a resource of the old plan to the resource of the same age in the new plan. The
+// content is the one that the next frame of the old plan would read.
 struct CarryOver {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
-    // true: scaled to a new size mip by mip (if there are more new mips, from the last old one), with a
-    // linear filter, for integers with the nearest texel; false: copied unchanged.
+    // True: the content is scaled to the new size mip by mip, with a linear filter (integers: nearest texel).
+    // If the new resource has more mips, the additional mips are scaled from the last old mip. False: the
+    // content is copied unchanged.
     bool resample = false;
     bool operator==(const CarryOver&) const = default;
 };
 
 struct TransitionPlan {
-    std::vector<BarrierDecl> before_old;  // for the old plan's resources: from their boundary states
-    std::vector<BarrierDecl> before;      // for the new plan's resources: from undefined
+    // Barriers for resources of the old plan, from the states between its frames (BoundaryState).
+    std::vector<BarrierDecl> before_old;
+    std::vector<BarrierDecl> before;  // Barriers for resources of the new plan, from `undefined`.
     std::vector<CarryOver> carried;
-    std::vector<ResourceId> cleared;  // to their first-frame values
-    std::vector<BarrierDecl> after;   // to the states that the new plan's first frame expects
-    // For each ResourceId of the new plan that is the first of a ring: whether the old ring's count of
-    // written frames continues.
+    std::vector<ResourceId> cleared;  // Resources to clear to ResourceDecl::first_frame.
+    // Barriers for resources of the new plan, to the states that its first frame expects.
+    std::vector<BarrierDecl> after;
+    // By ResourceId of the new plan, for the resource of age 0 in each ring: 1 if the number of frames that
+    // have written the ring continues from the old plan, so that `<port>Valid` stays correct; else 0.
     std::vector<uint8_t> keeps_validity;
 };
 
