@@ -1,7 +1,7 @@
-// Purpose: checks a plan. It reconstructs the happens-before order from the declared accesses and the plan
-// alone, and checks every read, write, layout, memory reuse and lifetime over three consecutive frames. It
-// shares no code with the compiler's stages, and includes only declarations and plans. Errors: C3xx, each
-// naming both passes and the resource.
+// Purpose: checks a plan independently of the compiler. The checker derives the happens-before order from the
+// declared accesses and the plan alone. In this order it checks every read, write, layout, reuse of memory
+// and lifetime over three consecutive frames. It shares no code with the stages of the compiler; it includes
+// only declarations and plans. Errors: C3xx, each naming both passes and the resource.
 #pragma once
 
 #include "weft/plan.h"
@@ -9,7 +9,7 @@
 
 namespace weft {
 
-// Empty if the plan is sound.
+// Returns the errors of the plan; empty if there is none.
 [[nodiscard]] Diagnostics check_plan(const FramePlan& plan);
 
 }  // namespace weft

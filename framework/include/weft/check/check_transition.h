@@ -1,6 +1,7 @@
-// Purpose: checks a transition between two plans: every copy of every persistent resource of the new plan
-// gets its content exactly once, from the resource of the same name or as its first-frame value, in the right
-// order and layouts. Errors: C370 content, C371 synchronisation and layouts.
+// Purpose: checks the transition from one plan to the next. Every copy of every persistent resource of the
+// new plan must get its content exactly once: from the resource of the same name in the old plan, or as its
+// first-frame value. Order and layouts must be right. Errors: C370 wrong content, C371 wrong synchronisation
+// or layout.
 #pragma once
 
 #include "weft/result.h"

@@ -1,7 +1,8 @@
-// Purpose: summarises an error map in a few numbers. Units: those of the map. Quantiles are values that occur
-// in the map. Weighted quantiles weight every error by its own size, so that a large black area does not hide
-// visible errors: errors up to the q-quantile make up a share q of the total error; 0 for a map without
-// errors. Source: the paper cited in flip.h, on pooling.
+// Purpose: summarises an error map in a few numbers. Units: those of the map. A quantile is always a value
+// that occurs in the map. Weighted quantiles give every error a weight of its own size, so that a large area
+// without errors does not hide visible errors: all errors up to the weighted q-quantile make up the share q
+// of the sum of errors. It is 0 for a map without errors. Source: the paper cited in flip.h, section on
+// pooling.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@ struct ErrorSummary {
     std::array<double, 3> weighted_quartiles{};
 };
 
-// The map must not be empty or contain NaN.
+// Computes the summary. The map must not be empty and must not contain NaN.
 [[nodiscard]] ErrorSummary summarize(const Plane& map);
 
 }  // namespace weft::image

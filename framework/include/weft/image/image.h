@@ -1,7 +1,7 @@
-// Purpose: a picture, and a plane with one number per texel, as plain data for metrics. Shapes: width_px ×
-// height_px, row 0 on top. Units: `display` is sRGB-encoded, [0, 1] in steps of 1/255; `linear` is
-// scene-linear, in any unit; NaN is not allowed when it is converted to a display value. Source: sRGB: IEC
-// 61966-2-1.
+// Purpose: a picture, and a plane with one number per texel, as plain data for image metrics. Shapes:
+// width_px × height_px, row 0 at the top. Units: `display` values are sRGB-encoded, in [0, 1] in steps of
+// 1/255. `linear` values are scene-linear, in any unit; they must not be NaN when they are converted to
+// display values. Source: sRGB: IEC 61966-2-1.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ struct Plane {
 
 [[nodiscard]] bool same_size(const Image& a, const Image& b);
 
-// Linear values are clamped to [0, 1] and encoded without rounding; display values do not change.
+// Returns the picture as display values. Linear values are clamped to [0, 1] and encoded without rounding.
+// Display values do not change.
 [[nodiscard]] Image to_display(Image image);
 [[nodiscard]] glm::vec3 display_texel(const Image& image, size_t index);
 

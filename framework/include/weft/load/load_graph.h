@@ -1,5 +1,6 @@
-// Purpose: loads a graph file in two steps: parse_graph() reads, merges and parses the file, load_graph()
-// compiles its shaders and resolves it. All faults of the file and its shaders are reported at once.
+// Purpose: loads a graph file in two steps. parse_graph() reads the file with its includes, merges and parses
+// it. load_graph() compiles the shaders and resolves the graph. All faults of the file and its shaders are
+// reported together.
 #pragma once
 
 #include <filesystem>
@@ -20,24 +21,30 @@
 
 namespace weft {
 
-// How many of an image's alternative formats are skipped, by the image's name; see ResolveInput.
+// By the name of an image: how many of its alternative formats ("rg16_snorm|rg16f") are not tried. See
+// ResolveInput.
 using SkippedFormats = std::map<std::string, size_t>;
 
-// The folders of graphs and shaders, and their limits.
+// Settings for loading graphs: the folders of graphs and shaders, and the limits.
 struct LoadSettings {
-    FileReader reader;                    // for graph files
-    std::filesystem::path graph_root;     // the graphs/ folder, in which included files are searched too
-    std::filesystem::path shader_root;    // the shaders/ folder; its include/ is the include root
-    std::filesystem::path shader_cache;   // empty: none
-    std::filesystem::path shader_worker;  // find_shader_worker(); empty: glslang runs in this process
+    FileReader reader;  // Function that reads the texts of graph files.
+    // The folder graphs/ that is shipped with Weft. Included files are searched there too.
+    std::filesystem::path graph_root;
+    // The folder shaders/ that is shipped with Weft. Its subfolder include/ is the root of includes in
+    // shaders.
+    std::filesystem::path shader_root;
+    std::filesystem::path shader_cache;  // Folder for the cache of compiled shaders; empty: no cache.
+    // Path of the program weft-shader-worker, from find_shader_worker(). Empty: glslang runs in this process.
+    std::filesystem::path shader_worker;
     Limits limits;
 };
 
-// The graph file of a request: read with all its includes, merged for its tier, and parsed.
+// A graph that was read with all its includes, merged for the tier of the request, and parsed.
 struct ParsedGraph {
     JsonDoc document;
-    GraphDesc desc;                         // without the debug view of the request
-    std::set<std::filesystem::path> files;  // the graph files that were searched, absolute, existing or not
+    GraphDesc desc;  // The graph. The debug view of the request is not yet added.
+    // Absolute paths of all graph files that were searched, including files that do not exist.
+    std::set<std::filesystem::path> files;
 };
 
 struct LoadInput {
@@ -46,9 +53,10 @@ struct LoadInput {
     const PassCatalog& passes;
     const ImportCatalog& imports;
     const DeviceProfile& profile;
-    ShaderMemory* memory = nullptr;  // results of earlier loads
-    // The result of common_formats(), for loads without observers and parameters. Null: load_graph() loads
-    // the other tiers to find the formats.
+    // Results of earlier loads, so that unchanged shaders are not compiled again; null: none.
+    ShaderMemory* memory = nullptr;
+    // The result of common_formats(). Use it only if the request has no observed resources and no parameters.
+    // Null: load_graph() finds the formats itself, and loads all other tiers for this.
     const SkippedFormats* common_formats = nullptr;
 };
 
@@ -56,32 +64,36 @@ struct LoadedGraph {
     GraphDesc desc;
     ShaderCatalog shaders;
     ResolvedGraph graph;
-    SkippedFormats skipped_formats;  // makes formats equal in all tiers
+    // Leads to the same format of each image in all tiers; see SkippedFormats.
+    SkippedFormats skipped_formats;
 };
 
-// The graph file and its includes, before a tier is chosen.
+// Reads a graph file and its includes. No tier is applied.
 [[nodiscard]] Result<JsonDoc> read_graph(const std::string& path, const LoadSettings& settings);
 
-// `files`, if not null, receives ParsedGraph::files, also after an error.
+// Reads, merges and parses the graph file of `request`. If `files` is not null, the function adds
+// ParsedGraph::files to it, even after an error.
 [[nodiscard]] Result<ParsedGraph> parse_graph(const GraphRequest& request, const LoadSettings& settings,
                                               std::set<std::filesystem::path>* files = nullptr);
 
-// Checks the request's debug view and parameters without compiling shaders: call this before slow work.
+// Checks the debug view and the parameters of the request. This is fast, because no shader is compiled: call
+// it before slow work.
 [[nodiscard]] Status check_request(const ParsedGraph& parsed, const GraphRequest& request,
                                    const ImportCatalog& imports);
 
-// The formats that all tiers of a document share, found once for load_graph() of each. Loads every tier; the
-// tier, parameters and observers of the request are ignored.
+// Returns the formats that all tiers of a document share. Call it once, and pass the result to load_graph()
+// for every tier. It loads every tier; tier, parameters and observed resources of the request are ignored.
 [[nodiscard]] SkippedFormats common_formats(const JsonDoc& document, const LoadInput& input);
 
-// Warnings are added to `warnings`. `parsed` must be the result for `input.request`.
+// Compiles the shaders of a parsed graph and resolves the graph. `parsed` must be the result of parse_graph()
+// for `input.request`. Warnings are added to `warnings`.
 [[nodiscard]] Result<LoadedGraph> load_graph(const ParsedGraph& parsed, const LoadInput& input,
                                              Diagnostics& warnings);
-// The same from a document, merged and parsed for the tier of the request.
+// Merges and parses a document for the tier of the request, compiles its shaders and resolves the graph.
 [[nodiscard]] Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input,
                                              Diagnostics& warnings);
 
-// The same graph for another output size or other parameters. Shaders are not compiled again.
+// Resolves a loaded graph again, for another output size or other parameters. Shaders are not compiled again.
 [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
                                                   Diagnostics& warnings);
 

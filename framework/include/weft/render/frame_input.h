@@ -1,5 +1,6 @@
-// Purpose: values that may change from frame to frame. Parameters are values of the plan, so changing one is
-// a swap (Session::prepare()). Units: seconds; exposure in EV (hdr is stored × 2^EV).
+// Purpose: the values that a program may change from frame to frame. Parameters of the graph are not among
+// them: to change a parameter, swap the plan (Session::prepare()). Units: seconds; exposure in EV (radiance
+// is stored multiplied by 2^EV).
 #pragma once
 
 #include "weft/scene/scene.h"
@@ -10,7 +11,7 @@ struct FrameInput {
     scene::Camera camera;
     float exposure_ev = 0;
     double time_s = 0;
-    double delta_time_s = 0;  // since the previous frame
+    double delta_time_s = 0;  // Time since the previous frame.
 };
 
 }  // namespace weft::render

@@ -1,6 +1,6 @@
-// Purpose: a prepared graph that can replace a session's running one: the same graph at another size, an
-// edited graph, or another one. Session::prepare() makes it on any thread, Session::swap_in() takes it
-// between two frames.
+// Purpose: a prepared graph that can replace the running graph of a session: the same graph at another size,
+// an edited graph, or a different one. Session::prepare() makes it on any thread. Session::swap_in() makes it
+// the running graph, between two frames.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -20,31 +20,32 @@ struct FramePlan;
 
 namespace weft::render {
 
-// Selects the graph that a session renders; may change while it runs.
+// Selects the graph that a session renders. The selection may change while the session runs.
 struct Selection {
     GraphRequest request;
-    // An embedder's image to which frames are rendered, created with output_create_info(); null: the
-    // session's own image. When render_frame() returns, commands submitted to the device's first queue see it
-    // written and in TRANSFER_SRC_OPTIMAL. They may copy or blit it, and must leave it in that layout. It
-    // must outlive the session.
+    // An embedder's image to which frames are rendered, created with output_create_info(). Null: the
+    // session's own image is used. After render_frame(), commands that are submitted to the device's first
+    // queue find the image written, in the layout TRANSFER_SRC_OPTIMAL. They may copy or blit it, and must
+    // leave it in this layout. The image must outlive the session.
     VkImage output = VK_NULL_HANDLE;
 };
 
-// The parts that a swap compiled or created.
+// Tells which parts of a graph were compiled or created again for a swap.
 struct Rebuilt {
-    uint32_t shaders = 0, changed_shaders = 0;  // programs that the graph names
+    // Number of shader programs of the graph, and number of those that changed.
+    uint32_t shaders = 0, changed_shaders = 0;
     uint32_t pipelines = 0, made_pipelines = 0;
-    bool plan = false;    // memory, descriptors, barriers
-    bool values = false;  // parameters, constants or state of an otherwise equal plan
+    bool plan = false;  // True: a new plan with new memory, descriptors and barriers.
+    // True: the plan stays the same, except for values of parameters or constants, or the state of pipelines.
+    bool values = false;
 
     [[nodiscard]] bool nothing() const { return !plan && !values && changed_shaders == 0; }
 };
-// "1 of 4 shaders, 1 of 5 pipelines, a new plan".
+// Returns a text such as "1 of 4 shaders, 1 of 5 pipelines, a new plan".
 [[nodiscard]] std::string to_text(const Rebuilt& rebuilt);
 
 struct SwapParts;
 
-// Move-only.
 class PendingSwap {
  public:
     explicit PendingSwap(std::unique_ptr<SwapParts> parts);
@@ -53,7 +54,7 @@ class PendingSwap {
     PendingSwap& operator=(PendingSwap&& other) noexcept;
 
     [[nodiscard]] const Rebuilt& rebuilt() const;
-    // The plan of the swap; null if the running plan stays, or changes only its values.
+    // Returns the new plan; null if the running plan stays or only its values change.
     [[nodiscard]] const FramePlan* new_plan() const;
     [[nodiscard]] SwapParts& parts() { return *parts_; }
 
@@ -64,8 +65,8 @@ class PendingSwap {
 struct PrepareResult {
     Result<PendingSwap> result;
     Diagnostics warnings;
-    // The files of the graph and its shaders that were searched, absolute, existing or not. After an error, a
-    // change of one of them may correct it.
+    // Absolute paths of all files of the graph and its shaders that were searched, including files that do
+    // not exist. After an error, a change of one of these files may correct it.
     std::set<std::filesystem::path> files;
 };
 

@@ -1,7 +1,7 @@
 // Purpose: reloads the graph of a session when its files change. A thread waits for changes of the graph, its
-// shaders and their includes, and prepares the changed graph. The frame thread takes it over between two
-// frames. While the files have faults, the last valid graph keeps running. Errors: X580 the system provides
-// no watch. Warnings: X581 a folder of the files cannot be watched.
+// shaders and their includes, and prepares the changed graph. Between two frames, the frame thread swaps to
+// the prepared graph. While the files have faults, the last valid graph keeps running. Errors: X580 the
+// system cannot watch files. Warnings: X581 a folder cannot be watched.
 #pragma once
 
 #include <chrono>
@@ -18,29 +18,31 @@ namespace weft::render {
 
 class FileWatch;
 
-// The result of a change of files.
+// The result of reloading after a change of files.
 struct Reload {
-    Rebuilt rebuilt;       // if there was no error
-    Diagnostics errors;    // the reasons why the old graph keeps running
-    Diagnostics warnings;  // of the new graph
-    double ms = 0;         // from the end of the change to the swap
-    double swap_ms = 0;    // the part of `ms` on the frame thread
+    Rebuilt rebuilt;       // The parts that were made again, if there was no error.
+    Diagnostics errors;    // The reasons why the old graph keeps running; empty if the new graph runs.
+    Diagnostics warnings;  // The warnings about the new graph.
+    double ms = 0;         // Time in milliseconds from the end of the change to the swap.
+    double swap_ms = 0;    // The part of `ms` that the frame thread spent.
 
     [[nodiscard]] bool good() const { return errors.empty(); }
 };
 
 class Reloader {
  public:
-    // `session` must outlive the reloader. Changes since the session loaded its files are noticed, too.
+    // Starts a reloader. `session` must outlive it. Changes of files since the session loaded them are
+    // noticed, too.
     [[nodiscard]] static Result<std::unique_ptr<Reloader>> start(Session& session);
     ~Reloader();
     Reloader(const Reloader&) = delete;
     Reloader& operator=(const Reloader&) = delete;
 
-    // Call it on the frame thread, between two frames: swaps to the prepared graph, if there is one. Never
-    // waits.
+    // Swaps to the prepared graph, if there is one. Call this on the frame thread, between two frames. It
+    // never waits.
     [[nodiscard]] std::optional<Reload> update();
-    // Swaps to another graph, tier or other parameters; works like a change of a file.
+    // Selects another graph, tier or other parameters. The graph is prepared and swapped in as after a change
+    // of a file.
     void select(const Selection& selection);
 
  private:
@@ -53,14 +55,14 @@ class Reloader {
     void run();
     [[nodiscard]] bool wait_for_work();
     [[nodiscard]] PrepareResult prepare_and_watch(const Selection& selection);
-    // Makes the thread prepare again although no file changed.
+    // Makes the thread prepare the graph again, although no file has changed.
     void ask_again();
 
     Session& session_;
     const std::unique_ptr<FileWatch> watch_;
-    std::set<std::filesystem::path> good_files_;  // files of the last successful load; used only by the
-                                                  // watching thread
-    std::mutex mutex_;                            // guards all members below
+    // The files of the last successful load. Only the watching thread uses this member.
+    std::set<std::filesystem::path> good_files_;
+    std::mutex mutex_;  // Guards all members below.
     Selection selection_;
     bool asked_ = false;
     bool stop_ = false;

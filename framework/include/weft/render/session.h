@@ -1,6 +1,6 @@
-// Purpose: renders one scene with one graph: loads, compiles, checks and runs it. It is the simplest way to
-// embed Weft; `weft render` and the picture tests use it. Units: size in pixels. Threads: prepare() may run
-// on any thread, all other functions on the thread that submits.
+// Purpose: renders one scene with one graph: loads, compiles, checks and runs the graph. This is the simplest
+// way to embed Weft; `weft render` and the picture tests use it. Units: size in pixels. Threads: prepare()
+// may run on any thread, all other functions on the thread that submits.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -27,33 +27,36 @@ class Device;
 
 namespace weft::render {
 
-// Create info for the image of Selection::output: RGBA8, one mip. Contains pointers to data of `device`.
+// Returns the creation info for the image Selection::output: RGBA8, one mip. It contains pointers into
+// `device`.
 [[nodiscard]] VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size);
 
 struct SessionInput {
     GraphRequest request;
     LoadSettings load;
     const PassCatalog* passes = nullptr;
-    const ParsedGraph* parsed = nullptr;  // the request's graph; null: create() parses it
-    VkImage output = VK_NULL_HANDLE;      // as Selection::output
-    uint32_t queues = 1;                  // logical queues; the device must have been created with at least
-                                          // as many
-    bool check_plan = false;              // check the plan before it runs; debug builds always do
-    bool timestamps = false;  // per-pass GPU times; adds execution barriers, so not for validation runs
-    std::string drop_barriers_before;  // test hook: a pass whose barriers are not recorded
+    const ParsedGraph* parsed = nullptr;  // The parsed graph of the request; null: create() parses it.
+    VkImage output = VK_NULL_HANDLE;      // The embedder's output image; see Selection::output.
+    // Number of logical queues. The device must have been created with at least as many.
+    uint32_t queues = 1;
+    bool check_plan = false;  // True: the plan is checked before it runs. Debug builds always check it.
+    // True: GPU times of each pass are measured. This records additional empty barriers after passes, so it
+    // should be false in runs under validation.
+    bool timestamps = false;
+    std::string drop_barriers_before;  // Hook for tests: name of a pass whose barriers are not recorded.
 };
 
 struct SessionParts;
 
 class Session {
  public:
-    // Errors: those of load_graph (W…), of the checker (C…), of the device (V…). `files`, if not null,
-    // receives the content of PrepareResult::files, also after an error.
+    // Creates a session. Errors: those of load_graph() (W…), of the checker (C…) and of the device (V…). If
+    // `files` is not null, it receives the same paths as PrepareResult::files, even after an error.
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
-    // For a scene that is not used afterwards: create() frees each texture after it is copied to the GPU.
-    // That halves the peak memory of textures.
+    // Creates a session from a scene that the caller no longer needs. create() frees each texture after
+    // copying it to the GPU, which halves the peak memory of textures.
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, scene::Scene&& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
@@ -62,37 +65,41 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     [[nodiscard]] const Selection& selection() const;
-    // The files that create() searched, as PrepareResult::files.
+    // Returns the files that create() searched; see PrepareResult::files.
     [[nodiscard]] const std::set<std::filesystem::path>& first_files() const;
-    // Reads the selected graph, compiles changed parts, checks the plan and makes its objects, while frames
-    // are rendered. May be called from any thread, and submits nothing. Errors: as create().
+    // Prepares the selected graph while frames are rendered: reads it, compiles the changed parts, checks the
+    // plan and creates its objects. May be called from any thread, and submits nothing. Errors: those of
+    // create().
     [[nodiscard]] PrepareResult prepare(const Selection& selection);
-    // Takes effect with the next frame. Histories and kept resources continue as given by transition().
-    // Returns false, and does nothing, if another swap was made since `next` was prepared; prepare again.
-    // After an error of the checker (C…) the running graph continues.
+    // Makes the prepared graph `next` the running one, from the next frame on. Resources with `history` or
+    // `keep` keep their content as transition() decides. Returns false and does nothing if another swap was
+    // made after `next` was prepared; then prepare again. After an error of the checker (C…) the running
+    // graph continues.
     [[nodiscard]] Result<bool> swap_in(PendingSwap next);
-    // Prepares and swaps in the loaded graph at another size. After an error of the graph (W…, C…) or of
-    // memory, the running graph continues at the old size. `output` replaces Selection::output, whose image
-    // frames in flight may still use. Errors: as create().
+    // Prepares the loaded graph at another size and swaps it in. After an error of the graph (W…, C…) or of
+    // memory, the running graph continues at the old size. `output` replaces Selection::output; frames in
+    // flight may still use the old image. Errors: those of create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
-    // The number of pipelines made since create(), by the thread that called it.
+    // Returns the number of pipelines that the thread which called create() has made since then. Each of them
+    // delayed a frame.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const;
 
     [[nodiscard]] Status render_frame(const FrameInput& input);
     [[nodiscard]] Status finish();
-    // True if the graph writes an output: some graphs only write resources.
+    // Returns true if the graph writes an output image. Some graphs write only other resources.
     [[nodiscard]] bool has_output() const;
-    // The output image of the last frame; call it after finish(). W184: the graph has no output.
+    // Returns the output image of the last frame. Call this after finish(). Error: W184 the graph has no
+    // output.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
     [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks();
     [[nodiscard]] std::vector<vk::FrameTiming> take_timings();
     [[nodiscard]] const FramePlan& plan() const;
-    // The number of frames in the graph file.
+    // Returns the number of frames that the graph file asks for.
     [[nodiscard]] uint32_t frames() const;
-    // 2^EV of the last frame.
+    // Returns the factor 2^EV of the last frame, with which radiance was multiplied.
     [[nodiscard]] float pre_exposure() const;
 
-    // For tests, which include render/session_parts.h.
+    // For tests only, which include render/session_parts.h.
     [[nodiscard]] const SessionParts& parts() const { return *parts_; }
 
  private:

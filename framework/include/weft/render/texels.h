@@ -1,5 +1,6 @@
-// Purpose: converts texels that were read back to four floats each: missing channels are 0, missing alpha is
-// 1. sRGB is decoded, normalised integers become [0, 1] or [-1, 1], other integers keep their value.
+// Purpose: converts texels that were read back to four floats each. Missing channels become 0, a missing
+// alpha becomes 1. sRGB is decoded, normalised integers become [0, 1] or [-1, 1], other integers keep their
+// value.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +12,8 @@
 
 namespace weft::render {
 
-// `bytes` has tightly packed texels; an incomplete last texel is ignored. For depth-stencil formats the
-// result is depth.
+// Converts `bytes`, which are texels without padding. An incomplete last texel is ignored. For depth-stencil
+// formats, the result is the depth.
 [[nodiscard]] std::vector<glm::vec4> decode_texels(Format format, std::span<const std::byte> bytes);
 
 }  // namespace weft::render

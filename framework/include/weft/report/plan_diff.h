@@ -1,7 +1,8 @@
-// Purpose: the differences between two plans by name: passes and resources added, removed and changed, the
-// order, barriers, memory. Plans with equal hashes have no differences. Units: bytes. Shapes: an item in both
-// plans lists the facts that only the first plan (`gone`) or only the second plan (`come`) has. The offset of
-// a resource in memory is not compared, because it changes whenever anything else does.
+// Purpose: compares two plans by name: passes and resources that were added, removed or changed, the order,
+// barriers, memory. Plans with equal hashes have no differences. Units: bytes. Shapes: properties of a pass
+// or resource are lines of text. If an item is in both plans, `gone` has the lines that only the first plan
+// has, and `come` the lines that only the second plan has. The offset of a resource in memory is not
+// compared, because it changes whenever anything else does.
 #pragma once
 
 #include <cstdint>
@@ -25,29 +26,30 @@ struct NamesDiff {
 
 struct PassMove {
     std::string name;
-    uint32_t from = 0, to = 0;  // positions
+    uint32_t from = 0, to = 0;  // Positions in the order of the first plan and of the second plan.
 };
 
 struct CountChange {
-    std::string name;  // such as "barriers", "heap_bytes"
+    std::string name;  // Name of the number, such as "barriers" or "heap_bytes".
     uint64_t from = 0, to = 0;
 };
 
 struct PlanDiff {
-    bool same = false;  // the hashes are equal
+    bool same = false;  // True: the hashes of the plans are equal.
     std::vector<CountChange> counts;
-    NamesDiff passes;  // includes whether a pass is live and its barriers
+    NamesDiff passes;  // The changes of passes. They include whether a pass is live, and its barriers.
     NamesDiff resources;
-    std::vector<PassMove> moved;  // the smallest set of moves that explains the new order of the common
-                                  // passes
+    // The smallest set of moves that changes the first order into the second. Only passes in both plans are
+    // listed.
+    std::vector<PassMove> moved;
 };
 
 [[nodiscard]] PlanDiff diff_plans(const FramePlan& from, const FramePlan& to);
 
-// "+2 barriers, -14.0 MiB heap", followed by details. One line if nothing changed.
+// Returns a summary such as "+2 barriers, -14.0 MiB heap", followed by details; one line if nothing changed.
 [[nodiscard]] std::string plan_diff_to_text(const PlanDiff& diff);
-// {same counts{name: {from to}} passes{added removed changed[{name gone come}]} resources{…} moved[{name from
-// to}]}
+// Returns the differences as JSON: {same counts{name: {from to}} passes{added removed changed[{name gone
+// come}]} resources{…} moved[{name from to}]}
 [[nodiscard]] std::string plan_diff_to_json(const PlanDiff& diff);
 
 }  // namespace weft

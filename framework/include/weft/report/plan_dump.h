@@ -1,9 +1,10 @@
-// Purpose: prints plans for people and programs. Deterministic: the same plan gives the same bytes. Shapes:
-// text lists the passes in execution order with their queue, and every wait and barrier with its reason, then
-// memory (sum, peak and the resources alive there, heaps, gap) and culled passes; JSON has every field of the
-// plan (ids are indices into graph.passes and graph.resources, null means none); DOT draws passes and
-// resources, with culled ones in grey; HTML is a self-contained page with the graph, every queue's timeline,
-// lifetimes, memory, culled passes, and all explanations of `weft explain`.
+// Purpose: prints plans for people and programs. The same plan always gives the same bytes. Shapes:
+//   text: the passes in execution order with their queue, every wait and barrier with its reason, then memory
+//   (sum, peak, the resources alive at the peak, heaps, gap between peak and heaps) and culled passes
+//   JSON: every field of the plan; ids are indices into graph.passes and graph.resources, null means none
+//   DOT: a drawing of passes and resources, with culled ones in grey
+//   HTML: a self-contained page with the graph, every queue's timeline, lifetimes, memory, culled passes, and
+//   all explanations of `weft explain`
 #pragma once
 
 #include <string>
@@ -13,12 +14,12 @@
 
 namespace weft {
 
-// With a profile, memory is listed with its type.
+// Prints the plan as text. With a profile, the text names the memory type of each heap.
 [[nodiscard]] std::string plan_to_text(const FramePlan& plan, const DeviceProfile* profile = nullptr);
 [[nodiscard]] std::string plan_to_json(const FramePlan& plan);
 [[nodiscard]] std::string plan_to_dot(const FramePlan& plan);
 
-// Information for the page that is not part of the plan. Empty members are omitted.
+// Texts for the page of plan_to_html() that are not part of the plan. The page omits empty texts.
 struct PlanPageInfo {
     std::string file;
     std::string tier;

@@ -1,6 +1,7 @@
-// Purpose: explains a plan in sentences that name the places in the graph's files. Each answer is a few lines
-// that end with a newline, made from the plan alone. Positions are in execution order, from 0. The name of a
-// repeat selects all its rounds. Errors: W104 no such pass, W103 no such resource.
+// Purpose: answers questions about a plan in sentences that name the places in the graph's files. Each answer
+// is a few lines that end with a newline, and uses only the plan. Positions are in execution order, from 0.
+// The name of a pass with `repeat` selects all passes that the repeat makes. Errors: W104 no such pass, W103
+// no such resource.
 #pragma once
 
 #include <string>
@@ -10,17 +11,17 @@
 
 namespace weft {
 
-// The reason why the pass is culled, or the passes that need it.
+// Explains why the pass is culled, or names the passes that need it.
 [[nodiscard]] Result<std::string> explain_culled(const FramePlan& plan, const std::string& pass);
-// Every barrier before `second` that waits for `first`, or the reason why there is none.
+// Explains every barrier before pass `second` that waits for pass `first`, or why there is no such barrier.
 [[nodiscard]] Result<std::string> explain_barrier(const FramePlan& plan, const std::string& first,
                                                   const std::string& second);
-// Tells whether two resources share memory, and why not.
+// Tells whether two resources share memory, and if not, why.
 [[nodiscard]] Result<std::string> explain_alias(const FramePlan& plan, const std::string& a,
                                                 const std::string& b);
-// The waits of the pass for other queues, and the passes that wait for it.
+// Explains for which passes on other queues the pass waits, and which passes wait for it.
 [[nodiscard]] Result<std::string> explain_wait(const FramePlan& plan, const std::string& pass);
-// The properties of the resource, its writers and readers, its lifetime and its place in memory.
+// Lists the properties of the resource, its writers and readers, its lifetime and its place in memory.
 [[nodiscard]] Result<std::string> explain_resource(const FramePlan& plan, const std::string& resource);
 
 }  // namespace weft

@@ -1,8 +1,8 @@
-// Purpose: an equirectangular picture of a scene's surroundings, prepared for display and lighting: a mip
-// chain whose texels are means over solid angles, and the irradiance for each direction. Units: cd/m².
-// Orientation: row 0 is around +y; the middle column is towards −z, the direction of an unrotated camera, and
-// +x lies to its right. Source: R. Ramamoorthi, P. Hanrahan, "An Efficient Representation for Irradiance
-// Environment Maps", 2001.
+// Purpose: a picture of a scene's surroundings in equirectangular projection, prepared for display and
+// lighting: a mip chain whose texels are averages over solid angles, and the irradiance for each direction.
+// Units: cd/m². Orientation: row 0 is the direction +y (up). The middle column is the direction −z, in which
+// an unrotated camera looks; +x is to the right of it. Source: R. Ramamoorthi, P. Hanrahan, "An Efficient
+// Representation for Irradiance Environment Maps", 2001.
 #pragma once
 
 #include <array>
@@ -14,28 +14,31 @@
 
 namespace weft::scene {
 
-// If `mips` is empty, there is no environment.
+// A picture of the surroundings of a scene. If `mips` is empty, the scene has none.
 struct Environment {
     std::string name;
     uint32_t width_px = 0;
     uint32_t height_px = 0;
-    // Each word has three mantissas and a shared exponent (glm::unpackF3x9_E1x5, Vulkan's E5B9G9R9); the full
-    // mip chain.
+    // The texels of every mip, mip 0 first, to the end of the chain. A texel is one word with three mantissas
+    // and a shared exponent (glm::unpackF3x9_E1x5, Vulkan's E5B9G9R9).
     std::vector<std::vector<uint32_t>> mips;
-    float scale = 1;  // factor for every texel: a power of two, above 1 if a value exceeds the format's range
-    // Irradiance / π on a plane with normal n is the sum of these times environment_basis(n). Exact for light
-    // of three orders; higher orders are reduced where a small bright source would cause ringing.
+    // Multiply every texel with this factor. It is 1, or a larger power of two if a value exceeds the range
+    // of the format.
+    float scale = 1;
+    // The light as spherical harmonics of three orders: the irradiance / π on a plane with normal n is the
+    // sum of irradiance_over_pi[i] × environment_basis(n)[i]. The second and third order are reduced if a
+    // small bright source, such as the sun, would cause negative values on the other side (ringing).
     std::array<glm::vec3, 9> irradiance_over_pi{};
 };
 
-// `radiance`: width_px × height_px texels, finite and not negative.
+// Makes an Environment from radiance in cd/m²: width_px × height_px texels, all finite and not negative.
 [[nodiscard]] Environment build_environment(uint32_t width_px, uint32_t height_px,
                                             std::span<const glm::vec3> radiance);
 
-// Mean Rec.709 luminance over the whole sphere, in cd/m²; 0 without an environment.
+// Returns the mean Rec.709 luminance over the whole sphere in cd/m²; 0 if there is no environment.
 [[nodiscard]] float mean_luminance(const Environment& environment);
 
-// 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z².
+// Returns the basis functions of irradiance_over_pi: 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z².
 [[nodiscard]] std::array<float, 9> environment_basis(glm::vec3 direction);
 
 }  // namespace weft::scene

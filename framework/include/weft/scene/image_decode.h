@@ -1,6 +1,6 @@
-// Purpose: decodes PNG and JPEG to 8-bit RGBA. The size is read from the header before a pixel is decoded,
-// and the decoder allocates no more memory than this size needs: data after the last row is never inflated.
-// Source: libpng and libjpeg-turbo. Errors: `error` has the reason, and the image is empty.
+// Purpose: decodes PNG and JPEG to 8-bit RGBA. The size is read from the header before any pixel is decoded.
+// The decoder allocates no more memory than this size needs, because data after the last row is never
+// inflated. Source: libpng and libjpeg-turbo. Errors: `error` has the reason, and the image is empty.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,15 @@ namespace weft::scene {
 struct ImageSize {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
-    // Memory that the decoder allocates in addition to the result, which has four bytes per pixel.
+    // Memory that the decoder allocates in addition to the decoded image. The image itself needs four bytes
+    // per pixel.
     uint64_t decoder_bytes = 0;
 
     [[nodiscard]] uint64_t texels() const { return uint64_t{width_px} * height_px; }
 };
 
-// nullopt if the data is neither PNG nor JPEG, or if its header is incomplete or invalid.
+// Reads the size from the header. Returns nullopt if the data is neither PNG nor JPEG, or if the header is
+// incomplete or invalid.
 [[nodiscard]] std::optional<ImageSize> read_image_size(std::span<const uint8_t> encoded);
 
 struct DecodedImage {

@@ -1,7 +1,7 @@
-// Purpose: a scene as plain data, from glTF or from code. No Vulkan, no file handles. Units: metres, radians,
-// photometric units (candela for point and spot lights, lux for directional ones, cd/m² for capsules and
-// rectangles). Axes: as in glTF, y up, right-handed, front faces counter-clockwise. Colours: scene-linear
-// Rec.709.
+// Purpose: describes a scene as plain data, made from a glTF file or by code. It contains no Vulkan objects
+// and no file handles. Units: metres, radians, photometric units (candela for point and spot lights, lux for
+// directional lights, cd/m² for capsules and rectangles). Axes: as in glTF, y up, right-handed, front faces
+// counter-clockwise. Colours: scene-linear Rec.709.
 #pragma once
 
 #include <array>
@@ -22,17 +22,20 @@ struct Bounds {
     glm::vec3 max{0};
 };
 
-// One indexed triangle list. Every stream has as many elements as `positions`; the last two streams may be
-// empty.
+// One indexed triangle list. Each list of vertex data has one element for each vertex, as `positions` has;
+// `colors` and `second_uvs` may be empty.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec4> tangents;  // xyz, w = sign of the bitangent: B = cross(N, T) * w
+    // xyz is the tangent T. w is the sign of the bitangent B: B = cross(N, T) * w.
+    std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uvs;
-    std::vector<uint32_t> indices;      // three per triangle
-    std::vector<glm::vec4> colors;      // factor for base colour and alpha, in [0, 1]; empty: 1 everywhere
-    std::vector<glm::vec2> second_uvs;  // for slots whose uv_set is 1; empty: these slots use `uvs`
+    std::vector<uint32_t> indices;  // Indices of vertices, three for each triangle.
+    // Factors for base colour and alpha in [0, 1], one for each vertex; empty: all factors are 1.
+    std::vector<glm::vec4> colors;
+    // Texture coordinates for slots with uv_set 1, one for each vertex; empty: these slots use `uvs`.
+    std::vector<glm::vec2> second_uvs;
     Bounds bounds;
 };
 
@@ -40,7 +43,8 @@ enum class ColorSpace : uint8_t { linear, srgb };
 enum class Filter : uint8_t { nearest, linear };
 enum class Wrap : uint8_t { repeat, mirrored_repeat, clamp_to_edge };
 
-// Four 8-bit channels; the full mip chain, mip 0 first, each mip max(1, w/2) × max(1, h/2).
+// A picture with four 8-bit channels and a full mip chain. Mip 0 is the first; each mip has half the size of
+// the previous one, rounded down, but at least 1.
 struct Texture {
     std::string name;
     uint32_t width_px = 1;
@@ -49,7 +53,8 @@ struct Texture {
     std::vector<std::vector<uint8_t>> mips;
 };
 
-// A reference to a texture with its sampler, and KHR_texture_transform as uv' = matrix * (u, v, 1).
+// A texture with the sampler that reads it, and KHR_texture_transform as a matrix: uv' = transform * (u, v,
+// 1).
 struct TextureSlot {
     uint32_t texture = kNone;
     Filter mag = Filter::linear;
@@ -57,8 +62,9 @@ struct TextureSlot {
     bool mipmapped = true;
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
-    uint32_t uv_set = 0;                      // 1: uses Mesh::second_uvs
-    glm::mat3x2 transform{1, 0, 0, 1, 0, 0};  // columns: u, v, offset
+    uint32_t uv_set = 0;  // Set of texture coordinates: 0: Mesh::uvs, 1: Mesh::second_uvs.
+    // The columns are the factors of u, the factors of v, and the offset.
+    glm::mat3x2 transform{1, 0, 0, 1, 0, 0};
 };
 
 enum class AlphaMode : uint8_t { opaque, mask, blend };
@@ -67,62 +73,68 @@ struct Material {
     std::string name;
     glm::vec4 base_color{1};
     float metallic = 1;
-    float roughness = 1;           // perceptual roughness
-    glm::vec3 emissive{0};         // cd/m² after KHR_materials_emissive_strength
-    bool tinted_emission = false;  // vertex colours also multiply `emissive`, as for unlit surfaces
+    float roughness = 1;    // Perceptual roughness, as in glTF.
+    glm::vec3 emissive{0};  // Emitted light in cd/m², already multiplied by KHR_materials_emissive_strength.
+    bool tinted_emission = false;  // True: vertex colours also multiply `emissive`, as for unlit materials.
     float normal_scale = 1;
     float occlusion_strength = 1;
-    float specular = 1;           // KHR_materials_specular: specularFactor
-    glm::vec3 specular_color{1};  // specularColorFactor
+    float specular = 1;           // specularFactor of KHR_materials_specular.
+    glm::vec3 specular_color{1};  // specularColorFactor of KHR_materials_specular.
     float ior = 1.5f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
-    TextureSlot base_color_texture;          // sRGB
-    TextureSlot metallic_roughness_texture;  // linear: g roughness, b metalness
-    TextureSlot normal_texture;              // linear
-    TextureSlot occlusion_texture;           // linear: r
-    TextureSlot emissive_texture;            // sRGB
-    // KHR_materials_anisotropy: additional roughness along the tangent, which is rotated counter-clockwise
-    // about the normal.
+    TextureSlot base_color_texture;          // Base colour and alpha, encoded as sRGB.
+    TextureSlot metallic_roughness_texture;  // Linear: channel g is roughness, channel b is metalness.
+    TextureSlot normal_texture;              // Normal map, linear.
+    TextureSlot occlusion_texture;           // Linear: channel r is occlusion.
+    TextureSlot emissive_texture;            // Emitted light, encoded as sRGB.
+    // KHR_materials_anisotropy. `anisotropy` is the strength: additional roughness along the tangent. The
+    // tangent is rotated counter-clockwise about the normal by anisotropy_rotation_rad.
     float anisotropy = 0;
     float anisotropy_rotation_rad = 0;
-    TextureSlot anisotropy_texture;  // linear: rg is the direction, b a factor for the strength
+    // Linear: channels rg are the direction, channel b is a factor for the strength.
+    TextureSlot anisotropy_texture;
 };
 
 struct Instance {
     std::string name;
     uint32_t mesh = 0;
     uint32_t material = 0;
-    glm::mat4 transform{1};  // object to world; a negative determinant reverses the winding
+    // Transforms object space to world space. If the determinant is negative, the winding is reversed.
+    glm::mat4 transform{1};
 };
 
 enum class LightType : uint8_t { directional, point, spot, capsule, rectangle };
 
-// A closed path around a light's position: position + across · cos(2π t) + along · sin(2π t), where t is
-// phase + turns_per_s · seconds.
+// A closed path on which a light moves around its position. At time `seconds` the light is at position +
+// across · cos(2π t) + along · sin(2π t), where t = phase + turns_per_s · seconds.
 struct LightPath {
     glm::vec3 across{0};
     glm::vec3 along{0};
-    float turns_per_s = 0;  // 0: the light does not move
+    float turns_per_s = 0;  // Number of turns per second; 0: the light does not move.
     float phase = 0;
 };
 
-// Shapes the light of a lamp: doors, a picture (gobo), a falloff curve. Doors, softness and picture are
-// measured in radians from the direction of the lamp, or in metres for parallel light.
+// Shapes the light of a lamp with barn doors, a picture (gobo) and a falloff curve. Doors, softness and
+// picture are measured in radians from the direction of the lamp; for parallel light, in metres.
 struct LightFunction {
     static constexpr float kNoDoor = 1e9f;
 
     std::string name;
-    bool parallel = false;     // true for directional lights
-    glm::vec4 doors{kNoDoor};  // limits of the light towards −width, +width, −up and +up
-    float softness = 0.01f;    // width of the transition at a door's edge; the picture is blurred by the same
-                               // width
-    uint32_t picture = kNone;  // index into Scene::textures; for a point light the picture covers the whole
-                               // sphere
+    bool parallel = false;  // True for directional lights, whose rays are parallel.
+    // Limits of the light towards −width, +width, −up and +up of the lamp; kNoDoor: no limit.
+    glm::vec4 doors{kNoDoor};
+    // Width of the transition from light to dark at the edge of a door. The picture is blurred by the same
+    // width.
+    float softness = 0.01f;
+    // Picture: an index into Scene::textures; kNone: no picture. For a point light the picture covers the
+    // whole sphere.
+    uint32_t picture = kNone;
     glm::vec2 picture_half_size{0.7853981634f};
-    glm::vec4 curve{1};  // Bézier ordinates of a factor over the distance from 0 to `reach_m`; constant
-                         // beyond
+    // Falloff curve: four Bézier ordinates of a factor, over the distance from 0 to `reach_m`. Beyond
+    // `reach_m` the factor is constant.
+    glm::vec4 curve{1};
     float reach_m = 1;
 };
 
@@ -130,26 +142,28 @@ struct Light {
     std::string name;
     LightType type = LightType::point;
     glm::vec3 color{1};
-    float intensity = 1;  // cd for point and spot, lx for directional, cd/m² for capsule and rectangle
+    // In cd for point and spot lights, in lx for directional lights, in cd/m² for capsules and rectangles.
+    float intensity = 1;
     glm::vec3 position{0};
-    glm::vec3 direction{0, 0, -1};  // direction in which the light travels; for a capsule its axis. Unit
-                                    // length
-    float range_m = 0;              // 0: unlimited
-    float inner_cone_rad = 0;       // half angles, spot only
+    // Direction in which the light travels; for a capsule, its axis. Unit length.
+    glm::vec3 direction{0, 0, -1};
+    float range_m = 0;         // Distance in metres at which the light ends; 0: unlimited.
+    float inner_cone_rad = 0;  // Half the angle of the bright inner cone; for spot lights only.
     float outer_cone_rad = 0.7853981634f;
     LightPath path;
-    // The width axis of a rectangle, of doors and pictures; for a capsule the direction of its doors and
-    // pictures. 0: any vector perpendicular to `direction`.
+    // The direction of the width of a rectangle, and of doors and pictures. 0: any vector perpendicular to
+    // `direction` is used.
     glm::vec3 side{0};
-    // Rectangle: half width, half height. Capsule: half length without the caps, radius.
+    // Rectangle: half width and half height. Capsule: half length without the caps, and radius.
     glm::vec2 half_size_m{0};
-    uint32_t function = kNone;  // index into Scene::light_functions
+    // Light function: an index into Scene::light_functions; kNone: no light function.
+    uint32_t function = kNone;
 };
 
-// Perspective only. It looks along -z of `transform`, y up.
+// A camera with perspective projection. It looks along −z of `transform`; y is up.
 struct Camera {
     std::string name;
-    glm::mat4 transform{1};  // camera to world, no scale
+    glm::mat4 transform{1};  // Transforms camera space to world space. It contains no scale.
     float fov_y_rad = 0.8f;
     float near_m = 0.05f;
 };
@@ -163,22 +177,26 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<LightFunction> light_functions;
     std::vector<Camera> cameras;
-    Bounds bounds;            // of all instances, in world space
-    glm::vec3 sky_zenith{0};  // background radiance in cd/m², as a gradient; 0 with --env none
+    Bounds bounds;  // Bounding box of all instances, in world space.
+    // Radiance of the sky at the zenith in cd/m²; down to the horizon it changes to sky_horizon. 0 with
+    // `--env none`.
+    glm::vec3 sky_zenith{0};
     glm::vec3 sky_horizon{0};
-    Environment environment;  // if present, replaces the sky
-    float exposure_ev = 0;    // a suitable exposure for this scene; 0 means factor 1
-    uint64_t memory_bytes =
-        0;  // memory of the scene and its copy on the GPU, counted for SceneLimits::memory_bytes
+    Environment environment;  // Picture of the surroundings. If the scene has one, it replaces the sky.
+    // An exposure in EV that suits this scene; 0 means that radiance is multiplied by 1.
+    float exposure_ev = 0;
+    // Memory of the scene and of its copy on the GPU, as counted for SceneLimits::memory_bytes.
+    uint64_t memory_bytes = 0;
 };
 
 [[nodiscard]] glm::vec3 position_at(const Light& light, double time_s);
 
 [[nodiscard]] Bounds world_bounds(const Scene& scene);
 
-// The default camera for a scene without one: it looks at the bounds' centre from direction (0.9, 0.75, 1.3),
-// normalised, at 1.9 × the bounding radius. `aspect` is width / height. For aspects of 1 and above the
-// horizontal field of view is 45°; below, it is 63.5°, which contains the whole bounding sphere.
+// Returns a camera for a scene that has none. It looks at the centre of the bounds from the direction (0.9,
+// 0.75, 1.3), normalised, at a distance of 1.9 × the bounding radius. `aspect` is width / height. If `aspect`
+// is 1 or more, the horizontal field of view is 45°. If it is less, the horizontal field of view is 63.5°, so
+// that the picture contains the whole bounding sphere.
 [[nodiscard]] Camera framing_camera(const Scene& scene, float aspect);
 
 }  // namespace weft::scene

@@ -1,5 +1,5 @@
-// Purpose: the device properties that the SPIR-V gate uses. By default all optional properties are supported,
-// so that shaders can be compiled without a device.
+// Purpose: the properties of a device that determine which SPIR-V is allowed. By default all optional
+// properties are supported, so that shaders can be compiled without a device.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Purpose: JSON with comments and trailing commas; every value and key has its place in the file. Limits:
-// bytes, depth, values and strings, as given. Errors: W001 syntax, W002 no such file, W003 duplicate key (all
-// are reported), W004 too large or too deep, W005 not UTF-8; each with its line and column and a remedy.
-// Source: RFC 8259, plus // and /* */ comments and a comma after the last value.
+// Purpose: reads JSON with comments and trailing commas. Every value and key knows its place in the file.
+// Limits: GraphLimits for bytes, depth, values and strings. Errors: W001 syntax, W002 no such file, W003
+// duplicate key (all are reported), W004 too large or too deep, W005 not UTF-8; each with line, column and a
+// remedy. Source: RFC 8259, plus // and /* */ comments and a comma after the last value.
 #pragma once
 
 #include <string>
@@ -21,11 +21,12 @@ struct JsonNode {
     JsonKind kind = JsonKind::null;
     bool boolean = false;
     double number = 0;
-    std::string string;               // also the exact text of numbers
-    std::vector<JsonNode> items;      // for arrays
-    std::vector<JsonMember> members;  // for objects, in the order written
-    SourceLoc loc;                    // place of the whole token, including quotes; of the opening brace or
-                                      // bracket
+    std::string string;               // The text of a string. For a number, its exact text in the file.
+    std::vector<JsonNode> items;      // The elements of an array.
+    std::vector<JsonMember> members;  // The members of an object, in the order of the file.
+    // Place of the whole token, including quotes. For an object or array: place of the opening brace or
+    // bracket.
+    SourceLoc loc;
 
     [[nodiscard]] const JsonNode* find(std::string_view key) const;
 };
@@ -36,26 +37,29 @@ struct JsonMember {
     JsonNode value;
 };
 
-// A file included by another one.
+// A file that another file includes.
 struct IncludedJson {
-    uint32_t file = 0;  // index into SourceMap::files
+    uint32_t file = 0;  // The file: an index into SourceMap::files.
     JsonNode root;
 };
 
 struct JsonDoc {
     JsonNode root;
-    SourceMap sources;                   // the first file is that of the root
-    std::vector<IncludedJson> included;  // in merge order, below the root
+    SourceMap sources;  // The files that were read. The first file contains `root`.
+    // The included files in the order in which they are merged. `root` is merged last and has priority over
+    // them.
+    std::vector<IncludedJson> included;
 };
 
-// Reads `path` with `reader`; a missing file is an error.
+// Reads the file `path` with `reader`. Returns the error W002 if the file does not exist.
 [[nodiscard]] Result<JsonDoc> read_json(const std::string& path, const FileReader& reader,
                                         const GraphLimits& limits = {});
 [[nodiscard]] const char* json_kind_name(JsonKind kind);
-// Adds the file to `sources` and reads it. `includer` is the place of the include, if there is one.
+// Adds a file to `sources` and parses its text. `includer` is the place of the "include" that names the file,
+// if there is one.
 [[nodiscard]] Result<JsonNode> read_json_file(SourceMap& sources, const std::string& path, std::string text,
                                               const GraphLimits& limits, SourceLoc includer = {});
-// RFC 6901 pointer of the value or key at that place of the file; empty if there is none.
+// Returns the JSON pointer (RFC 6901) of the value or key at a place in a file; empty if there is none.
 [[nodiscard]] std::string pointer_at(const JsonDoc& document, const std::string& file, uint32_t line,
                                      uint32_t column);
 

@@ -1,6 +1,6 @@
-// Purpose: an instance, a device and its queues, created by Weft or provided by an embedder. Functions are in
-// tables per device, so tests can inject faults by replacing a pointer.
-// Errors, each with a remedy; the program maps V401 to V406 to exit code 4:
+// Purpose: a Vulkan instance, a device and its queues, created by Weft or provided by an embedder. Vulkan
+// functions are called through tables of pointers, so that tests can replace a function and inject faults.
+// Errors, each with a remedy; for V401 to V406 the program ends with exit code 4:
 //   V401 no loader library    V402 no device           V403 no device of that name
 //   V404 a feature is missing V405 no validation layer V406 creation failed
 //   V407 time-out             V408 device lost         V409 any other failure       V410 out of memory
@@ -22,31 +22,34 @@ struct DeviceFunctions;
 struct InstanceFunctions;
 
 struct DeviceOptions {
-    bool validate = false;  // core and synchronisation validation; all messages are collected
-    // Index or part of a name. Empty: the first suitable device, in the order discrete, integrated, virtual,
-    // CPU.
+    // True: enables the validation layer with synchronisation validation, and collects all its messages.
+    bool validate = false;
+    // The device to use: an index, or a part of its name. Empty: the first suitable device, in the order
+    // discrete, integrated, virtual, CPU.
     std::string device;
-    // Time-out for every fence. It is long, because a CPU device compiles its shaders in the first frame, and
-    // the machine may be busy.
+    // Time-out for every wait for a fence. It is long because a CPU device compiles its shaders in the first
+    // frame, and because the machine may be busy.
     uint64_t timeout_ns = 60'000'000'000;
-    // Number of logical queues that plans will use, in the families given by logical_queues() of the device's
-    // profile. If a family has fewer queues, fewer are created.
+    // Number of logical queues that plans will use. logical_queues() chooses their families. If a family has
+    // fewer queues than needed, several logical queues share one device queue.
     uint32_t queues = 1;
 };
 
 struct LayerInfo {
     std::string name;
-    std::string version;  // "1.3.239"
+    std::string version;  // Version as text, such as "1.3.239".
 };
 
 struct DeviceInfo {
     std::string name;
-    std::string driver;  // "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
+    std::string driver;  // Driver and its version, such as "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)".
     std::string api_version;
     bool is_cpu = false;
-    bool compiles_for_uniforms = false;  // for llvmpipe: see opaque_uniforms.h
-    std::vector<LayerInfo> layers;       // the enabled layers
-    std::vector<std::string> missing;    // required features that it lacks: "dynamicRendering"
+    // True for llvmpipe, which compiles a shader again when a uniform value changes; see opaque_uniforms.h.
+    bool compiles_for_uniforms = false;
+    std::vector<LayerInfo> layers;  // The layers that are enabled.
+    // Names of required features that the device lacks, such as "dynamicRendering".
+    std::vector<std::string> missing;
     float timestamp_period_ns = 1;
     bool timestamps = false;
 };
@@ -56,15 +59,15 @@ struct Queue {
     uint32_t family = 0;
 };
 
-// An embedder's own objects. Weft uses them but never destroys them.
+// The Vulkan objects of an embedder. Weft uses them but never destroys them.
 struct EmbedderDevice {
-    VkInstance instance = VK_NULL_HANDLE;  // created for Vulkan 1.3: VkApplicationInfo::apiVersion
+    VkInstance instance = VK_NULL_HANDLE;  // Must be created for Vulkan 1.3 (VkApplicationInfo::apiVersion).
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
-    // Weft submits only to these queues, from the thread that calls it; other threads must not use them
-    // meanwhile. The first queue must support graphics and compute.
+    // Weft submits only to these queues, from the thread that calls Weft. During such a call no other thread
+    // may use the queues. The first queue must support graphics and compute.
     std::vector<Queue> queues;
-    // The features that `device` was created with: see enable_features(). No extension is required.
+    // The features that are enabled in `device`; see enable_features(). No extension is required.
     const FeatureChain* enabled = nullptr;
 };
 
@@ -78,8 +81,8 @@ struct QueueFamily {
 class Device {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
-    // `own.enabled` is read, but not kept. messages() stays empty. Errors: V401, and V404 naming all missing
-    // features.
+    // Makes a Device from the embedder's objects. `own.enabled` is read only during the call. messages()
+    // stays empty. Errors: V401, and V404, which names all missing features.
     [[nodiscard]] static Result<std::unique_ptr<Device>> adopt(const EmbedderDevice& own);
     ~Device();
     Device(const Device&) = delete;
@@ -89,33 +92,38 @@ class Device {
     [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
     [[nodiscard]] VkDevice handle() const { return device_; }
     [[nodiscard]] Queue queue() const { return queue_; }
-    // Indexed by family.
+    // The queue families of the physical device; the index is the family.
     [[nodiscard]] const std::vector<QueueFamily>& families() const { return families_; }
-    // The families with queues if there are several, else none: the families of a CONCURRENT resource.
+    // The families to name in VkSharingMode CONCURRENT: all families with queues, or none if only one family
+    // has queues.
     [[nodiscard]] const std::vector<uint32_t>& sharing_families() const { return sharing_families_; }
     [[nodiscard]] const DeviceFunctions& fn() const { return *functions_; }
-    [[nodiscard]] DeviceFunctions& fn() { return *functions_; }  // for fault injection
+    // Writable function table: tests replace functions to inject faults.
+    [[nodiscard]] DeviceFunctions& fn() { return *functions_; }
     [[nodiscard]] const InstanceFunctions& instance_fn() const { return *instance_functions_; }
     [[nodiscard]] const DeviceInfo& info() const { return info_; }
     [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     [[nodiscard]] MessageCollector& messages() { return messages_; }
     [[nodiscard]] uint64_t timeout_ns() const { return timeout_ns_; }
-    // Prevents all later destruction of objects: after a time-out the device may still use them, and
-    // destroying an object in use would be worse.
+    // Keeps all objects from being destroyed from now on. It is called after a time-out, because the device
+    // may still use the objects; to destroy them then would be an error.
     void abandon() { abandoned_ = true; }
     [[nodiscard]] bool abandoned() const { return abandoned_; }
     [[nodiscard]] bool validating() const { return messenger_ != VK_NULL_HANDLE; }
 
-    // True if shaders must hide uniform values from this driver: see opaque_uniforms.h. Requires a device
-    // created with shaderUniformBufferArrayDynamicIndexing.
+    // Returns true if uniform values must be hidden from the compiler of this driver; see opaque_uniforms.h.
+    // Only possible if the device has the feature shaderUniformBufferArrayDynamicIndexing.
     [[nodiscard]] bool hides_uniforms() const;
 
-    [[nodiscard]] const OptionalFeatures& optional() const { return optional_; }  // the enabled features
+    // Returns the optional features that are enabled.
+    [[nodiscard]] const OptionalFeatures& optional() const { return optional_; }
 
-    // Index of a memory type that is in `type_bits` and has the properties `wanted`, or UINT32_MAX.
+    // Returns the index of a memory type that is allowed by `type_bits` and has all properties `wanted`;
+    // UINT32_MAX if there is none.
     [[nodiscard]] uint32_t memory_type(uint32_t type_bits, VkMemoryPropertyFlags wanted) const;
-    // Names an object for validation messages and captures; does nothing without the debug extension.
+    // Gives an object a name for validation messages and captures. Does nothing without the debug utils
+    // extension.
     void name(VkObjectType type, uint64_t handle, const std::string& text) const;
 
  private:
@@ -133,7 +141,8 @@ class Device {
     std::vector<uint32_t> sharing_families_;
     bool owned_ = false;
     bool debug_utils_ = false;
-    std::atomic<bool> abandoned_ = false;  // one thread may give up while another makes objects
+    // Atomic, because one thread may call abandon() while another thread creates objects.
+    std::atomic<bool> abandoned_ = false;
     std::unique_ptr<InstanceFunctions> instance_functions_;
     std::unique_ptr<DeviceFunctions> functions_;
     DeviceInfo info_;
@@ -144,17 +153,17 @@ class Device {
     friend struct DeviceBuilder;
 };
 
-// Destroys a device and returns all messages, including those of the destruction itself, which reports
-// objects that were not freed.
+// Destroys a device and returns all messages of the validation layer. They include messages about the
+// destruction, which tell about objects that were not freed.
 [[nodiscard]] std::vector<Message> destroy_device(std::unique_ptr<Device> device);
 
-// Information about this machine that needs no device: all devices, layers, versions.
+// Information about the machine that needs no logical device: physical devices, layers, versions.
 struct MachineReport {
     std::string loader_version;
-    std::vector<DeviceInfo> devices;  // empty if there is no driver
-    std::vector<LayerInfo> layers;    // the installed layers
+    std::vector<DeviceInfo> devices;  // The physical devices; empty if there is no driver.
+    std::vector<LayerInfo> layers;    // The layers that are installed.
 };
-// Errors: V401, V406.
+// Collects the report. Errors: V401, V406.
 [[nodiscard]] Result<MachineReport> inspect_machine();
 
 }  // namespace weft::vk

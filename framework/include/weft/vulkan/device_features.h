@@ -1,6 +1,7 @@
-// Purpose: the Vulkan features that Weft uses, in one table: required features, without which a device is
-// rejected, and optional ones, which are enabled if supported and checked by name before use. An embedder
-// creates its device with the features set by enable_features(), and passes both to Device::adopt().
+// Purpose: lists the Vulkan features that Weft uses, in one table. A device without one of the required
+// features is rejected. Optional features are enabled if the device has them; a graph that needs a missing
+// one gets an error with its name. An embedder sets the features with enable_features() when it creates its
+// device, and passes device and features to Device::adopt().
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -10,20 +11,22 @@
 
 namespace weft::vk {
 
-// Features that may be missing. A graph that needs one of them gets an error naming it.
+// Features that a device may lack. A graph that needs a missing feature gets an error with the name of the
+// feature.
 struct OptionalFeatures {
     bool fill_mode_non_solid = false;
     bool depth_clamp = false;
     bool depth_bias_clamp = false;
     bool cube_arrays = false;
-    bool image_gather_extended = false;  // textureGather with several offsets, or with a variable one
+    // textureGather() with four offsets, or with an offset that is not constant.
+    bool image_gather_extended = false;
     bool storage_read_without_format = false;
     bool draw_indirect_first_instance = false;
-    bool uniform_array_indexing = false;  // required on llvmpipe: see opaque_uniforms.h
+    bool uniform_array_indexing = false;  // On llvmpipe this feature is required; see opaque_uniforms.h.
 };
 
-// The feature structs of Vulkan 1.0 to 1.3, linked to each other. Not copyable, because the links are
-// addresses.
+// The feature structs of Vulkan 1.0 to 1.3, linked through pNext. The class is not copyable, because the
+// links are addresses of its members.
 class FeatureChain {
  public:
     FeatureChain();
@@ -31,9 +34,8 @@ class FeatureChain {
     FeatureChain& operator=(const FeatureChain&) = delete;
 
     [[nodiscard]] VkPhysicalDeviceFeatures2& head() { return core_; }
-    [[nodiscard]] const VkPhysicalDeviceFeatures2& head() const {
-        return core_;
-    }  // for VkDeviceCreateInfo::pNext
+    // Pass this pointer as VkDeviceCreateInfo::pNext.
+    [[nodiscard]] const VkPhysicalDeviceFeatures2& head() const { return core_; }
 
     [[nodiscard]] VkPhysicalDeviceFeatures& v10() { return core_.features; }
     [[nodiscard]] const VkPhysicalDeviceFeatures& v10() const { return core_.features; }
@@ -51,14 +53,14 @@ class FeatureChain {
     VkPhysicalDeviceVulkan13Features v13_{};
 };
 
-// Enables in `chain` all features that Weft requires, and the optional ones that `supported` has. Other
-// features do not change, so an embedder can add its own.
+// Enables in `chain` all features that Weft requires, and all optional features that are enabled in
+// `supported`. Other features in `chain` do not change, so that an embedder can add its own.
 void enable_features(const FeatureChain& supported, FeatureChain& chain);
-// A part of enable_features(): the features that every device must have.
+// Enables in `chain` the features that every device must have. enable_features() calls this function.
 void required_features(FeatureChain& chain);
 // Enables in `chain` every optional feature that `supported` has, and returns them.
 OptionalFeatures enable_optional_features(const FeatureChain& supported, FeatureChain& chain);
-// Names of required features that `supported` lacks: "dynamicRendering".
+// Returns the names of required features that `supported` lacks, such as "dynamicRendering".
 [[nodiscard]] std::vector<std::string> missing_features(const FeatureChain& supported);
 
 }  // namespace weft::vk

@@ -1,6 +1,7 @@
-// Purpose: replays a FramePlan. It creates the transient heap, views, pipelines and descriptor sets of the
-// plan, then records and submits exactly the plan's steps; it makes no decisions. Frames in flight:
-// kFramesInFlight; all share one transient heap, ordered by the plan's barriers between consecutive frames.
+// Purpose: runs a FramePlan on Vulkan. The executor creates the memory, views, pipelines and descriptor sets
+// of the plan. For each frame it records and submits exactly the steps of the plan; it makes no decisions. Up
+// to kFramesInFlight frames are in flight. All of them use the same memory for transient resources: the
+// plan's barriers between consecutive frames order their accesses.
 #pragma once
 
 #include <map>
@@ -25,17 +26,18 @@ inline constexpr uint32_t kFramesInFlight = 2;
 
 class PipelineStore;
 
-// How many pipelines a plan draws and computes with, and how many of them were made for it.
+// Numbers of pipelines of a plan: `all` that it uses, and `made`, those that were created for it. The others
+// existed already.
 struct PipelineCounts {
     uint32_t all = 0;
     uint32_t made = 0;
 };
 
-// Asks the device for the memory requirements that alias() needs. All objects created here are destroyed
-// before it returns.
+// Asks the device for the memory requirements of all resources. The stage alias() needs them. Objects that
+// are created for the queries are destroyed before the function returns.
 [[nodiscard]] MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph);
 
-// The program's objects for a graph's imports.
+// The program's Vulkan objects for the imports of a graph, by the names of the imports.
 struct ImportBindings {
     std::map<std::string, VkBuffer, std::less<>> buffers;
     std::map<std::string, const Image*, std::less<>> images;
@@ -50,10 +52,11 @@ struct FrameInput {
     const HostInputs* host = nullptr;
 };
 
-// Test hooks. A dropped barrier must show up in validation and in the checker.
+// Hooks for tests: they omit barriers, so that a test can check that the validation layer reports the missing
+// barriers.
 struct ExecutorHooks {
-    uint32_t drop_barriers_of_position = kNoId;  // schedule position of a pass whose barriers are not
-                                                 // recorded
+    // Schedule position of a pass whose barriers are not recorded; kNoId: all barriers are recorded.
+    uint32_t drop_barriers_of_position = kNoId;
 };
 
 struct ExecutorInput {
@@ -62,61 +65,72 @@ struct ExecutorInput {
     const PassCatalog* passes = nullptr;
     const ImportCatalog* imports = nullptr;
     ImportBindings bindings;
-    const DrawSource* draws = nullptr;   // may be null if there is no raster pass
-    PipelineStore* pipelines = nullptr;  // must outlive the executor; null: the executor creates one
+    const DrawSource* draws = nullptr;  // May be null if the plan has no raster pass.
+    // The store from which pipelines are shared. It must outlive the executor. Null: the executor creates its
+    // own.
+    PipelineStore* pipelines = nullptr;
     ExecutorHooks hooks;
-    bool timestamps = true;  // false: only the plan is recorded, and all times are negative
+    // True: GPU times of passes are measured. False: only the commands of the plan are recorded, and all
+    // times are negative.
+    bool timestamps = true;
 };
 
 class Executor;
 
-// The executor that another one takes over from, after a resize, a reload or a swap.
+// The old executor that a new executor replaces, after a resize, a reload or a swap of graphs.
 struct Predecessor {
-    std::vector<Image> images;           // imports that only its frames in flight still use
-    TransitionPlan transition;           // from its plan to the new one's
-    std::unique_ptr<Executor> executor;  // between frames; last: destroyed first
+    std::vector<Image> images;  // Imported images that only frames in flight of the old executor still use.
+    TransitionPlan transition;  // The transition from the old executor's plan to the new plan.
+    // The old executor. No frame of it may be begun. It is the last member, so that it is destroyed before
+    // `images`.
+    std::unique_ptr<Executor> executor;
 };
 
-// New values and pipelines for a running plan.
+// New values and pipelines for the plan of a running executor.
 class Amendment {
  public:
     virtual ~Amendment() = default;
     [[nodiscard]] virtual PipelineCounts pipelines() const = 0;
 };
 
-// create() and make_amendment() may run on any thread while another thread renders with another executor,
-// because they submit nothing. All other functions must be called by the submitting thread.
+// Threads: create() and make_amendment() may run on any thread, even while another thread renders with
+// another executor, because they submit nothing. All other functions must be called by the thread that
+// submits.
 class Executor {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Executor>> create(Device& device, ExecutorInput input);
     virtual ~Executor() = default;
 
-    // Requires that the plan has the structure_hash() of `input.plan`, and that the shaders have the same
-    // bindings and Params. Uses only plan, shaders, imports, draws and pipelines of the input.
+    // Prepares new values and pipelines for the running plan. `input.plan` must have the same
+    // structure_hash() as the running plan, and the shaders must have the same bindings and Params. Only
+    // plan, shaders, imports, draws and pipelines of `input` are used.
     [[nodiscard]] static Result<std::unique_ptr<Amendment>> make_amendment(Device& device,
                                                                            ExecutorInput input);
-    // Takes effect with the next frame; call it between frames. Replaced objects live until frames in flight
-    // have finished.
+    // Makes an amendment the current one, from the next frame on. Call this between two frames. The replaced
+    // objects live until the frames in flight have finished.
     virtual void amend(std::unique_ptr<Amendment> amendment) = 0;
 
-    // Replaces the plan's prologue; call it before the first frame. That frame transfers the contents. The
-    // predecessor lives until the frame has finished; its timings and readbacks are passed on. If both plans
-    // have one queue, the host does not wait. Errors: those of begin_frame(); no further frame runs after an
-    // error.
+    // Takes over from an old executor. Call this before the first frame of the new executor. That frame
+    // copies the contents of persistent resources from the old plan, and does not run the prologue. The old
+    // executor lives until that frame has finished, and passes on its timings and readbacks. If each of the
+    // two plans has only one batch, the host does not wait. Errors: those of begin_frame(). After an error no
+    // further frame runs.
     [[nodiscard]] virtual Status take_over(Predecessor predecessor) = 0;
 
-    // Waits until the next frame slot is free and returns it, so that the program can fill its per-slot data.
-    // Errors: V407 time-out, V408 device lost; both name the passes in flight.
+    // Waits until the next frame slot is free and returns its index, so that the program can fill its own
+    // data for this slot. Errors: V407 time-out, V408 device lost; both messages name the passes in flight.
     [[nodiscard]] virtual Result<uint32_t> begin_frame() = 0;
-    // Records and submits one frame in the slot of begin_frame().
+    // Records and submits one frame in the slot that begin_frame() returned.
     [[nodiscard]] virtual Status run(const FrameInput& frame) = 0;
-    // Waits for all frames in flight (their fences, not the whole device), and collects their timings and
-    // readbacks.
+    // Waits for the fences of all frames in flight, and collects the timings and readbacks of these frames.
+    // It does not wait for other work on the device.
     [[nodiscard]] virtual Status finish() = 0;
-    // Timings of completed frames, oldest first; each is returned once. At most the newest 32 are kept.
+    // Returns the timings of completed frames, oldest first. Each timing is returned once. Only the newest 32
+    // are kept.
     [[nodiscard]] virtual std::vector<FrameTiming> take_timings() = 0;
     [[nodiscard]] virtual std::vector<ReadbackData> take_readbacks() = 0;
-    // Copies an imported image to the host; its exit state must be transfer_src. Call this after finish().
+    // Copies an imported image to host memory. The exit state of the import must be transfer_src. Call this
+    // after finish().
     [[nodiscard]] virtual Result<ReadbackData> read_image(const Image& image) = 0;
     [[nodiscard]] virtual const FramePlan& plan() const = 0;
     [[nodiscard]] virtual PipelineCounts pipelines() const = 0;

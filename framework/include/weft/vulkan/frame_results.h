@@ -1,4 +1,5 @@
-// Purpose: what a frame delivers to the program: GPU times and the contents of resources that are read back.
+// Purpose: the results of a frame that a program can read: GPU times, and the contents of resources that are
+// read back.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +13,20 @@ namespace weft::vk {
 
 struct PassTiming {
     std::string pass;
-    double gpu_ms = 0;  // negative: the device has no timestamps
+    double gpu_ms = 0;  // Time on the GPU in milliseconds; negative if the device has no timestamps.
 };
 
 struct FrameTiming {
     std::vector<PassTiming> passes;
     double record_ms = 0;
     double submit_ms = 0;
-    double wait_ms = 0;  // for the frame slot's fence
+    double wait_ms = 0;  // Time in milliseconds that the host waited for the fence of the frame slot.
 };
 
-// Tightly packed texels of one mip and layer after another, or a buffer's bytes.
+// The content of a resource that was read back. For an image: the texels of one mip and layer after another,
+// without padding. For a buffer: its bytes.
 struct ReadbackData {
-    std::string pass;  // the readback pass
+    std::string pass;  // Name of the readback pass.
     uint64_t frame_index = 0;
     Format format = Format::undefined;
     Extent3D extent;

@@ -1,7 +1,7 @@
-// Purpose: buffers and images with their own memory, for data outside a plan's transient heap: scene assets,
-// the output, staging. Move-only; they must be destroyed while their device exists and no work on them is
-// pending. Units: bytes. Errors: V407 time-out, V408 device lost, V410 out of memory, V420 sizes do not
-// match, V421 the device does not support the image.
+// Purpose: buffers and images with their own memory, for data that a plan does not place: scene assets, the
+// output, staging. The classes are move-only. Destroy objects while their device exists and no work that uses
+// them is pending. Units: bytes. Errors: V407 time-out, V408 device lost, V410 out of memory, V420 sizes do
+// not match, V421 the device does not support the image.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,11 @@
 
 namespace weft::vk {
 
-// Shared by all families in which the device has queues.
+// A buffer that all queue families with queues may use (sharing mode CONCURRENT, if there are several).
 class Buffer {
  public:
-    enum class Memory : uint8_t {
-        device,
-        upload,
-        readback
-    };  // upload and readback memory is mapped and
-        // coherent
+    // Upload and readback memory is mapped and coherent; device memory is not mapped.
+    enum class Memory : uint8_t { device, upload, readback };
 
     [[nodiscard]] static Result<Buffer> create(Device& device, uint64_t size_bytes, VkBufferUsageFlags usage,
                                                Memory memory, const std::string& name);
@@ -43,15 +39,15 @@ class Buffer {
     std::byte* mapped_ = nullptr;
 };
 
-// Shared by all families in which the device has queues; an import that is not declared concurrent belongs to
-// one family.
+// An image that all queue families with queues may use. Exception: an import that is not declared concurrent
+// belongs to one family.
 class Image {
  public:
-    // Format, extent, mips, layers, samples and usage are those of `decl`. The view covers the whole image;
-    // it is null if no usage allows a view (only copied).
+    // Creates an image with the format, extent, mips, layers, samples and usage of `decl`. The view covers
+    // the whole image. It is null if the usage allows no view, because the image is only copied.
     [[nodiscard]] static Result<Image> create(Device& device, const ResourceDecl& decl);
-    // An embedder's image, created with image_create_info(decl). It must outlive this object, which owns only
-    // the view.
+    // Wraps an embedder's image, which must be created with image_create_info(decl). The VkImage must outlive
+    // this object. This object creates and owns only the view.
     [[nodiscard]] static Result<Image> adopt(Device& device, VkImage image, const ResourceDecl& decl);
     Image() = default;
     ~Image();
@@ -70,26 +66,28 @@ class Image {
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
     ResourceDecl decl_;
-    bool adopted_ = false;  // true: image_ belongs to an embedder, and memory_ is null
+    bool adopted_ = false;  // True: image_ belongs to an embedder, and memory_ is null.
 };
 
-// Copies data before the first frame. Waits for its own fence (Device::timeout_ns), so the staging memory is
-// freed on return. Both require transfer_dst in the target's usage. The copy is visible to all later
-// submissions to the same queue. After a time-out, objects in use are not destroyed, because the device may
-// still read them.
+// Copies data to a buffer before the first frame; upload_image() does the same for an image. Both functions
+// wait for the copy with a fence (Device::timeout_ns()), so that the staging memory is free when they return.
+// The usage of the target must include transfer_dst. All later submissions to the same queue see the data.
+// After a time-out no object is destroyed, because the device may still read it.
 [[nodiscard]] Status upload_buffer(Device& device, const Buffer& target, std::span<const std::byte> bytes);
-// `levels`: the mips from 0 on, each with all its layers, tightly packed. Every mip of the image ends in
-// shader_read_only (depth: depth_read_only).
+// Copies texels to an image. levels[i] has all layers of mip i, without padding. Afterwards every mip has the
+// layout shader_read_only (depth images: depth_read_only).
 [[nodiscard]] Status upload_image(Device& device, const Image& target,
                                   std::span<const std::span<const std::byte>> levels);
 
-// The queue families that may use a resource: one, or with CONCURRENT all families of the device.
+// The queue families that may use a resource: one family (EXCLUSIVE), or all families of the device that have
+// queues (CONCURRENT).
 struct Sharing {
     VkSharingMode mode = VK_SHARING_MODE_EXCLUSIVE;
     uint32_t count = 0;
-    const uint32_t* families = nullptr;  // the device's own list
+    const uint32_t* families = nullptr;  // Points into Device::sharing_families().
 };
-[[nodiscard]] Sharing concurrent_sharing(const Device& device);  // EXCLUSIVE on a device with one family
+// Returns CONCURRENT with all families that have queues; EXCLUSIVE if only one family has queues.
+[[nodiscard]] Sharing concurrent_sharing(const Device& device);
 
 template <class CreateInfo>
 void share(CreateInfo& info, const Sharing& sharing) {
@@ -98,7 +96,8 @@ void share(CreateInfo& info, const Sharing& sharing) {
     info.pQueueFamilyIndices = sharing.families;
 }
 
-// Creation info used by Image and by the transient heap, whose images share memory.
+// Returns the creation info for an image with this declaration. Class Image uses it, and so does the heap of
+// transient images.
 [[nodiscard]] VkImageCreateInfo image_create_info(const ResourceDecl& decl);
 [[nodiscard]] VkBufferCreateInfo buffer_create_info(const ResourceDecl& decl);
 

@@ -1,5 +1,6 @@
-// Purpose: collects messages of the validation layers. The messenger must be created explicitly: one that is
-// only chained to instance creation receives no later messages, and "0 messages" would prove nothing.
+// Purpose: collects the messages of the validation layers. The messenger is created as an object of its own.
+// A messenger that is only in the pNext chain of VkInstanceCreateInfo gets no messages after the creation, so
+// that "0 messages" would prove nothing.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +16,20 @@ enum class MessageSeverity : uint8_t { info, warning, error };
 
 struct Message {
     MessageSeverity severity = MessageSeverity::error;
-    std::string id;    // "SYNC-HAZARD-WRITE_AFTER_WRITE", "VUID-…"
-    std::string pass;  // the pass being recorded or submitted, or the label in the message
+    std::string id;    // Identifier such as "SYNC-HAZARD-WRITE_AFTER_WRITE" or "VUID-…".
+    std::string pass;  // Name of the pass that is recorded or submitted, or the label in the message.
     std::string text;
 };
 
-// Thread-safe: drivers may call back from any thread.
+// Thread-safe, because drivers may report messages from any thread.
 class MessageCollector {
  public:
     void add(Message message);
-    // Sets the pass for later messages on the calling thread; empty for none. Per thread, because one thread
-    // may render frames while another creates pipelines.
+    // Sets the pass to which later messages of the calling thread belong; empty: none. Each thread has its
+    // own pass, because one thread may render frames while another thread creates pipelines.
     void set_current_pass(std::string pass);
     [[nodiscard]] std::string current_pass() const;
-    [[nodiscard]] std::vector<Message> messages() const;  // warnings and errors
+    [[nodiscard]] std::vector<Message> messages() const;  // Returns all warnings and errors so far.
     [[nodiscard]] size_t count() const;
 
  private:

@@ -1,6 +1,6 @@
-// Purpose: access to the native Vulkan objects, for embedders that also draw themselves; nothing else exposes
-// them. Embedders must restore layouts, pending accesses and ownership. For the other direction, see
-// Device::adopt() and enable_features().
+// Purpose: gives the Vulkan objects to embedders that also draw themselves. After an embedder has used an
+// image or buffer, it must restore layout, pending accesses and ownership. To let Weft use an embedder's
+// objects, see Device::adopt() and enable_features().
 #pragma once
 
 #include <cstdint>
@@ -18,19 +18,21 @@ struct NativeDevice {
     Queue queue;
 };
 
-// Data that an embedder needs to sample, copy or present an image exported by a graph.
+// The handles and properties of an image that a graph exports. An embedder needs them to sample, copy or
+// present the image.
 struct NativeImage {
     VkImage image = VK_NULL_HANDLE;
-    VkImageView view = VK_NULL_HANDLE;  // null for an image that is only copied
+    VkImageView view = VK_NULL_HANDLE;  // View of the whole image; null for an image that is only copied.
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkExtent3D extent{};
-    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  // between two frames: its declared exit layout
+    // Layout of the image between two frames: the declared exit layout.
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
 [[nodiscard]] NativeDevice native(const Device& device);
 [[nodiscard]] NativeImage native(const Image& image);
 
-// A handle in the form that Device::name() expects.
+// Converts a handle to the number that Device::name() expects.
 template <class Handle>
 [[nodiscard]] uint64_t object_id(Handle handle) {
     static_assert(std::is_pointer_v<Handle> && sizeof(Handle) == sizeof(uint64_t));
