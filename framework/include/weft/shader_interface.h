@@ -14,7 +14,7 @@
 
 namespace weft {
 
-inline constexpr uint32_t kPortSet = 1;  // the descriptor set of a pass's ports
+inline constexpr uint32_t kPortSet = 1;  // Number of the descriptor set that has the ports of a pass.
 
 enum class ShaderStage : uint8_t { vertex, fragment, compute };
 

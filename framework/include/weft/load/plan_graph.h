@@ -1,5 +1,5 @@
-// Purpose: the complete compiler, from a graph file to a plan, without a device: a device profile replaces
-// the device. Errors: those of load_graph().
+// Purpose: compiles a graph file to a plan without a device. A device profile replaces the device. Errors:
+// those of load_graph().
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace weft {
 
 struct PlannedGraph {
     LoadedGraph loaded;
-    FramePlan plan;  // not checked yet: call check_plan() (weft/check/check_plan.h)
+    FramePlan plan;  // The plan is not checked yet: call check_plan() (weft/check/check_plan.h).
 };
 
-// Makes the plan of the request's tier for a device with `queue_count` logical queues. Adds warnings to
-// `warnings`.
+// Makes the plan for the tier of the request, for a device with `queue_count` logical queues. Warnings are
+// added to `warnings`.
 [[nodiscard]] Result<PlannedGraph> plan_graph(const JsonDoc& document, const LoadInput& input,
                                               uint32_t queue_count, Diagnostics& warnings);
 
