@@ -35,7 +35,7 @@ class BatchClock {
     using Known = std::vector<uint32_t>;  // Index: queue. Number of batches known to be complete.
 
     const FramePlan& plan_;
-    std::vector<Known> known_;   // Index: queue. The batches that the queue knows to be complete.
+    std::vector<Known> known_;   // Index: waiting queue. The batches that this queue knows to be complete.
     std::vector<uint32_t> own_;  // Index: queue. Number of batches begun so far.
     // Index: batch, in this frame and in the previous frame. The known batches at the end of that batch;
     // empty if the batch has not ended yet.

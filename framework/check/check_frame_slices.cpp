@@ -18,7 +18,7 @@ bool run_together(const PassDecl& a, const PassDecl& b) {
     return !is_sliced(a) || (a.frame_slices == b.frame_slices && a.frame_slice == b.frame_slice);
 }
 
-// The transitive successors of each pass in the graph.
+// Finds the direct and indirect successors of each pass in the graph.
 class Followers {
  public:
     explicit Followers(const ResolvedGraph& graph) : next_(graph.passes.size()) {
@@ -50,8 +50,8 @@ class Followers {
     std::map<PassId, std::vector<uint8_t>> known_;
 };
 
-// The subresources of one resource that is written by at least one pass with frame slices, with all passes
-// that write each of them.
+// Checks one resource that is written by at least one pass with frame slices (a pass that runs only in some
+// frames). For each subresource it collects all passes that write the subresource.
 class SlicedResource {
  public:
     SlicedResource(const FramePlan& plan, ResourceId resource, Followers& followers, FaultList& faults)

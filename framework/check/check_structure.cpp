@@ -92,7 +92,8 @@ void check_lifetimes(const FramePlan& plan, FaultList& faults) {
     }
 }
 
-// The passes that use a resource; a message about a collision names the passes of both resources.
+// Returns the names of the first and last pass that use a resource. A message about two resources in the same
+// memory needs them for both.
 std::string users(const FramePlan& plan, FaultList& faults, ResourceId resource) {
     const LifetimeSpan& span = plan.lifetimes.spans[resource];
     if (span.first > span.last || span.last >= plan.schedule.order.size()) return "unused";
@@ -110,7 +111,7 @@ bool live_together(const FramePlan& plan, ResourceId a, ResourceId b) {
            (s.first <= t.last && t.first <= s.last);
 }
 
-// Pairs of placements that share bytes while both resources live, in the order of their indices.
+// Returns the pairs of placements that share bytes while both resources are alive, sorted by index.
 std::vector<std::pair<uint32_t, uint32_t>> collisions(const FramePlan& plan) {
     const std::vector<Placement>& all = plan.memory.placements;
     std::vector<std::pair<uint32_t, uint32_t>> pairs;
@@ -156,7 +157,8 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
 
 void check_alias_transitions(const FramePlan& plan, FaultList& faults) {
     const std::vector<AliasTransition>& listed = plan.memory.alias_transitions;
-    std::multimap<std::pair<ResourceId, ResourceId>, size_t> known;  // index into `listed` by from and to
+    // Key: (from, to). Value: index into `listed`.
+    std::multimap<std::pair<ResourceId, ResourceId>, size_t> known;
     for (size_t i = 0; i < listed.size(); ++i) known.emplace(std::pair(listed[i].from, listed[i].to), i);
     std::vector<uint8_t> used(listed.size(), 0);
     for (const PassStep& step : plan.barriers.steps) {
@@ -218,7 +220,7 @@ constexpr StageMask kTransferStages = stage::kCopy | stage::kHost;
 constexpr StageMask kComputeStages =
     kTransferStages | stage::kClear | stage::kDrawIndirect | stage::kComputeShader;
 
-// A queue must support all stages that its passes and barriers use.
+// Checks that each queue supports all stages that its passes and barriers use.
 void check_stages(const FramePlan& plan, FaultList& faults) {
     for (size_t position = 0; position < plan.barriers.steps.size(); ++position) {
         const QueueKind kind = plan.schedule.queues[plan.schedule.queue[position]].kind;
@@ -238,8 +240,8 @@ void check_stages(const FramePlan& plan, FaultList& faults) {
     }
 }
 
-// Vulkan pairs the release and acquire halves of a queue family transfer by their parameters, so both halves
-// must name the same range.
+// Checks that each ownership transfer has a release and an acquire with the same range. Vulkan pairs the two
+// halves by their parameters.
 void check_transfers(const FramePlan& plan, FaultList& faults) {
     std::vector<const BarrierDecl*> halves;
     for (const PassStep& step : plan.barriers.steps)

@@ -31,7 +31,8 @@ class FaultList {
     // Adds an error. `loc` is the place in the graph's file of the use that is wrong.
     void add(const char* code, SourceLoc loc, const std::string& message, const std::string& help);
     [[nodiscard]] bool any(const char* code) const;
-    [[nodiscard]] std::string pass_name(PassId pass) const;              // Returns the name in quotes.
+    // Returns the name in quotes; for kNoId, returns "outside the graph" without quotes.
+    [[nodiscard]] std::string pass_name(PassId pass) const;
     [[nodiscard]] std::string resource_name(ResourceId resource) const;  // Returns the name in quotes.
     [[nodiscard]] std::string actor_text(const Actor& actor, uint32_t current_frame) const;
     [[nodiscard]] Diagnostics take() { return std::move(faults_); }

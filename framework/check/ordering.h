@@ -28,9 +28,9 @@ namespace weft::check {
 class AccessRecord {
  public:
     AccessRecord() = default;
-    // Creates the record of a layout transition. A transition has no stage of its own: it is complete when
-    // the destination stages of its barrier start.
     AccessRecord(const Actor& actor, StageMask stages, AccessMask access, bool is_write);
+    // Creates the record of a layout transition. A transition has no stage of its own: it is complete when the
+    // destination stages of its barrier start.
     static AccessRecord transition(const Actor& actor, const Scopes& scopes);
 
     // Applies one vkCmdPipelineBarrier2 call. `all` has the barriers of the call on all resources, because
@@ -71,10 +71,11 @@ class AccessRecord {
     uint32_t followed_ = 0;  // Number of barrier batches of its queue that were applied.
     // Later stages that are ordered after the barrier that made the write available.
     StageMask available_reach_ = 0;
-    // Index: a stage of this access. Later stages that are ordered after it.
+    // Index: bit of a stage of this access. Later stages that are ordered after this stage.
     std::array<StageMask, stage::kCount> reach_{};
     StageMask transition_reach_ = 0;
-    std::array<AccessMask, stage::kCount> visible_{};  // Index: later stage. Accesses that see the write.
+    // Index: bit of a later stage. Accesses to which the write is visible.
+    std::array<AccessMask, stage::kCount> visible_{};
 };
 
 }  // namespace weft::check

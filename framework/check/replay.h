@@ -16,7 +16,7 @@ namespace weft::check {
 // A resource whose memory overlaps that of another one.
 struct Neighbour {
     ResourceId resource = kNoId;
-    bool covered = false;  // True if all its memory also belongs to the other resource.
+    bool covered = false;  // True if all its memory is also memory of the other resource.
 };
 
 class Replay {
@@ -51,8 +51,8 @@ class Replay {
     static void note_read(Cell& cell, const AccessRecord& record);
     void write(const Actor& by, const UseDecl& use, const AccessState& state, bool kept);
 
-    // These functions check order and visibility between a record and the current queue. Records of other
-    // queues need a semaphore; records of the same queue need barriers.
+    // ordered(), flushed() and visible() check a record of an earlier access. If the access ran on another
+    // queue, a semaphore must order it before the current work; if it ran on the same queue, a barrier must.
     [[nodiscard]] bool ordered(const AccessRecord& record, StageMask stages) const;
     [[nodiscard]] bool ordered(const AccessRecord& record, const Scopes& scopes) const;
     [[nodiscard]] bool flushed(const AccessRecord& record, const Scopes& scopes) const;
@@ -66,8 +66,8 @@ class Replay {
     // are ordered within one scope.
     [[nodiscard]] Actor actor_of_use(PassId pass, uint32_t use) const;
     [[nodiscard]] uint32_t family() const { return plan_.schedule.queues[clock_.queue()].family; }
-    // Returns true if semaphores already order the record before the current batch. Accesses by the program
-    // outside the graph are an exception: on queue 0, barriers must order them.
+    // Returns true if semaphores already order the recorded access before the current batch. Accesses by the
+    // program outside the graph are an exception: on queue 0, barriers must order them.
     [[nodiscard]] bool covered(const AccessRecord& record) const {
         const Actor& by = record.actor();
         const bool outside = by.pass == kNoId && !by.transition;
@@ -96,7 +96,7 @@ class Replay {
     FaultList& faults_;
     BatchClock clock_;
     std::vector<BarrierLog> logs_;  // Index: queue. All barriers of the queue.
-    uint64_t barrier_batches_ = 0;  // Number of barrier batches on all queues.
+    uint64_t barrier_batches_ = 0;  // Number of vkCmdPipelineBarrier2 calls so far, on all queues.
     uint32_t frame_ = 0;
     // Number of the current rendering scope, counted over all frames.
     uint32_t scope_ = 0;
@@ -106,7 +106,8 @@ class Replay {
     // so also for A. B itself is an exception: it may take over the memory part by part, so it always waits
     // for A. This table is separate from cells_, because each use reads it for all neighbours.
     std::vector<ResourceId> superseded_by_;
-    std::vector<std::vector<Neighbour>> neighbours_;  // Index: ResourceId. Resources with overlapping memory.
+    // Index: ResourceId. The resources that overlap it in memory.
+    std::vector<std::vector<Neighbour>> neighbours_;
     // Index: the ring's resource of age 0. All resources of the ring, ordered by age.
     std::vector<std::vector<ResourceId>> rings_;
 };

@@ -18,7 +18,7 @@ inline uint32_t cell_count(const ResourceDecl& resource) {
     return aspect_count(resource.aspects) * resource.layers * resource.mips;
 }
 
-// Calls visit(index of the cell, range of the cell) for every cell of `range`.
+// Calls visit(index, cell range) for every cell of `range`. A cell is one mip of one layer of one aspect.
 template <class F>
 void for_each_cell(const ResourceDecl& resource, const SubresourceRange& range, F visit) {
     if (resource.kind == ResourceKind::buffer) return visit(0u, SubresourceRange{});

@@ -56,7 +56,7 @@ struct MemoryCell {
 // Describes an access: the node that accesses a cell, with the stage, access type and layout.
 struct Accessor {
     uint32_t node = kNoNode;
-    StageMask stage = stage::kNone;  // One bit. kNone: the accessor sees everything that is available.
+    StageMask stage = stage::kNone;  // One stage. kNone: the accessor sees everything that is available.
     AccessMask access = access::kNone;
     Layout layout = Layout::undefined;  // Layout in which the image must be.
 };
@@ -112,7 +112,8 @@ class Memory {
     const FramePlan& plan_;
     const Timeline& timeline_;
     uint64_t seed_;
-    std::vector<std::vector<MemoryCell>> cells_;  // Indexed by memory object, then by cell.
+    // The state of each cell, indexed by memory object, then by cell.
+    std::vector<std::vector<MemoryCell>> cells_;
     // Index: memory object. The objects that overlap it in memory.
     std::vector<std::vector<ResourceId>> neighbours_;
     // Index: the ring's resource of age 0. All resources of the ring, ordered by age.

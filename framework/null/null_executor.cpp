@@ -188,7 +188,7 @@ class Execution {
     const Timeline& timeline_;
     const NullOptions& options_;
     Memory memory_;
-    std::vector<Gathered> gathered_;  // Index: Timeline::instances.
+    std::vector<Gathered> gathered_;  // Index: as in Timeline::instances. Values that the passes have read.
     NullRun run_;
 };
 

@@ -40,14 +40,14 @@ inline constexpr CellValue kUndefinedValue = 0;
 struct ObservedCell {
     uint32_t frame = 0;
     PassId pass = kNoId;
-    uint32_t use = 0;  // Index into the pass's uses.
+    uint32_t use = 0;  // Index into PassDecl::uses of the pass.
     ResourceId resource = kNoId;
-    SubresourceRange range;  // One mip of one layer of one aspect.
+    SubresourceRange range;  // The subresource: one mip of one layer of one aspect.
     CellValue value = kUndefinedValue;
 };
 
 struct NullRun {
-    std::vector<ObservedCell> observed;  // Sorted by all members except the value.
+    std::vector<ObservedCell> observed;  // The observed values, sorted by all other members.
     std::vector<std::string> faults;     // The first few causes of poison, in order of occurrence.
 };
 

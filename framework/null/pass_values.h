@@ -15,7 +15,7 @@ class ValueHash {
     ValueHash& add(std::string_view text);
     ValueHash& add(double number);
     ValueHash& add(const SubresourceRange& range);
-    // Never returns kUndefinedValue.
+    // Returns the hash. It is never kUndefinedValue (0), because that value marks undefined content.
     [[nodiscard]] CellValue value() const { return state_ == kUndefinedValue ? 1 : state_; }
 
  private:

@@ -166,8 +166,9 @@ class Reference {
 
     const ResolvedGraph& graph_;
     const LiveGraph& live_;
-    std::vector<uint8_t> used_, written_;       // Index: ResourceId. 1 if a live pass uses or writes it.
-    std::vector<std::vector<Versions>> cells_;  // Indexed by resource, then by cell.
+    // Index: ResourceId. 1 if a live pass uses (or writes) the resource.
+    std::vector<uint8_t> used_, written_;
+    std::vector<std::vector<Versions>> cells_;  // Indexed by ResourceId, then by cell.
     uint32_t frame_ = 0;
     NullRun run_;
 };

@@ -327,7 +327,7 @@ class Unroller {
     std::vector<uint32_t> entered_;
     // Index: ResourceId. The nodes that used the import since it entered the frame.
     std::vector<std::vector<uint32_t>> uses_of_import_;
-    std::vector<uint32_t> signals_, previous_signals_;  // Index: batch. Node of the signal.
+    std::vector<uint32_t> signals_, previous_signals_;  // Index: batch. Node of its signal.
 };
 
 }  // namespace

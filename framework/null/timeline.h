@@ -33,7 +33,7 @@ struct Node {
     NodeKind kind = NodeKind::barrier;
     uint32_t frame = 0;
     QueueIndex queue = 0;
-    StageMask stage = stage::kNone;  // One bit. kNone: not assigned to a stage.
+    StageMask stage = stage::kNone;  // One stage; kNone if the node does not belong to a stage.
     uint32_t instance = kNoNode;     // For a pass: index into Timeline::instances.
     const BarrierDecl* barrier = nullptr;
     ResourceId resource = kNoId;  // For imports and clears: the resource.
@@ -53,7 +53,7 @@ struct PassInstance {
 };
 
 struct Timeline {
-    std::vector<Node> nodes;      // All nodes in recording order.
+    std::vector<Node> nodes;      // All nodes, in the order in which their commands are recorded.
     std::vector<NodeSet> before;  // Index: node. All direct and indirect predecessors.
     // Index: node. Predecessors that are ordered only by the owner of an import. The owner is not part of the
     // plan, so no other node may rely on this order.

@@ -26,7 +26,8 @@ UseDecl use_of(const char* port, ResourceId image, Access access) {
     use.access = access;
     use.state = access_state(access, stage_bit(ShaderStage::compute), aspect::kColor);
     use.is_output = writes(access);
-    if (reads(access)) use.sources = {{use.range, image}};  // Pass i writes image i.
+    // Pass i writes image i, so the index of an image is also the index of the pass that wrote it.
+    if (reads(access)) use.sources = {{use.range, image}};
     return use;
 }
 

@@ -14,7 +14,8 @@ class StageTimer {
         if (times_ != nullptr) times_->clear();
     }
 
-    // Records the time since the previous stage as the time of stage `name`. Returns `result` unchanged.
+    // Records the time since the end of the previous stage as the time of stage `name`. Returns `result`, the
+    // result of the stage, unchanged, so that a call can enclose the stage's expression.
     template <class T>
     [[nodiscard]] T stage(const char* name, T result) {
         if (times_ == nullptr) return result;

@@ -1,7 +1,7 @@
 // Places all transient resources in heaps. Resources with the same allowed memory types share a heap. Buffers
 // and images in one heap must not share a page of bufferImageGranularity, so every placement in such a heap
-// is rounded up to whole pages. If the granularity is above kMaxPadding, the padding would waste more than
-// sharing saves; then buffers and images get separate heaps.
+// is rounded up to whole pages. If a page is larger than 4096 bytes (kMaxPadding), the padding would waste
+// more than sharing saves; then buffers and images get separate heaps.
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -47,8 +47,8 @@ struct Peak {
 };
 
 Peak find_peak(const std::vector<ResourceId>& resources, const Lifetimes& spans, const MemoryNeeds& needs) {
-    // Key: position. Bytes of the resources whose lifetime begins there, minus bytes of those whose lifetime
-    // ended just before.
+    // Key: schedule position. Value: bytes of the resources whose lifetime begins there, minus bytes of the
+    // resources whose lifetime ended just before.
     std::map<uint32_t, int64_t> changes;
     for (const ResourceId id : resources) {
         changes[spans.spans[id].first] += static_cast<int64_t>(needs[id].size_bytes);

@@ -7,8 +7,8 @@ namespace weft {
 namespace {
 
 constexpr uint64_t kUnplaced = UINT64_MAX;
-// Estimated cost ratio: sorting the conflicting items of one item costs about this many times more per item
-// than scanning a list that is already sorted.
+// Sorting a list of conflicting items costs about this many times more per item than scanning a list that is
+// already sorted. The factor decides whether conflicts are found by sorting or by scanning.
 constexpr uint64_t kDenseFactor = 8;
 
 std::vector<uint32_t> by_start(const std::vector<PackItem>& items) {

@@ -26,8 +26,8 @@ class Conflicts {
     // call.
     [[nodiscard]] const std::vector<ByteSpan>& taken(uint32_t item);
     [[nodiscard]] bool dense() const { return dense_; }
-    // Returns the number of placements that are visited when all items are packed once. It estimates the
-    // cost.
+    // Returns the number of placements that must be visited to pack all items once. The number is an estimate
+    // of the cost.
     [[nodiscard]] size_t visits() const;
 
  private:
@@ -41,10 +41,13 @@ class Conflicts {
 
     const std::vector<PackItem>& items_;
     bool dense_ = false;
-    std::vector<Placed> placed_;  // For dense sets: the placed items, sorted by offset.
-    // For sparse sets, index: item. kUnplaced until the item is placed.
+    // Used if many items are alive together: the placed items, sorted by offset.
+    std::vector<Placed> placed_;
+    // Used if few items are alive together. Index: item. Its offset in bytes, or kUnplaced if the item has no
+    // place yet.
     std::vector<uint64_t> offsets_bytes_;
-    // For sparse sets, index: item. The items that are alive at the same time.
+    // Used if few items are alive together. Index: item. The items that are alive at the same time as this
+    // item.
     std::vector<std::vector<uint32_t>> neighbours_;
     std::vector<ByteSpan> taken_;
 };

@@ -9,14 +9,15 @@
 namespace weft {
 namespace {
 
-// Above this number of items in a dense set, best fit by size takes more time than its result is worth.
+// If more items than this are to be packed and most of them overlap in time, only the sweep is used: the
+// best-fit orders would take too much time for the memory that they save.
 constexpr size_t kMaxDenseItems = 4096;
 // Limits the local search by the number of placements that it visits in all iterations together. One
 // iteration packs all items once.
 constexpr size_t kSearchVisits = 12'000'000;
 constexpr size_t kMaxSearchRounds = 200;
-// The search stops when the height is below this percentage of the lower bound. The limit rises by 1 % every
-// kRoundsPerPercent iterations, so a long search accepts a worse result.
+// The local search stops when the heap is at most this percentage of the smallest possible size. The limit
+// rises by 1 % every kRoundsPerPercent iterations, so a long search accepts a larger heap.
 constexpr uint64_t kGoodEnoughPercent = 102;
 constexpr size_t kRoundsPerPercent = 16;
 
@@ -24,8 +25,8 @@ uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
     return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
 }
 
-// Returns the offset of the smallest gap that can contain the item, or the end of all taken bytes if no gap
-// can. `taken` is sorted by offset.
+// Returns the offset of the smallest gap between the bytes in `taken` into which the item fits. If it fits
+// into no gap, returns the offset after all taken bytes. `taken` must be sorted by offset.
 uint64_t best_fit(const PackItem& item, const std::vector<ByteSpan>& taken) {
     uint64_t best = 0, best_slack = UINT64_MAX, cursor = 0;
     for (const ByteSpan& span : taken) {
@@ -84,8 +85,8 @@ uint32_t peak_position(const std::vector<PackItem>& items) {
     return position;
 }
 
-// Returns an order in which items that are alive at the memory peak come first, because their total size
-// decides the height. The other items follow by their distance in time from the peak.
+// Returns an order for placing the items. Items that are alive at the memory peak come first, because their
+// total size decides the size of the heap. The other items follow by their distance in time from the peak.
 std::vector<uint32_t> peak_first_order(const std::vector<PackItem>& items) {
     const uint32_t peak = peak_position(items);
     const auto distance = [&](uint32_t i) {
@@ -102,8 +103,8 @@ bool is_good_enough(const Packing& packing, uint64_t lower_bound_bytes, size_t r
     return packing.height_bytes <= lower_bound_bytes / 100 * (kGoodEnoughPercent + round / kRoundsPerPercent);
 }
 
-// Returns the items sorted by (size × lifetime), largest first. Items that conflict with many others are so
-// placed while there is still free space.
+// Returns the items sorted by (size × lifetime), largest first. Such items conflict with many others, so they
+// are placed while there is still free space.
 std::vector<uint32_t> area_descending_order(const std::vector<PackItem>& items) {
     const auto area = [&](uint32_t i) {
         return items[i].size_bytes * (uint64_t{items[i].last} - items[i].first + 1);

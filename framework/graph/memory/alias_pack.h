@@ -35,9 +35,9 @@ using Unordered = std::function<bool(uint32_t, uint32_t)>;
 // Places the items by the start of their lifetimes. When a lifetime ends, its bytes become a free gap; a new
 // item takes the smallest sufficient gap.
 [[nodiscard]] Packing pack_sweep(const std::vector<PackItem>& items);
-// Returns the lowest packing that the sweep, the best-fit orders and a bounded local search find. No packing
-// can be lower than `lower_bound_bytes`, so the search stops near it. The sweep uses positions only, so it is
-// skipped if `unordered` is given.
+// Returns the packing with the smallest heap size that the sweep, the best-fit orders and a bounded local
+// search find. No packing can be smaller than `lower_bound_bytes`, so the search stops near it. The sweep
+// uses positions only, so it is skipped if `unordered` is given.
 [[nodiscard]] Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes,
                            const Unordered& unordered = {});
 

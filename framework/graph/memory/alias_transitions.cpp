@@ -46,7 +46,7 @@ class OwnerMap {
         ranges_.emplace(at, upper);
     }
 
-    std::map<uint64_t, Range> ranges_;  // Key: first byte of the range.
+    std::map<uint64_t, Range> ranges_;  // The ranges of one owner each. Key: first byte of the range.
 };
 
 bool before(const AliasTransition& a, const AliasTransition& b) {

@@ -1,5 +1,5 @@
-// Purpose: finds the pairs of resources of which one takes over memory from the other. It goes through the
-// placements of two consecutive frames in time order.
+// Purpose: finds all alias transitions: the pairs of resources where one takes over memory that the other
+// used before. It goes through the placements of two consecutive frames in time order.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace weft {
 
-// Returns, for every placed transient, the previous owners of its bytes. The result is that of the second of
-// the two frames, because all later frames are equal to it. A previous owner in the first frame gives a
-// transition across the frame boundary (`wrap`).
+// Returns an alias transition for each previous owner of the bytes of every placed transient. Only the second
+// of the two frames counts, because all later frames are equal to it. If the previous owner used the bytes in
+// the first frame, the transition crosses the frame boundary (`wrap`).
 [[nodiscard]] std::vector<AliasTransition> alias_transitions(const std::vector<Placement>& placements,
                                                              const Lifetimes& spans);
 

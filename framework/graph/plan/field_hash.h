@@ -32,7 +32,7 @@ class HashVisitor {
         if constexpr (!std::is_same_v<T, ParamCost>) add(value);
     }
 
-    // Hashes the bytes still in the buffer. Call this once, after all fields.
+    // Hashes the bytes that are still in the buffer. The caller must call this once, after all fields.
     void finish() { flush(); }
 
  private:

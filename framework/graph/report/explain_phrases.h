@@ -8,17 +8,17 @@
 
 namespace weft {
 
-[[nodiscard]] const char* describe_reason(BarrierReason reason);  // For example "a read after a write".
+// Returns a phrase such as "a read after a write".
+[[nodiscard]] const char* describe_reason(BarrierReason reason);
 // Returns the uses by `pass` for which the barrier waits: uses of the barrier's resource, or of the earlier
 // resources in the same memory if the barrier takes memory over from them.
 [[nodiscard]] std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& barrier,
                                                           PassId pass);
 [[nodiscard]] bool waits_for(const FramePlan& plan, const BarrierDecl& barrier, PassId pass);
 
-[[nodiscard]] std::string describe_batch(const FramePlan& plan,
-                                         // Returns a text such as: queue 0, 1 "a" to 3 "b". The numbers are
-                                         // schedule positions.
-                                         const Batch& batch);
+// Returns the queue, first pass and last pass of a batch, such as: queue 0, 1 "a" to 3 "b". The numbers
+// before the names are schedule positions.
+[[nodiscard]] std::string describe_batch(const FramePlan& plan, const Batch& batch);
 // Returns indented lines that explain a dependency between queues: which pass must not start before which,
 // and the uses that are the reason. Returns an empty text for kNoId.
 [[nodiscard]] std::string describe_cause(const FramePlan& plan, uint32_t dependency);

@@ -49,14 +49,15 @@ NamesDiff diff_names(const FramePlan& from, const std::vector<T>& old_items, con
 // Returns the passes that changed their order. These are all common passes except the longest sequence that
 // has the same order in both plans; patience sorting finds this sequence.
 std::vector<PassMove> moved_passes(const FramePlan& from, const FramePlan& to) {
-    std::vector<PassMove> common;  // Passes of both plans, in the order of the old plan.
+    std::vector<PassMove> common;  // Passes that are in both plans, in the order of the old plan.
     for (uint32_t p = 0; p < from.schedule.order.size(); ++p) {
         const PassDecl* other = find_pass(to.graph, from.graph.passes[from.schedule.order[p]].name);
         if (other == nullptr) continue;
         const uint32_t position = to.schedule.position[static_cast<size_t>(other - to.graph.passes.data())];
         if (position != kNoId) common.push_back({other->name, p, position});
     }
-    // Index: length of a sequence - 1; value: its last pass, as index into `common`.
+    // `ends[n]` is the last pass of the best sequence of n + 1 passes; `previous[i]` is the pass before pass
+    // i in its sequence. Both contain indices into `common`.
     std::vector<size_t> ends, previous(common.size(), SIZE_MAX);
     for (size_t i = 0; i < common.size(); ++i) {
         const auto it =

@@ -150,8 +150,8 @@ class BarrierAnswer {
                "give.\n";
     }
 
-    // Explains how an earlier barrier, recorded before the pass at `position`, already orders the second pass
-    // after the first pass.
+    // Explains why no barrier between the two passes is needed: an earlier barrier, recorded before the pass
+    // at `position`, already orders the second pass after the first.
     std::string through_words(uint32_t position, const BarrierDecl& barrier, const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];
         const std::string waited =

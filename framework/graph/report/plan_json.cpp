@@ -78,8 +78,8 @@ class JsonVisitor {
 std::string plan_to_json(const FramePlan& plan) {
     Json json = {{"hash", plan.hash}};
     json.update(JsonVisitor::json_of(plan));
-    // Names come from files and may contain bytes that are not valid UTF-8. These bytes are replaced, because
-    // an exception would otherwise reach the caller.
+    // Names come from files and may contain bytes that are not valid UTF-8. These bytes are replaced;
+    // otherwise the JSON library would throw an exception.
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

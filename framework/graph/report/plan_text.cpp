@@ -82,7 +82,7 @@ class PlanText {
         for (const BarrierDecl& b : p.after) barrier(b);
     }
 
-    // Writes the semaphore waits of the batch whose first pass is at this position.
+    // If a batch begins at this position, writes the semaphore waits of the batch.
     void waits(uint32_t position) {
         for (const Batch& batch : plan_.submissions.batches) {
             if (batch.positions.empty() || batch.positions.front() != position) continue;

@@ -1,6 +1,6 @@
 // Chooses the load and store operations of attachments from the declarations alone. An attachment is stored
-// if a later pass reads the content that the pass wrote. A first write clears the attachment unless the pass
-// covers every texel.
+// if another pass reads the written content, or if the resource outlives the frame. The first write to an
+// attachment clears it, unless the pass covers every texel.
 #include <algorithm>
 #include <tuple>
 
@@ -18,7 +18,7 @@ struct Written {
     }
 };
 
-// Returns one entry for each version that a live pass reads and that another pass of the frame wrote. The
+// Returns every version (content of a resource after one pass has written it) that a live pass reads. The
 // entries are sorted by the writing pass, then by resource.
 std::vector<Written> versions_read(const ResolvedGraph& graph, const LiveGraph& live) {
     std::vector<Written> versions;

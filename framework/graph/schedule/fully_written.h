@@ -1,6 +1,6 @@
 // Purpose: finds the resources of which a frame writes every mip and layer. The result has 1 for such a
-// ResourceId, else 0. The unwritten parts of the other resources still contain bytes of the resource that
-// used the same memory before.
+// ResourceId, else 0. If a frame writes only a part of a transient, the other part contains bytes of the
+// resource that used the memory before.
 #pragma once
 
 #include <cstdint>

@@ -64,8 +64,8 @@ std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vec
         }
         assigned.push_back(chosen);
     }
-    // Queue 0 begins and ends every frame. If no pass runs on queue 0, other queues cannot run in parallel to
-    // it. Then all passes go to queue 0.
+    // Queue 0 begins and ends every frame. If no pass would run on queue 0, further queues bring no
+    // advantage, so all passes go to queue 0.
     if (std::find(assigned.begin(), assigned.end(), 0u) == assigned.end())
         assigned.assign(assigned.size(), 0);
     return assigned;

@@ -1,6 +1,6 @@
 // Chooses the best of three candidate orders: the one with the lowest peak of live memory, and at equal peaks
-// the one with the fewest barrier batches. The program order of the author is always a candidate and wins
-// ties, so the chosen order is never worse.
+// the one with the fewest barrier batches. One candidate is the program order (the author's order). It wins
+// ties, so the chosen order is never worse than the author's.
 #include <cassert>
 #include <tuple>
 #include <utility>

@@ -103,14 +103,18 @@ class Greedy {
     }
 
     const Walk& walk_;
-    std::vector<uint32_t> waiting_;     // Index: PassId. Number of predecessors not in the order yet.
-    std::vector<uint32_t> users_left_;  // Index: ResourceId. Number of users not in the order yet.
-    // Index: ResourceId. Sum of the ids of the users that are not in the order yet. If one user is left, the
-    // sum is its id.
+    // Index: PassId. Number of the pass's predecessors that are not in the order yet.
+    std::vector<uint32_t> waiting_;
+    // Index: ResourceId. Number of passes that use the resource and are not in the order yet.
+    std::vector<uint32_t> users_left_;
+    // Index: ResourceId. Sum of the ids of the passes that use the resource and are not in the order yet. If
+    // only one such pass is left, the sum is its id.
     std::vector<uint64_t> user_sum_;
-    // Index: PassId. Bytes that the pass would allocate, minus bytes it would free.
+    // Index: PassId. Score of the pass: bytes that it would allocate, minus bytes that it would free.
     std::vector<int64_t> score_;
-    std::vector<uint8_t> ready_;  // Index: PassId. 0: has open predecessors, 1: in the heap, 2: in the order.
+    // Index: PassId. 0: the pass still has predecessors that are not in the order, 1: it is in the heap, 2:
+    // it is in the order.
+    std::vector<uint8_t> ready_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
     std::vector<PassId> order_;
 };

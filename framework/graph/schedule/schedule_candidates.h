@@ -27,11 +27,12 @@ struct ScheduleProblem {
     std::vector<uint8_t> live;  // Index: PassId. 1 if the pass is live, 0 if it is culled.
     // Index: PassId. Rank of the pass when passes are sorted by (order_key, name).
     std::vector<uint32_t> rank;
-    // Row of a pass: the passes that depend on it, or on which it depends.
+    // One row per pass. `successors`: the passes that depend on the pass. `predecessors`: the passes on which
+    // it depends.
     IndexRows successors, predecessors;
-    IndexRows resources;               // Row of a live pass: the transients it uses, each once.
-    IndexRows users;                   // Row of a transient: the live passes that use it, each once.
-    std::vector<uint64_t> size_bytes;  // Index: ResourceId. Size in bytes.
+    IndexRows resources;               // One row per pass: the transients that it uses, each once.
+    IndexRows users;                   // One row per resource: the live passes that use it, each once.
+    std::vector<uint64_t> size_bytes;  // Index: ResourceId. Size of the resource in bytes.
 };
 
 [[nodiscard]] ScheduleProblem schedule_problem(const ResolvedGraph& graph, const LiveGraph& live,
@@ -48,9 +49,8 @@ struct ScheduleProblem {
 [[nodiscard]] std::vector<PassId> backward_greedy_order(const ScheduleProblem& problem);
 
 [[nodiscard]] uint64_t peak_live_bytes(const ScheduleProblem& problem, const std::vector<PassId>& order);
-// Counts the positions that would need a barrier if every barrier waited for all earlier work. These are the
-// positions that use a transient for the first time, or that depend on a pass since the last counted
-// position.
+// Returns the number of positions that would need a barrier if every barrier waited for all earlier work.
+// Such a position uses a transient for the first time, or depends on a pass since the last such position.
 [[nodiscard]] uint32_t barrier_batches(const ScheduleProblem& problem, const std::vector<PassId>& order);
 
 }  // namespace weft

@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-using IndexPairs = std::vector<std::pair<uint32_t, uint32_t>>;  // One pair for each entry: row index, item.
+using IndexPairs = std::vector<std::pair<uint32_t, uint32_t>>;  // Each pair is (row index, item).
 
 // Builds the rows with a counting sort. Items of one row keep the order that they have in `pairs`.
 IndexRows make_rows(size_t row_count, const IndexPairs& pairs) {

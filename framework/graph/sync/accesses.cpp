@@ -3,8 +3,8 @@
 namespace weft {
 namespace {
 
-// Adds the memory accesses of an attachment's load and store operations to the event. DONT_CARE counts as a
-// write, because Vulkan defines it as one.
+// Adds the memory accesses of an attachment's load and store operations to the event. The operation DONT_CARE
+// counts as a write, as in the Vulkan specification.
 void add_attachment_access(const AttachmentOps& ops, const UseDecl& use, AccessEvent& event) {
     const bool depth = (use.range.aspects & (aspect::kDepth | aspect::kStencil)) != 0;
     const AccessMask read = depth ? access::kDepthStencilRead : access::kColorRead;

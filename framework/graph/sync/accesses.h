@@ -28,8 +28,8 @@ struct RangeAccess {
     AccessEvent event;
 };
 
-// Index: ResourceId. The accesses to the resource, sorted by schedule position. `scopes` has, for each
-// position, the position of the pass whose rendering scope the pass there continues, or kNoId.
+// Index: ResourceId. The accesses to the resource, sorted by schedule position. For collect_accesses(),
+// `scopes[p]` is the position of the pass whose rendering scope the pass at position p continues, or kNoId.
 using AccessTable = std::vector<std::vector<RangeAccess>>;
 [[nodiscard]] AccessTable collect_accesses(const ResolvedGraph& graph, const Schedule& order,
                                            const AttachmentTable& attachments,

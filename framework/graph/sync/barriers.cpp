@@ -1,7 +1,6 @@
-// Computes all barriers of a frame. A frame always leaves a resource in the same state, whatever the state
-// was at its start. So this frame and the previous one have the same histories (the sequences of accesses per
-// resource). The histories are computed first; this file then adds the barriers between resources that share
-// memory.
+// Collects all barriers of a frame. The history of each resource (its barriers and last uses in one frame) is
+// already known. A frame always leaves a resource in the same state, so the history is also valid for the
+// previous frame. This file then extends the barriers between resources that share memory.
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -12,7 +11,7 @@
 namespace weft {
 namespace {
 
-// Returns all kinds of write access that commands can make in these stages.
+// Returns all kinds of write access that commands can make in these pipeline stages.
 AccessMask writes_of(StageMask stages) {
     constexpr StageMask kShaders = stage::kComputeShader | stage::kVertexShader | stage::kFragmentShader;
     constexpr StageMask kTransfers = stage::kCopy | stage::kBlit | stage::kResolve | stage::kClear;
@@ -41,10 +40,11 @@ struct AliasTransitionRows {
     }
 };
 
-// Finds earlier owners of the same bytes for which the alias barrier must also wait. If an owner wrote only a
-// part of its memory, only that owner's own barrier waited for the earlier users of the other bytes. The
-// order is then a chain through barriers on other resources. The validation layer of Vulkan 1.3.239 does not
-// follow such chains. It also does not see that a buffer overwrites an image, or an image a buffer.
+// Finds the resources that used the same bytes before the direct previous owner, and for which the alias
+// barrier must also wait. If the direct owner wrote only a part of its memory, only that owner's barrier
+// waited for the users of the other bytes. The order is then a chain through barriers on other resources,
+// which the validation layer of Vulkan 1.3.239 does not follow. The layer also does not see that a buffer
+// overwrites an image, or an image a buffer.
 class EarlierOwners {
  public:
     EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const AliasTransitionRows& rows)

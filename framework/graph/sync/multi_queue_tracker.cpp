@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-// Returns the events at the start of the list that one barrier can serve: a single write, or consecutive
+// Returns those accesses at the start of the list that one barrier can cover: a single write, or consecutive
 // reads in the same layout.
 std::span<const AccessEvent> group_of(std::span<const AccessEvent> events) {
     size_t count = 1;
@@ -21,7 +21,7 @@ bool on_several_queues(std::span<const AccessEvent> group) {
                        [&](const AccessEvent& t) { return t.queue != group.front().queue; });
 }
 
-// Returns the union of the stages and accesses of those events of the group that run on this queue.
+// Returns the union of the stages and access types of those events of the group that run on this queue.
 AccessState state_on(std::span<const AccessEvent> group, QueueIndex queue) {
     AccessState state{stage::kNone, access::kNone, group.front().state.layout};
     for (const AccessEvent& event : group) {
@@ -54,7 +54,7 @@ bool MultiQueueTracker::starts_anew(const AccessEvent& event) const {
 }
 
 // Returns the earlier uses that must complete before the next write or layout change. These are the readers
-// of the current content. If there are none, it is the source: the write or transition that made the content.
+// of the current content. Without readers, it is the write or layout transition that made the content.
 std::vector<MultiQueueTracker::Past> MultiQueueTracker::predecessors() const {
     if (!readers_.empty()) return readers_;
     if (source_) return {*source_};
@@ -85,8 +85,8 @@ void MultiQueueTracker::advance(std::span<const AccessEvent> events, CellSync& s
     owner_family_ = family(events.front().queue);
 }
 
-// Returns true if the event and the last event draw to the subresource in the same rendering scope. Then no
-// barrier is needed.
+// Returns true if this event and the previous event on the subresource draw to it in the same rendering
+// scope. Then no barrier is needed.
 bool MultiQueueTracker::merges_render_pass(const AccessEvent& event) const {
     return event.merged_position != kNoId && event.writes && source_ && !source_->previous_frame &&
            source_->position == event.merged_position && readers_.empty() && layout_ == event.state.layout;
@@ -100,8 +100,8 @@ void MultiQueueTracker::merge_drawing(const AccessEvent& event) {
     unflushed_ |= source_writes_;
 }
 
-// Adds a reader of the current content. It gets a semaphore wait or a barrier if the content is not yet
-// visible to it.
+// Adds a reader of the current content. If the content is not yet visible to the reader, adds a semaphore
+// wait (other queue) or a barrier (same queue).
 void MultiQueueTracker::join(std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     if (source_ && source_->queue != event.queue) {
@@ -121,9 +121,9 @@ void MultiQueueTracker::join(std::span<const AccessEvent> events, CellSync& sync
     readers_.push_back({event.position, event.queue, event.state.stages, event.pass, false});
 }
 
-// For readers on several queues: returns the earlier use after which a layout transition can be recorded for
-// all of them. Each reader then waits only for this transition, not for another reader. Returns nothing if
-// the earlier uses are on different queues or in the previous frame.
+// Finds the earlier use after which one layout transition can be recorded for readers on several queues. Then
+// each reader waits only for this transition, not for another reader. Returns nothing if the earlier uses are
+// on different queues or in the previous frame.
 std::optional<MultiQueueTracker::Past> MultiQueueTracker::common_past(
     std::span<const AccessEvent> events) const {
     const std::span<const AccessEvent> group = group_of(events);
@@ -149,8 +149,8 @@ void MultiQueueTracker::begin(std::span<const AccessEvent> events, CellSync& syn
 void MultiQueueTracker::share(const Past& past, std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     AccessState dst = state_on(group_of(events), past.queue);
-    // Without readers on this queue, the destination stages are the source stages, so that later barriers on
-    // this queue chain with the transition.
+    // The transition has no reader on this queue. Its destination stages are then its source stages, so that
+    // later barriers on this queue chain with it.
     if (dst.stages == stage::kNone) dst.stages = past.stages;
     sync.barriers.push_back({.position = past.position,
                              .after = true,

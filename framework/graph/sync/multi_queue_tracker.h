@@ -16,7 +16,7 @@ struct QueueRules {
     ResourceId resource = kNoId;
     bool image = true;
     bool exclusive = false;
-    uint32_t epilogue = 0;  // Position that represents the end of queue 0's frame.
+    uint32_t epilogue = 0;  // Position after the last pass; it represents the end of the frame.
 };
 
 class MultiQueueTracker {
@@ -27,7 +27,7 @@ class MultiQueueTracker {
     // layout, so the first access must wait for the end of the previous frame on queue 0.
     MultiQueueTracker(const QueueRules& rules, const AccessState& entry, bool changes);
 
-    // These functions do the same as the functions of SingleQueueTracker with the same names.
+    // advance() and the functions below have the same meaning as in SingleQueueTracker.
     void advance(std::span<const AccessEvent> events, CellSync& sync);
     void release(const AccessState& exit, CellSync& sync);
     void next_frame();
@@ -69,16 +69,16 @@ class MultiQueueTracker {
     bool written_ = false;
     bool touched_ = false;
     Layout layout_ = Layout::undefined;
-    // The last write or layout transition. Its result is the current content and layout.
+    // The last write or layout transition. It determines the current content and layout.
     std::optional<Past> source_;
-    // Writes of the source that no barrier on the source's queue has made available yet.
+    // Writes of the last writer that no barrier on the writer's queue has made available yet.
     AccessMask unflushed_ = access::kNone;
-    // All writes of the source. Each barrier that does not chain with the first barrier after the source must
-    // make them available again.
+    // All writes of the last writer. A later barrier that does not chain with the first barrier after this
+    // writer must make them available again.
     AccessMask source_writes_ = access::kNone;
-    // Index: bit of the stage. Accesses on the source's queue to which the content is visible.
+    // Index: bit of the stage. Access types to which the content is visible, on the queue of the last writer.
     std::array<AccessMask, stage::kCount> visible_{};
-    std::vector<Past> readers_;  // All readers since the source.
+    std::vector<Past> readers_;  // All readers since the last write or layout transition.
     uint32_t owner_family_ = 0;
 };
 

@@ -11,14 +11,14 @@ void merge_clock(QueueClock& clock, const QueueClock& other) {
     for (size_t q = 0; q < clock.size(); ++q) clock[q] = std::max(clock[q], other[q]);
 }
 
-// Computes the clock of each point in time. A point is a position of a frame; with two frames, the points of
-// the second frame follow those of the first.
+// Computes the vector clock of each point in time. A point is a schedule position in a certain frame; the
+// points of the second frame follow those of the first.
 class ClockWalk {
  public:
     ClockWalk(size_t point_count, size_t queue_count)
         : clocks_(point_count, QueueClock(queue_count, 0)), last_(queue_count, kNoId) {}
 
-    // Starts the clock of a point with the clock of the previous point on the same queue.
+    // The clock of a point starts with the clock of the previous point on the same queue.
     void enter(uint32_t point, QueueIndex queue) {
         if (last_[queue] != kNoId) {
             clocks_[point] = clocks_[last_[queue]];
@@ -37,11 +37,11 @@ class ClockWalk {
 
  private:
     std::vector<QueueClock> clocks_;
-    std::vector<uint32_t> last_;  // Index: queue. The last point on the queue, or kNoId.
+    std::vector<uint32_t> last_;  // Index: queue. The last point on the queue so far, or kNoId.
 };
 
-// Finds the necessary waits by going through two frames. Only waits of the second frame are kept, because it
-// has a previous frame. Every later frame needs the same waits.
+// Finds the necessary semaphore waits by going through two frames. Only the waits of the second frame are
+// kept: it has a previous frame, so every later frame needs the same waits.
 class WaitFinder {
  public:
     WaitFinder(const std::vector<QueueIndex>& queue, size_t queue_count,

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-// Index: queue. 1 + the latest position of the queue that is known to be complete; 0 if none is.
+// Index: queue. 1 + the latest position of that queue that is known to be complete; 0 if no position is.
 using QueueClock = std::vector<uint32_t>;
 
 // Returns the clock of each position within one frame. Entries of `dependencies` from the previous frame are
@@ -22,8 +22,8 @@ struct Wait {
     QueueDependency dependency;
 };
 
-// Returns the smallest set of waits that ensures all dependencies, repeated in every frame. `queue` has one
-// entry more than there are positions: the end of the frame, on queue 0.
+// Returns a minimal set of semaphore waits that ensures all dependencies in every frame. `queue` is the queue
+// of each position, with one more entry at the end: the end of the frame, on queue 0.
 [[nodiscard]] std::vector<Wait> minimal_waits(const std::vector<QueueIndex>& queue, size_t queue_count,
                                               const std::vector<QueueDependency>& dependencies);
 

@@ -6,7 +6,7 @@ namespace weft {
 namespace {
 
 bool draws(const PassDecl& pass) {
-    // A pass with `frame_slices` does not run in every frame, so it never shares a rendering scope.
+    // A pass with frame slices does not run in every frame, so it cannot share a rendering scope.
     return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.frame_slices == 0;
 }
 

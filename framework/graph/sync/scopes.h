@@ -19,10 +19,11 @@ using ScopeTable = std::vector<uint32_t>;
 
 [[nodiscard]] ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
                                      const AttachmentTable& attachments);
-// Removes the candidates before which barriers must be recorded. Returns the others.
+// Returns `scopes` without the passes that cannot continue a rendering scope because a barrier must be
+// recorded between them and the previous pass.
 [[nodiscard]] ScopeTable undivided(ScopeTable scopes, const std::vector<ResourceHistory>& histories);
-// Removes the candidates that are the first pass of a batch, because a scope cannot continue in another
-// batch. Returns the others.
+// Returns `scopes` without the passes that begin a batch, because a rendering scope cannot continue in
+// another batch.
 [[nodiscard]] ScopeTable within_batches(ScopeTable scopes, const SubmissionPlan& submissions);
 
 // Returns the pass whose rendering scope the pass at `position` continues. Returns kNoId if the pass begins

@@ -21,7 +21,7 @@ SingleQueueTracker::SingleQueueTracker(const AccessState& entry)
         return;
     }
     reader_stages_ = entry.stages;
-    visible_.fill(~access::kNone);  // Without a pending write, nothing must be made visible.
+    visible_.fill(~access::kNone);  // The import has no pending write, so nothing must be made visible.
 }
 
 bool SingleQueueTracker::visible(const AccessState& state) const {
@@ -43,8 +43,8 @@ BarrierReason SingleQueueTracker::reason(const AccessEvent& event) const {
     return event.writes ? BarrierReason::war : BarrierReason::layout;
 }
 
-// Returns true if the event and the last event draw to the subresource in the same rendering scope. Then no
-// barrier is needed.
+// Returns true if this event and the previous event on the subresource draw to it in the same rendering
+// scope. Then no barrier is needed.
 bool SingleQueueTracker::merges_render_pass(const AccessEvent& event) const {
     return event.merged_position != kNoId && event.writes && touched_ && !previous_frame_ &&
            position_ == event.merged_position && layout_ == event.state.layout;

@@ -24,7 +24,7 @@ struct LastUse {
     // Stages of the reads since the last barrier; without such reads, the stages of the last write.
     StageMask stages = stage::kNone;
     AccessMask writes = access::kNone;  // Writes that no barrier has made available yet.
-    PassId pass = kNoId;                // The pass if only one pass uses these stages, else kNoId.
+    PassId pass = kNoId;                // The pass of these accesses; kNoId if there are several.
 };
 
 struct CellBarrier {
@@ -37,8 +37,8 @@ struct CellBarrier {
     PassId from = kNoId;
     bool previous_frame = false;
     uint32_t src_family = 0, dst_family = 0;
-    // For one half of a queue family transfer: the position and the other scope of the other half. They are
-    // part of the merge key, because both halves must be merged to the same ranges.
+    // Only for an ownership transfer between queue families: position and state of the other half. Barriers
+    // are merged only if these values are equal, so both halves get the same ranges.
     uint32_t pair_position = 0;
     AccessState pair_state;
 };
@@ -63,7 +63,7 @@ class SingleQueueTracker {
         known,  // A persistent resource without pending accesses.
     };
     explicit SingleQueueTracker(Start start) : taken_over_(start == Start::taken_over) {}
-    // Tracks an import, from its entry state.
+    // Starts with an import in its entry state, in which the program passes it to the frame.
     explicit SingleQueueTracker(const AccessState& entry);
 
     // Processes the first of `events` and adds the barrier that it needs, if any. The barrier also covers the
@@ -75,7 +75,7 @@ class SingleQueueTracker {
     void release(const AccessState& exit, CellSync& sync);
     // Starts the next frame: all accesses so far belong to the previous frame.
     void next_frame() { previous_frame_ = true; }
-    // Drops the content: the layout becomes UNDEFINED.
+    // Marks the content as not needed any more: the layout becomes UNDEFINED.
     void discard();
     void add_last_uses(std::vector<LastUse>& all) const;
     [[nodiscard]] Layout layout() const { return layout_; }
@@ -100,7 +100,7 @@ class SingleQueueTracker {
     AccessMask unflushed_ = access::kNone;
     StageMask reader_stages_ = stage::kNone;  // Stages of the reads since the last barrier.
     std::array<AccessMask, stage::kCount> visible_{};
-    PassId pass_ = kNoId;  // The pass if only one pass used the stages above.
+    PassId pass_ = kNoId;  // The pass of the pending accesses; kNoId if there are several.
     bool several_ = false;
     bool written_ = false;
     bool touched_ = false;

@@ -56,7 +56,7 @@ class Batches {
     // Index: queue. The batch that gets the queue's next pass; kNoBatch if a new batch must begin.
     std::vector<uint32_t> open_;
     std::vector<uint32_t> batch_of_;  // Index: position. Index of the batch that has the pass.
-    std::vector<Batch> batches_;      // Sorted by the position of their first pass.
+    std::vector<Batch> batches_;      // All batches, sorted by the position of their first pass.
 };
 
 }  // namespace

@@ -69,8 +69,8 @@ SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order, const A
     for (;;) {
         SyncTable table = with_scopes(graph, order, attachments, candidates);
         candidates = undivided(table.scopes, table.histories);
-        // If a barrier divides a rendering scope, the scope is removed from the candidates, and the barriers
-        // are computed again. Only the pass that lost its scope then gets more barriers.
+        // If a barrier must be recorded inside a rendering scope, the scope is divided and all barriers are
+        // computed again. Only the pass that then begins its own scope needs more barriers than before.
         if (candidates == table.scopes) return table;
     }
 }

@@ -11,8 +11,8 @@
 namespace weft {
 namespace {
 
-// Number of frames for which a persistent resource is tracked. The first ones only find the state in which a
-// frame leaves the resource. After them, every frame starts and ends in the same state.
+// Number of frames through which a persistent resource is tracked. The first frames only find the state in
+// which a frame leaves the resource. After them, every frame starts and ends in the same state.
 constexpr int kRoundsToSettle = 4;
 
 // Returns all properties of a barrier except its cell. Barriers with equal keys are merged into one barrier
@@ -77,12 +77,12 @@ std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<
 struct QueueUsage {
     bool several_queues = false;
     bool several_families = false;
-    // True if one queue family at a time uses the resource, so that ownership transfers between the uses are
-    // possible.
+    // True if the resource is used by one queue family at a time. Then barriers can transfer its ownership
+    // between the uses.
     bool exclusive = false;
 };
 
-using CellAccesses = std::vector<std::vector<AccessEvent>>;  // Index: cell.
+using CellAccesses = std::vector<std::vector<AccessEvent>>;  // Index: cell. The accesses, by position.
 
 // Returns false if consecutive reads in the same layout run on different queue families. Such reads may run
 // at the same time, so neither family can own the resource.
@@ -121,12 +121,12 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses
     return usage;
 }
 
-// The result of tracking one cell in one frame: the last of the tracked frames, in which the state no longer
-// changes. A role is one resource of a ring, for example the copy of one frame ago.
+// The result of tracking one cell (block of subresources) of a ring: the values of the last tracked frame, in
+// which the state no longer changes.
 struct CellTrace {
-    std::vector<CellSync> sync;                   // Index: role. Barriers and dependencies.
-    std::vector<Layout> entry;                    // Index: role. Layout at the start of the frame.
-    std::vector<std::vector<LastUse>> last_uses;  // Index: role. Last uses on each queue.
+    std::vector<CellSync> sync;  // Index: age in the ring. Barriers and dependencies of the cell.
+    std::vector<Layout> entry;   // Index: age in the ring. Layout at the start of the frame.
+    std::vector<std::vector<LastUse>> last_uses;  // Index: age in the ring. Last uses on each queue.
 };
 
 template <class State>

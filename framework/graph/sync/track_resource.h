@@ -25,7 +25,8 @@ struct ResourceHistory {
     std::vector<BoundaryState> entry;
 };
 
-// One resource with its accesses. In a ring (the copies of a resource with history), each age is one role.
+// One resource with its accesses. The resources of a ring (this frame's copy, the copy of one frame ago, ...)
+// are its roles.
 struct Role {
     const ResourceDecl* decl = nullptr;
     const std::vector<RangeAccess>* events = nullptr;  // The accesses, sorted by schedule position.

@@ -17,7 +17,8 @@ void write_lifetimes(const PlanPage& page, Markup& out);
 void write_memory(const PlanPage& page, Markup& out);
 void write_kept(const PlanPage& page, Markup& out);
 void write_culled(const PlanPage& page, Markup& out);
-void write_words(const PlanPage& page, Markup& out);  // Writes all explanations as text.
+// Writes the last section: all explanations of the page as text.
+void write_words(const PlanPage& page, Markup& out);
 
 // Opens an element that reacts to the pointer, gets keyboard focus and can be selected. `keys` begins with
 // the element's own key, which is also the target of its link.
@@ -37,7 +38,7 @@ void write_legend(Markup& out, const std::vector<std::pair<const char*, const ch
 // pass columns.
 [[nodiscard]] int32_t heading_height_px(const PlanPage& page);
 void write_heading(const PlanPage& page, Markup& out);
-// Draws the vertical lines between the columns, from `top_px` to `bottom_px`.
+// Draws the vertical lines between the columns of passes, from `top_px` to `bottom_px`.
 void write_guides(const PlanPage& page, int32_t top_px, int32_t bottom_px, Markup& out);
 
 // Returns the label of a barrier, edge or wait, which appears when the pointer is over it.

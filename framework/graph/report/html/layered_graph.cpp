@@ -8,8 +8,8 @@ namespace weft {
 namespace {
 
 constexpr int32_t kLineHeight_px = 6;
-// Maximum number of dummy nodes (bend points of edges). If a graph needs more, its longest edges are drawn as
-// straight lines, because nobody can follow so many lines anyway.
+// Maximum number of dummy nodes, at which edges bend. If a graph needs more, its longest edges are drawn as
+// straight lines, because nobody can follow so many lines by eye.
 constexpr size_t kMostDummyNodes = 6000;
 
 // Assigns a layer to each box: the length of the longest path to it. A box without incoming edges goes

@@ -9,7 +9,7 @@
 namespace weft {
 
 struct LayerNode {
-    uint32_t box = UINT32_MAX;  // Index of the box; UINT32_MAX for a dummy node.
+    uint32_t box = UINT32_MAX;  // Index of the box; UINT32_MAX for a dummy node (bend of an edge).
     uint32_t layer = 0;
     int32_t height_px = 0;
     std::vector<uint32_t> before, after;  // Neighbours in the previous and next layers.
@@ -17,9 +17,9 @@ struct LayerNode {
 };
 
 struct LayeredGraph {
-    std::vector<LayerNode> nodes;               // First all boxes, then the dummy nodes.
+    std::vector<LayerNode> nodes;               // First all boxes, then the dummy nodes of edges.
     std::vector<std::vector<uint32_t>> layers;  // The nodes of each layer, from top to bottom.
-    // Index: edge. The dummy nodes on its path; empty for a straight line.
+    // Index: edge. The dummy nodes on its path, at which it bends; empty if the edge is a straight line.
     std::vector<std::vector<uint32_t>> ways;
 };
 
@@ -27,8 +27,8 @@ struct LayeredGraph {
                                        const std::vector<LayoutEdge>& edges);
 // Sorts the nodes of each layer so that few edges cross.
 void order_layers(LayeredGraph& graph);
-// Sets the vertical position of every node, as close to the height of its neighbours as the layer's order
-// allows.
+// Sets the vertical position of every node as close to that of its neighbours as possible, without changing
+// the order in the layer.
 void place_nodes(LayeredGraph& graph);
 
 }  // namespace weft

@@ -63,7 +63,8 @@ void level(LayeredGraph& graph, const std::vector<uint32_t>& layer, int side) {
         if (i > 0) offset += middle_distance_px(graph.nodes[layer[i - 1]], node);
         offsets.push_back(offset);
         wanted.push_back(wanted_px(graph, node, side) - offset);
-        // Dummy nodes have a higher weight, so that long edges are nearly straight and easy to follow.
+        // The dummy nodes of edges have a higher weight than boxes, so that long edges are nearly straight
+        // and easy to follow.
         weights.push_back(node.box == UINT32_MAX ? 4.0 : 1.0);
     }
     const std::vector<double> settled = settle(wanted, weights);

@@ -181,7 +181,7 @@
       event.preventDefault();
       zoom(scale * zoomStep ** (-Math.sign(event.deltaY)), event.clientX, event.clientY);
     }, { passive: false });
-    // A mouse drag on empty space moves the drawing.
+    // Dragging empty space with the mouse scrolls the drawing.
     frame.addEventListener("pointerdown", (event) => {
       if (event.pointerType !== "mouse" || event.button !== 0 || event.target.closest("a")) return;
       const from = { x: event.clientX + frame.scrollLeft, y: event.clientY + frame.scrollTop };
@@ -196,7 +196,8 @@
     });
   }
 
-  // Opening a repeat shows the drawing with all its iterations instead of the drawing in which the repeat is one box.
+  // The "+" link of a repeat opens the drawing that shows all iterations, instead of the drawing that shows the repeat
+  // as one box.
   const rounds = graph.querySelector("details.rounds");
   for (const opener of graph.querySelectorAll(".open"))
     opener.addEventListener("click", (event) => {

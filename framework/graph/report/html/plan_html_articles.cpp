@@ -1,4 +1,5 @@
-// Writes the explanations of passes and resources, and functions that all explanations share.
+// Writes the explanations of passes and resources. The functions that other explanations also use are here,
+// too.
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"

@@ -112,7 +112,8 @@ void EdgePath::curve(PointPx first, PointPx second, PointPx to) {
 
 void EdgePath::bend(PointPx corner, PointPx to) {
     path_ += "Q" + point(corner) + " " + point(to);
-    // The same control point twice gives a cubic curve close to the quadratic one.
+    // The points follow a cubic curve with both control points at the corner, which is close enough to the
+    // quadratic curve.
     follow(corner, corner, to);
 }
 
@@ -135,7 +136,7 @@ std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                        const std::vector<AreaPx>& boxes, PointPx drawing) {
     Occupied occupied(drawing);
     for (const AreaPx& box : boxes) occupied.take(box, kNoId);
-    // Paths with equal names share one owner, so they may touch the name.
+    // The index of the first path with each name. Paths with equal names may touch the placed name.
     std::map<NameChoices, uint32_t> by_name;
     std::vector<uint32_t> owner;
     for (uint32_t i = 0; i < paths.size(); ++i) {
@@ -143,7 +144,8 @@ std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
         for (const PointPx& p : paths[i].points()) occupied.take({p.x - 1, p.y - 1, 2, 2}, owner[i]);
     }
     std::vector<EdgeName> placed(paths.size());
-    std::vector<std::vector<AreaPx>> areas(paths.size());  // Index: owner. The areas of its placed names.
+    // Index: owner (the first path with the same name). Areas where the name is placed.
+    std::vector<std::vector<AreaPx>> areas(paths.size());
     for (uint32_t i = 0; i < paths.size(); ++i) {
         if (passes_through(paths[i], areas[owner[i]])) continue;
         for (const std::string& text : names[i]) {

@@ -10,7 +10,7 @@
 
 namespace weft {
 
-// The path of an SVG element, and points on it with distances of at most kWayStep_px.
+// The path of an SVG element, and points along it that are at most kWayStep_px apart.
 class EdgePath {
  public:
     void move(PointPx to);

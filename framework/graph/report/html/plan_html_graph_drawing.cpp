@@ -13,7 +13,7 @@ namespace {
 
 constexpr int32_t kBoxHeight_px = 44;
 constexpr int32_t kMargin_px = 16;
-constexpr int32_t kRoomyGraph_px = 880;                  // Width that a graph with few layers is widened to.
+constexpr int32_t kRoomyGraph_px = 880;                  // A graph with few layers is widened to this width.
 constexpr int32_t kLeastGap_px = 64, kMostGap_px = 120;  // Limits of the horizontal gap between layers.
 // Height of one lane below the boxes. Each edge from one frame to the next has its own lane.
 constexpr int32_t kLane_px = 20;
@@ -128,8 +128,8 @@ class GraphDrawing {
         const GraphLink& item = graph_.links[index];
         const int32_t offset_px = kBoxHeight_px / 2 + port_offset_px(item.kind);
         std::vector<PointPx> points{{right_px(item.from), corner(item.from).y + offset_px}};
-        // Links within the frame come first in graph_.links, in the order in which the layout got them as
-        // edges.
+        // The layout's edges are the links within the frame. They come first in graph_.links, so both lists
+        // have the same indices.
         for (const PointPx& bend : layout_.bends[index])
             points.push_back({bend.x + kMargin_px, bend.y + kMargin_px + port_offset_px(item.kind) / 3});
         points.push_back({corner(item.to).x - 5, corner(item.to).y + offset_px});
@@ -288,7 +288,8 @@ class GraphDrawing {
     NodeGraph graph_;
     std::vector<LayoutBox> boxes_;
     LayeredLayout layout_;
-    std::vector<size_t> drawn_;    // Indices into graph_.links, in the order of choice of places for names.
+    // Indices into graph_.links. Earlier links choose the place of their name first.
+    std::vector<size_t> drawn_;
     std::vector<EdgePath> paths_;  // The path of each link in drawn_.
 };
 

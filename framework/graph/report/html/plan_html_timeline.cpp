@@ -10,7 +10,7 @@
 namespace weft {
 namespace {
 
-constexpr int32_t kLaneTop_px = 22;  // Space for the name of a batch.
+constexpr int32_t kLaneTop_px = 22;  // Space at the top of a batch for its name.
 constexpr int32_t kRowHeight_px = static_cast<int32_t>(kMarkRows) * kMarkStepY_px;
 constexpr int32_t kLaneHeight_px = kLaneTop_px + kRowHeight_px + 10;
 constexpr int32_t kLaneGap_px = 26;  // Gap between rows, where the arrows of waits turn.

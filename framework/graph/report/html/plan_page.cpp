@@ -68,10 +68,10 @@ class LastWriters {
     }
 
     SubresourceGrid grid_;
-    std::vector<std::vector<PassId>> writers_;  // Index: cell.
+    std::vector<std::vector<PassId>> writers_;  // Index: cell of the resource. Its last writers.
 };
 
-// A read of content from before this frame.
+// A read of content that no pass of the same frame wrote.
 struct PastRead {
     PassId pass = kNoId;
     ResourceId resource = kNoId;

@@ -18,11 +18,11 @@ enum class BarrierPlace : uint8_t { prologue, before_pass, after_pass, epilogue 
 struct BarrierItem {
     const BarrierDecl* barrier = nullptr;
     BarrierPlace place = BarrierPlace::before_pass;
-    uint32_t position = kNoId;  // Position of the pass beside it; kNoId for prologue and epilogue.
+    uint32_t position = kNoId;  // Position of the barrier's pass; kNoId in the prologue and epilogue.
 };
 
-// An edge from one pass to another that must run later. It has all resources that are the reason, for one
-// kind of dependency.
+// All dependencies of one kind between two passes, shown as one edge: `to` must run after `from`. `resources`
+// are the resources that are the reason.
 struct EdgeItem {
     PassId from = kNoId;
     PassId to = kNoId;
@@ -34,7 +34,7 @@ struct EdgeItem {
 // A repeat with many iterations. The graph can draw all its passes as one box.
 struct RepeatItem {
     std::string name;            // Name of the repeat, without "#" and number.
-    std::vector<PassId> passes;  // Its iterations in schedule order.
+    std::vector<PassId> passes;  // The passes of its iterations, in schedule order.
 };
 
 struct WaitItem {
@@ -42,8 +42,8 @@ struct WaitItem {
     const QueueWait* wait = nullptr;
 };
 
-// The column of a pass in the sections with pass columns. The space left of the pass's box is for the marks
-// of its barriers.
+// The column of a pass in the drawings of the page. The space left of the pass's box is for the marks of its
+// barriers.
 struct PageColumn {
     int32_t left_px = 0;
     int32_t width_px = 0;
@@ -67,9 +67,10 @@ struct PageColumns {
 struct PlanPage {
     const FramePlan* plan = nullptr;
     PlanPageInfo info;
-    std::vector<BarrierItem> barriers;  // First those of the prologue, then by position, then the epilogue.
-    std::vector<EdgeItem> edges;        // Sorted by history, from, to and kind.
-    std::vector<RepeatItem> repeats;    // Repeats with many iterations.
+    // All barriers: the prologue's, then by position, then the epilogue's.
+    std::vector<BarrierItem> barriers;
+    std::vector<EdgeItem> edges;      // All edges, sorted by history, from, to and kind.
+    std::vector<RepeatItem> repeats;  // Repeats with many iterations.
     std::vector<WaitItem> waits;
     // Index: ResourceId. The passes that use the resource, ascending.
     std::vector<std::vector<PassId>> users;

@@ -7,7 +7,7 @@
 
 namespace weft {
 
-// Maximum number of barrier marks below each other; more marks go into further columns.
+// The marks of barriers are drawn in columns of at most this many marks.
 inline constexpr size_t kMarkRows = 4;
 inline constexpr int32_t kMarkStepX_px = 13;
 inline constexpr int32_t kMarkStepY_px = 13;
@@ -20,7 +20,7 @@ inline constexpr int32_t kRoomyBox_px = 150;
 // Width that all columns together fill if there are few passes.
 inline constexpr int32_t kRoomyWidth_px = 740;
 inline constexpr size_t kMostNameCharacters = 24;
-inline constexpr size_t kLeastNameCharacters = 4;  // A name shortened below this length is omitted.
+inline constexpr size_t kLeastNameCharacters = 4;  // If fewer characters fit, a name is omitted.
 
 // Returns the width of a name in the page's monospaced font, with a margin.
 [[nodiscard]] int32_t name_width_px(const std::string& name);
