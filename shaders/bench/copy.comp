@@ -1,4 +1,4 @@
-// Copies memory: each invocation reads and writes 16 bytes.
+// Copies memory for `weft bench frame`: each invocation reads and writes 16 bytes.
 #version 460
 
 layout(local_size_x = 256) in;

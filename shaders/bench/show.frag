@@ -1,4 +1,4 @@
-// Reads all measured results, so that no pass is culled.
+// Reads the results of all measured passes. Without a reader, the graph compiler would remove these passes.
 #version 460
 
 layout(location = 0) out vec4 backbuffer;

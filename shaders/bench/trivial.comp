@@ -1,4 +1,4 @@
-// The cheapest possible pass over a picture: reads one texel and writes one texel.
+// The cheapest useful pass over a picture, for `weft bench frame`: it reads one texel and writes one texel per pixel.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,4 +1,4 @@
-// Computes the next smaller mip.
+// Computes a mip of the bloom image from the next larger mip.
 #version 460
 #include "half_float.glsl"
 #include "thirteen_taps.glsl"

@@ -1,6 +1,6 @@
-// The picture at half its size. Boxes with a bright texel get less weight, because the texel would otherwise
-// flicker in all mips: Karis 2013, "Tone Mapping". `calm` 0 conserves all light, 1 reduces values brighter
-// than white.
+// Halves the size of the picture. A box of 2×2 taps with a bright texel gets less weight, because the texel would
+// flicker in all mips: Karis 2013, "Tone Mapping". With `calm` = 0, the total light does not change. With `calm` = 1,
+// boxes brighter than white get much less weight.
 #version 460
 #include "half_float.glsl"
 #include "thirteen_taps.glsl"

@@ -1,5 +1,5 @@
-// The light that the lens scatters, for a pass with alpha blending: the picture keeps 1 − strength of its
-// light.
+// Adds the light that the lens scatters. The pass uses alpha blending: the share `strength` of the picture is replaced
+// by the blurred picture, and the share 1 − strength remains.
 #version 460
 #include "tent.glsl"
 

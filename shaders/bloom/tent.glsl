@@ -1,4 +1,4 @@
-// A tent filter of 3×3 bilinear taps: upsamples a coarse mip without visible squares.
+// Upsamples a coarse mip with a tent filter of 3×3 bilinear taps, so that its texels are not visible as squares.
 
 vec3 tent(sampler2D src, vec2 uv) {
     const vec2 texel = 1.0 / vec2(textureSize(src, 0));

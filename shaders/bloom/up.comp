@@ -1,5 +1,5 @@
-// Blends the coarser mip into this one, in place. Part of the light spreads outwards; the total does not
-// increase.
+// Blends the next smaller mip into this mip, in place. This spreads part of the light over a wider area. The total
+// light does not increase.
 #version 460
 #include "half_float.glsl"
 #include "tent.glsl"
@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D coarse;
 layout(rgba16f) uniform image2D bloom;
 
-layout(push_constant) uniform Params { float spread; } params;  // 0 to 1: weight of the coarser mip
+layout(push_constant) uniform Params { float spread; } params;  // Weight of the smaller mip, 0 to 1.
 
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

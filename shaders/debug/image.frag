@@ -1,5 +1,5 @@
-// Shows an image whose format can be filtered (float, normalised, depth). Output: sRGB-encoded [0, 1]. DECODE
-// is an index into debug_decoders().
+// Debug view of an image whose format can be filtered (float, normalised, depth). Output: sRGB-encoded, [0, 1]. DECODE
+// selects how values become colours: it is an index into debug_decoders() in C++.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
@@ -15,15 +15,15 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform sampler2D shown;
-uniform sampler2D surface;  // depth drawn together with the image: 0 where nothing was drawn
+uniform sampler2D surface;  // Depth image of the same pass: 0 where nothing was drawn. Such pixels are striped.
 
 layout(push_constant) uniform Params {
-    float black, white;  // values shown as black and as white
+    float black, white;  // The values that are shown as black and as white.
 } params;
 
 float ranged(float x) { return (x - params.black) / (params.white - params.black); }
 
-// Reversed depth, near / distance, shown in octaves of the distance in metres.
+// Converts reversed depth (near plane / distance) to grey, on a logarithmic scale of the distance in metres.
 vec3 depth_color(float z) {
     if (z <= 0.0) return nothing_color(ivec2(gl_FragCoord.xy));
     return vec3(1.0 - ranged(log2(1.0 + view.near_m / z)));
@@ -51,7 +51,7 @@ void main() {
     const vec4 x = texture(shown, uv);
     const bool odd = any(isnan(x)) || any(isinf(x));
     const bool nothing = HAS_surface && textureLod(surface, uv, 0.0).r <= 0.0;
-    // NaN and infinity get a conspicuous colour.
+    // NaN and infinity are shown in magenta, because they are usually errors.
     const vec3 picked = odd ? vec3(1.0, 0.0, 1.0) : nothing ? nothing_color(ivec2(gl_FragCoord.xy)) : clamp(decoded(x), 0.0, 1.0);
     color = vec4(with_legend(picked, DECODE, params.black, params.white), 1.0);
 }

@@ -1,5 +1,5 @@
-// Shows the words of a buffer as floats, row by row from the top left. Output: sRGB-encoded [0, 1]. DECODE is
-// an index into debug_decoders().
+// Debug view of a buffer: shows each 32-bit word as a float, row by row from the top left. Output: sRGB-encoded, [0,
+// 1]. DECODE selects how values become colours: it is an index into debug_decoders() in C++.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
@@ -14,7 +14,7 @@ layout(location = 0) out vec4 color;
 readonly buffer Shown { float items[]; } shown;
 
 layout(push_constant) uniform Params {
-    float black, white;  // values shown as black and as white
+    float black, white;  // The values that are shown as black and as white.
 } params;
 
 void main() {
@@ -23,12 +23,12 @@ void main() {
     const uvec2 at = uvec2(uv * float(side));
     const uint i = at.y * side + at.x;
     if (i >= count) {
-        color = vec4(0.1, 0.1, 0.1, 1.0);  // after the end of the buffer
+        color = vec4(0.1, 0.1, 0.1, 1.0);  // Dark grey: this pixel is after the end of the buffer.
         return;
     }
     const float y = (float(shown.items[i]) - params.black) / (params.white - params.black);
     const vec3 picked = DECODE == 12 ? index_color(uint(shown.items[i])) : DECODE == 11 ? heat_color(y) : vec3(y);
-    // All decoders except "index" show a buffer with heat colours or in grey.
+    // Choose the legend. All decoders except "index" (12) show a buffer in heat colours (11) or in grey.
     const uint legend = DECODE == 12 || DECODE == 11 ? DECODE : kFirstChannel;
     color = vec4(with_legend(clamp(picked, 0.0, 1.0), legend, params.black, params.white), 1.0);
 }

@@ -1,4 +1,4 @@
-// Shows an image of signed integers. Output: sRGB-encoded [0, 1]. DECODE is an index into debug_decoders().
+// Debug view of an image of signed integers. Output: sRGB-encoded, [0, 1]. DECODE indexes debug_decoders() (C++).
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
@@ -12,10 +12,10 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform isampler2D shown;
-uniform sampler2D surface;  // depth drawn together with the image: 0 where nothing was drawn
+uniform sampler2D surface;  // Depth image of the same pass: 0 where nothing was drawn. Such pixels are striped.
 
 layout(push_constant) uniform Params {
-    float black, white;  // values shown as black and as white
+    float black, white;  // The values that are shown as black and as white.
 } params;
 
 void main() {

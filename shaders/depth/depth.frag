@@ -1,4 +1,4 @@
-// Depth of surfaces that hide the surfaces behind them: masked surfaces have holes.
+// Writes only the depth of opaque and masked surfaces. Masked surfaces have holes, whose fragments are discarded.
 #version 460
 #include "material_set.glsl"
 #include "surface_fragment.glsl"

@@ -1,4 +1,4 @@
-// Geometry for a pass that writes only depth.
+// Transforms the vertices of surfaces for a pass that writes only depth.
 #version 460
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"

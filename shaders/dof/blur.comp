@@ -1,6 +1,6 @@
-// Gathers light over the lens: every pixel whose circle covers this pixel contributes to it. Input and output
-// are premultiplied. Layer 0: behind the focus. Layer 1: in front of it; alpha is the covered share of the
-// layers below. Layer 2: an estimate of the hidden colours, computed from visible neighbours.
+// Blurs the half-size layers: each pixel gets the light of all pixels whose circle of confusion covers it. Colours are
+// premultiplied. Output layer 0: surfaces behind the focus; layer 1: surfaces in front of it, alpha is their coverage;
+// layer 2: an estimate of the colours that layer 1 hides, computed from visible neighbours.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -17,19 +17,19 @@ layout(rgba16f) writeonly uniform image2DArray soft;
 
 const float kPi = 3.14159265358979;
 
-// The gather reads every texel in its range, unfiltered. A lamp is a few texels wide and a thousand times as
-// bright as the sky. Taps that skip texels would hit it from one pixel and miss it from the next; filtered
-// taps would combine its light with the radius of the sky's circles. Both cause visible sparks around lamps.
+// The loops below read every texel in range, unfiltered. A lamp is a few texels wide and a thousand times as bright as
+// the sky. Taps that skip texels would hit the lamp from one pixel and miss it from the next. Filtered taps would
+// combine the light of the lamp with the radius of the sky's circles. Both would cause sparks around lamps.
 ivec2 inside(ivec2 at) { return clamp(at, ivec2(0), textureSize(circles, 0) - 1); }
 
-// Light is distributed over the area of its circle; the circle's edge is one pixel wide. The sum over all
-// pixels is 1.
+// Returns the share of a pixel's light that arrives at the given distance. The light is spread evenly over the circle,
+// whose edge is one pixel wide. The shares of all pixels add up to 1.
 float share(float radius, float distance_px) {
     const float wide = max(radius, 0.5);
     return clamp(wide - distance_px + 0.5, 0.0, 1.0) / (kPi * (wide * wide + 1.0 / 12.0));
 }
 
-// Half the width of row `y` of a disc.
+// Returns half the width of row `y` of a disc with this radius.
 int row_reach(float radius, int y) { return int(sqrt(max(radius * radius - float(y * y), 0.0))); }
 
 vec4 far_light(ivec2 pixel) {
@@ -64,8 +64,8 @@ Foreground close_light(ivec2 pixel) {
             const ivec2 at = inside(pixel + ivec2(x, y));
             const float distance2 = float(x * x + y * y);
             f.light += texelFetch(before, at, 0) * share(texelFetch(circles, at, 0).g, sqrt(distance2));
-            // Close neighbours have the highest weight, so the estimate continues the visible colours without
-            // an edge.
+            // The estimate is a weighted mean. Close neighbours have the highest weight, so that the estimate continues
+            // the visible colours without an edge.
             f.below += texelFetch(hidden, at, 0) / (1.0 + distance2 * distance2);
         }
     }

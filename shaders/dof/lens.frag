@@ -1,6 +1,6 @@
-// Combines both blurs with the sharp picture, for a pass that blends premultiplied colours. A pixel's own
-// depth decides whether it is blurred behind the focus, so edges of sharp surfaces stay sharp. Through the
-// blur of a foreground pixel the estimated hidden colour is visible, not the sharp pixel.
+// Combines the blurred layers with the sharp picture. The pass blends premultiplied colours. The depth of a pixel
+// itself decides whether the pixel is blurred as background, so the edges of sharp surfaces stay sharp. Through a
+// blurred foreground, the estimated hidden colour is visible instead of the sharp pixel.
 #version 460
 #include "frame_set.glsl"
 #include "circle.glsl"
@@ -13,7 +13,7 @@ uniform sampler2D depth;
 
 layout(push_constant) uniform Params { float focus; float aperture; } params;
 
-// Bilinear interpolation, smoothed over two pixels, which hides the gaps between taps.
+// Reads a layer with bilinear interpolation, as a mean over two pixels. This hides the gaps between taps.
 vec4 smoothed(float layer) {
     const vec2 texel = 1.0 / vec2(textureSize(soft, 0).xy);
     vec4 sum = vec4(0.0);

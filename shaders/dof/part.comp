@@ -1,10 +1,10 @@
-// Splits the picture at half resolution into three layers: blurred behind the focus, blurred in front of it,
-// and colours hidden by the front layer. Each is multiplied by its share before averaging: sharp surfaces
-// have no weight in the blurs, so their light does not spread. Liu 2016, "Rendering 'Monster Hunter Online'".
+// Splits the picture into three half-size layers: surfaces behind the focus, surfaces in front of it, and surfaces that
+// the front layer may hide. Each colour is multiplied by its share of blur before averaging, so sharp surfaces have no
+// weight in the blurred layers. Source: Liu 2016, "Rendering 'Monster Hunter Online'".
 //
-// Each half stores one radius per pixel: the mean of four, weighted by their light. In a pixel with a lamp
-// and the sky, nearly all light comes from the lamp, so it spreads over the lamp's circle and not over the
-// sky's larger one.
+// Each pixel also stores one circle radius behind and one in front of the focus. The radius is the mean of four pixels,
+// weighted by their light. If a lamp and the sky share a pixel, nearly all light comes from the lamp. This light then
+// spreads over the small circle of the lamp, and not over the larger circle of the sky.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -17,11 +17,11 @@ uniform sampler2D depth;
 layout(rgba16f) writeonly uniform image2D behind;
 layout(rgba16f) writeonly uniform image2D before;
 layout(rgba16f) writeonly uniform image2D hidden;
-layout(rg16f) writeonly uniform image2D circles;  // radii behind and in front of the focus
+layout(rg16f) writeonly uniform image2D circles;  // Radii in pixels, r: behind the focus, g: in front of it.
 
 layout(push_constant) uniform Params { float focus; float aperture; } params;
 
-// The weight of a radius in the mean. Black pixels also have a small weight.
+// Returns the weight of a pixel's radius in the mean: its brightness. Black pixels have a small weight, too.
 float weight(vec4 color) { return dot(color.rgb, vec3(0.25, 0.5, 0.25)) + 1e-4 * color.a; }
 
 void main() {

@@ -1,4 +1,4 @@
-// For each block of 8×8 pixels, the largest circle in front of the focus that may overlap it.
+// Finds, for each block of 8×8 pixels, the radius of the largest circle in front of the focus that may overlap it.
 #version 460
 #include "frame_set.glsl"
 #include "circle.glsl"

@@ -1,4 +1,4 @@
-// Draws lines over a pale picture: black where depth jumps, red at creases of the surface.
+// Draws lines over a pale version of the picture: black lines at jumps of depth, red lines at creases of surfaces.
 #version 460
 #include "srgb.glsl"
 
@@ -9,14 +9,14 @@ uniform sampler2D hdr;
 uniform sampler2D lines;
 
 layout(push_constant) uniform Params {
-    float faint;  // 0: white paper, 1: the picture
+    float faint;  // Strength of the picture below the lines: 0 shows white paper, 1 the full picture.
     float exposure;
-    float lineWidth;  // in pixels
+    float lineWidth;  // Width of the lines, in pixels.
 } params;
 
 const vec3 kPaper = vec3(0.93, 0.91, 0.86), kInk = vec3(0.012, 0.018, 0.05), kRed = vec3(0.52, 0.06, 0.02);
 
-// Anti-aliasing: the mean around the pixel, darkened so that thin lines remain visible.
+// Anti-aliases the lines: returns the mean of four taps around the pixel, strengthened so that thin lines stay visible.
 vec2 smooth_lines() {
     const vec2 texel = 1.0 / vec2(textureSize(lines, 0));
     vec2 sum = vec2(0.0);
@@ -25,7 +25,7 @@ vec2 smooth_lines() {
     return min(sum * 1.6, vec2(1.0));
 }
 
-// The share of the neighbourhood that is black: about 0.2 beside a line, more among leaves.
+// Returns the share of black in 7×7 taps around the pixel: about 0.2 beside a single line, more among leaves.
 float crowding() {
     const vec2 step_uv = max(1.0, params.lineWidth) / vec2(textureSize(lines, 0));
     float sum = 0.0;
@@ -38,7 +38,7 @@ void main() {
     const vec2 line = smooth_lines();
     vec3 color = kPaper * mix(vec3(1.0), scene, params.faint);
     color = mix(color, kRed, line.g * 0.7 * (1.0 - line.r));
-    // Where lines would merge they are drawn lighter, so that single leaves stay visible.
+    // Where many lines are close together, they are drawn lighter. Otherwise, leaves would become black areas.
     color = mix(color, kInk, line.r * mix(1.0, 0.45, smoothstep(0.34, 0.6, crowding())));
     backbuffer = vec4(srgb_encode(color), 1.0);
 }

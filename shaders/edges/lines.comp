@@ -1,7 +1,7 @@
-// Finds discontinuities of the picture. r: depth jumps; g: creases of the surface.
-//
-// Depth is near / distance, which is linear in screen space on any plane, at any angle. Only where its second
-// difference is not 0 does a surface end or bend. The line is drawn on the nearer side, `lineWidth` wide.
+// Finds the lines of the picture. Output r: jumps of depth, where a surface ends; g: creases, where a surface
+// bends.
+// Depth is near plane / distance. On any plane, this value is linear in screen space. So its second difference is
+// not 0 only where a surface ends or bends. Lines at jumps are drawn on the nearer side, `lineWidth` pixels wide.
 #version 460
 #include "octahedral.glsl"
 
@@ -12,9 +12,9 @@ uniform sampler2D normal;
 layout(rg8) writeonly uniform image2D lines;
 
 layout(push_constant) uniform Params {
-    float lineWidth;  // in pixels
-    float jump;       // smallest depth jump, relative to the distance
-    float crease;     // smallest angle, in degrees
+    float lineWidth;  // Width of the lines, in pixels.
+    float jump;       // Smallest jump of depth that gives a line, relative to the distance.
+    float crease;     // Smallest angle between two normals that gives a line, in degrees.
 } params;
 
 ivec2 inside(ivec2 pixel) { return clamp(pixel, ivec2(0), textureSize(depth, 0) - 1); }

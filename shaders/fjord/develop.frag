@@ -1,4 +1,4 @@
-// The final picture: the view with light shafts, vignetting and a filmic curve.
+// Makes the final picture: adds light shafts to the view, darkens the corners (vignette) and applies a filmic curve.
 #version 460
 #include "srgb.glsl"
 

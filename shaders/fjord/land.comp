@@ -1,6 +1,6 @@
-// The height map of the land, computed once for all rays: ridges that are rough at the top and smooth in the
-// valleys (Musgrave 1989, "The Synthesis and Rendering of Eroded Fractal Terrains"), with a curved valley
-// that contains the water.
+// Computes the height map of the land once, so that all rays can read it. The ridges are rough at the top and smooth in
+// the valleys (Musgrave 1989, "The Synthesis and Rendering of Eroded Fractal Terrains"). A curved valley contains the
+// water.
 #version 460
 #include "land.glsl"
 

@@ -1,9 +1,9 @@
-// The layout of the scene. Kilometres; y is up, the water is at 0, the camera looks along +z.
+// Constants and noise functions of the scene. Units: km. y points up, the water is at y = 0, the camera looks along +z.
 
 const vec2 kLandCorner = vec2(-8.0, -1.0);
 const float kLandSide = 16.0;
 const vec3 kEye = vec3(0.15, 0.05, 0.0);
-const float kFocal = 1.45;  // in units of half the picture's height
+const float kFocal = 1.45;  // Focal length, in units of half the height of the picture.
 const float kHighest = 2.1;
 
 vec3 to_sun() { return normalize(vec3(-0.16, 0.105, 1.0)); }
@@ -19,7 +19,7 @@ uint bits_of(ivec2 p) {
 
 float corner(ivec2 p) { return float(bits_of(p) >> 8) / 16777216.0; }
 
-// Smooth noise in [0, 1] with lattice spacing 1.
+// Returns smooth noise in [0, 1]. The random values are at integer coordinates and are interpolated between them.
 float noise(vec2 p) {
     const vec2 cell = floor(p), f = p - cell;
     const vec2 s = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
@@ -28,11 +28,11 @@ float noise(vec2 p) {
                mix(corner(i + ivec2(0, 1)), corner(i + ivec2(1, 1)), s.x), s.y);
 }
 
-// Coordinates for the next octave: about twice the frequency, rotated so that lattices are not aligned.
+// Returns coordinates for the next octave: twice the frequency, rotated so that the lattices of octaves do not align.
 vec2 finer(vec2 p) { return mat2(1.6, 1.2, -1.2, 1.6) * p + 17.3; }
 
-// Noise for a footprint of this width (in units of the first lattice): octaves finer than the footprint are
-// replaced by their mean, because they would cause flickering.
+// Adds octaves of noise, filtered for a footprint of this width (in units of the first lattice). Octaves that are finer
+// than the footprint are replaced by their mean, because they would flicker.
 float soft_noise_within(vec2 p, int octaves, float width) {
     float sum = 0.0, share = 0.5;
     for (int i = 0; i < octaves; ++i, share *= 0.5, width *= 2.0, p = finer(p))

@@ -1,5 +1,5 @@
-// Light shafts: sums the light between a pixel and the sun's position in the picture. Mitchell 2007,
-// "Volumetric Light Scattering as a Post-Process", GPU Gems 3.
+// Computes light shafts: for each pixel, it adds up the light on the line from the pixel to the sun's position in the
+// picture. Source: Mitchell 2007, "Volumetric Light Scattering as a Post-Process", GPU Gems 3.
 #version 460
 #include "half_float.glsl"
 #include "land.glsl"

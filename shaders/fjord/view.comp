@@ -1,5 +1,5 @@
-// Traces four rays per pixel over land, water and sky at sunset. Output: scene-linear; alpha: the visible
-// share of the sky around the sun, the source of the light shafts.
+// Renders land, water and sky at sunset, with four rays per pixel. Output rgb: scene-linear radiance. Output alpha: how
+// much of the pixel is sky; light shafts come only from visible sky.
 #version 460
 #include "half_float.glsl"
 #include "land.glsl"
@@ -31,9 +31,9 @@ vec3 sky(vec3 ray) {
     return color + vec3(42.0, 26.0, 13.0) * smoothstep(0.99982, 0.99992, toward) * (1.0 - cloud);
 }
 
-// The distance at which the ray hits the land, or kFarthest. The step size grows with the height above the
-// land, slowly enough for steep peaks, and is at least `least` times the distance. The last step is halved
-// repeatedly to decide on which side of a ridge the ray ends, because the far side is sunlit.
+// Returns the distance at which the ray hits the land, or kFarthest. A step is a quarter of the height above the land,
+// and at least `least` times the distance. When a step ends below the land, its interval is halved 5 times. This
+// precision decides on which side of a ridge the ray ends, and the far side of a ridge is sunlit.
 float land_distance(vec3 from, vec3 ray, float start, float least) {
     float t = start, before = start, gap = 1.0;
     for (int i = 0; i < kSteps; ++i) {
@@ -66,7 +66,7 @@ float sunlit(vec3 p) {
     return smoothstep(0.0, 1.0, lit);
 }
 
-// The width of a pixel at that distance.
+// Returns the width of a pixel at this distance, in km.
 float footprint_km(float distance_km) { return distance_km * 2.0 / (kFocal * float(imageSize(scene).y)); }
 
 vec3 normal_at(vec2 xz, float distance_km) {
@@ -92,7 +92,7 @@ vec3 ground(vec3 p, float distance_km) {
     return albedo * (kSunLight * direct + kShade * (0.6 + 0.4 * n.y) + vec3(0.20, 0.11, 0.07) * max(0.0, 0.4 - 0.6 * n.z));
 }
 
-// Fog that is dense above the water, thin higher up, and bright around the sun.
+// Mixes the colour with fog along the ray. The fog is dense above the water, thin higher up, and bright around the sun.
 vec3 through_air(vec3 color, vec3 from, vec3 ray, float distance_km) {
     const float fall = 4.5, k = fall * ray.y;
     const float column = exp(-fall * from.y) * (abs(k) > 1e-3 ? (1.0 - exp(-k * distance_km)) / k : distance_km);
@@ -109,14 +109,14 @@ vec3 land_or_sky(vec3 from, vec3 ray, float start, float least, out float met) {
     return met < kFarthest ? through_air(ground(p, met), from, ray, met) : sky(ray);
 }
 
-// Waves; the larger the distance, the fewer small waves are visible.
+// Returns the normal of the water surface with waves. With growing distance, the waves become flatter.
 vec3 wave_normal(vec2 xz, float distance_km) {
     const vec2 p = xz * vec2(90.0, 160.0) + vec2(0.3, 0.8) * params.time;
     const float calm = 0.035 / (1.0 + 1.6 * distance_km);
     return normalize(vec3((soft_noise(p, 3) - 0.44) * calm, 1.0, (soft_noise(p + 40.0, 3) - 0.44) * calm * 2.0));
 }
 
-// The colour along the ray through this point of the picture; alpha: share of the sun's sky.
+// Returns the colour at a point of the picture. Alpha is 1 if the ray sees the sky, otherwise 0.
 vec4 seen_at(vec2 at, vec2 size) {
     const vec2 screen = (2.0 * at - size) / size.y;
     const vec3 ray = normalize(vec3(screen.x, 0.10 - screen.y, kFocal));
@@ -134,15 +134,15 @@ vec4 seen_at(vec2 at, vec2 size) {
     return vec4(through_air(mix(vec3(0.008, 0.025, 0.04), min(mirrored, vec3(9.0)), fresnel), kEye, ray, water), 0.0);
 }
 
-// Brighter rays of a pixel get less weight: a sunlit ridge thinner than a pixel would otherwise appear as
-// single dots.
+// Averages the rays of a pixel. Brighter rays get less weight: otherwise, a sunlit ridge that is thinner than a pixel
+// would appear as single dots.
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(scene);
     if (any(greaterThanEqual(pixel, size))) return;
     vec3 sum = vec3(0.0);
     float weights = 0.0, open = 0.0;
     for (int i = 0; i < kRays; ++i) {
-        const vec2 within = (vec2(i, (2 * i + 1) % 5) + 0.5) / float(kRays);  // rows 1, 3, 0, 2: a rotated grid
+        const vec2 within = (vec2(i, (2 * i + 1) % 5) + 0.5) / float(kRays);  // Rows 1, 3, 0, 2: a rotated grid.
         const vec4 seen = seen_at(vec2(pixel) + within, vec2(size));
         const float weight = 1.0 / (1.0 + max(seen.r, max(seen.g, seen.b)));
         sum += min(seen.rgb, vec3(60.0)) * weight;

@@ -1,5 +1,5 @@
-// Shades a surface in the same pass that draws it. Opaque and masked surfaces hide those behind; transparent
-// ones are blended by their premultiplied alpha. Output: scene-linear Rec.709, cd/m² × preExposure.
+// Draws a surface and lights it in the same pass. Opaque and masked surfaces hide the surfaces behind them. Transparent
+// surfaces are blended with premultiplied alpha. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
 #include "brdf.glsl"
 #include "frame_set.glsl"
@@ -12,9 +12,9 @@
 
 layout(constant_id = 0) const bool MASKED = false;
 layout(constant_id = 1) const bool BLENDED = false;
-// Rounds values as the G-buffer of the deferred pipeline does, so that the two can be compared.
+// If true, rounds all inputs to the precision of the deferred G-buffer, so that both pipelines can be compared.
 layout(constant_id = 2) const bool QUANTIZED = false;
-// True for the draw list of that name; other lists treat anisotropic surfaces as isotropic.
+// True if the pass draws the list "anisotropic". All other lists draw anisotropic surfaces as isotropic ones.
 layout(constant_id = 3) const bool ANISOTROPIC = false;
 
 layout(location = 5) in vec3 world_point;

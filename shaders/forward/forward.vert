@@ -1,4 +1,4 @@
-// Geometry for forward shading.
+// Transforms the vertices of surfaces for forward shading.
 #version 460
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"

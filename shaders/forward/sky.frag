@@ -1,4 +1,4 @@
-// The sky, drawn before all surfaces. Output: scene-linear Rec.709, cd/m² × preExposure.
+// Draws the sky into all pixels, before the surfaces are drawn. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"

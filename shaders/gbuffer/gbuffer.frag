@@ -1,5 +1,5 @@
-// Writes the G-buffer: the data about the nearest surface that lighting needs. Emission is written directly
-// to hdr; lighting adds to it in place.
+// Writes the G-buffer: properties of the nearest surface in each pixel, which lighting needs later. Light that the
+// surface emits is written directly to hdr, and the lighting pass adds the reflected light to it.
 #version 460
 #include "frame_set.glsl"
 #include "material_set.glsl"
@@ -11,12 +11,12 @@ layout(constant_id = 0) const bool MASKED = false;
 layout(location = 5) in vec4 clip_now;
 layout(location = 6) in vec4 clip_before;
 
-layout(location = 0) out vec4 albedo;    // rgb: √ base colour; drivers decode sRGB differently, but square roots are exact
-layout(location = 1) out vec2 normal;    // octahedral, world space
-layout(location = 2) out vec4 orm;       // occlusion, perceptual roughness, metalness
-layout(location = 3) out vec4 specular;  // rgb: √F0 of the dielectric, a: specularFactor
-layout(location = 4) out vec2 velocity;  // uv now − uv in the previous frame
-layout(location = 5) out vec4 hdr;       // emission × preExposure
+layout(location = 0) out vec4 albedo;    // √ of the base colour; not sRGB, because drivers decode sRGB differently.
+layout(location = 1) out vec2 normal;    // Shading normal in world space, in octahedral encoding.
+layout(location = 2) out vec4 orm;       // r: occlusion, g: perceptual roughness, b: metalness.
+layout(location = 3) out vec4 specular;  // rgb: √F0 of the dielectric coat, a: specularFactor of the material.
+layout(location = 4) out vec2 velocity;  // Position in the picture (uv) minus the position in the previous frame.
+layout(location = 5) out vec4 hdr;       // Light that the surface emits × preExposure.
 
 void main() {
     const vec4 base = base_color();

@@ -1,4 +1,4 @@
-// Geometry for the G-buffer.
+// Transforms the vertices of surfaces for the G-buffer, with their positions in this frame and in the previous frame.
 #version 460
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"

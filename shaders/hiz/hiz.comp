@@ -1,10 +1,10 @@
-// The nearest and the farthest depth of squares of 2 to 128 pixels, in one dispatch. A workgroup processes
-// one square of 128 pixels, so no square is split and no workgroup waits for another.
-// in   depth       reversed: 1 near, 0 the sky, which is ignored
-// out  mip0…mip6   r: max z, g: min z of pixels other than sky; 0 and 1 if all are sky. Mip k has one texel
-// for each
-//                  square of 2^(k+1) pixels from pixel 0; the images are rounded up to whole squares of 128
-//                  pixels.
+// Computes the nearest and the farthest depth in squares of 2 to 128 pixels, in one dispatch. Each
+// workgroup processes one square of 128 pixels, so that no workgroup needs the results of another.
+// Input depth: reversed, 1 near; 0 is the sky, which is ignored.
+// Output mip0 to mip6: r is the largest depth value (nearest), g the smallest (farthest), both without
+// the sky. If all pixels of a square are sky, r = 0 and g = 1. Mip k has one texel for each square of
+// 2^(k+1) pixels, starting at pixel 0. The size of the images is rounded up to whole squares of 128
+// pixels.
 #version 460
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -12,17 +12,17 @@ layout(local_size_x = 16, local_size_y = 16) in;
 uniform sampler2D depth;
 layout(rg32f) writeonly uniform image2D mip0, mip1, mip2, mip3, mip4, mip5, mip6;
 
-const int kSide1 = 32;  // texels of mip 1 along the side of a 128-pixel square
+const int kSide1 = 32;  // Number of texels of mip 1 along one side of a 128-pixel square.
 const vec2 kSky = vec2(0.0, 1.0);
 
-// Mips 1 to 5 of the square, one after another.
+// Depth ranges of the workgroup's square: all texels of mip 1, then all texels of mip 2, and so on to mip 5.
 shared vec2 ranges[kSide1 * kSide1 + 16 * 16 + 8 * 8 + 4 * 4 + 2 * 2];
 
 vec2 merged(vec2 a, vec2 b) { return vec2(max(a.x, b.x), min(a.y, b.y)); }
 
 vec2 range_of(float z) { return z > 0.0 ? vec2(z) : kSky; }
 
-// Range of 2 × 2 pixels. Outside the picture its last pixels are repeated, which lie in the same square.
+// Returns the depth range of 2 × 2 pixels. At the border of the picture, the last row or column is read twice.
 vec2 quad_range(ivec2 first, ivec2 last) {
     if (any(greaterThan(first, last))) return kSky;
     const ivec2 second = min(first + 1, last);
@@ -31,7 +31,7 @@ vec2 quad_range(ivec2 first, ivec2 last) {
                          range_of(texelFetch(depth, ivec2(first.x, second.y), 0).r)));
 }
 
-// Processes a quarter of the square: each thread reads 4 × 4 of its pixels.
+// Computes mips 0 and 1 for a quarter of the square. Each thread reads 4 × 4 pixels.
 void reduce_pixels(ivec2 quarter, ivec2 thread, ivec2 last) {
     const ivec2 in_square = quarter * 16 + thread;
     const ivec2 texel = ivec2(gl_WorkGroupID.xy) * kSide1 + in_square;
@@ -46,7 +46,7 @@ void reduce_pixels(ivec2 quarter, ivec2 thread, ivec2 last) {
     ranges[in_square.y * kSide1 + in_square.x] = range;
 }
 
-// One texel of the next mip, from four texels that start at `from`, in rows of twice `side`.
+// Returns a texel of the next mip from four texels of this mip, which starts at `from` with rows of 2 × `side`.
 vec2 next_range(int from, ivec2 at, int side) {
     const int first = from + at.y * 4 * side + at.x * 2;
     return merged(merged(ranges[first], ranges[first + 1]),

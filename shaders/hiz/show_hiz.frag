@@ -1,5 +1,5 @@
-// Shows a mip of the Hi-Z: bright where the nearest pixel of a square is near, orange where its pixels span much depth, blue
-// where it is all sky.
+// Debug view of a mip of the depth pyramid. A square is bright if its nearest pixel is near the camera. It is orange if
+// the depths of its pixels differ much, and blue if all its pixels are sky.
 #version 460
 #include "frame_set.glsl"
 

@@ -1,27 +1,27 @@
-// Light of capsules and rectangles with uniform emission. Units: vector irradiance for unit radiance (sr), ∫
-// ω dω over the solid angle of the light; its dot product with a normal is irradiance divided by radiance.
-// Rectangle: Lambert's formula (Lambert 1760; Baum, Rushmeier and Winget 1989), clipped at the horizon. The
-// fit of an arc over its sine: Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time Polygonal-Light Shading with
-// Linearly Transformed Cosines". Capsule: the same contour integral, ½ ∮ r × dr, over its silhouette, which
-// consists of two great-circle arcs and, at the ends, two small-circle arcs. Highlights: representative
-// points, Karis 2013, "Real Shading in Unreal Engine 4".
+// Light of capsules and rectangles that emit uniformly. Vector irradiance means ∫ ω dω over the solid angle of the
+// light (sr), for unit radiance; its dot product with a normal is the irradiance divided by the radiance. Rectangle:
+// Lambert's formula (Lambert 1760; Baum, Rushmeier and Winget 1989), clipped at the horizon. The fit of an arc over
+// its sine: Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed
+// Cosines". Capsule: the same contour integral, ½ ∮ r × dr, over its silhouette, which has two great-circle arcs and,
+// at the ends, two small-circle arcs. Highlights: representative points, Karis 2013, "Real Shading in Unreal Engine
+// 4".
 #ifndef WEFT_AREA_LIGHTS
 #define WEFT_AREA_LIGHTS
 #include "brdf.glsl"
 #include "lights.glsl"
 
 struct AreaIncident {
-    float irradiance;   // irradiance on the surface, for unit radiance
-    vec3 whole;         // vector irradiance, towards the light
-    float window;       // factor of the range limit
-    vec3 center;        // direction to the middle of the visible part
-    vec3 mirrored;      // direction to the point used for the highlight
-    float aspect;       // ratio of length to width, as seen from the surface
-    vec3 along;         // axis of the length
+    float irradiance;   // Irradiance on the surface, for unit radiance of the light.
+    vec3 whole;         // Vector irradiance, which points towards the light.
+    float window;       // Factor of the range limit of the light: 1 near the light, 0 beyond its range.
+    vec3 center;        // Direction from the surface to the middle of the visible part of the light.
+    vec3 mirrored;      // Direction from the surface to the point of the light used for the highlight.
+    float aspect;       // Ratio of length to width of the light, as seen from the surface.
+    vec3 along;         // Axis along the length of the light.
 };
 
-// Same as atan(y, x), with an error of 2e-7. The visible part above the horizon is a small difference of
-// angles, and device implementations may have errors of 2e-4. The polynomial is atanf() of Moshier's Cephes
+// Returns atan(y, x) with an error of 2e-7. The built-in function may have errors of 2e-4. These would be visible,
+// because the light above the horizon is a small difference of angles. The polynomial is atanf() of Moshier's Cephes
 // library, 1992.
 float angle_of(float y, float x) {
     const float longer = max(max(abs(x), abs(y)), 1e-30), shorter = min(abs(x), abs(y));
@@ -34,17 +34,17 @@ float angle_of(float y, float x) {
     return y < 0.0 ? -angle : angle;
 }
 
-// ∫ r × dr along the great circle from a to b; a and b need not have unit length.
+// Returns ∫ r × dr along the great circle from direction a to direction b. a and b need not have unit length.
 vec3 edge_integral(vec3 a, vec3 b) {
     const float scale = inversesqrt(max(dot(a, a) * dot(b, b), 1e-30));
     const float x = dot(a, b) * scale, y = abs(x);
     const float fit = 6.28318530718 * (0.8543985 + (0.4965155 + 0.0145206 * y) * y) / (3.4175940 + (4.1616724 + y) * y);
     const float arc_over_sine = x > 0.0 ? fit : kPi * inversesqrt(max(1.0 - x * x, 1e-7)) - fit;
-    // Computed from a and b − a: if both directions are nearly equal, a × b would lose all digits.
+    // Use b − a instead of b: if a and b are nearly equal, a × b would lose all significant digits.
     return cross(a, b - a) * (scale * arc_over_sine);
 }
 
-// The integral over the part of the edge from a to b above the horizon; stores the point of a crossing.
+// Returns the integral over the part of edge a–b above the horizon. Stores where the edge crosses it, down or up.
 vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
     const float height_a = dot(n, a), height_b = dot(n, b);
     if (height_a <= 0.0 && height_b <= 0.0) return vec3(0.0);
@@ -54,9 +54,9 @@ vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
     return edge_integral(from, to);
 }
 
-// Arguments: the middle, and vectors of half its width and height. Corners are counter-clockwise, seen from
-// the surface. This file uses loops because compilers inline functions at every call: without loops these
-// functions made up two thirds of the code of shaders with area lights.
+// Returns the vector irradiance of the part of a rectangle above the horizon. Arguments: its middle, and vectors of
+// half its width and height. Corners are counter-clockwise, seen from the surface. The loops in this file keep the code
+// short, because compilers inline every call: without loops, it was two thirds of the code of such shaders.
 vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
     vec3 down = vec3(0.0), up = vec3(0.0), sum = vec3(0.0), to_side = -x, to_next = -y;
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
@@ -68,7 +68,7 @@ vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
     return 0.5 * (sum + edge_integral(down, up));
 }
 
-// The point where the mirrored ray meets the plane of the rectangle, clamped to it. All in the light's frame.
+// Returns the point of the rectangle nearest to where the mirrored ray meets its plane, in the frame of the light.
 vec2 rectangle_target(vec3 at, vec3 ray, vec2 half_size) {
     const float steps = ray.z < -1e-4 * at.z ? -at.z / ray.z : 1e4;
     return clamp(at.xy + ray.xy * steps, -half_size, half_size);
@@ -91,21 +91,21 @@ AreaIncident rectangle_at(vec3 n, vec3 v, vec3 position, Light light) {
     incident.mirrored = normalize(light.side * target.x + up * target.y - way);
     incident.center = incident.irradiance > 0.0 ? normalize(incident.whole) : n;
     const vec3 sight = normalize(way);
-    // A side seen at an angle is foreshortened.
+    // A side of the rectangle that is seen at an angle looks shorter.
     const vec2 slant = sqrt(max(vec2(1.0) - at.xy * at.xy / dot(at, at), vec2(1e-4)));
     incident.along = light.side - sight * dot(light.side, sight);
     incident.aspect = (light.half_size_m.x * slant.x) / (light.half_size_m.y * slant.y);
     return incident;
 }
 
-// The silhouette of a capsule, seen from the origin. `axis` and `away` span the plane through the origin and
-// the segment.
+// The silhouette of a capsule as seen from the origin. `axis` and `away` span the plane that contains the origin and
+// the axis segment of the capsule.
 struct Silhouette {
     vec3 axis;
-    vec3 away;          // perpendicular to the axis, pointing away from the origin
-    float distance;     // distance of the axis
-    float tangent;      // distance of the two tangent lines along `away`
-    vec2 ends;          // positions along the axis where the segment begins and ends
+    vec3 away;          // Direction from the origin to the axis, perpendicular to the axis.
+    float distance;     // Distance of the axis from the origin.
+    float tangent;      // Distance, along `away`, of the two lines where planes through the origin touch the capsule.
+    vec2 ends;          // Positions along the axis where the segment begins and ends.
     float radius;
 };
 
@@ -119,21 +119,21 @@ Silhouette silhouette_of(vec3 middle, vec3 axis, vec2 half_size) {
     s.distance = length(across);
     s.away = across / s.distance;
     s.ends = along + vec2(-half_size.x, half_size.x);
-    // For points inside the capsule, its light comes from all directions, as on its surface.
+    // For a point inside the capsule, compute the light as for a point on its surface.
     const float nearest = length(vec2(max(abs(along) - half_size.x, 0.0), s.distance));
     s.radius = min(half_size.y, 0.999 * nearest);
     s.tangent = sqrt(max(s.distance * s.distance - s.radius * s.radius, 0.0));
     return s;
 }
 
-// Half of the arc angle around the end at z along the axis. `outward` is +1 or −1.
+// Returns half the angle of the arc around the end at position z on the axis. `outward`: −1 first end, +1 second end.
 float end_arc(Silhouette s, float z, float outward) {
     const float length2 = z * z + s.distance * s.distance;
     const float grazing = sqrt(max(length2 - s.radius * s.radius, 1e-20));
     return angle_of(sqrt(length2) * s.tangent / (s.distance * grazing), outward * z * s.radius / (s.distance * grazing));
 }
 
-// The contribution of the end to ∮ r × dr, with components (along the axis, away).
+// Returns the part of ∮ r × dr that comes from the arc at one end. Components: along the axis, and along `away`.
 vec2 end_integral(Silhouette s, float z, float outward) {
     const float length2 = z * z + s.distance * s.distance, r2 = s.radius * s.radius;
     const vec2 to_middle = vec2(z, s.distance), across = vec2(s.distance, -z) * outward;
@@ -141,7 +141,7 @@ vec2 end_integral(Silhouette s, float z, float outward) {
            2.0 * s.radius * s.tangent / (s.distance * length2) * across;
 }
 
-// The angle between the ends of the long sides.
+// Returns the angle between the directions to both ends of a long side of the silhouette.
 float side_angle(Silhouette s) {
     return angle_of(s.tangent * (s.ends.y - s.ends.x), s.tangent * s.tangent + s.ends.x * s.ends.y);
 }
@@ -153,8 +153,8 @@ vec3 capsule_whole(Silhouette s) {
     return 0.5 * (s.axis * plane.x + s.away * plane.y);
 }
 
-// Integral of n · (r × dr) over the part above the horizon of an arc around `c`: r(φ) = c + u cos φ + w sin
-// φ, with φ within ±half_arc, and u and w of the same length.
+// Returns the integral of n · (r × dr) over the part above the horizon of the arc r(φ) = c + u cos φ + w sin φ, for φ
+// within ±half_arc. u and w have the same length and are perpendicular to c.
 float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     const float cos2 = dot(c, c), sin2 = dot(u, u);
     const float height = dot(n, c), x = dot(n, u), y = dot(n, w), swing = max(length(vec2(x, y)), 1e-20);
@@ -169,7 +169,7 @@ float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     return sum;
 }
 
-// The covered part of the horizon: from the smallest to the largest azimuth of the crossings.
+// The part of the horizon that the light covers: between the smallest and the largest azimuth of all crossings.
 struct Horizon {
     vec3 first;
     vec2 azimuths;
@@ -217,16 +217,16 @@ float side_above(Silhouette s, vec3 n, float side, inout Horizon horizon) {
     }
     vec3 down = vec3(0.0), up = vec3(0.0);
     const vec3 sum = edge_above(n, a, b, down, up);
-    const vec3 crossing = down != vec3(0.0) ? down : up;  // a great-circle arc crosses the horizon at most once
+    const vec3 crossing = down != vec3(0.0) ? down : up;  // A great-circle arc crosses the horizon at most once here.
     if (crossing != vec3(0.0)) note_crossing(horizon, n, crossing);
     return dot(n, sum);
 }
 
-// The irradiance of a capsule that the horizon intersects.
+// Returns the irradiance of a capsule that the horizon intersects, for unit radiance.
 float capsule_above(Silhouette s, vec3 n) {
     Horizon horizon = Horizon(vec3(0.0), vec2(0.0), false);
     float sum = 0.0;
-    // Seen along its axis, only the nearer end is visible.
+    // `whole` is false if the capsule is seen along its axis. Then only its nearer end is visible.
     const bool whole = s.tangent > 0.0, first = abs(s.ends.x) < abs(s.ends.y);
     [[dont_unroll]] for (float outward = -1.0; outward < 2.0; outward += 2.0) {
         if (whole) sum += side_above(s, n, -outward, horizon);
@@ -236,7 +236,7 @@ float capsule_above(Silhouette s, vec3 n) {
     return max(0.5 * (sum + horizon.azimuths.y - horizon.azimuths.x), 0.0);
 }
 
-// The point of the capsule nearest to the mirrored ray.
+// Returns the point of the capsule that is nearest to the mirrored ray.
 vec3 capsule_target(vec3 middle, vec3 axis, vec2 half_size, vec3 ray) {
     const float along = dot(ray, axis);
     const float shift = (dot(ray, middle) * along - dot(middle, axis)) / max(1.0 - along * along, 1e-4);
@@ -265,12 +265,12 @@ AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
     return incident;
 }
 
-// The lobe of an area light: the lobe of its representative point, divided by a factor for widening the lobe
-// by the light. On the sphere of half vectors, a light with sides 2a and 2b increases the integral of GGX,
-// which is 1 / (π α²) at its centre and has an integral of 1 / (4 α) along a line from the centre, by a term
-// for its area, 4ab / (π α²), and one for its outline, (a + b) / α (Steiner's formula). Half vectors rotate
-// half as far as the light, and perpendicular to the plane of incidence 1 / v·h further. In the limit of a
-// mirror, the result is the light's own radiance.
+// Returns the highlight of an area light. This is the highlight of its representative point, divided by a factor
+// because the light widens the highlight. On the sphere of half vectors, GGX is 1 / (π α²) at its centre, and its
+// integral along a line from the centre is 1 / (4 α). A light with sides 2a and 2b adds to the integral a term for its
+// area, 4ab / (π α²), and a term for its outline, (a + b) / α (Steiner's formula). Half vectors rotate half as far as
+// the light, and by 1 / v·h more perpendicular to the plane of incidence. For a perfect mirror, the result is the
+// radiance of the light.
 vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
     const float covered = max(length(incident.whole), 1e-20);
     const float v_h = max(dot(v, normalize(v + incident.mirrored)), 0.05);
@@ -284,7 +284,7 @@ vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
     return reflect_light(coat, v, incident.mirrored) * (covered / (1.0 + added));
 }
 
-// Reflected radiance for a light of unit radiance.
+// Returns the radiance that the surface reflects to the eye, for a light of unit radiance.
 vec3 reflect_area(Surface s, vec3 v, vec3 position, Light light) {
     AreaIncident incident;
     if (light.type == kLightRectangle) {

@@ -1,26 +1,26 @@
-// Metallic-roughness surface reflection. Units: 1/sr.
-// Trowbridge–Reitz (GGX) with height-correlated Smith masking-shadowing: Heitz 2014, "Understanding the
-// Masking-Shadowing Function in Microfacet-Based BRDFs". Fresnel: Schlick 1994. Layering of the dielectric coat over
-// its diffuse base: glTF 2.0, Appendix B, and KHR_materials_specular.
+// Reflection of light by surfaces with metalness and roughness. Units: 1/sr. Microfacets: Trowbridge–Reitz (GGX) with
+// height-correlated Smith masking-shadowing, Heitz 2014, "Understanding the Masking-Shadowing Function in
+// Microfacet-Based BRDFs". Fresnel: Schlick 1994. The dielectric coat lies over a diffuse base, as in glTF 2.0,
+// Appendix B, and KHR_materials_specular.
 #ifndef WEFT_BRDF
 #define WEFT_BRDF
 
 const float kPi = 3.14159265358979;
 
-// A surface in the form that light loops use.
+// Properties of a surface at a point, in the form that the loops over lights need.
 struct Surface {
     vec3 normal;
-    vec3 diffuse;     // albedo of the base; black for metals
+    vec3 diffuse;     // Albedo of the diffuse base; black for metals.
     vec3 f0;
     float f90;
-    float alpha;      // roughness²
-    bool anisotropic; // if false, the following members are unused
-    vec3 tangent;     // perpendicular to the normal: the direction in which the highlight is longer
+    float alpha;      // Squared perceptual roughness (the α of GGX).
+    bool anisotropic; // True if the highlight is longer in one direction. If false, the members below are unused.
+    vec3 tangent;     // Direction in which the highlight is longer, perpendicular to the normal.
     vec3 bitangent;
-    vec2 alphas;      // along tangent and bitangent
+    vec2 alphas;      // α along the tangent and along the bitangent.
 };
 
-// The smallest α for point lights: with less, a highlight is smaller than a pixel and overflows half floats.
+// Smallest α. With a smaller α, the highlight of a point light is smaller than a pixel and overflows half floats.
 const float kMinAlpha = 0.002;
 
 Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughness, vec3 dielectric_f0, float specular) {
@@ -36,8 +36,8 @@ Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughne
     return s;
 }
 
-// Rougher along `tangent`, which has unit length and is perpendicular to the normal; `strength` from 0 to 1.
-// KHR_materials_anisotropy.
+// Returns the surface with more roughness along `tangent`, which has unit length and is perpendicular to the normal.
+// `strength` is 0 to 1. Source: KHR_materials_anisotropy.
 Surface stretched(Surface s, vec3 tangent, float strength) {
     s.anisotropic = true;
     s.tangent = tangent;
@@ -46,7 +46,7 @@ Surface stretched(Surface s, vec3 tangent, float strength) {
     return s;
 }
 
-// 1 − (n·h)² is computed as |n × h|², which stays precise for narrow highlights.
+// Returns the GGX distribution D. 1 − (n·h)² is computed as |n × h|², which is more precise for narrow highlights.
 float ggx_distribution(float alpha, vec3 n, vec3 h) {
     const vec3 c = cross(n, h);
     const float a2 = alpha * alpha;
@@ -55,7 +55,7 @@ float ggx_distribution(float alpha, vec3 n, vec3 h) {
     return a2 / (kPi * d * d);
 }
 
-// V = G2 / (4 · n·l · n·v).
+// Returns the visibility V = G2 / (4 · n·l · n·v), with G2 the masking-shadowing function.
 float smith_visibility(float alpha, float nl, float nv) {
     const float a2 = alpha * alpha;
     const float lambda_v = nl * sqrt(nv * nv * (1.0 - a2) + a2);
@@ -63,8 +63,8 @@ float smith_visibility(float alpha, float nl, float nv) {
     return 0.5 / max(lambda_v + lambda_l, 1e-7);
 }
 
-// The same two functions for an anisotropic surface: Burley 2012, "Physically-Based Shading at Disney"; Heitz
-// 2014. Each direction has components along tangent, bitangent and normal.
+// Returns the GGX distribution D of an anisotropic surface. The components of `h` are along tangent, bitangent and
+// normal. Sources: Burley 2012, "Physically-Based Shading at Disney"; Heitz 2014.
 float stretched_ggx_distribution(vec2 alphas, vec3 h) {
     const vec3 flattened = vec3(h.xy / alphas, h.z);
     const float d = dot(flattened, flattened);
@@ -83,8 +83,8 @@ float stretched_specular(Surface s, vec3 v, vec3 l, vec3 h, float nl, float nv) 
            stretched_smith_visibility(s.alphas, vec3((to_surface * l).xy, nl), vec3((to_surface * v).xy, nv));
 }
 
-// The normal of an isotropic mirror that reflects about the middle of the anisotropic lobe. McAuley 2015,
-// "Rendering the World of Far Cry 4".
+// Returns a normal for reflecting the sky on an anisotropic surface. An isotropic mirror with this normal reflects
+// along the middle of the anisotropic highlight. Source: McAuley 2015, "Rendering the World of Far Cry 4".
 vec3 bent_normal(Surface s, vec3 v, float roughness) {
     const float strength = sqrt(clamp((s.alphas.x - s.alpha) / max(1.0 - s.alpha, 1e-4), 0.0, 1.0));
     const float straight = 1.0 - strength * (1.0 - roughness);
@@ -99,7 +99,7 @@ vec3 schlick(vec3 f0, float f90, float vh) {
     return f0 + (vec3(f90) - f0) * (m2 * m2 * m);
 }
 
-// Reflected radiance for unit irradiance on a plane facing the light: f · n·l.
+// Returns the BRDF times n·l: the reflected radiance for unit irradiance on a plane that faces the light.
 vec3 reflect_light(Surface s, vec3 v, vec3 l) {
     const float nl = dot(s.normal, l);
     if (nl <= 0.0) return vec3(0.0);

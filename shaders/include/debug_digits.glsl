@@ -1,8 +1,8 @@
-// Draws numbers in pictures with digits of 3 × 5 pixels, 4 pixels apart.
+// Draws numbers into pictures. A digit has 3 × 5 pixels; the distance between digits is 4 pixels.
 #ifndef WEFT_DEBUG_DIGITS
 #define WEFT_DEBUG_DIGITS
 
-// Fifteen bits per digit from the upper left; the first pixel is the highest bit.
+// The 3 × 5 pixels of each digit as 15 bits, row by row from the upper left. The first pixel is the highest bit.
 const uint kDigits[10] = uint[](0x7B6Fu, 0x2C97u, 0x73E7u, 0x73CFu, 0x5BC9u, 0x79CFu, 0x79EFu, 0x7292u, 0x7BEFu, 0x7BCFu);
 
 bool is_digit(uint digit, ivec2 at) {
@@ -16,7 +16,7 @@ int digits_of(uint number) {
     return count;
 }
 
-// True if the pixel, relative to the number's upper left corner, belongs to the number.
+// Returns true if the pixel is part of the drawn number. `at` is relative to the upper left corner of the number.
 bool is_number(uint number, ivec2 at) {
     const int count = digits_of(number), place = at.x >> 2;
     if (at.x < 0 || place >= count) return false;
@@ -24,13 +24,13 @@ bool is_number(uint number, ivec2 at) {
     return is_digit(number % 10u, ivec2(at.x & 3, at.y));
 }
 
-// A decimal number: its digits as an integer, and the number of digits after the point.
+// A decimal number: all its digits as an integer, and how many of them are after the decimal point.
 struct Decimal {
     uint digits;
     int places;
 };
 
-// Three digits at most, and only as many as needed.
+// Rounds to at most three significant digits, and leaves out zeros at the end.
 Decimal decimal_of(float number) {
     float scaled = abs(number);
     int places = 0;
@@ -44,14 +44,14 @@ uint power_of_ten(int exponent) {
     return power;
 }
 
-// Width in pixels, including the gap after the number.
+// Returns the width of the drawn number in pixels, with the gap after it.
 int decimal_width(float number) {
     const Decimal d = decimal_of(number);
     const int point = d.places > 0 ? 2 + 4 * d.places : 0;
     return (number < 0.0 ? 4 : 0) + 4 * digits_of(d.digits / power_of_ten(d.places)) + point;
 }
 
-// True if the pixel, relative to the number's upper left corner, belongs to the number.
+// Returns true if the pixel is part of the drawn number. `at` is relative to the upper left corner of the number.
 bool is_decimal(float number, ivec2 at) {
     const Decimal d = decimal_of(number);
     if (number < 0.0) {

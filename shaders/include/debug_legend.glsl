@@ -1,12 +1,12 @@
-// Draws a legend in the lower left corner of a debug view, with the numbers for colours. Pictures smaller
-// than 160 × 90 have no legend.
+// Draws a legend into the lower left corner of a debug view. The legend shows the values of some colours. Pictures
+// smaller than 160 × 90 pixels get no legend.
 #ifndef WEFT_DEBUG_LEGEND
 #define WEFT_DEBUG_LEGEND
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
 #include "frame_set.glsl"
 
-// Indices into debug_decoders().
+// Indices into debug_decoders() in C++.
 const uint kDepth = 5u, kVector = 6u, kFirstChannel = 7u, kHeat = 11u;
 
 const ivec2 kBar = ivec2(120, 8), kBarPanel = kBar + ivec2(8, 14);
@@ -22,13 +22,13 @@ vec3 bar_color(float part, uint decode) {
     return decode == kHeat ? heat_color(part) : vec3(decode == kDepth ? 1.0 - part : part);
 }
 
-// The letter m (metres) after the number.
+// Returns true if the pixel is part of the letter m, which is drawn after a number as the unit (metres).
 bool is_unit(ivec2 at) {
     const uint rows[5] = uint[](0x00u, 0x1Au, 0x15u, 0x15u, 0x15u);
     return all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, ivec2(5))) && (rows[at.y] >> (4 - at.x) & 1u) == 1u;
 }
 
-// A number centred at `center`, but inside the bar.
+// Returns true if the pixel is part of the label: a number centred at `center`, moved if it would leave the bar.
 bool is_label(float number, int center, bool metres, ivec2 at) {
     const int width = decimal_width(number), all_width = width + (metres ? 6 : 0);
     const ivec2 from = ivec2(clamp(center - all_width / 2, 0, kBar.x - all_width), 0);
@@ -46,7 +46,7 @@ vec3 bar_legend(ivec2 at, uint decode, float black, float white) {
     return inside ? bar_color(float(on_bar.x) / float(kBar.x - 1), decode) : vec3(0.0);
 }
 
-// Colours of directions around the centre, and below, the vector length that has full brightness.
+// Returns the pixel of a colour wheel: each direction in its colour, and below the wheel the length of full brightness.
 vec3 wheel_legend(ivec2 at, float white) {
     const vec2 v = vec2(at - ivec2(kWheelRadius + 4)) / float(kWheelRadius);
     if (dot(v, v) <= 1.0) return vector_color(v);

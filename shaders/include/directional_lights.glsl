@@ -1,5 +1,5 @@
-// The light that a surface reflects to the eye from the directional lights, which come first in the buffer
-// `lights`. The sun's light is multiplied by its shadow.
+// Computes the light that a surface reflects to the eye from the directional lights. These are the first lights in the
+// buffer `lights`. The light of the sun is multiplied by the visible share of the sun (shadows).
 #ifndef WEFT_DIRECTIONAL_LIGHTS
 #define WEFT_DIRECTIONAL_LIGHTS
 #include "light_reflection.glsl"

@@ -1,9 +1,9 @@
 #version 460
 
-// One triangle that covers the target, computed from the vertex index alone. uv is (0,0) at the top left
-// corner of row 0 and (1,1) at the bottom right, because in Vulkan's viewport y points down. The corners are
-// in counter-clockwise order, so back-face culling keeps the triangle. Depth is 0: the far plane with
-// reversed Z.
+// Draws one triangle that covers the whole target. The corners follow from the vertex index, so no vertex buffer is
+// needed. uv is (0,0) at the top left and (1,1) at the bottom right, because y points down in Vulkan's viewport. The
+// corners are counter-clockwise, so that back-face culling keeps the triangle. Depth is 0, the far plane of reversed
+// depth.
 layout(location = 0) out vec2 uv;
 
 void main() {

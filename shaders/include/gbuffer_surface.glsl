@@ -1,4 +1,4 @@
-// Reads a surface from the G-buffer at a pixel. Ports: albedo, normal, orm and specular; gbuffer/gbuffer.frag
+// Reads the surface at a pixel from the G-buffer. Ports: albedo, normal, orm and specular; gbuffer/gbuffer.frag
 // describes their contents.
 #ifndef WEFT_GBUFFER_SURFACE
 #define WEFT_GBUFFER_SURFACE
@@ -10,7 +10,7 @@ uniform sampler2D normal;
 uniform sampler2D orm;
 uniform sampler2D specular;
 
-// `material` is the content of orm there.
+// Returns the surface at the pixel. `material` must be the texel of `orm` at this pixel.
 Surface gbuffer_surface(ivec2 pixel, vec3 material) {
     const vec3 base_root = texelFetch(albedo, pixel, 0).rgb;
     const vec4 coat = texelFetch(specular, pixel, 0);

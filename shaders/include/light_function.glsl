@@ -1,12 +1,12 @@
-// The light function's factor for the light towards a point: one factor per colour channel, 1 for lights
-// without a function.
+// Computes the light function of a light: one factor per colour channel for the light towards a point. Doors, a picture
+// or a falloff curve shape it. For lights without a light function, all factors are 1.
 #ifndef WEFT_LIGHT_FUNCTION
 #define WEFT_LIGHT_FUNCTION
 #include "frame_set.glsl"
 #include "shared/light.glsl"
 
-// The direction of a light, and the width and height axes of its doors and pictures. A capsule faces
-// perpendicular to its axis.
+// The axes of a light: its direction (`forward`), and the axes of width and height for its doors and pictures. A
+// capsule faces in the direction `side`, perpendicular to its axis.
 struct LightFrame {
     vec3 width;
     vec3 up;
@@ -24,36 +24,36 @@ float falloff_curve(LightFunction f, float distance_m) {
     return dot(f.curve, vec4(s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t));
 }
 
-// 1 between the doors, 0 behind them; `at` is the position on the plane at distance 1 in front of the light.
+// Returns 1 between the doors and 0 behind them. `at` is a position on the plane at distance 1 in front of the light.
 float between_doors(LightFunction f, vec2 at) {
     const vec4 within = f.doors + vec4(at.x, -at.x, at.y, -at.y);
     const vec4 open = smoothstep(vec4(-0.5 * f.softness), vec4(0.5 * f.softness), within);
     return open.x * open.y * open.z * open.w;
 }
 
-// `footprint` is the width of a pixel in the picture's coordinates, which run from 0 to 1.
+// Returns the texel of the light's picture. `footprint`: width of a screen pixel as a share of the picture's width.
 vec3 light_picture(LightFunction f, vec2 uv, float footprint) {
     const float size_px = float(textureSize(light_pictures, 0).x);
     const float lod = log2(max(footprint * size_px, 1.0));
     return textureLod(light_pictures, vec3(uv, float(f.picture - 1u)), lod).rgb;
 }
 
-// A position in a picture, and the share of the light that comes through the picture: 0 outside a projector's
-// picture.
+// A position in the picture of a light, and the share of the light that passes through the picture. The share is 0
+// outside the picture of a projector.
 struct PictureSpot {
     vec2 uv;
     float footprint;
     float weight;
 };
 
-// A picture around a point light: its middle is in the light's direction, +up on top.
+// Finds the place in a picture around a point light. Its middle is in the light's direction, and +up is at the top.
 PictureSpot picture_around(LightFunction f, vec3 local, float distance_m, float pixel_m) {
     const vec2 uv = vec2(0.5 + atan(local.x, local.z) / 6.28318530718, acos(clamp(local.y, -1.0, 1.0)) / 3.14159265359);
     return PictureSpot(uv, (pixel_m / distance_m + f.softness) / 3.14159265359, 1.0);
 }
 
-// A projected picture at distance 1 in front of the light, with edges as soft as the doors'; or for parallel
-// light, in metres, a picture that repeats in all directions. `pixel` is the width of a pixel there.
+// Finds the place in a projected picture, which is on the plane at distance 1 in front of the light and has soft edges.
+// For directional lights (`endless`), its size is in metres and it repeats. `pixel`: width of a pixel there.
 PictureSpot picture_ahead(LightFunction f, vec2 at, float pixel, bool endless) {
     const vec2 place = at * f.picture_scale;
     const vec2 inside = (1.0 - abs(place)) / (f.picture_scale * f.softness);

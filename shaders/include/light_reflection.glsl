@@ -1,8 +1,8 @@
-// The light that a surface reflects to the eye from one light of any kind. Units: cd/m².
+// Computes the light that a surface reflects to the eye from one light of any type. Units: cd/m².
 //
-// A shader can disable features that its lights do not need: AREA_LIGHTS if there are no capsules and
-// rectangles, LIGHT_FUNCTIONS if no light has doors, a picture or a curve. It declares the constant before it
-// includes this file:
+// A shader can switch off features that its lights do not need: AREA_LIGHTS if there are no capsules and no rectangles,
+// LIGHT_FUNCTIONS if no light has doors, a picture or a curve. The shader declares the constant before it includes this
+// file:
 //     layout(constant_id = 3) const bool AREA_LIGHTS = true;
 //     #define AREA_LIGHTS AREA_LIGHTS
 #ifndef WEFT_LIGHT_REFLECTION
@@ -20,8 +20,8 @@ const bool LIGHT_FUNCTIONS = true;
 #include "area_lights.glsl"
 #include "light_function.glsl"
 
-// For a light without area and without function. These are the first frame.plain_count lights. A separate
-// loop for them saves time on devices that execute both sides of every branch (llvmpipe).
+// Reflection of a light without area and light function. These are the first frame.plain_count lights. A separate loop
+// for them saves time on devices that execute both sides of a branch (llvmpipe).
 vec3 plain_reflection(Surface s, vec3 v, vec3 position, Light light) {
     const Incident incident = light_at(light, position);
     return reflect_light(s, v, incident.direction) * incident.irradiance;

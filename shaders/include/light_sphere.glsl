@@ -1,13 +1,13 @@
-// A bounding sphere of the region that a light reaches. Units: metres, world space.
+// Computes a bounding sphere of the region that a light reaches. Units: metres, world space.
 #ifndef WEFT_LIGHT_SPHERE
 #define WEFT_LIGHT_SPHERE
 #include "shared/light.glsl"
 
-// The cosine of the angle between a spot's axis and the edge of its cone.
+// Returns the cosine of the angle between the axis of a spot and the edge of its cone.
 float cone_edge(Light light) { return -light.cone_offset / light.cone_scale; }
 
-// Centre and radius for a light with a position and a range. For a spot, the smallest sphere around the part
-// of its ball inside the cone: up to 45° through the apex and the rim, for wider cones around the rim.
+// Returns centre and radius of the sphere. The light must have a position and a range. For a spot, this is the smallest
+// sphere around its cone: up to 45° it passes through the tip and the rim; for wider cones its equator is the rim.
 vec4 light_sphere(Light light) {
     const float range_m = light.range_m;
     if (light.type == kLightCapsule) return vec4(light.position, light.half_size_m.x + range_m);

@@ -1,11 +1,11 @@
-// The light at a point. Units: lx on a plane that faces the light. Distance window and cone falloff:
-// KHR_lights_punctual.
+// Computes the light that arrives at a point. Units: lx on a plane that faces the light. Falloff with distance and with
+// the angle to a spot's axis: KHR_lights_punctual.
 #ifndef WEFT_LIGHTS
 #define WEFT_LIGHTS
 #include "shared/light.glsl"
 
 struct Incident {
-    vec3 direction;    // towards the light
+    vec3 direction;    // Direction from the point to the light.
     vec3 irradiance;
 };
 

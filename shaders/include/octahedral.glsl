@@ -1,5 +1,5 @@
-// Stores unit vectors in two components. Cigolle et al. 2014, "A Survey of Efficient Representations for
-// Independent Unit Vectors". Largest error of encoding and decoding with snorm16: 0.0037°.
+// Stores a unit vector in two components (octahedral encoding). Source: Cigolle et al. 2014, "A Survey of Efficient
+// Representations for Independent Unit Vectors". With snorm16 components, the largest error is 0.0037°.
 #ifndef WEFT_OCTAHEDRAL
 #define WEFT_OCTAHEDRAL
 

@@ -1,5 +1,5 @@
-// Converts scene-linear values to display values. Curve: Narkowicz 2016, "ACES Filmic Tone Mapping Curve", a
-// fit to the ACES reference rendering transform. IEC 61966-2-1 for the encoding.
+// Converts scene-linear values to display values. Curve: Narkowicz 2016, "ACES Filmic Tone Mapping Curve", a fit to the
+// ACES reference rendering transform. Encoding: sRGB, IEC 61966-2-1.
 #ifndef WEFT_SRGB
 #define WEFT_SRGB
 

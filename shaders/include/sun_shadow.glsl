@@ -1,8 +1,8 @@
-// The visible share of the sun at a point, from the maps that graphs/modules/sun_shadows.json draws: port
-// `sunShadow`. Without the port, and without a sun, there are no shadows. Filter: a tent over 4 × 4 texels,
-// as in Castaño 2013, "Shadow Mapping Summary". Depths are compared along the plane of the surface: Isidoro
-// 2006, "Shadow Mapping: GPU-based Tips and Techniques". The remaining error is avoided by an offset along
-// the normal, proportional to the texel size: Holbert 2011, "Saying Goodbye to Shadow Acne".
+// Computes the visible share of the sun at a point, from the shadow maps in the port `sunShadow` (drawn by
+// graphs/modules/sun_shadows.json). Without the port or without a sun, nothing is in shadow. Filter: a tent over 4 × 4
+// texels, Castaño 2013, "Shadow Mapping Summary". Depths are compared along the plane of the surface: Isidoro 2006,
+// "Shadow Mapping: GPU-based Tips and Techniques". An offset along the normal, proportional to the texel size, removes
+// the remaining errors: Holbert 2011, "Saying Goodbye to Shadow Acne".
 #ifndef WEFT_SUN_SHADOW
 #define WEFT_SUN_SHADOW
 #include "frame_set.glsl"
@@ -10,24 +10,24 @@
 layout(constant_id = 20) const bool HAS_sunShadow = false;
 uniform sampler2DArrayShadow sunShadow;
 
-// The filter does not follow planes steeper than this. `normal` is the geometric normal: normal maps do not
-// move a surface.
+// Largest slope of a surface that the comparison of depths follows. Functions below get the geometric normal, because
+// normal maps do not move a surface.
 const float kSunMostSlope = 2.0;
-// Radius of the filter, and distance of the corners of the four texels that share one depth, in texels.
+// Radius of the filter, and distance from a common corner to the centres of its four texels. Units: texels.
 const float kSunReach = 2.8284, kSunQuadReach = 0.7071;
-// Allowance for rounding, and for normals that differ from the surface's, in texels along the light.
+// Offset along the light, in texels, for rounding errors and for normals that differ from the real surface.
 const float kSunBiasTexels = 1.0;
 
 struct SunPlace {
     uint cascade;
-    vec3 at;       // position in texels, and depth in the map
-    vec2 slope;    // slope of the surface there: depth per texel
-    vec2 size;     // size of the map in texels
+    vec3 at;       // Position in texels (x, y), and depth in the map (z).
+    vec2 slope;    // Slope of the surface in the map: change of depth per texel.
+    vec2 size;     // Width and height of the map, in texels.
 };
 
-// On a plane tilted by θ, depth changes by tan θ per texel, and an offset d along its normal raises it by d /
-// cos θ. For the part that the clamped slope does not follow, d is large enough that no texel of the filter
-// lies above the surface.
+// Finds the place of a point in map i. On a plane tilted by θ, depth changes by tan θ per texel, and an offset d along
+// the normal raises the depth by d / cos θ. The slope is clamped for steep planes. The offset is so large that no texel
+// of the filter is above the surface despite the clamping.
 SunPlace place_in_map(uint i, vec3 position, vec3 normal) {
     const SunCascade cascade = sun.cascades[i];
     const vec2 size = vec2(textureSize(sunShadow, 0).xy);
@@ -45,7 +45,7 @@ bool is_in_map(SunPlace place) {
     return all(greaterThanEqual(place.at.xy, vec2(2.0))) && all(lessThanEqual(place.at.xy, place.size - 2.0));
 }
 
-// The lit share of the tent filter: four gathers of 2 × 2 texels. In each direction the four texels have the
+// Returns the lit share of the tent filter, from four gathers of 2 × 2 texels. Per direction, the four texels have the
 // weights 1 − f, 2 − f, 1 + f and f, where f is the position after the centre of the second texel.
 float filtered(SunPlace place) {
     const vec2 second = floor(place.at.xy - 0.5);
@@ -55,9 +55,9 @@ float filtered(SunPlace place) {
     float sum = 0.0;
     for (int y = 0; y < 2; ++y) {
         for (int x = 0; x < 2; ++x) {
-            const vec2 corner = second + vec2(2 * x, 2 * y);  // common corner of the four texels
-            // Points farther from the sun than the map's range are compared at the end of the range, so they
-            // are not in shadow.
+            const vec2 corner = second + vec2(2 * x, 2 * y);  // The corner that the four texels share.
+            // Clamp the depth: points that are farther from the sun than the map's range are compared at its end, so
+            // that they are not in shadow.
             const float z = clamp(place.at.z + dot(place.slope, corner - place.at.xy), 0.0, 1.0);
             const vec4 lit = textureGather(sunShadow, vec3(corner / place.size, float(place.cascade)), z);
             sum += dot(lit, vec4(wx[x].x * wy[y].y, wx[x].y * wy[y].y, wx[x].y * wy[y].x, wx[x].x * wy[y].x));
@@ -66,8 +66,8 @@ float filtered(SunPlace place) {
     return sum / 16.0;
 }
 
-// 1: fully lit, 0: in shadow. `view_distance` is the point's distance from the eye, in metres. Near its end,
-// each map is blended with the next one, and the last map with full light.
+// Returns 1 for full sunlight and 0 for shadow. `view_distance`: distance from the eye to the point, in metres. At its
+// end, each map is blended with the next map, and the last map is blended with full light.
 float sun_visibility(vec3 position, vec3 normal, float view_distance) {
     if (!HAS_sunShadow || sun.count == 0u) return 1.0;
     if (dot(normal, sun.to_sun) <= 0.0) return 0.0;

@@ -1,5 +1,5 @@
-// The material of a fragment: reads the inputs of surface_vertex.glsl and the material's textures. Fragment
-// stages only.
+// Reads the material of a fragment: the interpolated outputs of surface_vertex.glsl and the textures of the material.
+// Only fragment stages can use this file.
 #ifndef WEFT_SURFACE_FRAGMENT
 #define WEFT_SURFACE_FRAGMENT
 #include "material_set.glsl"
@@ -14,7 +14,7 @@ vec2 texture_uv(TextureTransform transform) {
     return transformed(transform, transform.row0.w > 0.0 ? surface_second_uv : surface_uv);
 }
 
-// Interpolation may give values slightly outside [0, 1].
+// Clamps the colour, because interpolation may give values slightly outside [0, 1].
 vec4 vertex_color() { return clamp(1.0 - color_lack, 0.0, 1.0); }
 
 vec4 base_color() {
@@ -34,21 +34,21 @@ vec3 shading_normal() {
     return normalize(t * m.x + b * m.y + n * m.z);
 }
 
-// Returns occlusion, perceptual roughness, metalness.
+// Returns r: occlusion, g: perceptual roughness, b: metalness.
 vec3 occlusion_roughness_metalness() {
     const vec3 mr = texture(metallic_roughness_texture, texture_uv(material.metallic_roughness_uv)).rgb;
     const float ao = texture(occlusion_texture, texture_uv(material.occlusion_uv)).r;
     return vec3(mix(1.0, ao, material.occlusion_strength), material.roughness * mr.g, material.metallic * mr.b);
 }
 
-// xyz: the unit vector perpendicular to `n` along which the surface is rougher; w: strength.
-// KHR_materials_anisotropy.
+// Returns the anisotropy of the material (KHR_materials_anisotropy). xyz: the unit vector, perpendicular to `n`, along
+// which the surface is rougher; w: strength.
 vec4 anisotropy(vec3 n) {
     const vec3 texel = texture(anisotropy_texture, texture_uv(material.anisotropy_uv)).rgb;
     const vec2 grain = material.anisotropy_textured > 0.0 ? texel.rg * 2.0 - 1.0 : vec2(1.0, 0.0);
     const vec2 turn = material.anisotropy_turn;
     const vec2 turned = mat2(turn, -turn.y, turn.x) * grain;
-    const vec3 any = abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);  // used if there is no tangent
+    const vec3 any = abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);  // Used if there is no tangent.
     vec3 t = world_tangent.xyz - n * dot(n, world_tangent.xyz);
     if (dot(t, t) < 1e-12) t = cross(any, n);
     t = normalize(t);
@@ -58,7 +58,7 @@ vec4 anisotropy(vec3 n) {
     return vec4(length2 > 1e-12 ? direction * inversesqrt(length2) : t, material.anisotropy * texel.b);
 }
 
-// cd/m².
+// Returns the luminance that the surface emits, in cd/m².
 vec3 emission() {
     const vec3 tint = mix(vec3(1.0), vertex_color().rgb, material.emission_tint);
     return texture(emissive_texture, texture_uv(material.emissive_uv)).rgb * material.emissive * tint;

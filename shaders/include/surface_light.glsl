@@ -1,7 +1,7 @@
-// The light that a surface reflects to the eye from the lights and the sky, without its own emission. Units:
-// cd/m². Deferred and forward shading share this file. Ports: the buffer `lights` and, if lights are culled,
-// the lists `tileLights`: then only the lights of the pixel's tile are evaluated, in the same order. An
-// unlisted light would contribute exactly 0, so the sum is equal in every bit.
+// Computes the light that a surface reflects to the eye from all lights and the sky, without its own emission. Units:
+// cd/m². Deferred and forward shading both use this file. Ports: the buffer `lights`, and optionally the lists
+// `tileLights`, which contain the lights that reach each tile. With lists, only the lights of the pixel's tile are
+// added, in the same order. Other lights would add exactly 0, so the sum has the same bits.
 #ifndef WEFT_SURFACE_LIGHT
 #define WEFT_SURFACE_LIGHT
 #include "brdf.glsl"
@@ -14,7 +14,7 @@
 
 layout(constant_id = 15) const bool HAS_tileLights = false;
 
-// Directional lights are not listed; the other lights come from the list of the tile of `pixel`.
+// Returns the reflection of all lights: directional lights, then the lights in the list of the tile of `pixel`.
 vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint all = min(frame.light_count, uint(lights.items.length()));
     const uint directional = min(frame.directional_count, all);
@@ -22,7 +22,7 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint listed = HAS_tileLights ? tileLights.items[list] : all - directional;
     vec3 radiance = directional_reflection(s, v, position);
     uint i = 0u, index = 0u;
-    for (; i < listed; ++i) {  // plain lights come first
+    for (; i < listed; ++i) {  // First the lights without area and light function.
         index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
         if (index >= frame.plain_count) break;
         radiance += plain_reflection(s, v, position, lights.items[index]);
@@ -34,8 +34,8 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     return radiance;
 }
 
-// Reflection of the sky. An anisotropic surface reflects it like an isotropic one whose highlight has the
-// same peak.
+// Returns the reflection of the sky. An anisotropic surface reflects the sky like an isotropic surface whose highlight
+// has the same peak.
 vec3 sky_reflection(Surface s, vec3 v, float roughness) {
     if (!s.anisotropic) return ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, roughness);
     const float mean_roughness = sqrt(sqrt(s.alphas.x * s.alphas.y));

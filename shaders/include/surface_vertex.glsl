@@ -1,6 +1,6 @@
-// A vertex of a drawn surface in the standard vertex format: a position stream, an attribute stream, and
-// buffers for streams that only some meshes have. The values for fragment stages are output at locations 0 to
-// 4.
+// Reads a vertex of a drawn surface in the standard vertex format: a stream of positions, a stream of attributes, and
+// buffers for colours and second uvs, which only some meshes have. Writes the outputs for the fragment stage at
+// locations 0 to 4.
 #ifndef WEFT_SURFACE_VERTEX
 #define WEFT_SURFACE_VERTEX
 #include "shared/instance.glsl"
@@ -11,17 +11,17 @@ layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv;
 
 layout(set = 3, binding = 0, std430) readonly buffer Instances { Instance instances[]; };
-layout(set = 3, binding = 1, std430) readonly buffer VertexColors { uvec2 vertex_colors[]; };  // rgba16, unorm
+layout(set = 3, binding = 1, std430) readonly buffer VertexColors { uvec2 vertex_colors[]; };  // Format rgba16 unorm.
 layout(set = 3, binding = 2, std430) readonly buffer SecondUvs { vec2 second_uvs[]; };
 
-// Makes the depth identical in all passes that draw the same surface, so that they can test for `equal`.
+// All passes then compute exactly the same depth for the same surface, so that a later pass can test for equal depth.
 invariant gl_Position;
 
 layout(location = 0) out vec3 world_normal;
 layout(location = 1) out vec4 world_tangent;
 layout(location = 2) out vec2 surface_uv;
 layout(location = 3) out vec2 surface_second_uv;
-// 1 − the vertex colour. Without vertex colours this is 0, which interpolation keeps exact.
+// 1 − vertex colour. Without vertex colours this is 0, and the interpolation of zeros is exact.
 layout(location = 4) out vec4 color_lack;
 
 Instance place_surface() {

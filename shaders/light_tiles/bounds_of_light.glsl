@@ -1,4 +1,4 @@
-// Reads the image `lightBounds`, described in light_bounds.glsl. Requires that file and reach.glsl.
+// Reads the image `lightBounds`, which light_bounds.glsl describes. Requires light_bounds.glsl and reach.glsl.
 
 vec4 sphere_of(uint light) { return texelFetch(lightBounds, bounds_texel(light), 0); }
 

@@ -1,9 +1,9 @@
-// Data about tiles for debug views. One workgroup per tile; not optimised for speed.
-// in   depth, hiz (tiles), lights, tileLights
-// out  tileFacts  r: number of listed lights, g: number of these that reach no pixel, b: number of depth
-// slices that contain
-//                 a pixel, plus a half in every other slice; a: how much the surface faces the eye, 0 for the
-//                 sky
+// Computes data about tiles for debug views, with one workgroup per tile. The code is not optimised for
+// speed.
+// Input: depth, hiz (mip with one texel per tile), lights, tileLights.
+// Output tileFacts: r is the number of lights in the tile's list, g is how many of these reach no pixel of
+// the tile. b is the number of depth slices of the tile that contain a pixel, plus 0.5 if the pixel is in a
+// slice with an odd number. a is how much the surface faces the eye: 0 for the sky.
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"
@@ -35,8 +35,8 @@ bool reaches(Light light, vec3 place) {
     return light.range_m <= 0.0 || distance(place, nearest_of(light, place)) < light.range_m;
 }
 
-// Tests 32 lights from index `first` on, one per bit of a word; returns the number that reaches no pixel of
-// the tile.
+// Tests 32 lights of the list, from index `first` on; each light is one bit of a word. Returns how many of these lights
+// reach no pixel of the tile.
 uint in_vain(uint list, uint first, uint end, vec3 place, bool surface) {
     if (gl_LocalInvocationIndex == 0u) reached = 0u;
     barrier();
@@ -55,7 +55,7 @@ vec3 place_of(ivec2 pixel) {
     return world_position((vec2(pixel) + 0.5) * view.inverse_viewport, max(z, 1e-6));
 }
 
-// Drawn below the numbers, to make the scene recognisable.
+// Returns how much the surface faces the eye. Debug views draw edges from it, so that the scene can be recognised.
 float facing_eye(ivec2 pixel, ivec2 last, vec3 place) {
     const ivec2 beside = pixel + ivec2(pixel.x < last.x ? 1 : -1, 0), below = pixel + ivec2(0, pixel.y < last.y ? 1 : -1);
     const vec3 normal = cross(place_of(beside) - place, place_of(below) - place);

@@ -1,6 +1,6 @@
-// Computes the reach of each light in view space once per frame, so that tiles need not repeat this.
-// in   lights
-// out  lightBounds  see light_bounds.glsl; not written for directional lights
+// Computes, once per frame, the region in view space that each light reaches, so that tiles need not compute it again.
+// Input: lights.
+// Output: lightBounds, described in light_bounds.glsl. Directional lights have no entry.
 #version 460
 #include "frame_set.glsl"
 #include "pixel_box.glsl"
@@ -13,8 +13,8 @@ layout(local_size_x = 64) in;
 readonly buffer Lights { Light items[]; } lights;
 layout(rgba32f) writeonly uniform image2D lightBounds;
 
-// Twice the rounding error of the light's transformation from world to view: four products, each half a unit
-// in the last place.
+// Twice the rounding error of the transformation from world space to view space. The transformation adds four products,
+// and each may be wrong by half a unit in the last place.
 const float kTransformError = 1e-6;
 
 float sum_of_sizes(vec3 v) { return abs(v.x) + abs(v.y) + abs(v.z); }
@@ -41,8 +41,8 @@ Reach reach_of(Light light) {
     return r;
 }
 
-// A sphere around the region that the light reaches. For a cone of up to 45° it passes through tip and rim;
-// for a wider cone its equator is the rim.
+// Returns a sphere around the region that the light reaches. The sphere of a cone of up to 45° passes through its tip
+// and rim. The sphere of a wider cone has the rim as its equator.
 vec4 sphere_around(Reach r) {
     const float core_m = length(r.first) + length(r.second) + r.slack_m;
     if (r.cos_spread <= 0.0 || r.range_m >= kEndless) return vec4(r.center, core_m + r.range_m);

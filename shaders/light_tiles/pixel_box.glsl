@@ -1,17 +1,17 @@
-// Boxes and planes in view space around the surfaces in a rectangle of pixels. Requires frame_set.glsl.
-// Units: metres. All of them refer to the centres of pixels, where surfaces are shaded.
+// Boxes and planes in view space around the surfaces in a rectangle of pixels. Units: metres. All bounds refer to the
+// centres of pixels, because surfaces are shaded there. Requires frame_set.glsl.
 
-// Largest rounding error of a position in single precision, relative to its distance: for a box made here,
-// and for the same pixel's position from world_position().
+// Largest rounding error of a position in single precision, relative to its distance from the eye. It covers the error
+// of a box in this file and the error of the position that world_position() returns for the same pixel.
 const float kPlaceError = 4e-6;
-// Used in place of infinity; its square is still finite.
+// Replaces infinity. The square of this number is still finite.
 const float kEndless = 1e17;
 
 struct Box {
     vec3 low, high;
 };
 
-// Lower and upper limits of x and y divided by the distance along the view, for some pixels.
+// Limits of x and y, divided by the distance along the view axis, for a rectangle of pixels.
 struct Slopes {
     vec2 low, high;
 };
@@ -29,14 +29,14 @@ Slopes slopes_of(ivec2 first, ivec2 last) {
 
 float distance_of(float z) { return min(view.near_m / z, kEndless); }
 
-// The part of the pixels' frustum between two distances.
+// Returns a box around the part of the pixels' frustum between two distances.
 Box box_of(Slopes s, float near_m, float far_m) {
     const float from_m = near_m * (1.0 - kPlaceError), to_m = far_m * (1.0 + kPlaceError);
     return Box(vec3(min(s.low * from_m, s.low * to_m), -to_m), vec3(max(s.high * from_m, s.high * to_m), -from_m));
 }
 
-// Normals of planes through the eye, pointing inwards: x and z of the left and right plane, y and z of the
-// lower and upper one.
+// Normals of planes through the eye that bound a rectangle of pixels. They point inwards. The components are x and z
+// for the left and right plane, y and z for the lower and upper plane.
 struct SidePlanes {
     vec2 left, right, lower, upper;
 };

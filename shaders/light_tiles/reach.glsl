@@ -1,27 +1,27 @@
-// The region that a light reaches, as a convex body in view space, and tests whether it is separate from a
-// box or half-space. Requires pixel_box.glsl. Units: metres.
+// The region that a light reaches, as a convex body in view space. The tests below find out whether the body is
+// separate from a box. Units: metres. Requires pixel_box.glsl.
 //
-// One form covers all light types: a core (a point, a segment or a rectangle), and around each of its points
-// the part of a ball inside a cone: the whole ball (point, capsule), the half in front of a rectangle, or a
-// spot's cone. The extent of such a body in any direction has a closed form. If a box begins beyond that
-// extent in some direction, the two are separate (separating axis theorem; Gottschalk, Lin and Manocha,
-// OBBTree, 1996). Two directions are tested: from the core to the box, which is exact for balls, and the
-// cone's normal towards the box.
+// The same form fits all types of lights. A core (a point, a segment or a rectangle) is surrounded, at each of its
+// points, by a part of a ball: the whole ball (point, capsule), the half in front (rectangle), or the part inside a
+// cone (spot). A formula gives how far such a body extends in any direction. If a box begins beyond this extent in some
+// direction, body and box are separate (separating axis theorem; Gottschalk, Lin and Manocha, OBBTree, 1996). Two
+// directions are tested: from the core to the box, which is exact for balls, and the normal of the cone's side towards
+// the box.
 
 struct Reach {
     vec3 center;
     float range_m;
-    vec3 first;        // half side of the core
-    float cos_spread;  // cosine of the cone's half angle; −1: a whole ball
+    vec3 first;        // Half of a segment, or of a side of a rectangle; `second` is half of the other side.
+    float cos_spread;  // Cosine of half the cone's opening angle; −1: a whole ball.
     vec3 second;
     float sin_spread;
-    vec3 direction;    // the cone's axis
-    float slack_m;     // allowance for rounding in single precision; included in range_m
+    vec3 direction;    // Axis of the cone.
+    float slack_m;     // Allowance for rounding in single precision; range_m includes it.
 };
 
 float core_extent(Reach r, vec3 n) { return abs(dot(n, r.first)) + abs(dot(n, r.second)); }
 
-// Extent of the body from its centre in the direction of n, times the length of n.
+// Returns how far the body extends from its centre in the direction of n, times the length of n.
 float extent(Reach r, vec3 n, float length_n) {
     const float along = dot(n, r.direction);
     const float across = sqrt(max(length_n * length_n - along * along, 0.0));
@@ -36,9 +36,9 @@ vec3 nearest_on_core(Reach r, vec3 place) {
     return r.center + r.first * u + r.second * v;
 }
 
-// True if the box begins beyond the light's extent, in the direction from the core to the box.
+// Returns true if the box is beyond the extent of the light in the direction from the core to the box.
 bool beyond_range(Reach r, Box box) {
-    // A pair of near points. They need not be the nearest ones, because any direction gives a valid proof.
+    // Use a pair of near points. They need not be the nearest ones: any direction can prove that the two are separate.
     const vec3 core = nearest_on_core(r, clamp(r.center, box.low, box.high));
     const vec3 place = clamp(core, box.low, box.high);
     const vec3 gap = place - core;
@@ -46,10 +46,10 @@ bool beyond_range(Reach r, Box box) {
     return gap_m > r.slack_m && dot(gap, place - r.center) > extent(r, gap, gap_m);
 }
 
-// True if the box lies beside the cone, outside the cone's surface in the direction perpendicular to its
-// axis.
+// Returns true if the box is beside the cone. The test direction is the normal of the cone's side that faces the
+// box.
 bool beside_cone(Reach r, Box box) {
-    if (r.cos_spread < 0.0) return false;  // a ball has no cone; the formula below needs one
+    if (r.cos_spread < 0.0) return false;  // A ball has no cone.
     const vec3 low = box.low - r.center, high = box.high - r.center;
     const vec3 aside = cross(cross(r.direction, low + high), r.direction);
     const vec3 across = aside * inversesqrt(max(dot(aside, aside), 1e-30));

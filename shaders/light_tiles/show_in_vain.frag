@@ -1,5 +1,5 @@
-// Shows how many of each tile's lights reach none of its pixels, over the picture's edges. Reads tileFacts,
-// see facts.comp.
+// Debug view: shows for each tile how many of its listed lights reach no pixel, over the edges of the picture. Reads
+// the image tileFacts of facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

@@ -1,4 +1,4 @@
-// Shows how many lights each tile lists, over the picture's edges. Reads tileFacts, see facts.comp.
+// Debug view: shows how many lights each tile lists, over the edges of the picture. Reads the image of facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

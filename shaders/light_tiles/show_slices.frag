@@ -1,5 +1,5 @@
-// Shows the depth slices of tiles as stripes. The colour is the number of the 32 slices that contain a pixel;
-// it is dark for small numbers. Reads tileFacts, see facts.comp.
+// Debug view: shows the depth slices of tiles as stripes. The colour tells how many of the tile's 32 slices contain a
+// pixel; few are dark. Reads the image tileFacts of facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

@@ -1,6 +1,6 @@
-// The entry for each light in the list of a super-tile, a square of 8 × 8 tiles. x: the light's index in 16
-// bits, then one bit for each column and each row of tiles that it may reach, tested against their side
-// planes. y: its range of distances along the view, as the upper halves of two floats, rounded outwards.
+// Format of a light in the list of a super-tile (8 × 8 tiles). x contains the index of the light in 16 bits, then 8
+// bits for columns and 8 bits for rows of tiles. A bit is 1 if the light may reach the column or row. y contains the
+// nearest and farthest distance of the light along the view axis, as the upper halves of two floats, rounded outwards.
 // Units: metres.
 
 const int kTilesPerSide = 8;

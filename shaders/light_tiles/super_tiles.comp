@@ -1,12 +1,12 @@
-// The lights that may reach a super-tile, a square of 128 × 128 pixels. One workgroup per super-tile tests
-// all lights, so that tiles need to test only few. Lights whose sphere passes are tested again with their
-// exact shape, against the side planes of all columns and rows of tiles.
-// in   hiz          nearest and farthest depth of each super-tile, see hiz/hiz.comp
-//      glassHiz     optional: the same for transparent surfaces; anything may be visible behind them
-//      lightBounds  see light_bounds.comp
-// out  superLights  for each super-tile, in rows, a length and one entry per light, ascending: see
-// super_list.glsl. Has
-//                   room for all lights
+// Lists the lights that may reach a super-tile, a square of 128 × 128 pixels. One workgroup per super-tile
+// tests all lights, so that each tile needs to test only few. If the bounding sphere of a light meets the
+// super-tile, the exact shape of the light is tested against the side planes of all columns and rows of
+// tiles.
+// Input hiz: nearest and farthest depth of each super-tile (hiz/hiz.comp). Input glassHiz, optional: the
+// same for transparent surfaces; anything behind these may be visible. Input lightBounds: see
+// light_bounds.comp.
+// Output superLights: for each super-tile, row by row, the number of its lights and one entry per light, in
+// ascending order (super_list.glsl). Each list has room for all lights.
 #version 460
 #include "frame_set.glsl"
 #include "light_bounds.glsl"
@@ -24,13 +24,13 @@ writeonly buffer SuperLights { uvec2 items[]; } superLights;
 
 #include "bounds_of_light.glsl"
 
-// Normals of planes through the eye, pointing inwards. Columns: x and z of the left plane, then of the right
-// one; rows: y and z of the lower, then of the upper one.
+// Normals of planes through the eye, pointing inwards. For each column of tiles: x and z of the left plane, then of the
+// right plane. For each row of tiles: y and z of the lower plane, then of the upper plane.
 shared vec4 column_sides[kTilesPerSide], row_sides[kTilesPerSide];
 
 uint list_stride() { return uint(superLights.items.length()) / (gl_NumWorkGroups.x * gl_NumWorkGroups.y); }
 
-// The range of distances of all surfaces; false if there is none.
+// Finds the range of distances of the super-tile's surfaces. Returns false if the super-tile shows only sky.
 bool find_range(out float near_m, out float far_m) {
     const ivec2 at = ivec2(gl_WorkGroupID.xy);
     const vec2 range = texelFetch(hiz, at, 0).rg;
@@ -52,18 +52,18 @@ void find_sides(ivec2 origin) {
     if (i >= kTilesPerSide) return;
     const ivec2 end = origin + (i + 1) * kTilePx;
     const ivec2 last = last_before(end);
-    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));  // outside the picture: the last column
+    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));  // Outside: use the last column.
     column_sides[i] = vec4(sides.left, sides.right);
     row_sides[i] = vec4(sides.lower, sides.upper);
 }
 
-// True if part of the light's region is on the inner side of both planes. Their common axis has component 0
-// and is omitted.
+// Returns true if a part of the light's region may be on the inner side of both planes through the eye. `first` and
+// `second` are the normals of the planes.
 bool between(Reach r, vec3 first, vec3 second) {
     return dot(first, r.center) >= -extent(r, first, 1.0) && dot(second, r.center) >= -extent(r, second, 1.0);
 }
 
-// x is 0 if the light reaches no tile.
+// Returns the list entry of the light. In the result, x is 0 if the light reaches no tile.
 uvec2 entry_of(uint light, Reach r) {
     uint columns = 0u, rows = 0u;
     for (int i = 0; i < kTilesPerSide; ++i) {
@@ -76,8 +76,8 @@ uvec2 entry_of(uint light, Reach r) {
     return columns == 0u || rows == 0u ? uvec2(0u) : uvec2(super_index(light, columns, rows), super_range(near_m, far_m));
 }
 
-// Tests the spheres of 32 lights from index `first` on; the bits of the result mark those that intersect the
-// super-tile.
+// Tests the spheres of four lights per thread, from index `first` on. The set bits of the result mark the lights whose
+// sphere meets the super-tile.
 uint find_candidates(uint first, uint end, SidePlanes sides, Box box) {
     const uint own = first + kPerThread * gl_LocalInvocationIndex;
     uint found = 0u;

@@ -1,31 +1,31 @@
-// The depth slices of a tile that contain a pixel, with the rows and columns of these pixels. Requires
-// pixel_box.glsl, reach.glsl, sorted_list.glsl, super_list.glsl and the images `depth`, `hiz` and
-// `glassDepth`. For workgroups of 32 threads, one workgroup per tile; each thread processes 4 × 2 pixels.
+// Finds the depth slices of a tile that contain a pixel, and the rows and columns of these pixels. For workgroups of 32
+// threads, one per tile; each thread processes 4 × 2 pixels. Requires pixel_box.glsl, reach.glsl, sorted_list.glsl,
+// super_list.glsl and the images `depth`, `hiz` and `glassDepth`.
 
 const int kSlices = 32;
 
-shared uint slice_pixels[kSlices];  // bit masks: columns in the lower half, rows in the upper half; 0: no pixel
-shared uint slice_edges[kSlices];   // first column, first row, last column, last row of these pixels; one byte each
-shared uint occupied;               // one bit for each slice that contains a pixel
-shared uint nearest_z, farthest_z;  // bit patterns of floats, which sort in the same order as non-negative floats
+shared uint slice_pixels[kSlices];  // Pixels of each slice: bits of columns (low 16), of rows (high 16).
+shared uint slice_edges[kSlices];   // One byte each: first column, first row, last column, last row.
+shared uint occupied;               // One bit for each slice that contains a pixel.
+shared uint nearest_z, farthest_z;  // Bits of depth values; non-negative floats sort like their bits.
 
-float first_m, slice_m, last_m;     // start of the first slice, thickness of a slice, end of the last slice
+float first_m, slice_m, last_m;     // In metres: start of the first slice, thickness, end of the last.
 
 struct TileBounds {
-    vec3 axis;     // direction through the tile's middle, one metre long along the view
-    float spread;  // largest distance of the tile's pixels from that axis, at one metre
+    vec3 axis;     // Direction through the middle of the tile; length 1 along the view axis.
+    float spread;  // Largest distance of the tile's pixels from this axis, at 1 m.
     uint occupied;
 };
 
-// The order in which textureGather returns the pixels of a square.
+// Offsets of the four pixels of a square, in the order in which textureGather returns them.
 const ivec2 kGathered[4] = ivec2[](ivec2(0, 1), ivec2(1, 1), ivec2(1, 0), ivec2(0, 0));
 
 ivec2 tile_origin() { return ivec2(gl_WorkGroupID.xy) * kTilePx; }
 
-// Each thread processes two squares of 2 × 2 pixels, side by side.
+// Returns the first pixel of the thread: each thread processes two squares of 2 × 2 pixels, side by side.
 ivec2 squares_in_tile() { return ivec2(gl_LocalInvocationIndex & 3u, gl_LocalInvocationIndex >> 2) * ivec2(4, 2); }
 
-// Returns 0 outside the picture.
+// Returns the depths of a square of 2 × 2 pixels. Pixels outside the picture get the depth 0.
 vec4 gather_depth(sampler2D image, ivec2 square) {
     const vec4 z = textureGather(image, vec2(square + 1) * view.inverse_viewport);
     const bvec2 inside = lessThan(square + 1, ivec2(view.viewport_px));
@@ -37,7 +37,7 @@ int slice_of(float distance_m) { return int(clamp((distance_m - first_m) / slice
 
 uint pixel_bits(ivec2 in_tile) { return (1u << in_tile.x) | (1u << (16 + in_tile.y)); }
 
-// The slice of each pixel of a square; -1 for pixels without a surface.
+// Returns the slice of each pixel in a square of 2 × 2 pixels; −1 for pixels without a surface.
 ivec4 slices_of(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square);
     return ivec4(z.x > 0.0 ? slice_of(distance_of(z.x)) : -1, z.y > 0.0 ? slice_of(distance_of(z.y)) : -1,
@@ -55,7 +55,7 @@ uint pixels_in(ivec4 slices, int k, ivec2 square) {
 
 ivec4 below(ivec4 slices, int k) { return mix(ivec4(-1), slices, lessThan(slices, ivec4(k))); }
 
-// Pixels in the same slice are added together. Returns the slices as bits.
+// Adds the pixels of two squares to slices, with one atomic operation per slice. Returns the slices as bits.
 uint enter_opaque(ivec2 square) {
     const ivec2 beside = square + ivec2(2, 0);
     const ivec4 a = slices_of(square), b = slices_of(beside);
@@ -71,7 +71,7 @@ uint enter_opaque(ivec2 square) {
     }
 }
 
-// Adds all slices from the transparent surface to the opaque one, or to the last slice. Returns them as bits.
+// For each pixel, adds all slices from the glass to the opaque surface or the last slice. Returns the slices as bits.
 uint enter_translucent_square(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square), glass = gather_depth(glassDepth, tile_origin() + square);
     uint entered = 0u;
@@ -90,7 +90,7 @@ uint enter_translucent(ivec2 square) {
     return enter_translucent_square(square) | enter_translucent_square(square + ivec2(2, 0));
 }
 
-// From the nearest transparent surface to the farthest surface, ignoring the sky.
+// Returns the depth range from the nearest transparent surface to the farthest surface behind one, without the sky.
 vec2 translucent_range() {
     for (int s = 0; s < 2; ++s) {
         const ivec2 square = tile_origin() + squares_in_tile() + ivec2(2 * s, 0);
@@ -105,7 +105,7 @@ vec2 translucent_range() {
     return vec2(uintBitsToFloat(nearest_z), uintBitsToFloat(farthest_z));
 }
 
-// Returns false, in all threads, if the tile shows no lit surface. Ends with a barrier.
+// Sorts the tile's pixels into slices. All threads return false if the tile has no lit surface. Ends with a barrier.
 bool find_slices() {
     slice_pixels[gl_LocalInvocationIndex] = 0u;
     if (gl_LocalInvocationIndex == 0u) {
@@ -116,7 +116,7 @@ bool find_slices() {
     barrier();
     const vec2 range = TRANSLUCENT ? translucent_range() : texelFetch(hiz, ivec2(gl_WorkGroupID.xy), 0).rg;
     first_m = distance_of(range.x);
-    // A slice must be thicker than the precision of single-precision distances.
+    // A slice must be thicker than the rounding error of distances in single precision.
     slice_m = max((distance_of(range.y) - first_m) / float(kSlices), kPlaceError * distance_of(range.y));
     last_m = TRANSLUCENT ? kEndless : first_m + slice_m * float(kSlices);
     const uint entered = TRANSLUCENT ? enter_translucent(squares_in_tile()) : enter_opaque(squares_in_tile());
@@ -125,7 +125,7 @@ bool find_slices() {
     return range.x > 0.0;
 }
 
-// Call this after find_slices().
+// Returns the axis, spread and occupied slices of the tile. The caller must call find_slices() before.
 TileBounds tile_bounds() {
     const ivec2 last = min(tile_origin() + kTilePx, ivec2(view.viewport_px)) - 1;
     const Slopes slopes = slopes_of(tile_origin(), last);
@@ -133,17 +133,17 @@ TileBounds tile_bounds() {
     return TileBounds(vec3(slopes.low + half_size, -1.0), length(half_size), occupied);
 }
 
-// The slices between two distances, as bits. Positions slightly beyond an edge still count, because of
-// rounding.
+// Returns the slices between two distances, as bits. A slice also counts if a distance is slightly outside its edge,
+// because of rounding.
 uint slices_between(float near_m, float far_m) {
     const float a = (near_m - first_m) / slice_m - 0.01, b = (far_m - first_m) / slice_m + 0.01;
     if (b < max(a, 0.0) || (!TRANSLUCENT && a > float(kSlices))) return 0u;
     return (~0u << int(clamp(a, 0.0, kSlices - 1.0))) & (~0u >> (kSlices - 1 - int(clamp(b, 0.0, kSlices - 1.0))));
 }
 
-// The occupied slices that a light inside this sphere and between two distances may reach: those where the
-// tile's axis lies inside the sphere, enlarged by the tile's radius. This is a tighter test than the sphere's
-// whole depth range, because a tile near the sphere's rim intersects only a short part of it.
+// Returns the occupied slices that a light inside this sphere and between two distances may reach. These are the slices
+// where the axis of the tile is inside the sphere, enlarged by the radius of the tile. The whole depth range of the
+// sphere would be larger: a tile near the rim of the sphere meets only a short part of this range.
 uint slices_at(vec4 sphere, float near_m, float far_m, TileBounds b) {
     const float at_m = dot(b.axis, sphere.xyz) / dot(b.axis, b.axis);
     const vec3 aside = sphere.xyz - at_m * b.axis, sizes = abs(sphere.xyz);
@@ -154,7 +154,7 @@ uint slices_at(vec4 sphere, float near_m, float far_m, TileBounds b) {
     return rest < 0.0 ? 0u : slices_between(max(near_m, at_m - half_m), min(far_m, at_m + half_m)) & b.occupied;
 }
 
-// Call this after find_slices(); the caller must add a barrier afterwards.
+// Finds the first and last row and column of each slice's pixels. Call after find_slices(); a barrier must follow.
 void find_edges() {
     const uint pixels = slice_pixels[gl_LocalInvocationIndex], columns = pixels & 0xFFFFu, rows = pixels >> 16;
     slice_edges[gl_LocalInvocationIndex] =
@@ -169,7 +169,7 @@ Box slice_box(int k) {
     return box_of(slopes, near_m, k == kSlices - 1 ? last_m : near_m + slice_m);
 }
 
-// True if a light inside this sphere reaches one of these slices.
+// Returns true if the light, which is inside this sphere, reaches a pixel box of one of these slices.
 bool reaches_slice(vec4 sphere, Reach r, uint slices) {
     for (;;) {
         const int k = max(findLSB(slices), 0);

@@ -1,10 +1,10 @@
-// Shows a number for each tile as a colour and in digits, with a key of the colours below. Requires
-// debug_colors.glsl, debug_digits.glsl and the image `shown` of facts.comp.
+// For debug views: shows a number for each tile as a colour and in digits, with a key of the colours in a corner.
+// Requires debug_colors.glsl, debug_digits.glsl and the image `shown` of facts.comp.
 
-const float kMost = 128.0;  // upper end of the scale, which is logarithmic
+const float kMost = 128.0;  // Upper end of the colour scale, which is logarithmic.
 
-// Grey for 0. Faint lines over the colours show where the surface bends: `facts.a` tells how much it faces
-// the eye.
+// Returns the colour of a number: grey for 0, otherwise a heat colour. Darker lines show where the surface bends: they
+// follow from how much the surface faces the eye (alpha of the image).
 vec3 number_color(float number, ivec2 pixel) {
     const ivec2 last = textureSize(shown, 0) - 1;
     const float facing = texelFetch(shown, pixel, 0).a;
@@ -16,14 +16,14 @@ vec3 number_color(float number, ivec2 pixel) {
     return (number > 0.0 ? heat_color(scaled) : vec3(0.12)) * (1.0 - 0.5 * line);
 }
 
-// Digits are drawn on a darker patch, because the background may have any colour.
+// Draws the number into the middle of the tile, on a darkened rectangle, because the background may have any colour.
 vec3 with_digits(vec3 ground, uint number, ivec2 pixel) {
     const ivec2 size = ivec2(4 * digits_of(number) - 1, 5), at = (pixel & 15) - (15 - size) / 2;
     if (number == 0u || any(lessThan(at, ivec2(-1))) || any(greaterThan(at, size))) return ground;
     return is_number(number, at) ? vec3(1.0) : ground * 0.35;
 }
 
-// The colour scale in the lower left corner, with the numbers 1, 4, 16, … above it.
+// Draws the scale of colours into the lower left corner, with the numbers 1, 4, 16 and 64 above it.
 vec3 with_key(vec3 color, ivec2 pixel, ivec2 size) {
     const ivec2 at = pixel - ivec2(8, size.y - 30);
     const ivec2 strip = ivec2(180, 22);

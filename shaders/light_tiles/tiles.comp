@@ -1,17 +1,17 @@
-// The lights that may reach a tile of 16 × 16 pixels, one workgroup per tile: the lights of its super-tile
-// that reach a box around one of the tile's slices. The range between its nearest and farthest pixel is
-// divided into 32 slices of equal depth; a slice's box is as wide as the pixels in it. Based on Harada's 2.5D
-// culling (SIGGRAPH Asia 2012), which has one bit for each of the boxes used here. Columns, rows and a sphere
-// around each light are tested first (super_list.glsl); the remaining lights are tested exactly, by as few
-// threads as possible.
-// in   depth         reversed; the sky is 0 and reached by no light
-//      hiz           nearest and farthest depth of each tile, see hiz/hiz.comp
-//      lightBounds, superLights  see light_bounds.comp, super_tiles.comp
-//      glassDepth    with TRANSLUCENT: the nearest transparent surface; a pixel then covers the range from it to
-//                    the opaque surface, or to infinity if there is none
-// out  tileLights    for each tile, in rows, a length and the lights' indices, ascending
-//      tileOverflow  counts what did not fit into lists: lights, lists; and the length of the longest list
-//      tileMask      optional: the same sets without a limit, as one bit per light
+// Lists the lights that may reach a tile of 16 × 16 pixels, with one workgroup per tile. The depth range
+// of the tile's pixels is divided into 32 slices of equal depth. Each slice has a box, as wide as the
+// pixels in it. A light of the super-tile is listed if it reaches one of these boxes. Harada's 2.5D
+// culling (SIGGRAPH Asia 2012) is similar, but has a bit instead of a box for each slice. Cheap tests come
+// first: columns, rows and a sphere around the light (super_list.glsl). Only the remaining lights are
+// tested exactly, and they are distributed so that all threads have work.
+// Input depth: reversed; 0 is the sky, which no light reaches. Input hiz: nearest and farthest depth of
+// each tile (hiz/hiz.comp). Input lightBounds, superLights: see light_bounds.comp, super_tiles.comp. Input
+// glassDepth, with TRANSLUCENT: the nearest transparent surface. A pixel then covers the range from this
+// surface to the opaque surface, or to infinity if there is none.
+// Output tileLights: for each tile, row by row, the number of its lights and their indices, ascending.
+// Output tileOverflow: how many lights did not fit into lists, in how many lists, and the length of the
+// longest list. Output tileMask, optional: the same sets of lights without a limit, with one bit per
+// light.
 #version 460
 #include "frame_set.glsl"
 #include "light_bounds.glsl"
@@ -35,7 +35,7 @@ coherent buffer TileMask { uint items[]; } tileMask;
 #include "bounds_of_light.glsl"
 #include "tile_slices.glsl"
 
-uint list, room;  // start of the tile's list, and number of lights for which it has room
+uint list, room;  // Start of the tile's list, and the number of lights that fit into it.
 
 uint tile_index() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 uint tile_total() { return gl_NumWorkGroups.x * gl_NumWorkGroups.y; }
@@ -50,8 +50,8 @@ uint slices_of_entry(uvec2 entry, TileBounds bounds) {
     return slices_at(sphere_of(light_of(entry)), near_of(entry), far_of(entry), bounds);
 }
 
-// Tests up to kRound entries of the super-tile's list from `first` on; the bits of the result mark this
-// thread's candidates.
+// Each thread tests four entries of the super-tile's list, from `first` on. The set bits of the result mark the entries
+// of this thread that may reach the tile.
 uint find_candidates(uint first, uint end, TileBounds bounds) {
     const uvec2 tile = gl_WorkGroupID.xy % uint(kTilesPerSide);
     const uint own = first + kPerThread * gl_LocalInvocationIndex;
@@ -69,9 +69,9 @@ void put(uint light, uint place) {
 }
 
 uint fill_list() {
-    find_edges();  // the barrier follows in the first round
+    find_edges();  // The first round contains the barrier that must follow.
     const TileBounds bounds = tile_bounds();
-    const uint super = super_list(), end = super + 1u + superLights.items[super].x;  // `end` is never 0
+    const uint super = super_list(), end = super + 1u + superLights.items[super].x;  // `end` is at least 1.
     uint listed = 0u;
     for (uint first = super + 1u;;) {
         const uint slot = enter_some(find_candidates(first, end, bounds)), count = entered_count(slot);

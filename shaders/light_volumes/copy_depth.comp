@@ -1,4 +1,4 @@
-// Copies depth, so that shaders can read it while stencil tests write the original image.
+// Copies the depth image. Shaders read the copy while the original is attached as depth and stencil.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,5 +1,5 @@
-// The light of one light source for the surface at a pixel; blending adds it to the others. For the back
-// faces of its volume only the stencil is written. Output: scene-linear Rec.709, cd/m² × preExposure.
+// Computes the light of one light source on the surface at a pixel; blending adds it to hdr. Back faces of the volume
+// are discarded, because they only write stencil. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
 #include "brdf.glsl"
 #include "frame_set.glsl"

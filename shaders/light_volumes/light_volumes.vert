@@ -1,14 +1,14 @@
-// Light volumes: for each light, one instance of a convex solid around the region that it reaches. Point
-// lights have an icosahedron, spots a pyramid with ten sides, capsules and rectangles a box; lights without a
-// range cover the picture.
+// Draws a light volume for each light: one instance of a convex solid around the region that the light
+// reaches. The solid of a point light is an icosahedron, of a spot a pyramid with ten sides, of a capsule or
+// rectangle a box. Lights without a range cover the whole picture.
 //
-// Each volume is drawn twice in one draw, which works because primitives are rasterised in order. First its
-// back faces mark the pixels whose surface lies in front of them. Then its front faces shade marked pixels
-// whose surface lies behind them, and clear the marks. Triangles with the other orientation are collapsed. If
-// the eye or the near plane is inside the volume, its front is clipped away; then the back faces are drawn a
-// second time for shading, with reversed orientation, so that they count as front faces, and moved to the
-// near plane. Depth is reversed. Volumes are one hundredth too large, so that rounding errors at their edges
-// are invisible.
+// Each volume is drawn twice in one draw; primitives are rasterised in order. First, its back faces set the
+// stencil where the surface is in front of them. Then its front faces shade the pixels with a set stencil
+// whose surface is behind them, and clear the stencil. Triangles with the other orientation are collapsed. If
+// the eye or the near plane is inside the volume, its front is clipped. In this case the second half draws
+// the back faces again, with reversed orientation, so that they count as front faces, and at the depth of the
+// near plane. Depth is reversed. Volumes are 1 % too large, so that rounding errors at their edges are
+// invisible.
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"
@@ -22,8 +22,8 @@ const int kTriangles = 20;
 const float kMargin = 1.01;
 const float kPi = 3.14159265358979;
 const int kSides = 10;
-const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // ratio of outer to inner radius
-const float kAroundSphere = kMargin * 1.258408572;               // the same ratio for the icosahedron's spheres
+const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // Ratio of outer to inner radius.
+const float kAroundSphere = kMargin * 1.258408572;               // The same ratio for the icosahedron.
 
 const float kGolden = 1.618033988750;
 const vec3 kIcosahedron[12] = vec3[](
@@ -34,7 +34,7 @@ const uvec3 kIcosahedronFaces[kTriangles] = uvec3[](
     uvec3(0, 11, 5), uvec3(0, 5, 1), uvec3(0, 1, 7), uvec3(0, 7, 10), uvec3(0, 10, 11), uvec3(1, 5, 9), uvec3(5, 11, 4),
     uvec3(11, 10, 2), uvec3(10, 7, 6), uvec3(7, 1, 8), uvec3(3, 9, 4), uvec3(3, 4, 2), uvec3(3, 2, 6), uvec3(3, 6, 8),
     uvec3(3, 8, 9), uvec3(4, 9, 5), uvec3(2, 4, 11), uvec3(6, 2, 10), uvec3(8, 6, 7), uvec3(9, 8, 1));
-const uvec3 kBoxFaces[12] = uvec3[](  // bit i of a corner selects the end of axis i
+const uvec3 kBoxFaces[12] = uvec3[](  // Bit i of a corner's number selects the end of axis i.
     uvec3(1, 3, 7), uvec3(1, 7, 5), uvec3(0, 4, 6), uvec3(0, 6, 2), uvec3(2, 6, 7), uvec3(2, 7, 3),
     uvec3(0, 1, 5), uvec3(0, 5, 4), uvec3(4, 5, 7), uvec3(4, 7, 6), uvec3(0, 2, 3), uvec3(0, 3, 1));
 
@@ -43,12 +43,12 @@ const int kSphere = 1;
 const int kCone = 2;
 const int kBox = 3;
 
-// Local axes: side, up and back.
+// The solid around a light, in its own axes: side, up and back.
 struct Proxy {
     int shape;
     mat3 axes;
-    vec3 center;      // for a cone its apex
-    vec3 extent;      // sphere: radius of the solid; cone: rim, rim, height; box: half sizes
+    vec3 center;      // Centre of the solid; for a cone, its tip.
+    vec3 extent;      // Sphere: radius; cone: rim radius (x, y), height (z); box: half sizes.
 };
 
 Proxy make_proxy(Light light) {
@@ -86,8 +86,8 @@ vec3 rim(int at) {
     return vec3(cos(turn), sin(turn), -1.0);
 }
 
-// A corner of a triangle of the solid, counter-clockwise from outside; unused triangles are collapsed to a
-// point.
+// Returns a corner of a triangle of the solid, counter-clockwise as seen from outside. Triangles that a solid does not
+// need are collapsed to a point.
 vec3 corner_of(Proxy proxy, int triangle, int corner) {
     vec3 at = vec3(0.0);
     if (proxy.shape == kSphere)
@@ -101,13 +101,13 @@ vec3 corner_of(Proxy proxy, int triangle, int corner) {
     return proxy.center + proxy.axes * (at * proxy.extent);
 }
 
-// Covers the whole picture at the far plane, as a back face.
+// Returns a corner of a triangle that covers the whole picture at the far plane. The triangle is a back face.
 vec4 picture_corner(int triangle, int corner) {
     if (triangle > 0) return vec4(0.0);
     return vec4(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }
 
-// True if part of the near plane may lie inside the volume.
+// Returns true if a part of the near plane may be inside the volume.
 bool surrounds_eye(Proxy proxy) {
     if (proxy.shape == kEverywhere) return true;
     const vec3 near_corner = vec3(1.0 / view.projection[0][0], 1.0 / view.projection[1][1], 1.0);
@@ -134,7 +134,7 @@ void main() {
         corners[i] = proxy.shape == kEverywhere
                          ? picture_corner(triangle, i)
                          : view.view_projection * vec4(corner_of(proxy, triangle, i), 1.0);
-    // The sign of the triangle's area in the picture, for the part in front of the eye.
+    // The sign of the triangle's area on screen gives its orientation (for the part in front of the eye).
     const float turn = determinant(mat3(corners[0].xyw, corners[1].xyw, corners[2].xyw));
     const bool turned = shades && surrounds_eye(proxy);
     const bool is_wanted = shades && !turned ? turn < 0.0 : turn > 0.0;

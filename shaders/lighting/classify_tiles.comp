@@ -1,4 +1,4 @@
-// The class of each tile, determined by its visible surfaces and by the lights in its list.
+// Determines the class of each tile, from its visible surfaces and from the lights in its list (tile_class.glsl).
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -6,7 +6,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "shared/light.glsl"
 #include "tile_class.glsl"
 
-uniform sampler2D hiz;  // the mip with one texel per tile; r is 0 where there is no surface
+uniform sampler2D hiz;  // Mip with one texel per tile; r is 0 if the tile has no surface.
 layout(std430) readonly buffer Lights { Light items[]; } lights;
 layout(r32ui) writeonly uniform uimage2D tileClass;
 

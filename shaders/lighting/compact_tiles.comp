@@ -1,6 +1,6 @@
-// Writes the tiles of each class as a list, preceded by the size of its dispatch. One workgroup: each
-// invocation counts the tiles of a consecutive range, gets its start position from the prefix sum of the
-// counts, and writes. Without atomics, so that the lists are ordered and the same in every run.
+// Writes the list of tiles of each class, after the size of its indirect dispatch. There is one workgroup. Each
+// invocation counts the classes in a consecutive range of tiles. The prefix sum of the counts gives its start in the
+// lists, and it writes its tiles there. Without atomics, the lists are in order and equal in every run.
 #version 460
 layout(local_size_x = 256) in;
 
@@ -37,7 +37,7 @@ void write_sizes(uvec4 tiles) {
     }
 }
 
-// Inclusive prefix sums over the workgroup: Hillis and Steele 1986, "Data Parallel Algorithms".
+// Replaces each count by the sum of all counts up to it. Source: Hillis and Steele 1986, "Data Parallel Algorithms".
 void sum_counts(uint me) {
     for (uint reach = 1u; reach < gl_WorkGroupSize.x; reach *= 2u) {
         barrier();

@@ -1,4 +1,4 @@
-// Deferred lighting with the same code for every pixel.
+// Deferred lighting: every pixel executes the same code, with all lights.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,6 +1,6 @@
-// Deferred lighting of one pixel: adds the light of all sources and of the sky to the emission that the
-// G-buffer pass has written to hdr; a pixel without a surface shows the sky. Output: scene-linear Rec.709,
-// cd/m² × preExposure. Ports: those of surface_light.glsl, the G-buffer and hdr. Compute stages only.
+// Deferred lighting of one pixel: adds the light of all sources and of the sky to the emission, which the G-buffer pass
+// has written to hdr. A pixel without a surface gets the sky. Output: scene-linear Rec.709, cd/m² × preExposure. Ports:
+// those of surface_light.glsl, the G-buffer and hdr. Only compute stages can use this file.
 #include "brdf.glsl"
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -13,7 +13,7 @@
 uniform sampler2D depth;
 layout(rgba16f) uniform image2D hdr;
 
-// The largest half float is 65504; brighter values are clamped, so that they stay finite.
+// Brighter values are clamped to this number, so that they stay finite: the largest half float is 65504.
 const float kMaxStored = 65000.0;
 
 vec3 lit_surface(ivec2 pixel, vec2 uv, float z) {

@@ -1,5 +1,5 @@
-// Light that reaches every pixel: adds directional lights and the sky to the emission and to the result of
-// the light volumes; pixels without a surface show the sky. Output: scene-linear Rec.709, cd/m² ×
+// Adds the light that reaches every pixel: directional lights and the sky. The image hdr already contains the emission
+// and the light of the light volumes. Pixels without a surface get the sky. Output: scene-linear Rec.709, cd/m² ×
 // preExposure.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;

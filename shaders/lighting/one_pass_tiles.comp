@@ -1,10 +1,10 @@
-// Culls lights and shades in one dispatch: a workgroup is a tile of 16 × 16 pixels. It finds the nearest and
-// farthest of its surfaces, and tests each light's bounding sphere against the tile's four side planes and
-// that depth range. Then it adds the light of the lights that pass, and of the sky, to each pixel. Andersson
-// 2009, "Parallel Graphics in Frostbite"; White and Barré-Brisebois 2011, "More Performance!". The lights
-// that pass are bits in shared memory, and the lowest bit is processed first. So lights are added in a fixed
-// order, whichever thread tested them, and no list can overflow. Output: hdr, scene-linear Rec.709, cd/m² ×
-// preExposure, added to the emission; listed: the number of lights that passed, one texel per tile.
+// Culls lights and shades pixels in one dispatch. A workgroup is a tile of 16 × 16 pixels. It finds the nearest and
+// farthest depth of its surfaces, and tests the bounding sphere of each light against the four side planes of the tile
+// and this depth range. Then it adds the light of the passed lights and of the sky to each pixel. Sources: Andersson
+// 2009, "Parallel Graphics in Frostbite"; White and Barré-Brisebois 2011, "More Performance!". Passed lights are bits
+// in shared memory and are processed in ascending order. So the order of additions is always the same, and no list can
+// overflow. Output hdr: scene-linear Rec.709, cd/m² × preExposure, added to the emission. Output listed: number of
+// passed lights per tile.
 #version 460
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -14,14 +14,14 @@ layout(local_size_x = 16, local_size_y = 16) in;
 layout(r32f) writeonly uniform image2D listed;
 
 const uint kThreads = 256u;
-const uint kMaxWords = 2048u;  // 32 lights per word, for the largest number of lights in a graph
+const uint kMaxWords = 2048u;  // 32 lights per word, for the largest number of lights in a graph.
 
-shared uint nearest_bits;   // bit patterns of non-negative floats, which sort in the same order as the floats
+shared uint nearest_bits;   // Bits of depth values; non-negative floats sort like their bits.
 shared uint farthest_bits;
 shared uint reaching[kMaxWords];
 
-// Bounds of a tile's surfaces in view space: normals of planes through the eye, pointing inwards, and the
-// distances along the view's axis.
+// Bounds of the surfaces of a tile in view space: normals of four planes through the eye, pointing inwards, and the
+// range of distances along the view axis.
 struct Tile {
     vec3 left, right, top, bottom;
     float near_m, far_m;
@@ -30,7 +30,7 @@ struct Tile {
 Tile make_tile(uvec2 at, vec2 size_px) {
     const vec2 low = vec2(at * 16u) / size_px * 2.0 - 1.0;
     const vec2 high = vec2(at * 16u + 16u) / size_px * 2.0 - 1.0;
-    const mat4 p = view.projection;  // the third column contains the jitter offset of the picture
+    const mat4 p = view.projection;  // The third column contains the offset of the picture by the jitter.
     Tile tile;
     tile.left = normalize(vec3(p[0][0], 0.0, p[2][0] + low.x));
     tile.right = -normalize(vec3(p[0][0], 0.0, p[2][0] + high.x));
@@ -45,7 +45,7 @@ bool reaches(Light light, Tile tile) {
     if (light.range_m <= 0.0) return true;
     const vec4 sphere = light_sphere(light);
     const vec3 center = (view.view * vec4(sphere.xyz, 1.0)).xyz;
-    const float radius_m = sphere.w + 1e-4 * (sphere.w - center.z);  // allowance for rounding
+    const float radius_m = sphere.w + 1e-4 * (sphere.w - center.z);  // The second term allows for rounding.
     const float sides = min(min(dot(tile.left, center), dot(tile.right, center)),
                             min(dot(tile.top, center), dot(tile.bottom, center)));
     return sides > -radius_m && -center.z - radius_m < tile.far_m && -center.z + radius_m > tile.near_m;
@@ -64,7 +64,7 @@ void find_depths(float z) {
     barrier();
 }
 
-// Tests the lights from index `first` on and stores the result in `reaching`.
+// Tests the lights from index `first` on. Stores one bit per light in `reaching`: 1 if the light may reach the tile.
 void cull(uint first, uint count, vec2 size_px) {
     const uint words = (count - first + 31u) / 32u;
     for (uint word = gl_LocalInvocationIndex; word < words; word += kThreads) reaching[word] = 0u;

@@ -1,5 +1,5 @@
-// Deferred lighting of the tiles in a list, one workgroup per tile, with only the features that their class
-// needs.
+// Deferred lighting of the tiles of one class, with one workgroup per tile in the class's list. The constant TILE_CLASS
+// removes the features that the class does not need.
 #version 460
 layout(local_size_x = 16, local_size_y = 16) in;
 

@@ -1,4 +1,4 @@
-// Shows the dish as an enamel relief: v is the height, lit from the upper left; high parts are glossy.
+// Shows the dish as a glazed relief. v is the height; the light comes from the upper left, and high parts are glossy.
 #version 460
 #include "srgb.glsl"
 
@@ -7,8 +7,8 @@ layout(location = 0) out vec4 backbuffer;
 
 uniform sampler2D cells;
 
-// B-spline interpolation with four bilinear taps, so that cells have no visible corners at any magnification.
-// Sigg and Hadwiger 2005, "Fast Third-Order Texture Filtering".
+// Reads the cells with B-spline interpolation from four bilinear taps. This hides the corners of cells at any
+// magnification. Source: Sigg and Hadwiger 2005, "Fast Third-Order Texture Filtering".
 vec2 smooth_cells(vec2 place) {
     const vec2 size = vec2(textureSize(cells, 0));
     const vec2 texel = place * size - 0.5, cell = floor(texel), f = texel - cell;

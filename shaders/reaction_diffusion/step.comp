@@ -1,9 +1,9 @@
-// One step of the Gray–Scott model: u is food and v consumes it; two v and one u become three v; both
-// diffuse, and v decays.
-//   u' = Δu·Du − u·v² + feed·(1 − u)      v' = Δv·Dv + u·v² − (feed + kill)·v
-// Pearson 1993, "Complex Patterns in a Simple System"; Du = 1, Dv = ½ and the nine-point Laplacian (sides
-// 0.2, corners 0.05) are from Sims, for steps of 1. Feed and kill vary across the dish, so that it shows
-// several patterns.
+// Computes one step of the Gray–Scott model of two chemicals. u is food, and v consumes it: one u and two v become
+// three v. Both diffuse, and v decays.
+// u' = Δu·Du − u·v² + feed·(1 − u)      v' = Δv·Dv + u·v² − (feed + kill)·v
+// Source: Pearson 1993, "Complex Patterns in a Simple System". Du = 1, Dv = ½ and the nine-point Laplacian (sides 0.2,
+// corners 0.05) are from Sims, for time steps of 1. Feed and kill vary across the dish, so that several patterns
+// appear.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -13,7 +13,7 @@ layout(rg32f) writeonly uniform image2D after;
 
 layout(push_constant) uniform Params {
     uint frameIndex;
-    int i;       // number of the step in this frame, from 1
+    int i;       // Number of the step in this frame, counted from 1.
     uint seed;
     float feed;
     float kill;
@@ -31,7 +31,7 @@ float random(ivec2 cell, uint salt) {
     return float(bits >> 8) / 16777216.0;
 }
 
-// Food everywhere, and drops of v: two of five squares of a grid have one.
+// Returns the first state of a cell: food everywhere, and a drop of v in about two of five squares of a grid.
 vec2 first_cell(ivec2 cell) {
     const int kGrid = 30;
     const ivec2 square = cell / kGrid;
@@ -41,8 +41,8 @@ vec2 first_cell(ivec2 cell) {
     return in_drop ? vec2(0.5, 0.25 + 0.1 * random(cell, 4u)) : vec2(1.0, 0.0);
 }
 
-// Patterns exist near the kill rate at which u alone becomes the only steady state; elsewhere v fills the
-// dish or vanishes.
+// Returns the kill rate at which pure food becomes the only steady state. Patterns exist near this rate. Far from it, v
+// fills the dish or vanishes.
 float border(float feed) { return 0.5 * sqrt(feed) - feed; }
 
 vec2 changed(ivec2 cell, vec2 here, vec2 sides, vec2 corners) {
@@ -54,18 +54,18 @@ vec2 changed(ivec2 cell, vec2 here, vec2 sides, vec2 corners) {
     return here + vec2(spread.x - eaten + feed * (1.0 - here.x), 0.5 * spread.y + eaten - (feed + kill) * here.y);
 }
 
-// Coordinates wrap around at the edges of the dish.
+// Returns the coordinates of a cell, wrapped around at the edges of the dish.
 ivec2 around(ivec2 cell, ivec2 size) {
     return cell + size * (ivec2(lessThan(cell, ivec2(0))) - ivec2(greaterThanEqual(cell, size)));
 }
 
-// Each invocation computes 2×2 cells: their neighbourhoods share 16 cells, whereas four separate
-// neighbourhoods of 9 would read 36.
+// Computes 2×2 cells per invocation. Together, their neighbourhoods have only 16 different cells, so 16 reads are
+// enough; four separate neighbourhoods of 9 cells would need 36.
 void main() {
     const ivec2 first = ivec2(gl_GlobalInvocationID.xy) * 2, size = imageSize(after);
     if (any(greaterThanEqual(first, size))) return;
-    // A loop instead of a branch: drivers that run many cells at once execute both sides of a branch, but no
-    // empty loop.
+    // A loop replaces an `if`: devices that run many cells at once execute both sides of an `if`, but they skip a loop
+    // that no cell enters.
     const bool begins = params.frameIndex == 0u && params.i == 1;
     for (int k = begins ? 0 : 4; k < 4; ++k) {
         const ivec2 cell = first + ivec2(k & 1, k >> 1);

@@ -1,6 +1,6 @@
-// Debug view of `depth`: the shadow map used for each point (orange, green, blue, violet, starting at the
-// eye), and the size of its texels. Where two maps are blended, so are the colours; surfaces that face away
-// from the sun are dark.
+// Debug view of the sun's shadow maps, drawn over `depth`. The colour shows which map each point uses (from the eye on:
+// orange, green, blue, violet), the pattern shows the size of the map's texels. Where two maps are blended, the colours
+// are blended, too. Surfaces that face away from the sun are dark.
 #version 460
 #include "frame_set.glsl"
 
@@ -12,7 +12,7 @@ uniform sampler2D shown;
 const vec3 kTints[kMostSunCascades] =
     vec3[](vec3(1.0, 0.6, 0.3), vec3(0.4, 0.85, 0.45), vec3(0.35, 0.65, 1.0), vec3(0.8, 0.45, 0.95));
 
-// Neighbouring texels differ in brightness.
+// Returns the colour of map i at this position. Neighbouring texels of the map have different brightness.
 vec3 texels(uint i, vec3 position) {
     const mat4 to_map = sun.cascades[i].world_to_map;
     const float side_m = 1.0 / length(vec3(to_map[0][0], to_map[1][0], to_map[2][0]));

@@ -1,4 +1,4 @@
-// Writes only depth; masked surfaces have holes that let sunlight through.
+// Draws the shadow map: only depth is written. Masked surfaces have holes, which let sunlight through.
 #version 460
 #include "material_set.glsl"
 #include "surface_fragment.glsl"

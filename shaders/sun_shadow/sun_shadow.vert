@@ -1,4 +1,4 @@
-// Shadow casters as seen from the sun. Only masked surfaces need attributes other than a position.
+// Transforms shadow casters to the view of the sun. Only masked surfaces use other attributes than the position.
 #version 460
 #include "frame_set.glsl"
 #include "surface_vertex.glsl"

@@ -1,6 +1,6 @@
-// Samples a picture between texels without the blur that repeated linear filtering of history would add.
-// Catmull-Rom weights for four texels per axis, with the inner two in one tap and without corners: five
-// bilinear taps. Jimenez 2016, "Filmic SMAA".
+// Samples a picture between texels, sharper than linear filtering: history is filtered every frame, and linear
+// filtering would blur it more and more. Catmull-Rom weights for four texels per axis; one tap reads both inner texels,
+// and corners are left out, so five bilinear taps are enough. Source: Jimenez 2016, "Filmic SMAA".
 
 vec4 catmull_rom(sampler2D src, vec2 uv) {
     const vec2 size = vec2(textureSize(src, 0));

@@ -1,9 +1,9 @@
-// Blends this frame, which samples jittered positions of its pixels, with the history of the same surfaces.
-// Output: scene-linear × preExposure; alpha is the number of blended frames.
+// Temporal anti-aliasing: blends this frame, whose sample positions are jittered, with the history of the same
+// surfaces. Output: scene-linear × preExposure; alpha is the number of blended frames.
 //
-// Karis 2014, "High-Quality Temporal Supersampling": nearest-depth velocities, blending of compressed
-// colours, YCoCg. Salvi 2016, "An Excursion in Temporal Supersampling": the box of mean and deviation that
-// history is clipped to.
+// Sources: Karis 2014, "High-Quality Temporal Supersampling", for the velocity of the nearest neighbour, blending of
+// compressed colours, and YCoCg. Salvi 2016, "An Excursion in Temporal Supersampling", for clipping the history to a
+// box around the mean, whose size is a multiple of the standard deviation.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -20,19 +20,19 @@ layout(rgba16f) writeonly uniform image2D resolved;
 
 layout(push_constant) uniform Params {
     float beforeValid;
-    float newest;  // smallest weight of this frame
-    float trust;   // size of the clipping box, in standard deviations
+    float newest;  // Smallest weight of this frame, 0 to 1.
+    float trust;   // Size of the clipping box, in standard deviations.
 } params;
 
-// Factor for the clipping box of still pixels: a wire that only some frames hit is not a ghost.
+// The clipping box of a still pixel is larger by this factor, so that a thin wire that only some frames hit is kept.
 const float kTrustInStillness = 4.0;
-const float kStillPx = 0.01;  // smaller movements are rounding errors
+const float kStillPx = 0.01;  // Movements below this length (in pixels) are rounding errors.
 
 struct Neighbours {
     vec3 mean;
     vec3 deviation;
-    ivec2 nearest;  // the neighbour whose surface is nearest
-    float depth;    // its depth
+    ivec2 nearest;  // The neighbour whose surface is nearest to the eye.
+    float depth;    // Depth of this neighbour (reversed).
 };
 
 Neighbours neighbours_of(ivec2 pixel) {
@@ -53,15 +53,15 @@ Neighbours neighbours_of(ivec2 pixel) {
     return n;
 }
 
-// Movement of the pixel's content since the previous frame, in uv. For the sky it follows from the camera
-// alone.
+// Returns the movement of the pixel's content since the previous frame, in uv. The movement of the sky follows only
+// from the rotation of the camera.
 vec2 moved(Neighbours n, vec2 uv) {
     if (n.depth > 0.0) return texelFetch(velocity, n.nearest, 0).xy;
     const vec4 clip = view.prev_view_projection * vec4(ray_direction(uv), 0.0);
     return uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
 }
 
-// The point where the line from `color` to the middle of the box enters the box.
+// Moves a colour outside the box to the point where the line from the colour to the middle enters the box.
 vec3 clipped(vec3 color, vec3 middle, vec3 reach) {
     const vec3 away = color - middle;
     const vec3 beyond = abs(away) / max(reach, vec3(1e-5));

@@ -1,15 +1,15 @@
-// Converts scene-linear to display values: exposure, a filmic curve, the sRGB transfer function. Output:
-// sRGB-encoded [0, 1] for a UNORM target.
+// Converts scene-linear values to display values: exposure, a filmic curve and the sRGB encoding. Output: [0, 1],
+// encoded for a UNORM target.
 #version 460
 #include "srgb.glsl"
 
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 backbuffer;
 
-uniform sampler2D hdr;  // × preExposure
+uniform sampler2D hdr;  // Scene-linear values × preExposure.
 
 layout(push_constant) uniform Params {
-    float exposure;  // in EV, added to the camera's exposure
+    float exposure;  // In EV, added to the exposure of the camera.
 } params;
 
 void main() {

@@ -1,7 +1,7 @@
-// Opens a header that both C++ and GLSL compile. In C++ it maps GLSL type names to glm's; in GLSL it does
-// nothing. Layout rule: every vec3 is followed by a scalar, and the size of every struct is a multiple of 16
-// bytes (unless stated otherwise), so that std140, std430 and C++ agree. No include guard: each shared header
-// includes this once and ends with end.glsl.
+// First lines of a header that both C++ and GLSL compile. In C++, they map the type names of GLSL to those of glm; in
+// GLSL they do nothing. Rule for structs: a scalar follows every vec3, and the size is a multiple of 16 bytes (unless
+// stated otherwise), so that std140, std430 and C++ have the same layout. No include guard: each shared header includes
+// this.
 #ifdef __cplusplus
 #include <cstdint>
 #include <glm/glm.hpp>

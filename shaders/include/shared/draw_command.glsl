@@ -1,6 +1,6 @@
-// One draw of a list in the form of an indirect draw. The list's import "opaqueCommands" has one for each
-// draw; a pass with its own buffer of commands skips draws by setting instance_count to 0. 20 bytes, as
-// Vulkan requires: for std430 only.
+// One draw of a draw list, in the layout of VkDrawIndexedIndirectCommand. The import "opaqueCommands" has one such
+// command per draw of the list "opaque". A pass can write its own commands; instance_count = 0 skips a draw. The size
+// is 20 bytes, as Vulkan requires, so the struct works only with std430.
 #ifndef WEFT_SHARED_DRAW_COMMAND
 #define WEFT_SHARED_DRAW_COMMAND
 #include "begin.glsl"

@@ -1,4 +1,4 @@
-// Ends a header that began with begin.glsl.
+// Last lines of a header that began with begin.glsl.
 #ifdef __cplusplus
 }  // namespace weft::shared
 #endif

@@ -1,5 +1,5 @@
-// One light of the list that light_upload writes. Units: metres, candela (point, spot), lux (directional), cd/m²
-// (capsule, rectangle).
+// One light of the buffer that the pass type light_upload writes. Units: metres, candela (point, spot), lux
+// (directional), cd/m² (capsule, rectangle).
 #ifndef WEFT_SHARED_LIGHT
 #define WEFT_SHARED_LIGHT
 #include "begin.glsl"
@@ -11,18 +11,18 @@ const uint kLightCapsule = 3u;
 const uint kLightRectangle = 4u;
 
 struct Light {
-    vec3 position;       // centre of the light
-    float range_m;       // from the nearest point of the shape; 0: unlimited
-    vec3 intensity;      // colour × the unit above, Rec.709
+    vec3 position;       // Centre of the light, in world space.
+    float range_m;       // Range, from the nearest point of the light's shape; 0: no limit.
+    vec3 intensity;      // Colour × intensity in the unit of the light type, Rec.709.
     uint type;
-    vec3 direction;      // direction in which the light travels; for a capsule its axis. Unit length
-    float cone_scale;    // spot: saturate(cos(angle) · scale + offset)², as KHR_lights_punctual recommends
-    vec3 side;           // unit length, perpendicular to the direction: the width axis of a rectangle, of
-                         // doors and pictures
+    vec3 direction;      // Unit vector in which the light travels; for a capsule, its axis.
+    float cone_scale;    // Spot: saturate(cos(angle) · scale + offset)², as in KHR_lights_punctual.
+    vec3 side;           // Unit vector perpendicular to `direction`: the width axis of a rectangle, and of the doors
+                         // and the picture of the light.
     float cone_offset;
-    vec2 half_size_m;    // rectangle: half width, half height; capsule: half length without the caps, radius
-    uint function;       // 0: none; else 1 + the index of its light function
-    uint shadow;         // 0: no shadow; else 1 + the index of its shadow
+    vec2 half_size_m;    // Rectangle: half width, half height; capsule: half length without caps, radius.
+    uint function;       // 0: no light function; otherwise 1 + the index of the light function.
+    uint shadow;         // 0: no shadow; otherwise 1 + the index of the shadow.
 };
 
 #include "end.glsl"

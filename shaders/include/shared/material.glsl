@@ -1,21 +1,21 @@
-// A material in set 2, without its six textures. Texture transforms are two rows: uv' = (row0·(u,v,1), …).
+// A material of descriptor set 2, without its textures. Texture transform: uv' = (row0·(u,v,1), row1·(u,v,1)).
 #ifndef WEFT_SHARED_MATERIAL
 #define WEFT_SHARED_MATERIAL
 #include "begin.glsl"
 
 struct TextureTransform {
-    vec4 row0;               // w: index of the transformed uv set, 0 or 1
+    vec4 row0;               // w: index of the uv set that is transformed, 0 or 1.
     vec4 row1;
 };
 
 struct Material {
     vec4 base_color;
-    vec3 emissive;           // cd/m²
+    vec3 emissive;           // Emitted luminance, in cd/m².
     float alpha_cutoff;
-    vec3 dielectric_f0;      // ((ior − 1)/(ior + 1))² · specularColor, at most 1
-    float specular;          // specularFactor
+    vec3 dielectric_f0;      // Reflectance at 0°: ((ior − 1)/(ior + 1))² · specularColor, at most 1.
+    float specular;          // specularFactor of KHR_materials_specular.
     float metallic;
-    float roughness;         // perceptual roughness
+    float roughness;         // Perceptual roughness, 0 to 1.
     float normal_scale;
     float occlusion_strength;
     TextureTransform base_color_uv;
@@ -23,11 +23,11 @@ struct Material {
     TextureTransform normal_uv;
     TextureTransform occlusion_uv;
     TextureTransform emissive_uv;
-    float emission_tint;     // 1: vertex colours multiply the emission too
-    float anisotropy;        // strength, 0 to 1
-    vec2 anisotropy_turn;    // cosine and sine of the rotation of the direction from the tangent
+    float emission_tint;     // 1: vertex colours also multiply the emission.
+    float anisotropy;        // Strength of the anisotropy, 0 to 1.
+    vec2 anisotropy_turn;    // Cosine and sine of the angle from the tangent to the grain's direction.
     TextureTransform anisotropy_uv;
-    float anisotropy_textured;  // 1: the direction comes from a texture; 0: it is the tangent
+    float anisotropy_textured;  // 1: a texture gives the direction; 0: the direction is the tangent.
     float reserved0;
     float reserved1;
     float reserved2;

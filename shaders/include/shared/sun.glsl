@@ -1,25 +1,25 @@
-// The cascades of the sun's shadow maps in set 0: nested parts of the view, each with its own map. Units:
-// metres.
+// Cascades of the sun's shadow maps, in descriptor set 0. The cascades are nested parts of the view; each has its own
+// shadow map. Units: metres.
 #ifndef WEFT_SHARED_SUN
 #define WEFT_SHARED_SUN
 #include "begin.glsl"
 
 const int kMostSunCascades = 4;
-// The last part of a cascade, in which it is blended with the next one.
+// At the end of a cascade, this share of its length is blended with the next cascade.
 const float kSunBlend = 0.1f;
 
 struct SunCascade {
-    mat4 world_to_map;   // world to (u, v, depth): depth is linear, 1 nearest to the sun, 0 farthest from it
-    float end_m;         // the cascade is used up to this distance from the eye
-    float texel_m;       // side of a texel
-    float depth_m;       // distance between depth 1 and depth 0
+    mat4 world_to_map;   // World to (u, v, depth). Depth is linear: 1 nearest to the sun, 0 farthest from it.
+    float end_m;         // The cascade is used up to this distance from the eye, in metres.
+    float texel_m;       // Length of the side of a texel, in metres.
+    float depth_m;       // Distance from depth 1 to depth 0, in metres.
     float reserved;
 };
 
 struct SunConstants {
     SunCascade cascades[kMostSunCascades];
     vec3 to_sun;
-    uint count;          // number of cascades; 0: no pass of the graph draws the sun's view
+    uint count;          // Number of cascades; 0 if the graph draws no shadow maps of the sun.
 };
 
 #include "end.glsl"
