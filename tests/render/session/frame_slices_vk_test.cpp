@@ -1,4 +1,4 @@
-// Passes that take turns: one runs in each frame, and the results of the others are preserved.
+// Tests passes with `perFrame`: in each frame only one of them runs, and the results of the others are kept.
 #include "tests/render/session_fixture.h"
 
 namespace weft::test {

@@ -91,7 +91,8 @@ TEST_F(Resize, AHistoryIsStretchedToTheNewSize) {
                 worst = std::max({worst, double{off.x}, double{off.y}, double{off.z}, double{off.w}});
             }
         }
-        // A filter's weights have eight bits, and neighbours differ by at most 1/27.
+        // The weights of a linear filter have eight bits, and neighbouring texels of the picture differ by at
+        // most 1/27. So the error is at most 1/256 of 1/27.
         EXPECT_LE(worst, 1.0 / 256 / 27 + 1e-6);
     }
 }
@@ -185,7 +186,7 @@ TEST_F(Resize, TheShippedPipelineTakesAnySize) {
         << "another picture than one that had this size from the start";
 }
 
-// Sizes of a window, including the smallest.
+// Returns a random size of a window: the smallest sizes are as likely as usual ones.
 Extent3D any_size(std::mt19937& random) {
     const auto any = [&](uint32_t most) { return 1 + static_cast<uint32_t>(random()) % most; };
     switch (random() % 5) {
@@ -202,7 +203,8 @@ Extent3D any_size(std::mt19937& random) {
     }
 }
 
-// Objects and memory at two moments, with many resizes between them.
+// Number of live Vulkan objects and bytes of memory at one moment. The test compares two moments with many
+// resizes between them.
 struct Leftovers {
     int64_t objects = 0;
     uint64_t bytes = 0;
@@ -210,7 +212,7 @@ struct Leftovers {
 
 class ManyResizes : public Resize {
  protected:
-    // Measures after 50 resizes and after all.
+    // Measures objects and memory after 50 resizes and after the last one.
     void run() {
         const uint32_t count = std::getenv("WEFT_EXTENDED") != nullptr ? 1000 : 150;
         constexpr uint32_t kSeed = 20, kSettled = 50;
@@ -250,15 +252,15 @@ TEST_F(ManyResizes, LeaveNoObjectBehindAndNoMessage) {
 
 class ManyResizesUnwatched : public ManyResizes {
  protected:
-    // The validation layer of Vulkan 1.3.239 keeps data for every command buffer, about 16 KiB per resize,
-    // which would hide leaks of Weft.
+    // This test runs without validation, because the validation layer of Vulkan 1.3.239 keeps data for every
+    // command buffer, about 16 KiB per resize, which would hide leaks of Weft.
     void SetUp() override { make_device(false); }
 };
 
 TEST_F(ManyResizesUnwatched, LeaveNoMemoryBehind) {
     run();
-    // Equal except for memory that the allocator keeps at one moment and not at the other: it varies by 1
-    // MiB.
+    // The tolerance of 2 MiB is for memory that the allocator holds at one moment and not at the other, which
+    // varies by 1 MiB.
     EXPECT_LE(over_.bytes, settled_.bytes + (2u << 20));
 }
 

@@ -1,4 +1,4 @@
-// Tests the reference for anisotropic reflection against its known properties.
+// Tests the reference for anisotropic reflection (reference_anisotropy.h) against its known properties.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,8 +8,9 @@
 namespace weft::test {
 namespace {
 
-// An average weighted by D·(n·h): half vectors of a uniform hemisphere, stretched. Each sample at u = cos θ
-// has weight 2 u, so grazing directions, where values are unbounded, have little weight.
+// Returns the mean of `value` over half vectors h, weighted by D·(n·h), where D is the anisotropic GGX
+// distribution. The samples are a uniform hemisphere, stretched by the roughnesses. A sample at u = cos θ has
+// weight 2 u, so grazing directions, where `value` is unbounded, count little.
 template <class Value>
 double mean_over_normals(const Stretched& s, const Value& value) {
     constexpr int kSteps = 1200;
@@ -26,7 +27,8 @@ double mean_over_normals(const Stretched& s, const Value& value) {
 }
 
 TEST(ReferenceAnisotropy, DistributionIsNormalised) {
-    // ∫ D·(n·h) dω with x = tan θ cos φ, y = tan θ sin φ is ∫ D·cos⁴θ dx dy.
+    // The integral ∫ D·(n·h) dω must be 1. With x = tan θ cos φ and y = tan θ sin φ, it equals ∫ D·cos⁴θ dx
+    // dy.
     for (const auto& [roughness, strength] :
          {std::pair{0.3, 0.0}, std::pair{0.3, 0.5}, std::pair{0.3, 1.0}, std::pair{0.6, 0.8}}) {
         const Stretched s = stretched(roughness, strength);
@@ -34,8 +36,8 @@ TEST(ReferenceAnisotropy, DistributionIsNormalised) {
         double sum = 0;
         for (int i = 0; i < kSteps; ++i)
             for (int j = 0; j < kSteps; ++j) {
-                // Uses the tangent of an angle on both axes, so that the infinite plane has finite
-                // coordinates; each axis is scaled to its lobe.
+                // x and y are tangents of the angles a and b, so that a finite grid of angles covers the
+                // infinite plane. Each axis is scaled by its roughness, so that the samples cover the lobe.
                 const double a = ((i + 0.5) / kSteps - 0.5) * kPi, b = ((j + 0.5) / kSteps - 0.5) * kPi;
                 const double x = s.along * std::tan(a), y = s.across * std::tan(b);
                 const double area = s.along * s.across / std::pow(std::cos(a) * std::cos(b), 2);
@@ -48,8 +50,8 @@ TEST(ReferenceAnisotropy, DistributionIsNormalised) {
 }
 
 TEST(ReferenceAnisotropy, MaskingLeavesTheProjectedArea) {
-    // ∫ D·G1(v)·max(v·h, 0) dω = n·v (Heitz 2014, equation 15); the half vectors are already weighted by
-    // D·(n·h).
+    // The integral ∫ D·G1(v)·max(v·h, 0) dω must be n·v (Heitz 2014, equation 15). mean_over_normals()
+    // already weights the half vectors by D·(n·h).
     const Stretched s = stretched(0.5, 0.7);
     for (const glm::dvec3 v :
          {glm::dvec3(0.8, 0, 0.6), glm::dvec3(0, 0.8, 0.6), glm::dvec3(0.6, 0.6, 0.52915026)}) {

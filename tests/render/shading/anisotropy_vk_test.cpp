@@ -1,4 +1,4 @@
-// Anisotropic metal in the shipped pipelines, compared with its reference: a square that faces the camera, in
+// Tests anisotropic metal in the shipped graphs against a reference: a square that faces the camera, in
 // strips of different strength and direction, under parallel light.
 #include <array>
 #include <numbers>
@@ -15,7 +15,7 @@ const glm::vec3 kColor{0.9f, 0.6f, 0.3f};
 
 class Anisotropy : public SessionTest, public ::testing::WithParamInterface<const char*> {
  protected:
-    // Radiance in cd/m² in the middle of each strip.
+    // Returns the radiance in the middle of each strip, in cd/m².
     std::array<glm::vec3, kStrips> strips(const scene::Scene& scene) {
         return strips(scene, WEFT_SOURCE_DIR "/graphs/" + std::string(GetParam()) + ".json");
     }
@@ -50,7 +50,8 @@ class Anisotropy : public SessionTest, public ::testing::WithParamInterface<cons
             return glm::dvec3(std::cos(turn_rad) * w.x + std::sin(turn_rad) * w.y,
                               -std::sin(turn_rad) * w.x + std::cos(turn_rad) * w.y, w.z);
         };
-        // Highlights depend measurably on whether the camera is 1 km away or infinitely far.
+        // The view direction is computed for the camera's real distance of 1 km. For an infinite distance,
+        // the highlights would differ measurably.
         const glm::dvec2 uv = uv_of_pixel(pixel_of(strip));
         const glm::dvec3 v = glm::normalize(glm::dvec3(1 - 2 * uv.x, 2 * uv.y - 1, 1000));
         const glm::dvec3 wanted = reflected_by_metal(s, kColor, turned(v), turned(from)) * 10.0;
@@ -59,7 +60,8 @@ class Anisotropy : public SessionTest, public ::testing::WithParamInterface<cons
     }
 };
 
-// Tests that depend on materials, not on the method of light culling.
+// These tests depend only on materials, so they run with fewer graphs: the method of finding lights does not
+// matter.
 class AnisotropicMaterials : public Anisotropy {};
 
 std::string graph_name(const ::testing::TestParamInfo<const char*>& tested) {
@@ -91,7 +93,8 @@ TEST_P(Anisotropy, StrengthAndRotationAreThoseOfTheExtension) {
 
 TEST_P(AnisotropicMaterials, TexturesTurnAndWeaken) {
     scene::Scene scene = striped_metal();
-    // Direction −x at full strength; +y at 0.4; +x+y at full strength, rotated by a quarter turn.
+    // One texel per strip. They give the directions -x at full strength, +y at strength 0.4, +x+y at full
+    // strength (which the material rotates by a quarter turn), and -y at full strength.
     const std::array<std::array<uint8_t, 4>, kStrips> texels{
         {{0, 128, 255, 255}, {128, 255, 102, 255}, {255, 255, 255, 255}, {128, 0, 255, 255}}};
     const std::array<double, kStrips> turn{0, kPi / 2, kPi / 4 + kPi / 2, -kPi / 2},
@@ -106,7 +109,8 @@ TEST_P(AnisotropicMaterials, TexturesTurnAndWeaken) {
     scene.lights = {frontal_light(10)};
     scene.lights[0].direction = -kFrom[2];
     const std::array<glm::vec3, kStrips> found = strips(scene);
-    for (size_t i = 0; i < kStrips; ++i)  // 128 of 255 is not exactly one half
+    // The tolerance is larger here, because a texel of 128/255 is not exactly one half.
+    for (size_t i = 0; i < kStrips; ++i)
         expect_metal(found[i], i, stretched(0.5, strength[i]), turn[i], kFrom[2], 2e-2);
 }
 

@@ -1,5 +1,5 @@
-// The light from uniformly emitting shapes at a point, computed by sampling their surfaces in double
-// precision, without a closed form.
+// Purpose: computes the light that a uniformly emitting capsule or rectangle sends to a point, by sampling
+// its surface in double precision. It uses no closed form, so it is independent of the shaders.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline double window_of(double distance_m, double range_m) {
     return range_m > 0 ? std::clamp(1 - std::pow(distance_m / range_m, 4), 0.0, 1.0) : 1;
 }
 
-// Calls visit(direction, solid angle) for each patch that faces `at`.
+// Calls visit(direction, solid angle) for one patch of a light's surface, if the patch faces the point `at`.
 template <class Visit>
 void visit_patch(const glm::dvec3& from, const glm::dvec3& facing, double area, const glm::dvec3& at,
                  const Visit& visit) {
@@ -37,8 +37,8 @@ void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Vis
     }
 }
 
-// Samples around the axis and along it. The ends are sampled by height, because a sphere's area is uniform in
-// height.
+// Visits patches of a capsule's surface. On the cylinder, they are equal steps around the axis and along it.
+// The half spheres are divided in equal steps of height, because a sphere's area is uniform in height.
 template <class Visit>
 void visit_capsule(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int turns = 720,
                    int steps = 300) {
@@ -70,7 +70,8 @@ void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& 
     visit_capsule(light, at, visit);
 }
 
-// The same with fewer patches, of about this length.
+// Visits the patches of a light as the other overload does, but with fewer patches, each about `patch_m`
+// metres long.
 template <class Visit>
 void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& visit, double patch_m) {
     const auto patches = [&](double length_m) {
@@ -82,7 +83,8 @@ void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& 
     visit_capsule(light, at, visit, 2 * patches(1.6 * b), patches(a));
 }
 
-// Distance to the nearest point of a rectangle, or of a capsule's axis.
+// Returns the distance from `at` to the nearest point of a rectangle light, or of the axis of a capsule
+// light, in metres.
 inline double distance_to_light(const shared::Light& light, const glm::dvec3& at) {
     const glm::dvec3 way = at - glm::dvec3(light.position), direction(light.direction), side(light.side);
     const double a = light.half_size_m.x, b = light.half_size_m.y;

@@ -1,5 +1,5 @@
-// The reference BRDF compared with known values: Smith terms, normalisation, split-sum scale and bias,
-// energy.
+// Tests the reference BRDF (reference_brdf.h) against known values: Smith terms, normalisation, split-sum
+// scale and bias, energy.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,14 +18,16 @@ TEST(ReferenceBrdf, SmithTermsAtAlphaHalfAndSixtyDegrees) {
 
 TEST(ReferenceBrdf, DistributionIsNormalised) {
     for (const double alpha : {0.05, 0.25, 0.5, 1.0}) {
-        // ∫ D·(n·h) dω over the hemisphere; the substitution u = tan²θ resolves narrow lobes.
+        // The integral ∫ D·(n·h) dω over the hemisphere must be 1. The substitution u = tan²θ resolves narrow
+        // lobes.
         double sum = 0;
         constexpr int kSteps = 200000;
         for (int i = 0; i < kSteps; ++i) {
             const double t = (i + 0.5) / kSteps;
             const double tan2 = alpha * alpha * t / (1 - t);
             const double cos2 = 1 / (1 + tan2);
-            const double jacobian = alpha * alpha / ((1 - t) * (1 - t));  // d tan² / dt
+            // Derivative of tan²θ with respect to t.
+            const double jacobian = alpha * alpha / ((1 - t) * (1 - t));
             sum += ggx(alpha, std::sqrt(cos2)) * kPi * cos2 * cos2 * jacobian / kSteps;
         }
         EXPECT_NEAR(sum, 1, 1e-6) << "alpha " << alpha;
@@ -36,8 +38,8 @@ struct ScaleBias {
     double scale = 0, bias = 0;
 };
 
-// The two integrals of the split sum (Karis 2013), sampled over the visible normals (Heitz 2018, "Sampling
-// the GGX Distribution of Visible Normals"), so that the remaining integrand, G2 / G1, is bounded.
+// Computes the two integrals of the split sum (Karis 2013). The samples are visible normals (Heitz 2018,
+// "Sampling the GGX Distribution of Visible Normals"), so that the remaining integrand, G2 / G1, is bounded.
 ScaleBias directional_albedo(double roughness, double n_v) {
     const double alpha = roughness * roughness;
     const glm::dvec3 v(std::sqrt(1 - n_v * n_v), 0, n_v);
@@ -46,7 +48,7 @@ ScaleBias directional_albedo(double roughness, double n_v) {
     ScaleBias sum;
     constexpr int kSamples = 1 << 19;
     for (int i = 0; i < kSamples; ++i) {
-        // Hammersley points are distributed evenly, so the error falls nearly as 1 / n.
+        // The samples are Hammersley points. They are distributed evenly, so the error falls nearly as 1 / n.
         uint32_t bits = static_cast<uint32_t>(i);
         double mirrored = 0;
         for (double half = 0.5; bits != 0; bits >>= 1, half /= 2) mirrored += (bits & 1) * half;

@@ -1,5 +1,5 @@
-// Environment light: the background compared with a second sampler, and reflection by plain surfaces compared
-// with closed forms.
+// Tests light from an environment map: the background against a second implementation of the sampler, and the
+// reflection by simple surfaces against closed forms.
 #include <algorithm>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
@@ -22,7 +22,7 @@ scene::Environment environment_of(uint32_t width, uint32_t height,
     return scene::build_environment(width, height, texels);
 }
 
-// A square of 8 m in y = 0 with only diffuse reflection.
+// Returns a scene with a horizontal square of 8 m at y = 0 that reflects only diffusely.
 scene::Scene matt_plane(float albedo) {
     scene::Scene scene;
     scene.meshes.push_back(ground_mesh());
@@ -42,7 +42,8 @@ scene::Camera camera_at(glm::vec3 eye, glm::vec3 at, float fov_y_rad) {
     return camera;
 }
 
-// Bilinear interpolation of the four nearest texels; it wraps horizontally and clamps at the poles.
+// Samples the environment map in direction w, independently of the shaders: bilinear interpolation of the
+// four nearest texels, which wraps around horizontally and is clamped at the poles.
 glm::dvec3 sampled(const scene::Environment& e, glm::dvec3 w) {
     const double u = 0.5 + std::atan2(w.x, -w.z) / (2 * kPi), v = std::acos(w.y / glm::length(w)) / kPi;
     const double x = u * e.width_px - 0.5, y = v * e.height_px - 0.5;
@@ -62,19 +63,22 @@ class EnvironmentLight : public SessionTest {
     void expect_background(glm::vec3 at);
 };
 
-// The view is so narrow that a texel is wider than a pixel. Samplers have a precision of 1/256 texel.
+// Compares every background pixel of a view in direction `at`. A texel of the map is wider than a pixel
+// there, so the interpolation is visible. GPU samplers have a precision of 1/256 texel.
 void EnvironmentLight::expect_background(glm::vec3 at) {
     scene::Scene scene = matt_plane(1);
     scene.environment = environment_of(16, 8, [](uint32_t x, uint32_t y) {
         return glm::vec3(1 + (x * 7 + y * 3) % 5, float(x), (x + y) % 2 == 0 ? 100.0f : 40.0f);
     });
-    const glm::vec3 eye(0, -50, 0);  // below the plane, which is visible only from above
+    // The camera is below the plane. The plane is visible only from above, so it hides nothing.
+    const glm::vec3 eye(0, -50, 0);
     const scene::Camera camera = camera_at(eye, eye + at, 0.9f);
     const Rendered r = render(scene, camera, kSize, 0, {"hdr"});
     ASSERT_EQ(r.images.size(), 1u);
     const glm::dmat3 axes(camera.transform);
     const double tan_y = std::tan(0.45), tan_x = tan_y * kSize.width / kSize.height;
-    const glm::dvec3 steepest(4, 15, 60);  // largest difference between neighbours
+    // Largest difference between neighbouring texels, per channel.
+    const glm::dvec3 steepest(4, 15, 60);
     for (uint32_t y = 0; y < kSize.height; ++y)
         for (uint32_t x = 0; x < kSize.width; ++x) {
             const glm::dvec3 ray = axes * glm::dvec3(((x + 0.5) / kSize.width * 2 - 1) * tan_x,
@@ -106,8 +110,8 @@ TEST_F(EnvironmentLight, InAWhiteFurnaceAWhitePlaneVanishes) {
             render(scene, camera_at({1, 4, 3}, {0, 0, 0}, 0.9f), kSize, 0, {"hdr", "depth", "albedo"});
         ASSERT_EQ(r.images.size(), 3u);
         for (size_t i = 0; i < r.images.at("hdr").size(); ++i) {
-            // With single scattering, metal loses up to two thirds of the light at grazing angles, and never
-            // gains any.
+            // The shaders compute only single scattering. So rough metal loses up to two thirds of the light
+            // at grazing angles, and never gains any.
             const glm::vec4 texel = r.images.at("hdr")[i];
             const bool plain = !metal || r.images.at("depth")[i].r <= 0;
             ASSERT_LE(texel.g, 3.01) << i;

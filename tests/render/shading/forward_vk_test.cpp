@@ -1,5 +1,5 @@
-// Forward shading: it gives the same light as deferred shading for surfaces that both draw, and draws
-// transparent surfaces from the farthest to the nearest, in whatever order they are in the scene.
+// Tests forward shading. It must give the same light as deferred shading for surfaces that both draw, and
+// must draw transparent surfaces from the farthest to the nearest, in whatever order the scene has them.
 #include <algorithm>
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
@@ -13,7 +13,8 @@ constexpr Extent3D kSize{320, 180, 1};
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 constexpr const char* kForward = WEFT_SOURCE_DIR "/graphs/forward.json";
 
-// forward.json with the G-buffer's precision.
+// Returns the text of forward.json, changed so that it rounds material values to the precision of the
+// G-buffer.
 std::optional<std::string> read_quantized(const std::string& path) {
     std::optional<std::string> text = read_text(path);
     const std::string off = "\"quantized\": 0", on = "\"quantized\": 1";
@@ -43,7 +44,7 @@ TEST_F(Forward, SeesWhatDeferredSees) {
         SCOPED_TRACE(name);
         Result<scene::Scene> scene = scene::make_builtin(name);
         ASSERT_TRUE(scene);
-        // Only one of the two pipelines draws transparent surfaces.
+        // The scenes are tested without transparent surfaces, because only forward.json draws these.
         std::erase_if(scene->instances, [&](const scene::Instance& i) {
             return scene->materials[i.material].alpha_mode == scene::AlphaMode::blend;
         });
@@ -55,7 +56,7 @@ TEST_F(Forward, SeesWhatDeferredSees) {
         int worst = 0;
         for (size_t i = 0; i < forward.size(); ++i) {
             if (i % 4 == 3) continue;
-            // For two non-negative values, the difference of the bits is the number of representable steps
+            // Read as integers, two non-negative half floats differ by the number of representable values
             // between them.
             const int off = std::abs(int{deferred[i]} - int{forward[i]});
             differ += off > 0 ? 1 : 0;
@@ -67,7 +68,8 @@ TEST_F(Forward, SeesWhatDeferredSees) {
     }
 }
 
-// Panes that face the camera at (0, 0, 4), with the nearest first or last; each emits a different colour.
+// Returns a scene with three transparent panes that face the camera at (0, 0, 4). Each pane emits another
+// colour. The scene lists the nearest pane first or last.
 scene::Scene panes(bool nearest_first) {
     scene::Scene scene;
     scene::Mesh quad;
@@ -91,7 +93,7 @@ scene::Scene panes(bool nearest_first) {
         scene.materials.push_back(material);
         scene::Instance instance;
         instance.material = i;
-        // The red pane is the farthest.
+        // The red pane has z = 0 and is the farthest from the camera.
         instance.transform = glm::translate(glm::mat4(1), glm::vec3(0, 0, static_cast<float>(i)));
         scene.instances.insert(nearest_first ? scene.instances.begin() : scene.instances.end(), instance);
     }
@@ -113,7 +115,7 @@ TEST_F(Forward, TransparentPanesGoOverOneAnother) {
         const std::vector<vk::ReadbackData> readbacks = session->take_readbacks();
         const glm::vec4 center =
             render::decode_texels(readbacks.at(0).format, readbacks[0].bytes)[8 * 16 + 8];
-        // Each pane adds a quarter of its light and lets three quarters through.
+        // Each pane adds a quarter of its own light and lets three quarters of the light behind it through.
         EXPECT_NEAR(center.r, 1 * 0.75 * 0.75, 2e-3) << nearest_first;
         EXPECT_NEAR(center.g, 1 * 0.75, 2e-3) << nearest_first;
         EXPECT_NEAR(center.b, 1, 2e-3) << nearest_first;

@@ -1,6 +1,6 @@
-// Highlights of capsules and rectangles on a white mirror floor, compared with the integral of the reflection
-// over the light. The shaders use one representative point per light, which is not exact; the tests limit the
-// error.
+// Tests the highlights of capsule and rectangle lights on a white metal floor against the exact integral of
+// the reflection over the light. The shaders use one representative point per light, which is an
+// approximation, so the tests limit its error.
 #include <array>
 
 #include "tests/render/shading/area_reference.h"
@@ -11,20 +11,26 @@ namespace weft::test {
 namespace {
 
 struct Expectation {
-    double roughness, least, most;  // limits for the sum over the floor, relative to the integral's
+    // Limits for the sum of the shaders' highlights over the floor, relative to the sum of the exact ones.
+    double roughness, least, most;
 };
-// In the order of the first channels in irradiance.json. Measured: 0.85 to 1.16, 0.75 to 1.09, 0.66 to 1.03.
+// One element for each of the first three channels in irradiance.json. Measured ratios for these roughnesses:
+// 0.85 to 1.16, 0.75 to 1.09, 0.66 to 1.03.
 constexpr std::array kExpectations{Expectation{0.1, 0.8, 1.2}, Expectation{0.3, 0.7, 1.15},
                                    Expectation{0.6, 0.62, 1.08}};
-constexpr double kMostOff = 0.5;     // limit for the sum of differences at points, relative to the integral's
-                                     // sum; measured: 0.46
-constexpr int kMoves = 4;            // positions in each direction, a quarter of a metre apart: they lie
-                                     // between the points
-const glm::dvec3 kEye(0.5, 2.5, 6);  // same value as in irradiance.comp
+// Limit for the sum of absolute differences at the points, relative to the sum of the exact values. Measured:
+// 0.46.
+constexpr double kMostOff = 0.5;
+// Number of light positions in each direction, a quarter of a metre apart, so that lights are also tested
+// between the points of the floor.
+constexpr int kMoves = 4;
+// Position of the eye in metres; must be the same as in irradiance.comp.
+const glm::dvec3 kEye(0.5, 2.5, 6);
 
 using Highlights = std::array<double, kExpectations.size()>;
 
-// The light that a mirror at the point reflects to the eye.
+// Returns the light that a white metal at the point `at` reflects to the eye, for each roughness, by
+// integration over the light's surface.
 Highlights mirrored(const shared::Light& light, const glm::dvec3& at) {
     const glm::dvec3 v = glm::normalize(kEye - at);
     Highlights sum{};
@@ -34,7 +40,7 @@ Highlights mirrored(const shared::Light& light, const glm::dvec3& at) {
         const auto add = [&](const glm::dvec3& l, double solid_angle) {
             sum[i] += reflected(mirror, v, l).x * solid_angle;
         };
-        // Steps of a third of the lobe's width.
+        // The surface of the light is visited in steps of a third of the width of the reflection lobe.
         visit_light(light, at, add, roughness * roughness * distance_to_light(light, at));
     }
     return sum;

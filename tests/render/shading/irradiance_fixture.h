@@ -1,5 +1,5 @@
-// Measures the irradiance of lights at 8 × 8 points of the plane y = 0, a metre apart, and the reflection of
-// a white mirror there.
+// Purpose: test fixture that measures the irradiance of lights at 8 × 8 points of the plane y = 0, which are
+// one metre apart, and the light that a white metal there reflects.
 #pragma once
 
 #include <span>
@@ -18,9 +18,10 @@ inline const glm::dvec3 kUp(0, 1, 0);
 
 struct Measured {
     std::vector<shared::Light> lights;
-    std::vector<glm::vec4> irradiance;  // kPoints values for each light
-    std::vector<glm::vec4> highlight;   // the same; the channels are radiances for the roughnesses in the
-                                        // graph
+    // kPoints values for each light, one light after another.
+    std::vector<glm::vec4> irradiance;
+    // kPoints values for each light. The channels are radiances for the four roughnesses in irradiance.json.
+    std::vector<glm::vec4> highlight;
     [[nodiscard]] glm::dvec3 at(size_t light, size_t point) const {
         return glm::dvec3(irradiance[light * kPoints + point]);
     }

@@ -1,6 +1,6 @@
-// Irradiance on a plane, computed by the shaders: lights without extent compared with closed forms; capsules
-// and rectangles compared with numeric integrals, above and across the horizon, near and far; and light
-// functions.
+// Tests the irradiance on a plane as the shaders compute it. Point, spot and directional lights are compared
+// with closed forms. Capsules and rectangles are compared with numeric integrals: above and across the
+// horizon, near and far. Light functions are tested too.
 #include <array>
 
 #include "tests/render/shading/area_reference.h"
@@ -37,8 +37,9 @@ TEST_F(Irradiance, OfLightsWithoutExtentIsTheirClosedForm) {
     std::printf("worst relative error %.1e\n", worst);
 }
 
-// Relative to the expected value, with a floor of 1e-5 of the light of a whole sky. There may be more lights
-// than placements.
+// Compares the irradiance of each light with `reference`. The error is relative to the expected value, or to
+// 3e-5 (1e-5 of a whole sky of radiance 1) if that is larger. Lights beyond the number of placements are
+// ignored.
 template <class Reference>
 void expect_close(const Measured& m, std::span<const Placement> placements, double tolerance,
                   const Reference& reference) {
@@ -105,7 +106,8 @@ TEST_F(Irradiance, OfCapsulesIsThatOfTheirPatches) {
     const Measured m = measure(placed(scene::LightType::capsule, placements));
     expect_close(m, placements, 0.02, [](const shared::Light& light, const glm::dvec3& at) {
         if (distance_to_light(light, at) < 1.05 * double(light.half_size_m.y))
-            return -1.0;  // the point is inside the light
+            // The point is inside the capsule or too close to its surface, so it is skipped.
+            return -1.0;
         return area_irradiance(light, at, kUp);
     });
 }
@@ -120,7 +122,8 @@ scene::Light shaped(scene::LightType type, glm::vec3 position, glm::vec3 directi
     return light;
 }
 
-// The factor of a light function, measured with two equal lights, of which only one has the function.
+// Measures the factor by which a light function changes the light, with two equal lights of which only one
+// has the function.
 class Functions : public Irradiance {
  protected:
     std::vector<double> factors(scene::Light light, const scene::LightFunction& function,
@@ -133,7 +136,7 @@ class Functions : public Irradiance {
         const Measured m = measure(std::move(scene));
         std::vector<double> shares;
         if (m.irradiance.empty()) return shares;
-        // Lights without a function come first.
+        // Lights without a function come first in the session's list of lights.
         const size_t shaped = m.lights[0].function != 0 ? 0 : 1, plain = 1 - shaped;
         for (size_t i = 0; i < kPoints; ++i)
             shares.push_back(m.at(plain, i).x > 1e-6 ? m.at(shaped, i).x / m.at(plain, i).x : -1);
@@ -145,7 +148,7 @@ TEST_F(Functions, DoorsCutTheLightOffWhereTheyAre) {
     scene::LightFunction function;
     function.doors = {0.3f, 0.6f, scene::LightFunction::kNoDoor, 0.4f};
     function.softness = 0.02f;
-    // The light faces down; its width is along +x, its height along −z.
+    // The light faces down. Its width is along +x, and its height is along -z.
     for (const scene::LightType type :
          {scene::LightType::spot, scene::LightType::point, scene::LightType::rectangle}) {
         const std::vector<double> shares = factors(shaped(type, {0, 3, 0}, {0, -1, 0}, {1, 0, 0}), function);
@@ -164,7 +167,8 @@ TEST_F(Functions, DoorsCutTheLightOffWhereTheyAre) {
 
 TEST_F(Functions, CurvesFollowTheirBezier) {
     scene::LightFunction function;
-    function.curve = {0, 0, 1.0f / 3, 1};  // t² cancels the inverse square
+    // The curve is t². It cancels the inverse square of the distance.
+    function.curve = {0, 0, 1.0f / 3, 1};
     function.reach_m = 4;
     const scene::Light light = shaped(scene::LightType::point, {0, 1, 0}, {0, -1, 0}, {1, 0, 0});
     const std::vector<double> shares = factors(light, function);
@@ -175,7 +179,8 @@ TEST_F(Functions, CurvesFollowTheirBezier) {
     }
 }
 
-// Red on the left, green on the right, dark in the lower half.
+// Returns a picture whose upper left quarter is red and whose upper right quarter is green. Its lower half is
+// dark.
 scene::Texture quarters() {
     scene::Texture texture{"quarters", 4, 4, scene::ColorSpace::srgb, {{}}};
     for (int y = 0; y < 4; ++y)
@@ -199,7 +204,8 @@ TEST_F(Functions, PicturesLieTheRightWayRound) {
     for (size_t i = 0; i < kPoints; ++i) {
         const glm::dvec3 at = point_of(i);
         if (std::abs(at.x) < 1 || std::abs(at.z) < 1 || std::abs(at.x) > 3 || std::abs(at.z) > 3) continue;
-        const bool upper = at.z < 0;  // up = side × direction = −z
+        // The upper half of the picture falls on z < 0, because up = side × direction = -z.
+        const bool upper = at.z < 0;
         EXPECT_EQ(m.at(0, i).r > 1e-3, upper && at.x < 0) << i;
         EXPECT_EQ(m.at(0, i).g > 1e-3, upper && at.x > 0) << i;
         EXPECT_EQ(m.at(0, i).b, 0) << i;

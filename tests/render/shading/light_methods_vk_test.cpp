@@ -1,9 +1,9 @@
-// All methods for finding the lights of a pixel agree with a loop over all lights: one-pass tiled shading
-// exactly, light volumes within the rounding of blending to half floats. Half floats have 11 bits. Each light
-// that reaches a pixel rounds the sum once more, to nearest or towards 0, and no partial sum exceeds the
-// total:
-//   |blended − looped| ≤ (lights + 2) · 2⁻¹⁰ · looped + (lights + 2) · 2⁻²⁴
-// The 2 stands for the rounding of the initial value and of the loop; the last term is half a step of the
+// Tests that all methods for finding the lights of a pixel agree with a loop over all lights: tiled shading
+// in one pass exactly, light volumes within the error of blending to half floats. Half floats have 11 bits.
+// Each light that reaches a pixel rounds the sum once more, to nearest or towards 0, and no partial sum
+// exceeds the total:
+// |blended − looped| ≤ (lights + 2) · 2⁻¹⁰ · looped + (lights + 2) · 2⁻²⁴
+// The 2 is for the rounding of the initial value and of the loop. The last term is half a step of the
 // smallest half floats.
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -20,8 +20,8 @@ std::string graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
 }
 
-// The last light is visible to the first two cameras, so that a method that drops it fails. Area lights come
-// last.
+// Adds a rectangle light in front of each of the first two cameras. They are the last lights in the list, so
+// a method that drops the last light fails.
 scene::Scene lights_scene(uint32_t lights) {
     Result<scene::Scene> scene = scene::make_builtin("lights", {.lights = lights});
     EXPECT_TRUE(scene);
@@ -41,8 +41,8 @@ scene::Scene lights_scene(uint32_t lights) {
     return std::move(*scene);
 }
 
-// Lights for which light volumes are special cases: narrow and wide cones, cones that contain the eye, lights
-// without a range, and one behind the eye.
+// Adds lights that are special cases for light volumes: narrow and wide cones, cones that contain the eye,
+// lights without a range, and a light behind the eye.
 void add_awkward_lights(scene::Scene& scene, const scene::Camera& camera) {
     const glm::vec3 eye(camera.transform[3]), ahead = -glm::vec3(camera.transform[2]);
     const auto add = [&](scene::LightType type, const glm::vec3& position, float range_m, float cone_rad) {
@@ -104,7 +104,8 @@ double reaching(const std::vector<shared::Light>& lights, const glm::dvec3& posi
     return count;
 }
 
-// The largest error of a channel, relative to the bound.
+// Returns the largest error of any channel, as a share of the bound that is given at the top of this file. A
+// result above 1 is a failure.
 double worst_share(const Rendered& looped, const Rendered& blended) {
     const Image &a = looped.images.at("hdr@lighting"), &b = blended.images.at("hdr@lighting"),
                 &depth = looped.images.at("depth");

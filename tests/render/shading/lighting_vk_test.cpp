@@ -1,5 +1,5 @@
-// The deferred picture compared with an independent reference in double precision: every pixel computed from
-// the saved G-buffer, and planes under one light compared with closed forms.
+// Tests the deferred picture against an independent reference in double precision: every pixel is computed
+// from the saved G-buffer, and planes under one light are compared with closed forms.
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -50,8 +50,8 @@ TEST_F(Lighting, EveryPixelOfTheSpheresFollowsFromTheGBuffer) {
         const glm::dvec3 expected =
             glm::dvec3(r.images.at("hdr@gbuffer")[i]) + reflected(s, eye, l) * e * double(r.pre_exposure);
         const glm::dvec3 found(r.images.at("hdr")[i]);
-        // In single precision n·l has an error of about 3e-7, and half floats end at 2⁻²⁴: smaller values
-        // have no relative precision.
+        // With float, n·l has an error of about 3e-7. Half floats end at 2⁻²⁴, so smaller values have no
+        // relative precision.
         const glm::dvec3 slack = glm::dvec3(6e-8) + e * double(r.pre_exposure) * 5e-7;
         for (int c = 0; c < 3; ++c) {
             const double stored = std::min(expected[c], 65000.0);
@@ -74,7 +74,7 @@ struct PlaneCase {
 
 class Plane : public SessionTest, public ::testing::WithParamInterface<PlaneCase> {};
 
-// A white square of 8 m in y = 0, seen obliquely from above.
+// Returns a scene with a horizontal white square of 8 m at y = 0 and one light.
 scene::Scene plane_scene(const PlaneCase& c) {
     scene::Scene scene;
     scene.meshes.push_back(ground_mesh());

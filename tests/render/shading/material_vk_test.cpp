@@ -1,5 +1,5 @@
-// Materials in both shipped pipelines compared with closed forms: the effect of each number and channel of
-// glTF 2.0 and its extensions on the light that a square reflects to the camera.
+// Tests materials in both shipped pipelines against closed forms: how each number and channel of glTF 2.0 and
+// its extensions changes the light that a square reflects to the camera.
 #include <array>
 #include <numbers>
 
@@ -15,7 +15,7 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
  protected:
     [[nodiscard]] static bool deferred() { return std::string_view(GetParam()) == "deferred"; }
 
-    // Radiance in cd/m² of every pixel, row by row.
+    // Renders the scene and returns the radiance of every pixel in cd/m², row by row.
     std::vector<glm::vec4> radiance(const scene::Scene& scene) {
         const std::string graph = std::string(WEFT_SOURCE_DIR "/graphs/") + GetParam() + ".json";
         const std::unique_ptr<render::Session> session =
@@ -28,8 +28,9 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
         return render::decode_texels(readbacks.at(0).format, readbacks[0].bytes);
     }
     glm::vec3 center(const scene::Scene& scene) { return radiance(scene)[8 * kQuadSize.width + 8]; }
-    // Half floats keep 11 bits. The G-buffer stores square roots in steps of 1/255, so the error is half a
-    // step. `slack` is the additional uncertainty of the expected value.
+    // Expects that `found` is root² * scale, within the precision of the pictures. Half floats keep 11 bits.
+    // The G-buffer stores `root` in steps of 1/255, so its error is half a step. `slack` is an additional
+    // relative uncertainty of the expected value.
     static void expect_near(double found, double root, double scale, const std::string& what,
                             double slack = 0) {
         const double step = deferred() ? 0.5 / 255 : 0;
@@ -44,8 +45,8 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
         scene.textures.push_back({"texture", width_px, height_px, space, {std::move(rgba)}});
         return static_cast<uint32_t>(scene.textures.size() - 1);
     }
-    // Divides the square into `count` vertical strips of equal width, each with its own copy of the first
-    // material.
+    // Divides the square into `count` vertical strips of equal width. Each strip has its own copy of the
+    // first material.
     static void make_strips(scene::Scene& scene, uint32_t count) {
         scene.materials.resize(count, scene.materials[0]);
         scene.instances.clear();
@@ -75,7 +76,7 @@ TEST_P(Materials, VertexColoursAreInterpolatedAndMultiplyTheBaseColour) {
     scene::Scene scene = quad_scene();
     scene.lights = {frontal_light(10)};
     scene.materials[0].base_color = {0.5f, 1, 0.25f, 1};
-    // Red increases to the right, green upwards; blue is constant.
+    // The vertex colours make red increase to the right and green upwards; blue is constant.
     scene.meshes[0].colors = {{0, 0, 0.5f, 1}, {1, 0, 0.5f, 1}, {1, 1, 0.5f, 1}, {0, 1, 0.5f, 1}};
     const std::vector<glm::vec4> found = radiance(scene);
     for (size_t i = 0; i < found.size(); ++i) {
@@ -88,7 +89,8 @@ TEST_P(Materials, VertexColoursAreInterpolatedAndMultiplyTheBaseColour) {
 }
 
 TEST_P(Materials, EachMeshHasItsOwnColoursAndUvs) {
-    // Three squares side by side: without vertex colours and second uvs, with both, and without again.
+    // Three squares side by side. The first mesh has no vertex colours and no second uvs, the second mesh has
+    // both, and the third has only second uvs.
     scene::Scene scene = quad_scene();
     const uint32_t texture = add_texture(scene, 2, {255, 255, 255, 255, 0, 0, 0, 255});
     scene.materials[0].emissive = glm::vec3(4);
@@ -120,8 +122,8 @@ TEST_P(Materials, ColoursTintOnlyTheEmissionThatAsksForIt) {
 }
 
 TEST_P(Materials, EverySlotReadsItsOwnUvSet) {
-    // The left texel is white, the right one black; the first uv set addresses the left one, the second set
-    // the right one.
+    // The left texel is white and the right one is black. The first uv set addresses the left texel, the
+    // second uv set the right texel.
     scene::Scene scene = quad_scene();
     scene.lights = {frontal_light(10)};
     const uint32_t texture = add_texture(scene, 2, {255, 255, 255, 255, 0, 0, 0, 255});
@@ -165,7 +167,7 @@ TEST_P(Materials, ReflectanceFollowsTheIndexOfRefractionAndTheSpecularFactors) {
         const Case& c = cases[i];
         for (int k = 0; k < 3; ++k) {
             const double f0 = std::min(std::pow((c.ior - 1) / (c.ior + 1), 2) * c.color[k], 1.0);
-            // At normal incidence D = 1 / (π α²) and V = 1/4. The G-buffer stores the specular factor in
+            // At normal incidence, D = 1 / (π α²) and V = 1/4. The G-buffer stores the specular factor in
             // steps of 1/255.
             expect_near(strip(found, i, cases.size())[k], std::sqrt(f0), c.specular * 100 / (4 * kPi),
                         "ior " + std::to_string(c.ior), deferred() ? 0.5 / 255 / c.specular : 0);
@@ -184,7 +186,8 @@ TEST_P(Materials, GreenIsRoughnessAndBlueIsMetalness) {
     scene.materials[1].metallic_roughness_texture = nearest(add_texture(scene, 1, {255, 255, 0, 255}));
     const std::vector<glm::vec4> found = radiance(scene);
     const double alpha = std::pow(0.8 * 204 / 255, 2);
-    // An error of half a step in roughness is four times as large in α².
+    // A relative error in roughness becomes four times as large in α² = roughness⁴. The G-buffer's error in
+    // roughness is half a step of 1/255.
     const double slack = deferred() ? 4 * 0.5 / 255 / std::sqrt(alpha) : 0;
     for (int k = 0; k < 3; ++k)
         expect_near(strip(found, 0, 2)[k], std::sqrt(scene.materials[0].base_color[k]),
@@ -195,7 +198,8 @@ TEST_P(Materials, GreenIsRoughnessAndBlueIsMetalness) {
 TEST_P(Materials, OcclusionDarkensOnlyTheAmbientLight) {
     scene::Scene scene = quad_scene();
     scene.sky_zenith = scene.sky_horizon = glm::vec3(2);
-    scene.materials[0].occlusion_texture = nearest(add_texture(scene, 1, {51, 255, 255, 255}));  // a fifth
+    // The texture has 51/255 in its red channel, so the occlusion factor is a fifth.
+    scene.materials[0].occlusion_texture = nearest(add_texture(scene, 1, {51, 255, 255, 255}));
     make_strips(scene, 3);
     scene.materials[1].occlusion_strength = 0.5f;
     scene.materials[2].occlusion_strength = 0;
@@ -213,8 +217,8 @@ TEST_P(Materials, OcclusionDarkensOnlyTheAmbientLight) {
 TEST_P(Materials, NormalMapsTiltTowardsUAndUp) {
     scene::Scene scene = quad_scene();
     scene.materials[0].normal_texture =
-        nearest(add_texture(scene, 1, {191, 85, 230, 255}));  // normals pointing right, down, and out of the
-                                                              // surface
+        // The texel encodes a normal that points to the right, down, and out of the surface.
+        nearest(add_texture(scene, 1, {191, 85, 230, 255}));
     constexpr std::array kScales{1.0f, 0.4f, -1.0f};
     make_strips(scene, 3);
     for (size_t i = 0; i < 3; ++i) scene.materials[i].normal_scale = kScales[i];
@@ -241,7 +245,7 @@ TEST_P(Materials, AlphaAtTheCutoffIsDrawn) {
     scene.materials[0].alpha_cutoff = 0.5f;
     scene.materials[1].alpha_cutoff = std::nextafter(0.5f, 1.0f);
     scene.materials[2].alpha_cutoff = 0;
-    // The alpha of vertex colours counts too; an opaque material ignores alpha.
+    // The alpha of vertex colours multiplies the alpha of the material. An opaque material ignores alpha.
     scene.meshes.push_back(scene.meshes[0]);
     scene.meshes[1].colors.assign(4, {1, 1, 1, 0.75f});
     scene.instances[3].mesh = scene.instances[4].mesh = 1;
@@ -257,8 +261,8 @@ TEST_P(Materials, MirroredObjectsKeepTheirOutside) {
         glm::vec3 scale;
         bool double_sided, lit;
     };
-    // The back of a single-sided surface is not drawn; the back of a double-sided one is lit from its own
-    // side.
+    // The back of a single-sided surface is not drawn. The back of a double-sided surface is lit by light
+    // from its own side.
     const std::vector<Case> cases{{{-1, 1, 1}, false, true},  {{-1, -1, 1}, false, true},
                                   {{1, 1, -1}, false, false}, {{-1, 1, -1}, false, false},
                                   {{1, 1, -1}, true, true},   {{-1, 1, -1}, true, true}};
@@ -275,13 +279,14 @@ TEST_P(Materials, MirroredObjectsKeepTheirOutside) {
 }
 
 TEST_P(Materials, PointLightsEndAtTheirRange) {
-    // KHR_lights_punctual: max(min(1 − (d/range)⁴, 1), 0) / d².
+    // Formula of KHR_lights_punctual for the distance d: max(min(1 − (d/range)⁴, 1), 0) / d².
     scene::Scene scene = quad_scene();
     scene.meshes[0].positions = {{-100, -100, 0}, {100, -100, 0}, {100, 100, 0}, {-100, 100, 0}};
     for (const float range_m : {0.0f, 2.5f, 2.0f}) {
         scene::Light light;
         light.intensity = 40;
-        light.position = {1.0f / 16, -1.0f / 16, 2};  // above the middle of the pixel
+        // The light is above the middle of the pixel that is measured.
+        light.position = {1.0f / 16, -1.0f / 16, 2};
         light.range_m = range_m;
         scene.lights = {light};
         const double window = range_m > 0 ? std::clamp(1 - std::pow(2 / range_m, 4), 0.0, 1.0) : 1;
@@ -290,7 +295,8 @@ TEST_P(Materials, PointLightsEndAtTheirRange) {
 }
 
 TEST_P(Materials, SpotLightsFadeBetweenTheirCones) {
-    // KHR_lights_punctual: s = 1 / max(0.001, cos inner − cos outer), (saturate(cos a · s − cos outer · s))².
+    // Formula of KHR_lights_punctual for the angle a to the axis: (saturate(cos a · s − cos outer · s))²,
+    // with s = 1 / max(0.001, cos inner − cos outer).
     scene::Scene scene = quad_scene();
     for (const double angle : {0.25, 0.4, 0.65}) {
         scene::Light light;
@@ -308,7 +314,7 @@ TEST_P(Materials, SpotLightsFadeBetweenTheirCones) {
 }
 
 TEST_P(Materials, UnlitIsTheBaseColourWhateverShines) {
-    // KHR_materials_unlit becomes a black surface that emits its base colour.
+    // A material with KHR_materials_unlit is loaded as a black surface that emits its base colour.
     scene::Scene scene = quad_scene();
     scene.lights = {frontal_light(1000)};
     scene.sky_zenith = scene.sky_horizon = glm::vec3(5);

@@ -1,5 +1,6 @@
-// Deferred shading reads a surface from the G-buffer, forward shading reads the surface itself. The
-// G-buffer's formats limit the difference of the two for each pixel (docs/precision.md).
+// Deferred shading reads a surface from the G-buffer; forward shading uses the surface itself. Tests that
+// their difference in each pixel stays within the bound that the formats of the G-buffer imply
+// (docs/precision.md).
 #include <algorithm>
 #include <functional>
 
@@ -22,13 +23,15 @@ struct Stored {
     glm::dvec3 position{0};
 };
 
-// Half a step of 8 bits; the error of an octahedral normal in 16 bits, 0.0037°; the relative error of a
-// distance reconstructed from a single-precision depth through a matrix.
+// Errors of the stored values. kHalfStep: half a step of 8 bits. kNormalRad: error of an octahedral normal in
+// 16 bits, 0.0037° in radians. kDepthShare: relative error of a distance that is reconstructed from a float
+// depth through a matrix.
 constexpr double kHalfStep = 0.5 / 255, kNormalRad = 0.0037 * kPi / 180, kDepthShare = 4e-6;
-// Two roundings to half floats, and the error of about a hundred operations in single precision.
+// Relative error of two roundings to half floats (2/2048), plus the error of about a hundred float operations
+// (2e-4).
 constexpr double kRounding = 2.0 / 2048 + 2e-4;
-// The bound adds the first-order effects of one number at a time; combined effects are less than a quarter of
-// it.
+// The bound adds the effects of changing one stored number at a time. This factor covers combined effects,
+// which are less than a quarter of the bound.
 constexpr double kTogether = 1.25;
 
 struct View {
@@ -37,7 +40,7 @@ struct View {
     glm::dvec3 eye{0};
 };
 
-// The gradient sky as in shaders/include/sky.glsl.
+// Radiance of the gradient sky in direction w, as in shaders/include/sky.glsl.
 glm::dvec3 sky(const scene::Scene& scene, const glm::dvec3& w) {
     const glm::dvec3 zenith(scene.sky_zenith), horizon(scene.sky_horizon);
     if (w.y >= 0) return glm::mix(horizon, zenith, std::sqrt(w.y));
@@ -50,7 +53,7 @@ glm::dvec3 matt_sky(const scene::Scene& scene, const glm::dvec3& n) {
     return glm::mix(glm::dvec3(scene.sky_horizon) * 0.25, above, 0.5 + 0.5 * n.y);
 }
 
-// Lazarov's approximation of the directional albedo.
+// Lazarov's approximation of the directional albedo: returns the scale and bias of f0 that the shaders use.
 glm::dvec2 dfg(double roughness, double nv) {
     const double a = 1 - roughness, b = 0.0425 - 0.0275 * roughness, c = 1.04 - 0.572 * roughness,
                  d = 0.022 * roughness - 0.04;
@@ -83,7 +86,8 @@ glm::dvec3 radiance(const Stored& p, const View& view) {
     return sum + p.occlusion * (matt * matt_sky(*view.scene, s.normal) + mirror * seen);
 }
 
-// The largest errors of each stored number, in both directions.
+// Returns the bound of the error: the sum of the effects of each stored number, when the number is changed by
+// its largest error in both directions.
 glm::dvec3 bound(const Stored& p, const View& view) {
     const glm::dvec3 stored = radiance(p, view);
     glm::dvec3 sum(0);
@@ -160,7 +164,7 @@ TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
             if (deferred.images.at("depth")[i].r <= 0) continue;
             ++surfaces;
             const glm::dvec3 a(deferred.images.at("hdr")[i]), b(forward.images.at("hdr")[i]);
-            // The smallest half float is 2⁻²⁴.
+            // The constant 1.2e-7 is two steps of the smallest half floats, 2⁻²⁴ each.
             const glm::dvec3 allowed =
                 bound(stored_at(deferred, i, to_world), view) * gain + glm::max(a, b) * kRounding + 1.2e-7;
             for (int c = 0; c < 3; ++c) {

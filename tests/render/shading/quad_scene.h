@@ -1,5 +1,5 @@
-// A square that fills the picture, for closed forms: the position of every pixel on it is known, and so is
-// its light.
+// Purpose: a scene with a square that fills the picture, for comparisons with closed forms. The position of
+// every pixel on the square is known, so the expected light can be computed.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,8 @@ namespace weft::test {
 
 inline constexpr Extent3D kQuadSize{16, 16, 1};
 
-// From (-1, -1, 0) to (1, 1, 0), facing +z; uv (0, 0) is its upper left corner. Diffuse white.
+// Returns a scene with a diffuse white square from (-1, -1, 0) to (1, 1, 0) that faces +z, and a camera in
+// front of it. uv (0, 0) is the upper left corner.
 inline scene::Scene quad_scene() {
     scene::Scene scene;
     scene::Mesh quad;
@@ -32,7 +33,7 @@ inline scene::Scene quad_scene() {
     scene.instances = {{"quad", 0, 0, glm::mat4(1)}};
     scene::Camera camera;
     camera.name = "front";
-    // The camera is far away, so that all view rays are nearly parallel.
+    // The camera is 1000 m away, so that all view rays are nearly parallel.
     constexpr float kDistanceM = 1000;
     camera.transform = glm::translate(glm::mat4(1), glm::vec3(0, 0, kDistanceM));
     camera.fov_y_rad = 2 * std::atan(1 / kDistanceM);
@@ -40,7 +41,7 @@ inline scene::Scene quad_scene() {
     return scene;
 }
 
-// A horizontal square of 8 m around the origin, facing +y.
+// Returns a horizontal square with sides of 8 m around the origin, facing +y.
 inline scene::Mesh ground_mesh() {
     scene::Mesh mesh;
     mesh.positions = {{-4, 0, -4}, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}};
@@ -51,7 +52,7 @@ inline scene::Mesh ground_mesh() {
     return mesh;
 }
 
-// Light of 1 lx times `intensity` on surfaces that face the camera.
+// Returns a directional light of `intensity` lx that shines on surfaces that face the camera.
 inline scene::Light frontal_light(float intensity) {
     scene::Light light;
     light.type = scene::LightType::directional;
@@ -60,7 +61,7 @@ inline scene::Light frontal_light(float intensity) {
     return light;
 }
 
-// uv of pixel i; pixels are numbered row by row.
+// Returns the uv of the centre of pixel i on the square. Pixels are numbered row by row.
 inline glm::vec2 uv_of_pixel(size_t i) {
     return {(static_cast<float>(i % kQuadSize.width) + 0.5f) / static_cast<float>(kQuadSize.width),
             (static_cast<float>(i / kQuadSize.width) + 0.5f) / static_cast<float>(kQuadSize.height)};

@@ -1,6 +1,6 @@
-// Ray casting against the triangles of a scene, for references that are independent of the tested code: a
-// tree of boxes, split in the middle. Opaque surfaces stop a ray; masked surfaces do so where the nearest
-// texel of mip 0 passes the cutoff.
+// Purpose: casts rays against the triangles of a scene, for references that are independent of the tested
+// code. It uses a tree of bounding boxes, split at the median triangle. Opaque surfaces stop a ray. Masked
+// surfaces stop a ray where the nearest texel of mip 0 passes the cutoff.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,12 @@ namespace weft::test {
 
 struct RayHit {
     double distance_m = 0;
-    glm::dvec3 normal{0};  // of the triangle, unit length, on the side of the ray's origin
+    // Unit normal of the triangle, on the side from which the ray comes.
+    glm::dvec3 normal{0};
     uint32_t material = 0;
 };
 
-// How rays treat masked surfaces: as drawn, as if opaque, or as if absent.
+// How rays treat masked surfaces: as they are drawn, as if they were opaque, or as if they were absent.
 enum class Masks : uint8_t { as_drawn, solid, absent };
 
 class RayScene {
@@ -34,7 +35,7 @@ class RayScene {
         split(0, static_cast<uint32_t>(order_.size()));
     }
 
-    // The nearest hit beyond `from_m`. `direction` has unit length.
+    // Returns the nearest hit at a distance of more than `from_m` metres. `direction` must have unit length.
     [[nodiscard]] std::optional<RayHit> first(const glm::dvec3& origin, const glm::dvec3& direction,
                                               double from_m) const {
         return cast(origin, direction, from_m, Masks::as_drawn, false);
@@ -53,8 +54,9 @@ class RayScene {
     struct Node {
         glm::dvec3 least{std::numeric_limits<double>::infinity()},
             most{-std::numeric_limits<double>::infinity()};
-        uint32_t first = 0, count = 0;  // count 0: an inner node, whose children are the next node and
-                                        // `second`
+        // Number of triangles of a leaf. An inner node has count 0; its children are the next node and the
+        // node `second`.
+        uint32_t first = 0, count = 0;
         uint32_t second = 0;
     };
 
@@ -148,7 +150,8 @@ class RayScene {
         return best;
     }
 
-    // Algorithm: Möller and Trumbore 1997, "Fast, Minimum Storage Ray-Triangle Intersection".
+    // Returns the distance at which a ray hits a triangle, if it does. Algorithm: Möller and Trumbore 1997,
+    // "Fast, Minimum Storage Ray-Triangle Intersection".
     [[nodiscard]] std::optional<double> hit(const Triangle& t, const glm::dvec3& origin,
                                             const glm::dvec3& direction, double from_m, double to_m,
                                             Masks masks) const {

@@ -1,6 +1,6 @@
-// Reflection of an anisotropic metal in double precision: GGX with two roughnesses (Burley 2012),
-// height-correlated Smith for it (Heitz 2014), roughness and strength as in KHR_materials_anisotropy.
-// Directions have components along tangent, bitangent and normal.
+// Purpose: reference for reflection by an anisotropic metal, in double precision. It uses GGX with two
+// roughnesses (Burley 2012), height-correlated Smith masking (Heitz 2014), and roughness and strength as in
+// KHR_materials_anisotropy. Directions have components along tangent, bitangent and normal.
 #pragma once
 
 #include "tests/render/shading/reference_brdf.h"
@@ -8,8 +8,10 @@
 namespace weft::test {
 
 struct Stretched {
-    double along = 1;   // α along the tangent
-    double across = 1;  // α along the bitangent
+    // Roughness α (not squared) of GGX along the tangent.
+    double along = 1;
+    // Roughness α of GGX along the bitangent.
+    double across = 1;
 };
 
 inline Stretched stretched(double roughness, double strength) {
@@ -27,7 +29,7 @@ inline double smith_lambda(const Stretched& s, const glm::dvec3& w) {
     return (std::sqrt(1 + slope2) - 1) / 2;
 }
 
-// f · n·l for a metal; 0 below the horizon.
+// Returns the BRDF f times n·l for a metal; 0 for light below the horizon.
 inline glm::dvec3 reflected_by_metal(const Stretched& s, const glm::dvec3& color, const glm::dvec3& v,
                                      const glm::dvec3& l) {
     if (l.z <= 0) return glm::dvec3(0);

@@ -1,5 +1,6 @@
-// Surface reflection in double precision, written only from the papers: GGX (Trowbridge and Reitz 1975,
-// Walter et al. 2007), height-correlated Smith (Heitz 2014), Schlick's Fresnel, layered as in glTF 2.0.
+// Purpose: reference for the reflection of surfaces in double precision, written only from the papers: GGX
+// (Trowbridge and Reitz 1975, Walter et al. 2007), height-correlated Smith masking (Heitz 2014), Schlick's
+// Fresnel term, layers as in glTF 2.0.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace weft::test {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-// Λ in Smith's masking function, for a direction with `cosine` to the normal.
+// Returns Λ of Smith's masking function for a direction whose cosine to the normal is `cosine`.
 inline double smith_lambda(double alpha, double cosine) {
     const double tan2 = (1 - cosine * cosine) / (cosine * cosine);
     return (std::sqrt(1 + alpha * alpha * tan2) - 1) / 2;
@@ -34,7 +35,7 @@ struct ReferenceSurface {
     double specular = 1;
 };
 
-// f · n·l, per channel; 0 below the horizon.
+// Returns the BRDF f times n·l for each channel; 0 for light below the horizon.
 inline glm::dvec3 reflected(const ReferenceSurface& s, const glm::dvec3& v, const glm::dvec3& l) {
     const double n_l = glm::dot(s.normal, l);
     if (n_l <= 0) return glm::dvec3(0);

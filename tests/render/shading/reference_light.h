@@ -1,5 +1,5 @@
-// Decoding of octahedral normals, and light at a point, in double precision: distance window and cones as in
-// KHR_lights_punctual.
+// Purpose: decodes octahedral normals, and computes the light of point, spot and directional lights at a
+// point, in double precision. Distance window and cones follow KHR_lights_punctual.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@ inline glm::dvec3 octahedral_normal(const glm::vec4& e) {
     return glm::normalize(n);
 }
 
-// Irradiance on a plane that faces the light; sets `l` to the direction towards the light.
+// Returns the irradiance on a plane that faces the light, and sets `l` to the direction from the point `at`
+// towards the light.
 inline glm::dvec3 incident(const shared::Light& light, const glm::dvec3& at, glm::dvec3& l) {
     if (light.type == shared::kLightDirectional) {
         l = -glm::dvec3(light.direction);

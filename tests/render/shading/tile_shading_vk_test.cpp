@@ -1,5 +1,5 @@
-// Shading with tile lists: it gives the same picture as without culling, in deferred and in forward shading,
-// and each tile is in exactly one list, that of its class.
+// Tests shading with light lists of tiles. The picture must be the same as with all lights, in deferred and
+// in forward shading. Each tile must be in exactly one tile list, that of its class (such as sky).
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -22,7 +22,7 @@ std::string graph_path(const std::string& name) {
 
 class TileShading : public SessionTest {
  protected:
-    // The bytes of the observed resources after one frame.
+    // Renders one frame and returns the bytes of the observed resources, by name.
     std::map<std::string, std::vector<std::byte>> bytes_of(const scene::Scene& scene,
                                                            const std::string& graph,
                                                            std::vector<std::string> observed,
@@ -48,7 +48,8 @@ class TileShading : public SessionTest {
     std::vector<uint16_t> hdr_of(const scene::Scene& scene, const std::string& graph) {
         return words<uint16_t>(bytes_of(scene, graph, {"hdr"})["hdr"]);
     }
-    // The lights of each tile, in the list's order; words after the end of a list are ignored.
+    // Splits a buffer of tile lists into the light indices of each tile, in the order of the list. Words
+    // after the end of a list are ignored.
     static std::vector<std::vector<uint32_t>> lists_in(const std::vector<std::byte>& bytes) {
         const std::vector<uint32_t> all = words<uint32_t>(bytes);
         const size_t stride = all.size() / kTiles;
@@ -67,7 +68,7 @@ class TileShading : public SessionTest {
         size_t differ = 0, lit = 0;
         int worst = 0;
         for (size_t i = 0; i < found.size(); ++i) {
-            // For two non-negative values, the difference of the bits is the number of representable steps
+            // Read as integers, two non-negative half floats differ by the number of representable values
             // between them.
             const int off = std::abs(int{found[i]} - int{wanted[i]});
             differ += off > 0 ? 1 : 0;
@@ -81,7 +82,7 @@ class TileShading : public SessionTest {
     }
 };
 
-// Two scenes with very different depth, with `kLights` lights each.
+// Returns two scenes with very different depth ranges and about `kLights` lights each.
 std::vector<scene::Scene> crowded_scenes() {
     std::vector<scene::Scene> scenes;
     scene::BuiltinOptions options;
@@ -101,8 +102,8 @@ TEST_F(TileShading, ForwardPicturesAreThoseOfAllLights) {
     for (const scene::Scene& scene : crowded_scenes()) expect_same(scene, "forward_plus", "forward");
 }
 
-// The lists agree although one pipeline takes depth from the G-buffer and the other from a separate pass. All
-// cameras are tested only with WEFT_EXTENDED.
+// Tests that both pipelines make the same light lists, although one takes the depth from the G-buffer and the
+// other from a separate depth pass. All cameras are tested only with WEFT_EXTENDED.
 TEST_F(TileShading, DeferredAndForwardHaveTheSameLists) {
     const scene::Scene scene = crowded_scenes()[0];
     const std::vector<std::string> names{"tileLights", "glassTileLights"};
@@ -124,8 +125,8 @@ TEST_F(TileShading, DeferredAndForwardHaveTheSameLists) {
 }
 
 TEST_F(TileShading, EachTileIsInTheListOfItsClass) {
-    // Only the ground is lit: the upper part of the picture is sky, and the ground's edge is far from all
-    // lamps.
+    // The lamp lights only the middle of the ground. The upper part of the picture is sky, and the edge of
+    // the ground is out of the lamp's range, so three classes of tiles occur.
     scene::Scene scene = std::move(scene::make_builtin("spheres")).value();
     scene.lights[0].range_m = 6;
     scene.cameras[0].transform = scene::framing_camera(scene, 16.0f / 9).transform;

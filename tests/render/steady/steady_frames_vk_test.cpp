@@ -1,5 +1,6 @@
-// Every frame costs the same: after the start nothing is compiled, no object remains, and memory does not
-// grow. Runs without validation layers, because they use more and more memory themselves.
+// Tests that every frame costs the same: after the first frames nothing is compiled, no object is left
+// behind, and memory does not grow. Runs without validation layers, because these use more and more memory
+// themselves.
 #include <nlohmann/json.hpp>
 
 #include "tests/render/code_counter/code_counter.h"
@@ -14,7 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr Extent3D kSize{64, 36, 1};
 constexpr double kStep_s = 1.0 / 60;
-constexpr uint32_t kFirstFrames = 3;  // frames that may compile
+// Number of frames at the start in which the driver may still compile code.
+constexpr uint32_t kFirstFrames = 3;
 constexpr uint32_t kSteadyFrames =
     9;  // together with the first frames longer than every history and the jitter sequence
 constexpr int64_t kMiB = 1 << 20;
@@ -67,7 +69,7 @@ class Steady : public SessionTest {
         }
         ASSERT_TRUE(session_->finish());
     }
-    // Waits for each frame before the next one begins.
+    // Renders frames, and waits for the end of each frame before the next one begins.
     void draw_apart(uint32_t frames) {
         for (uint32_t i = 0; i < frames; ++i) ASSERT_NO_FATAL_FAILURE(draw(1));
     }
@@ -92,8 +94,8 @@ class Steady : public SessionTest {
     double time_s_ = 0;
 };
 
-// llvmpipe renders on the calling thread here, so that its memory use does not depend on the load of the
-// machine.
+// Here llvmpipe renders on the calling thread, so that its memory use does not depend on how busy the machine
+// is.
 class SteadyMemory : public Steady {
     const vk::ScopedEnvironment one_thread_{"LP_NUM_THREADS", "0"};
 };
@@ -140,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, SteadyGraph, testing::ValuesIn(shipped_graphs(
 INSTANTIATE_TEST_SUITE_P(Shipped, SteadyMemoryOfGraph, testing::ValuesIn(shipped_graphs()),
                          [](const auto& graph) { return graph.param; });
 
-// Branches and loops that shader authors may write.
+// Tests shaders with branches and loops that depend on changing values, as authors of shaders may write them.
 class SteadyBranches : public Steady {
  protected:
     const std::string graph_ = WEFT_SOURCE_DIR "/tests/render/steady/branches.json";
@@ -168,7 +170,7 @@ TEST_F(SteadyBranches, CompileNothingWhenAParameterChanges) {
     EXPECT_EQ(objects.live(), live);
 }
 
-// The newer driver, which tests/drivers/fetch.sh downloads from Debian.
+// Runs the tests on a newer version of Mesa, which tests/drivers/fetch.sh downloads from Debian.
 class SteadyOnMesaOfBackports : public Steady {
  protected:
     void SetUp() override {
@@ -199,7 +201,7 @@ TEST_F(SteadyOnMesaOfBackports, ShippedGraphsCompileNothing) {
     }
 }
 
-// Moving lights, which are uploaded in every frame.
+// Tests a scene with moving lights, which are uploaded in every frame.
 TEST_F(Steady, MovingLightsCompileNothing) {
     const ObjectCounter objects(*device_);
     ASSERT_NO_FATAL_FAILURE(begin(shipped("light_indexed"), "lights"));

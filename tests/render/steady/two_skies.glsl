@@ -1,4 +1,4 @@
-// Two branches of very different length, so that llvmpipe compiles a specialised version for the taken one.
+// Two branches of very different length. llvmpipe would compile a special version for the branch that is taken.
 #include "sky.glsl"
 
 vec4 two_skies(bool plain, vec2 at) {

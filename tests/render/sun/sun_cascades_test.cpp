@@ -1,4 +1,4 @@
-// The sun's shadow maps: their positions for all movements of the camera.
+// Tests the positions of the sun's shadow maps for all movements of the camera.
 #include "render/sun_cascades.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class Random {
     std::mt19937 engine_;
 };
 
-// A camera in a scene of the size of a street.
+// A random camera, and the bounds of a random scene of the size of a street.
 struct Shot {
     render::SunScene scene;
     scene::Camera camera;
@@ -51,7 +51,8 @@ Shot random_shot(Random& random) {
     return shot;
 }
 
-// The position of a point in the map, in texels, computed with the matrix that shaders use.
+// Returns the position of a world point in shadow map i, in texels, computed with the matrix that shaders
+// use.
 glm::dvec2 texels_of(const render::SunCascades& sun, uint32_t i, const glm::vec3& point) {
     const glm::dvec4 place = glm::dmat4(sun.constants.cascades[i].world_to_map) * glm::dvec4(point, 1);
     return glm::dvec2(place) * static_cast<double>(kMaps.size_px[i]);
@@ -61,7 +62,8 @@ double off_whole(double x) {
     return std::abs(x - std::round(x));
 }
 
-// Steps from less than a texel to some metres, with arbitrary rotation.
+// Moves the camera by random steps of 0.1 mm to 10 m, from less than a texel to many texels, and rotates it
+// at random.
 TEST(SunCascades, MoveByWholeTexelsHoweverTheCameraMoves) {
     const uint32_t seed = std::random_device{}();
     Random random(seed);
@@ -106,7 +108,8 @@ TEST(SunCascades, HoldWhatTheCameraSeesAndAllThatCasts) {
             const double distance_m = random.between(0, 80);
             const glm::dvec4 point =
                 glm::dmat4(shot.camera.transform) * glm::dvec4(glm::normalize(ray) * distance_m, 1);
-            // A point in front of the eye, clamped to the scene's bounds.
+            // Only points inside the scene's bounds are tested: clamping a point outside moves it, and the
+            // test skips it.
             const glm::dvec3 at = glm::clamp(glm::dvec3(point), glm::dvec3(shot.scene.bounds.min),
                                              glm::dvec3(shot.scene.bounds.max));
             if (glm::length(at - glm::dvec3(point)) > 0) continue;
@@ -141,7 +144,7 @@ TEST(SunCascades, AreSeenFromTheSun) {
         EXPECT_NEAR(glm::length(again - clip), 0, 1e-4);
         const glm::vec4 back = sun.views[i].inverse_view_projection * clip;
         EXPECT_NEAR(glm::length(back - point), 0, 1e-4);
-        // A metre closer to the sun: the same texel with a nearer depth.
+        // A point one metre closer to the sun must be in the same texel and have a nearer depth.
         const glm::vec4 nearer =
             sun.constants.cascades[i].world_to_map * (point + glm::vec4(shot.scene.to_sun, 0));
         EXPECT_NEAR(glm::length(glm::vec2(nearer - place)), 0, 1e-5);

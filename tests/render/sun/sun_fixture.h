@@ -1,5 +1,5 @@
-// Reads the sun shadows that a graph computes, for arbitrary world positions and for the surface in each
-// pixel.
+// Purpose: test fixture that reads the sun shadows that a graph computes, at arbitrary world positions or for
+// the surface in each pixel.
 #pragma once
 
 #include <sstream>
@@ -11,7 +11,7 @@ namespace weft::test {
 inline constexpr uint32_t kGrid = 384;
 inline const std::string kSunGraphs = WEFT_SOURCE_DIR "/tests/render/sun/";
 
-// World positions; grid.json defines the number of rows and columns.
+// A grid of world positions with kGrid rows and columns; grid.json must have the same numbers.
 struct Grid {
     glm::vec3 corner{0}, right{0}, down{0};
     [[nodiscard]] glm::vec3 at(uint32_t i) const {
@@ -32,9 +32,12 @@ inline void put(std::string& text, const std::string& word, const glm::vec3& val
 }
 
 struct Seen {
-    std::vector<float> share;        // lit share, by point
-    std::vector<glm::vec4> normals;  // octahedral; empty if the graph has no normals
-    std::vector<glm::vec4> depths;   // near plane divided by the distance from the eye
+    // Share of the sun's light that reaches each point, from 0 to 1.
+    std::vector<float> share;
+    // Octahedral normals of the pixels; empty if the graph has no normals.
+    std::vector<glm::vec4> normals;
+    // Depth of each pixel: distance of the near plane divided by the distance along the view.
+    std::vector<glm::vec4> depths;
     render::SunCascades sun;
     glm::vec3 eye{0};
 };
@@ -77,7 +80,8 @@ inline uint32_t cascade_at(const render::SunCascades& sun, double distance_m) {
     return i;
 }
 
-// The texel size of the map used for a point; where two maps blend, the larger one.
+// Returns the size in metres of the texels of the shadow map that is used for a point. Where two maps blend,
+// the larger size is returned.
 inline double texel_at(const Seen& seen, const glm::vec3& point) {
     const double distance_m = glm::distance(point, seen.eye);
     const uint32_t i = cascade_at(seen.sun, distance_m);

@@ -1,4 +1,5 @@
-// Sun shadows in the atrium compared with rays: no light leaks into shadows, and no surface shadows itself.
+// Tests sun shadows in the built-in scene "atrium" against rays: no light leaks into shadows, and no surface
+// shadows itself.
 #include <cstdlib>
 
 #include "tests/render/shading/ray_scene.h"
@@ -8,16 +9,18 @@
 namespace weft::test {
 namespace {
 
-// The result of rays for the surface in a pixel, over the neighbourhood that the shadow filter covers.
+// Result of casting rays around the point in a pixel, over the area of the shadow filter: all rays reach the
+// sun, none does, or some do.
 enum class Sunlight : uint8_t { all, none, some };
 
 struct Pixel {
     glm::dvec3 at{0}, normal{0};
 };
 
-// Casts `steps` × `steps` rays from points around the pixel's point on its plane, up to `reach_m` away.
-// Shadow casters that rise less than `lift_m` above the surface may be missed. Masked holes do not decide,
-// because shadow maps are coarser.
+// Casts up to `steps` × `steps` rays towards the sun, from points on the surface's plane up to `reach_m` away
+// from the pixel's point. A map may miss shadow casters that rise less than `lift_m` above the surface, so
+// these do not make a point dark. Holes of masked surfaces decide nothing, because the texels of shadow maps
+// are coarser.
 Sunlight sunlight(const RayScene& rays, const Pixel& pixel, const glm::dvec3& to_sun, double reach_m,
                   double lift_m, int steps) {
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun)),
@@ -44,8 +47,8 @@ struct Count {
 
 class SunInTheAtrium : public SunShadows {
  protected:
-    // Tests every `step`th pixel in both directions. If all rays reach the sun, or none does, the map must
-    // agree.
+    // Tests every `step`th pixel in both directions. If all rays of a pixel reach the sun, or none does, the
+    // shadow map must agree.
     void expect_sound(uint32_t camera_index, float hour, Extent3D size, uint32_t step) {
         const scene::Scene scene = atrium(hour);
         const RayScene rays(scene);
@@ -66,7 +69,7 @@ class SunInTheAtrium : public SunShadows {
     }
 
  private:
-    // The surface in the pixel; nullopt for surfaces that this test cannot judge.
+    // Returns the surface point in a pixel, or nullopt if this test cannot judge the surface.
     static std::optional<Pixel> judged(const scene::Scene& scene, const RayScene& rays,
                                        const scene::Camera& camera, const Seen& seen, Extent3D size,
                                        uint32_t x, uint32_t y) {
@@ -77,20 +80,25 @@ class SunInTheAtrium : public SunShadows {
                                                          (1 - (y + 0.5) / size.height * 2) * tan_y, -1));
         const std::optional<RayHit> hit = rays.first(eye, ray, camera.near_m);
         if (!hit || glm::dot(hit->normal, to_sun) < 0.05) return std::nullopt;
-        // Leaves are smaller than texels and overlap.
+        // Masked surfaces are leaves. They are smaller than texels of the shadow map and overlap, so they
+        // cannot be judged.
         if (scene.materials[hit->material].alpha_mode == scene::AlphaMode::mask) return std::nullopt;
-        // Through the holes of leaves, a ray and a pixel may see different surfaces.
+        // Through the holes of leaves, a ray and a pixel may see different surfaces. Such pixels are skipped:
+        // the distances differ.
         const size_t i = size_t{y} * size.width + x;
         const double before_eye_m = hit->distance_m * glm::dot(ray, -glm::dvec3(camera.transform[2]));
         if (std::abs(seen.depths[i].r * before_eye_m / camera.near_m - 1) > 1e-3) return std::nullopt;
-        // Normals that face away from the sun are dark anyway.
+        // A shading normal that faces away from the sun makes the surface dark, whatever the shadow map says.
         if (glm::dot(octahedral_normal(seen.normals[i]), to_sun) < 0.05) return std::nullopt;
         return Pixel{eye + ray * hit->distance_m, hit->normal};
     }
 
     static void judge(const RayScene& rays, const Seen& seen, const Pixel& pixel, float share, Count& count) {
-        constexpr float kTolerated = 0.1f;  // tolerated share of the sun's light
-        // Cords of lamps are half a texel wide: a few rays may miss them although the map does not.
+        // Largest difference from fully dark or fully lit that counts as correct, as a share of the sun's
+        // light.
+        constexpr float kTolerated = 0.1f;
+        // Rays per side. The cords of lamps are half a texel wide, so a few rays may miss a cord that the map
+        // contains. Therefore a dark pixel is confirmed with many rays.
         constexpr int kFew = 5, kMany = 49;
         const glm::dvec3 to_sun(seen.sun.constants.to_sun);
         const double texel_m = texel_at(seen, glm::vec3(pixel.at));

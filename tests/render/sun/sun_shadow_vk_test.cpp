@@ -1,4 +1,4 @@
-// Shadows of the sun: the position of their edges, and that they do not move with the camera.
+// Tests the shadows of the sun: their edges must be at the right places, and must not move with the camera.
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -8,7 +8,7 @@
 namespace weft::test {
 namespace {
 
-// A box of 1 m × 0.8 m × 0.7 m floating above the ground; the sun's direction is tilted along both axes.
+// A box of 1 m × 0.8 m × 0.7 m that floats above the ground.
 const glm::vec3 kBoxLeast{-0.5f, 0.6f, -0.35f}, kBoxMost{0.5f, 1.4f, 0.35f};
 
 scene::Mesh box_mesh(const glm::vec3& least, const glm::vec3& most) {
@@ -54,7 +54,7 @@ scene::Scene box_scene(const glm::vec3& to_sun) {
     return scene;
 }
 
-// The box's outline as seen from the sun, counter-clockwise in the plane perpendicular to the light.
+// The outline of the box as seen from the sun, in the plane perpendicular to the light, counter-clockwise.
 class Outline {
  public:
     explicit Outline(const glm::dvec3& to_sun)
@@ -64,7 +64,7 @@ class Outline {
             corners.push_back(
                 place({(i & 1) != 0 ? kBoxMost.x : kBoxLeast.x, (i & 2) != 0 ? kBoxMost.y : kBoxLeast.y,
                        (i & 4) != 0 ? kBoxMost.z : kBoxLeast.z}));
-        // An edge belongs to the outline if all other corners are on its left.
+        // The line from corner a to corner b belongs to the outline if all other corners are on its left.
         for (const glm::dvec2& a : corners) {
             for (const glm::dvec2& b : corners) {
                 const glm::dvec2 way = b - a;
@@ -76,7 +76,8 @@ class Outline {
             }
         }
     }
-    // Distance of a point from the shadow's edge, perpendicular to the light: positive inside the shadow.
+    // Returns the distance of a point from the edge of the shadow, measured perpendicular to the light, in
+    // metres. It is positive inside the shadow.
     [[nodiscard]] double depth_m(const glm::dvec3& point) const {
         double least = std::numeric_limits<double>::infinity();
         for (const Side& side : sides_) least = std::min(least, glm::dot(place(point) - side.at, side.left));
@@ -117,7 +118,8 @@ TEST_P(UnderATiltedSun, TheUmbraOfABoxEndsWhereItShould) {
         dark += within > 3 ? 1 : 0;
         const float wanted = within > 0 ? 0 : 1;
         wrong += std::abs(within) > 3 && std::abs(seen.share[i] - wanted) > 1e-4f ? 1 : 0;
-        // The place between this point and its right or lower neighbour where the filter is half dark.
+        // Finds the point between this grid point and its right or lower neighbour where the filtered shadow
+        // is 0.5. This is the edge of the shadow.
         for (const uint32_t j : {i + 1, i + kGrid}) {
             if (j >= kGrid * kGrid || (j == i + 1 && j % kGrid == 0)) continue;
             const float a = seen.share[i] - 0.5f, b = seen.share[j] - 0.5f;
@@ -141,7 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Radians, UnderATiltedSun, ::testing::Values(0.2f, 0.5f,
                              return "Tilt" + std::to_string(static_cast<int>(c.param * 100));
                          });
 
-// Fixed points are sampled while the camera moves in steps of less than a texel of the finest map.
+// Samples the shadow at fixed points while the camera moves in steps of less than a texel of the finest map.
+// The shadow must not change.
 TEST_F(SunShadows, StandStillWhileTheCameraCreeps) {
     constexpr int kSteps = 3;
     const scene::Scene scene = atrium(10);
@@ -162,7 +165,7 @@ TEST_F(SunShadows, StandStillWhileTheCameraCreeps) {
             ASSERT_EQ(after.share.size(), before.share.size());
             for (uint32_t i = 0; i < before.sun.count; ++i)
                 moved += before.sun.cascades[i].origin_texels != after.sun.cascades[i].origin_texels ? 1 : 0;
-            // Tolerance: half a step of 8 bits.
+            // Differences up to half a step of 8 bits are tolerated.
             for (size_t i = 0; i < after.share.size(); ++i)
                 changed += std::abs(after.share[i] - before.share[i]) > 0.5f / 255 ? 1 : 0;
             before = std::move(after);
