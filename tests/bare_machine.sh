@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Runs the two commands of the README in a new Debian 12 root: `./weft render`, then `./weft test`. On an ordinary CI machine a
-# missing install step can stay hidden, because packages are already installed; in a new root it cannot.
-# Needs root, debootstrap and a package mirror. Prints how long each step took; exits non-zero when one fails.
+# Runs the two commands of the README in a fresh Debian 12 installation in a folder (a chroot): `./weft render`, then
+# `./weft test`. An ordinary CI machine has many packages, so it can hide that the README misses an install step; a
+# fresh installation cannot. Needs root, debootstrap and a package mirror. Prints how long each step took, and exits
+# with an error if a step fails.
 #   tests/bare_machine.sh [--keep] [--render-only]
-#     --keep         keep the root and print its path
+#     --keep         keep the folder of the installation and print its path
 #     --render-only  skip `./weft test`
-# WEFT_BARE_MIRROR   package mirror [the host's first, else http://deb.debian.org/debian]
-# WEFT_BARE_TARBALL  cache of the root: created if it does not exist, else unpacked
+# WEFT_BARE_MIRROR package mirror [default: the host's first mirror, or else http://deb.debian.org/debian]
+# WEFT_BARE_TARBALL archive of the fresh installation: created if it does not exist, unpacked if it does
 set -euo pipefail
 
 source_root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -50,7 +51,7 @@ trap clean_up EXIT
 trap 'exit 130' INT
 trap 'exit 143' TERM
 
-# timed NAME COMMAND...: runs it and prints how long it took.
+# timed NAME COMMAND...: runs the command, and prints and records how long it took.
 timings=()
 timed() {
   local name=$1 begin=$SECONDS status=0
@@ -61,7 +62,7 @@ timed() {
   return "$status"
 }
 
-# The host's first mirror of the suite, in either format of sources.
+# Prints the host's first mirror of the Debian packages. Reads both formats of apt's source files.
 host_mirror() {
   {
     sed -n 's/^deb \(\[[^]]*\] \)\?\([^ ]*\) .*/\2/p' /etc/apt/sources.list /etc/apt/sources.list.d/*.list
@@ -83,7 +84,7 @@ make_root() {
   if [ -n "$tarball" ]; then tar -cpf "$tarball" -C "$bare" --numeric-owner .; fi
 }
 
-# The root uses the host's package sources, proxies, keys and name resolution.
+# Copies the host's package sources, proxies, keys and name resolution into the chroot.
 share_network() {
   local entry
   for entry in sources.list sources.list.d apt.conf apt.conf.d trusted.gpg trusted.gpg.d keyrings auth.conf auth.conf.d; do
@@ -100,7 +101,9 @@ share_network() {
   done
 }
 
-mount_into() {  # TYPE_OR_BIND TARGET
+# mount_into TYPE_OR_BIND TARGET: mounts TARGET in the chroot, as a bind mount or as a file system of this
+# type.
+mount_into() {
   mkdir -p "$bare$2"
   if [ "$1" = bind ]; then mount --bind "$2" "$bare$2"; else mount -t "$1" "$1" "$bare$2"; fi
   mounts+=("$bare$2")
@@ -110,17 +113,18 @@ enter_root() {
   mount_into proc /proc
   mount_into bind /dev
   [ ! -d /dev/pts ] || mount_into bind /dev/pts
-  printf '#!/bin/sh\nexit 101\n' >"$bare/usr/sbin/policy-rc.d"  # no services are started in the root
+  # With this script, installed packages start no services in the chroot.
+  printf '#!/bin/sh\nexit 101\n' >"$bare/usr/sbin/policy-rc.d"
   chmod +x "$bare/usr/sbin/policy-rc.d"
 }
 
-# Uses only committed files, as a new user would after cloning.
+# Clones the repository into the chroot. So only committed files are used, as by a new user.
 clone_repository() {
   git clone --quiet --no-hardlinks -c safe.directory="*" "$source_root" "$bare/root/weft"
   say "commit $(git -C "$bare/root/weft" log -1 --format='%h %s')"
 }
 
-# inside COMMAND: runs it in the root; of the host's environment, only proxies are passed on.
+# inside COMMAND: runs the command in the chroot. Only the proxy variables of the host's environment are passed on.
 inside() {
   local name environment=(HOME=/root USER=root LANG=C.UTF-8 TERM=dumb
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
@@ -130,7 +134,8 @@ inside() {
   env -i "${environment[@]}" chroot "$bare" /bin/bash -c "cd /root/weft && $1"
 }
 
-# Checks the PNG's size in pixels and in bytes: a black or uniform picture compresses to a few kilobytes.
+# Checks the size of the picture in pixels, and of the file in bytes: a black or uniform picture has only a few
+# kilobytes.
 check_picture() {
   local picture=$bare/root/weft/frame.png width height
   [ -s "$picture" ] || fail "no frame.png was written"
@@ -142,12 +147,13 @@ check_picture() {
   say "frame.png: ${width}x$height, $(stat -c %s "$picture") bytes, sha256 $(sha256sum "$picture" | cut -c1-16)…"
 }
 
-# Rendering needs no test framework.
+# Checks that the test packages are not installed yet, because `./weft render` needs no test framework.
 check_no_test_packages() {
   local package
   for package in $(awk '/^test_packages=\(/ { inside = 1; next } /^\)/ { inside = 0 } inside' "$source_root/weft" |
     sed 's/^ *"\([^:]*\):.*/\1/'); do
-    [ "$package" != python3 ] || continue  # a dependency of libraries' development packages
+    # Other packages depend on python3, so it may be installed already.
+    [ "$package" != python3 ] || continue
     ! inside "dpkg-query -W -f='\${db:Status-Status}' $package 2>/dev/null | grep -qx installed" ||
       fail "./weft render installed $package, which only tests need"
   done

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when a test was skipped for a reason that is not on the list.
+"""Fails if a test was skipped for a reason that is not in the list of accepted reasons.
    skipped_tests.py JUNIT_XML REASONS    JUNIT_XML: ctest --output-junit; REASONS: tests/skipped_tests.txt
    skipped_tests.py --self-test"""
 import sys
@@ -15,7 +15,7 @@ def accepted_reasons(text):
 
 
 def unaccepted(junit, reasons):
-    """(number of skipped tests, lines about those that are not accepted)"""
+    """Returns the number of skipped tests, and a line for each test that was skipped for no accepted reason."""
     skipped, lines = 0, []
     for case in xml.fromstring(junit).iter("testcase"):
         if case.find("skipped") is None and case.get("status") != "notrun":

@@ -1,11 +1,13 @@
 #!/usr/bin/python3
-"""What a piece of a pipeline costs its author: lines and JSON tokens of some passes of a graph, and of the resources
-that are there for them: no other pass writes them, and who else reads them reads what these passes write.
+"""Measures what a part of a pipeline costs its author: the lines and JSON tokens of some passes of a graph, and of the
+resources that belong to these passes. A resource belongs to them if no other pass writes it, and if the given passes
+write it or no other pass reads it.
   yardstick.py GRAPH.json PASS... [--also RESOURCE]... [--lines MOST] [--tokens MOST]
   yardstick.py --self-test
-A token is a string, a number, true, false, null, or one of { } [ ] : , inside an entry `"name": value`; the comma after
-an entry belongs to what holds it. --also counts a resource that other passes write too. Lines are those on which such an entry has a token, as the file is formatted; one of
-more than 120 columns is an error, and so is a pass that isn't there. Fails when it is more than MOST."""
+A token is a string, a number, true, false, null, or one of { } [ ] : , inside an entry `"name": value`. The comma after
+an entry belongs to the object around it. --also counts a resource that other passes write too. A line counts if such an
+entry has a token on it. A line of more than 120 columns is an error, and so is a pass that does not exist. The script
+fails if a number exceeds its limit MOST."""
 import argparse
 import re
 import sys
@@ -22,10 +24,11 @@ class Token(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """`"name": value` as tokens, and the entries of the value if it is an object."""
+    """An entry `"name": value` of an object: its tokens, and the entries of the value if the value is an object."""
     tokens: list
     members: dict
-    strings: list  # all strings in it that are values
+    # All values in the entry that are strings, with nested values.
+    strings: list
 
 
 def tokens_of(text):
@@ -42,7 +45,7 @@ def tokens_of(text):
 
 
 def value_at(tokens, i):
-    """The index after the value at i, its entries by name, and its strings."""
+    """Reads the value at index i. Returns the index after the value, its entries by name, and its strings."""
     if tokens[i].text == "{":
         return object_at(tokens, i)
     if tokens[i].text == "[":
@@ -67,7 +70,7 @@ def object_at(tokens, i):
 
 
 def named_resources(entry, keys, resources):
-    """The resources that the given keys of a pass refer to. A port without a reference has the name of its resource."""
+    """Returns the resources that these keys of a pass refer to. A port without a reference is named as its resource."""
     named = set()
     for key in keys:
         if key in entry.members:
@@ -87,7 +90,7 @@ def own_resources(passes, all_passes, resources):
 
 
 def measure(text, passes, also=()):
-    """(lines, tokens, resources that only these passes use)."""
+    """Returns the number of lines, the number of tokens, and the resources that belong to these passes."""
     _, graph, _ = object_at(tokens_of(text), 0)
     all_passes, resources = graph["passes"].members, graph["resources"].members if "resources" in graph else {}
     missing = [name for name in passes if name not in all_passes]
@@ -122,11 +125,14 @@ SAMPLE = r"""// A comment with "strings" and { braces }
 
 
 def self_test():
-    # "first" : { "type" : "clear" , "out" : [ "a" ] , } makes a, which another reads: 14 and 3.
+    # The pass is `"first" : { "type" : "clear" , "out" : [ "a" ] , }` with 14 tokens. It makes resource a with 3
+    # tokens, which another pass reads.
     assert measure(SAMPLE, ["first"]) == (2, 17, ["a"]), measure(SAMPLE, ["first"])
-    # 2 + {} + 3 + 3 + (2 + 9) + (2 + 9) + (2 + 5) + 4 commas; a is made by another; b has 11, in the line of a.
+    # The pass has 2 + {} + 3 + 3 + (2 + 9) + (2 + 9) + (2 + 5) tokens and 4 commas. Another pass makes a. Resource b
+    # has 11 tokens, in the line of a.
     assert measure(SAMPLE, ["second"]) == (3, 43 + 11, ["b"]), measure(SAMPLE, ["second"])
-    # 2 + {} + 3 + 5 + (2 + 2 + 2 + 5) + 2, and 3 for c in a line of its own; b is made by another.
+    # The pass has 2 + {} + 3 + 5 + (2 + 2 + 2 + 5) + 2 tokens. Resource c has 3 tokens in a line of its own. Another
+    # pass makes b.
     assert measure(SAMPLE, ["third"]) == (2, 28, ["c"]), measure(SAMPLE, ["third"])
     assert measure(SAMPLE, ["second", "third"]) == (5, 43 + 11 + 28, ["b", "c"]), measure(SAMPLE, ["second", "third"])
     assert measure(SAMPLE, ["third"], ["d"]) == (3, 31, ["c", "d"]), measure(SAMPLE, ["third"], ["d"])

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Downloads two more Vulkan drivers and a current validation layer from Debian's packages to build/drivers:
+# Downloads two more Vulkan drivers and a current validation layer, from packages of Debian, to build/drivers:
 #   mesa-backports/icd.json                      lavapipe of Mesa in bookworm-backports
 #   swiftshader/icd.json                         SwiftShader, which chromium-common contains
-#   validation/VkLayer_khronos_validation.json   the validation layer of the same package
-# The packages are unpacked there, not installed, and apt uses a separate configuration, so the system does not change.
-# Existing packages are kept; remove the folder to download them again. Without network or package the reason is
-# written to mesa-backports.skipped, swiftshader.skipped or validation.skipped, and the exit code is still 0.
+#   validation/VkLayer_khronos_validation.json   the validation layer of the same package source
+# The packages are only unpacked there, and apt uses a separate configuration, so the system does not change. Packages
+# that exist already are kept; remove the folder to download them again. If the network or a package is missing, the
+# reason is written to mesa-backports.skipped, swiftshader.skipped or validation.skipped, and the exit code is still 0.
 #
 #   tests/drivers/fetch.sh [FOLDER]    default: build/drivers
 #   VK_DRIVER_FILES=build/drivers/mesa-backports/icd.json VK_LAYER_PATH=build/drivers/validation weft render --validate …
@@ -18,19 +18,21 @@ folder=$(cd "$folder" && pwd)
 
 say() { printf '%s\n' "fetch.sh: $*" >&2; }
 
-skip() {  # NAME REASON; does nothing if an earlier run succeeded
+# skip NAME REASON: writes the reason to NAME.skipped. Does nothing if an earlier run has downloaded NAME.
+skip() {
   compgen -G "$folder/$1/*.json" >/dev/null && return
   printf '%s\n' "$2" >"$folder/$1.skipped"
   say "$1 is skipped: $2"
 }
 
-skip_all() {  # REASON
+# skip_all REASON: writes this reason for everything that is missing, and ends the script.
+skip_all() {
   local name
   for name in mesa-backports swiftshader validation; do skip "$name" "$1"; done
   exit 0
 }
 
-# Runs apt with separate sources, lists and cache.
+# Sets up apt with package sources, lists and a cache of its own, so that the system's apt does not change.
 prepare_apt() {
   local apt=$folder/apt keys=/usr/share/keyrings/debian-archive-keyring.gpg
   mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial"
@@ -60,7 +62,7 @@ EOF
   apt-get update -qq --error-on=any
 }
 
-# PACKAGE TARGET: unpacks the package to TARGET.
+# unpack PACKAGE TARGET: downloads the package and unpacks it to the folder TARGET.
 unpack() {
   local scratch status=0
   scratch=$(mktemp -d "$folder/unpack-XXXXXX")
@@ -70,12 +72,13 @@ unpack() {
   return "$status"
 }
 
-# LIBRARY: prints the names of libraries that it needs and that are missing on this machine.
+# missing_libraries LIBRARY: prints the names of the libraries that LIBRARY needs and that this machine lacks.
 missing_libraries() {
   ldd "$1" | awk '/not found/ { printf "%s%s", gap, $1; gap = ", " }'
 }
 
-# NAME LIBRARY MANIFEST CONTENT: writes the manifest last, so that it exists only if the library can be loaded.
+# finish NAME LIBRARY MANIFEST CONTENT: checks that the library can be loaded. Writes the manifest last, so that the
+# manifest exists only if the library can be loaded.
 finish() {
   local missing
   [ -f "$2" ] || { skip "$1" "the package holds no ${2##*/}"; return; }
@@ -87,7 +90,9 @@ finish() {
   say "$1 is ready: $3"
 }
 
-driver_manifest() {  # PATH OF THE LIBRARY, relative to the manifest
+# driver_manifest PATH: prints the manifest of a driver. PATH is the path of the library, relative to the
+# manifest.
+driver_manifest() {
   printf '{ "file_format_version": "1.0.0", "ICD": { "library_path": "%s", "api_version": "1.3.0" } }' "$1"
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds the fuzz targets and runs each for some seconds, starting with tests/fuzz/corpus. Inputs that cause faults are
-# stored in build/fuzz/found/ and fail the run; add them to the corpus together with the correction.
+# Builds the fuzz targets and runs each for some seconds, starting with the inputs in tests/fuzz/corpus. An input that
+# causes a fault is stored in build/fuzz/found/, and the run fails. Add such an input to the corpus together with the
+# correction.
 #   run.sh SECONDS [graph|gltf|image|spirv]...
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -21,10 +22,11 @@ mkdir -p "$build"
 
 status=0
 for target in "${targets[@]}"; do
-  # New inputs are stored outside the source tree and reused by the next run.
+  # New inputs are stored outside the source tree, and the next run starts with them too.
   learnt=$build/corpus/$target found=$build/found/$target
   mkdir -p "$learnt" "$found"
-  # Because of tinyexr's leaks (image_fuzzer.cpp) a leak check per input would be slow; leaks are checked at the end.
+  # tinyexr leaks memory in broken files (see image_fuzzer.cpp), so a leak check after each input would be slow. For
+  # images, leaks are checked only once, at the end.
   leaks=1
   [ "$target" != image ] || leaks=0
   words=()

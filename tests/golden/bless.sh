@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Renders the pictures in views.txt again, with the driver that made them. Check each picture before you commit it, and
-# describe the changes in the commit message.
+# Renders the pictures of views.txt again, with the driver that made the existing pictures. Check each picture before
+# you commit it, and describe the changes in the commit message.
 #   tests/golden/bless.sh [WEFT_PROGRAM]    default: ./weft
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -18,8 +18,8 @@ while read -r graph scene camera options; do
   "$weft" render "builtin:$scene" --graph "$root/graphs/$graph.json" --camera "$camera" --size 320x180 \
     -o "$scratch/$graph-$scene-$camera.png" --stats "$scratch/stats.json" $options </dev/null
 done <"$here/views.txt"
-# Replaces the old pictures only if all new ones exist. Each is copied beside its destination and then renamed, so that a
-# full disk leaves no incomplete file.
+# Replaces the old pictures only if all new ones exist. Each picture is copied beside its destination and then renamed,
+# so that a full disk leaves no incomplete file.
 sed -n 's/^ *"\(device\|driver\)": "\(.*\)",$/\2/p' "$scratch/stats.json" >"$scratch/driver.txt"
 next=$(mktemp -d "$here/.next-XXXXXX")
 trap 'rm -rf "$scratch" "$next"' EXIT

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Names in unnamed namespaces are unique within a folder, and constants are not named like one of a header: the release
-build compiles the sources of a folder as one, so that such a name would silently replace another one.
-   folder_names.py SOURCE_ROOT      prints every breach and fails when there is one
-   folder_names.py --self-test      plants one breach of each kind and fails when one is missed"""
+"""Checks that names in unnamed namespaces are unique within a folder, and that no constant has the name of a constant
+in a header. The release build compiles all sources of a folder as one, so such a name would silently hide another one.
+   folder_names.py SOURCE_ROOT      prints every violation and fails if there is one
+   folder_names.py --self-test      makes one violation of each kind and fails if the check misses one"""
 import collections
 import pathlib
 import re
@@ -30,7 +30,7 @@ def unnamed_names(text):
 
 
 def namespaces(text):
-    """(line, its namespace) of each line"""
+    """Yields each line of the text together with the namespace that contains the line."""
     stack = []
     for line in text.splitlines():
         opened = re.match(r"^namespace ([\w:]+) \{$", line)
@@ -42,7 +42,8 @@ def namespaces(text):
 
 
 def breaches(root):
-    in_headers = collections.defaultdict(dict)  # by name and namespace
+    # Maps the name of each constant in a header to its namespaces, and each namespace to the header.
+    in_headers = collections.defaultdict(dict)
     files = [file for top in ("framework", "passes", "viewer") for file in sorted((root / top).rglob("*"))]
     for file in files:
         if file.suffix == ".h":

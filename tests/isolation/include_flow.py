@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
-"""No include runs against the flow of data, and public headers include public headers only.
-   include_flow.py SOURCE_ROOT      prints every breach and fails when there is one
-   include_flow.py --self-test      plants one breach of each kind and fails when one is missed"""
+"""Checks that no include runs against the flow of data, and that public headers include only public headers.
+   include_flow.py SOURCE_ROOT      prints every violation and fails if there is one
+   include_flow.py --self-test      makes one violation of each kind and fails if the check misses one"""
 import pathlib
 import re
 import sys
 import tempfile
 
 PUBLIC = "framework/include/weft"
-# Folders in the order in which data passes. A source may include headers of its own folder and of earlier ones.
+# Folders in the order in which data flows through the program. A source may include headers of its own folder and of
+# folders earlier in this list.
 FLOW = [
-    PUBLIC,  # the types that stages exchange
+    # Public headers with the types that the stages exchange.
+    PUBLIC,
     "framework/graph/diagnostics", "framework/graph/model", "framework/graph/syntax", "framework/graph/parse",
     "framework/graph/resolve", "framework/graph/plan", "framework/graph/schedule", "framework/graph/sync",
     "framework/graph/memory", "framework/graph/compile", "framework/graph/report", "framework/graph/report/html",
@@ -24,7 +26,8 @@ FLOW = [
     "viewer/files", "viewer/output", "viewer/process", "viewer/options", "viewer/pictures", "viewer/bench",
     "viewer/schema", "viewer/sandbox", "viewer/commands", "viewer",
 ]
-# Folders of public headers that belong to a stage or module: in the flow they count as its last folder.
+# Some folders of public headers belong to a module. For the order of includes, such a folder counts as the folder given
+# here.
 PUBLIC_OWNERS = {
     "syntax": "framework/graph/syntax", "report": "framework/graph/report", "check": "framework/check",
     "shader": "framework/shader/faults", "load": "framework/load", "scene": "framework/scene/model",
@@ -34,7 +37,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 
 
 def folder_of(path):
-    """The folder of the flow that holds `path`; None: outside the flow."""
+    """Returns the folder of FLOW that contains `path`, or None if no folder does."""
     parts = path.split("/")
     if path.startswith(PUBLIC + "/") and len(parts) > 4:
         return PUBLIC_OWNERS.get(parts[3])

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Preprocesses every source of weft_graph, weft_check, weft_null, weft_shader and weft_load with a first include directory in
-# which vulkan/vulkan.h and volk.h are #error, to test their includes. The C++ pass of docs/writing-a-pass.md is compiled in
-# the same way, so that the page stays correct.
+# Tests that weft_graph, weft_check, weft_null, weft_shader and weft_load include no Vulkan headers. Preprocesses each
+# of their sources with an include folder whose vulkan/vulkan.h and volk.h contain only #error. The C++ pass of
+# docs/writing-a-pass.md is compiled in the same way, so that the page stays correct.
 #   no_vulkan_headers.sh COMPILER SOURCE_ROOT SCRATCH_FOLDER
 set -euo pipefail
 compiler=$1 root=$2 scratch=$3
@@ -15,7 +15,7 @@ done
 rm -rf "$scratch"
 mkdir -p "$scratch/docs"
 
-# Checks the test itself: a file that includes either header must fail.
+# Tests this script itself: a file that includes one of the two headers must fail to compile.
 for header in vulkan/vulkan.h volk.h; do
   if echo "#include <$header>" | "$compiler" "${flags[@]}" -E -x c++ - >/dev/null 2>&1; then
     echo "the poisoned $header was not found first: this test would see nothing" >&2
@@ -23,7 +23,7 @@ for header in vulkan/vulkan.h volk.h; do
   fi
 done
 
-# "<!-- file: NAME -->" and the following fence: writes a file of that name.
+# Finds each line "<!-- file: NAME -->" of the page and writes the following fenced block to a file of that name.
 awk -v into="$scratch/docs" '
   /^<!-- file: .*\.(h|cpp) -->$/ { name = into "/" $3; next }
   name && /^```/ { if (inside) { close(name); name = ""; inside = 0 } else { inside = 1

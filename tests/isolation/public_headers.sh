@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compiles each public header by itself, with nothing in reach but framework/include and system headers: each includes
-# all that it needs, and nothing that is not installed.
+# Compiles each public header by itself. The compiler sees only framework/include and system headers. So a header must
+# include everything that it needs, and only headers that are installed.
 #   public_headers.sh COMPILER SOURCE_ROOT
 set -euo pipefail
 compiler=$1 root=$2
@@ -8,7 +8,7 @@ cd "$root/framework/include"
 
 flags=(-std=c++20 -fsyntax-only -Wall -Wextra -Werror -I.)
 
-# A header that lacks an #include is seen.
+# Tests this script itself: a header that lacks an #include must fail to compile.
 broken=$(mktemp --suffix=.h)
 trap 'rm -f "$broken"' EXIT
 echo 'inline std::string name() { return {}; }' >"$broken"
@@ -17,7 +17,8 @@ if "$compiler" "${flags[@]}" -x c++ "$broken" 2>/dev/null; then
   exit 1
 fi
 
-# "#pragma once in main file" is the one warning that a header compiled by itself always gives: include it instead.
+# A header that is compiled by itself always gives the warning "#pragma once in main file". So the compiled file
+# includes the header instead.
 mapfile -t headers < <(find weft -name '*.h' | sort)
 printf '%s\n' "${headers[@]}" |
   xargs -P "$(nproc)" -I{} sh -c 'echo "#include \"$1\"" | "$2" '"${flags[*]}"' -x c++ - || { echo "$1 does not compile by itself" >&2; exit 255; }' _ {} "$compiler"

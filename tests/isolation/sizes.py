@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""No folder, file or function grows out of sight: at most 45 sources side by side, 400 lines a file, 80 a function.
-   sizes.py SOURCE_ROOT      prints every breach and fails when there is one
-   sizes.py --self-test      plants one breach of each kind and fails when one is missed"""
+"""Checks sizes: a folder has at most 45 sources, a file at most 400 lines, and a function at most 80 lines.
+   sizes.py SOURCE_ROOT      prints every violation and fails if there is one
+   sizes.py --self-test      makes one violation of each kind and fails if the check misses one"""
 import collections
 import pathlib
 import re
@@ -10,20 +10,21 @@ import tempfile
 
 MOST_SOURCES, MOST_LINES, MOST_FUNCTION_LINES = 45, 400, 80
 SOURCES = {".h", ".cpp", ".py", ".sh"}
-# Sources are formatted: a function of a namespace begins and ends in the first column, one of a class in the fifth.
+# These patterns rely on the format of the sources. A function of a namespace begins and ends in the first column; a
+# function of a class begins and ends in the fifth column.
 NO_FUNCTION = re.compile(r"\s*(if|for|while|switch|namespace|struct|class|enum|union|extern)\b")
 ENDS_SOMETHING = re.compile(r"([;{}:]|^\s*(//|#).*|^\s*)$")
 
 
 def signature_start(lines, index):
-    """The line where the statement that ends at `index` begins."""
+    """Returns the index of the line where the statement that ends at `index` begins."""
     while index > 0 and not ENDS_SOMETHING.search(lines[index - 1]):
         index -= 1
     return index
 
 
 def functions(lines):
-    """(first line, number of lines) of each function definition."""
+    """Yields the number of the first line and the number of lines of each function definition."""
     start, closing = None, ""
     for index, line in enumerate(lines):
         if start is not None:
@@ -33,7 +34,8 @@ def functions(lines):
         elif line.endswith("{") and ")" in line:
             first = signature_start(lines, index)
             indent = lines[first][: len(lines[first]) - len(lines[first].lstrip())]
-            is_lambda = any("[](" in text for text in lines[first:index + 1])  # a row of a table
+            # The lambda is a part of a table, so its lines are not counted as a function.
+            is_lambda = any("[](" in text for text in lines[first:index + 1])
             if len(indent) in (0, 4) and not is_lambda and not NO_FUNCTION.match(lines[first]):
                 start, closing = first, indent + "}"
 

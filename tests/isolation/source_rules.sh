@@ -1,26 +1,27 @@
 #!/usr/bin/env bash
-# Checks rules for the sources that grep can test. Prints every violation and fails if there is one.
+# Checks rules for the sources that grep can test. Prints every violation, and fails if there is one.
 #   source_rules.sh SOURCE_ROOT
 set -euo pipefail
 cd "$1"
 breaches=0
-report() {  # RULE, breaches on stdin
+# report RULE: reads the violations from stdin, and prints them with the text of the rule.
+report() {
   local line
   while IFS= read -r line; do
     printf '%s: %s\n' "$1" "$line"
     breaches=$((breaches + 1))
   done
 }
-# All text files of the project except this one, which lists the forbidden words.
+# Lists all text files of the project except this one, because this file contains the forbidden words.
 files() { find "$@" -type f -not -name source_rules.sh | sort; }
-# FILE:LINE:TEXT without // comments, for rules about code.
+# Prints all lines of the files as FILE:LINE:TEXT without // comments, for rules that concern only code.
 # shellcheck disable=SC2016  # awk's own $0
 code() { xargs awk '{ sub(/\/\/.*/, ""); print FILENAME ":" FNR ":" $0 }'; }
 sources() { files "$@" | grep -E '\.(h|cpp|glsl|vert|frag|comp|sh|in)$' || true; }
 
 everything=(framework passes shaders viewer tests)
 
-# Files in tests/ named after a SPIR-V capability keep that name.
+# Shaders in tests/ that are named after the SPIR-V capability DemoteToHelperInvocation may contain the word "Helper".
 report "name says nothing" < <(
   files "${everything[@]}" | grep -v '/DemoteToHelperInvocation\.' |
     grep -iE '/[a-z_]*(util|common|helper|manager)[a-z_]*\.' || true)
@@ -36,7 +37,8 @@ report "unfinished" < <(
 report "shared ownership, or a singleton" < <(
   sources framework passes viewer | code | grep -E '\b(std::)?(shared_ptr|weak_ptr|make_shared)\b|[gG]et_?[iI]nstance\(' || true)
 
-# Only framework/file writes files and stdout, because it checks every write. stderr may be written anywhere.
+# Only framework/file may write files and stdout, because it checks every write for errors. All code may write to
+# stderr.
 report "written without framework/file" < <(
   sources framework viewer | grep -v '^framework/file/' | code |
     grep -E '\b(ofstream|fstream|fwrite|fputc|putchar|puts|printf|fopen) *\(|\bofstream\b|\bstdout\)|std::cout|stbi_write_[a-z]+\(|SaveEXR\(' |
@@ -46,13 +48,13 @@ report "slow third-party header in a header" < <(
   files framework passes viewer | grep -E '\.h$' |
     xargs grep -nIE '#include [<"](nlohmann/json\.hpp|CLI/|tiny_gltf|stb_|tinyexr|fmt/|glslang/)' || true)
 
-# The checker must be independent of the stages that it checks.
+# The checker must not use the code of the stages that it checks.
 report "framework/check includes more than plans, declarations and the standard library" < <(
   grep -nE '^ *# *include' framework/check/*.h framework/check/*.cpp |
     grep -vE '#include ("(weft/)?check/[a-z_]+\.h"|<[a-z_]+>)' |
     grep -vE '"weft/(plan|transition|declaration|access|result|source|format|shader_interface|device_profile)\.h"' || true)
 
-# The null executor must be independent of stages and checker.
+# The null executor must use neither the code of the stages nor that of the checker.
 report "framework/null includes more than plans, declarations and the standard library" < <(
   grep -nE '^ *# *include' framework/null/*.h framework/null/*.cpp |
     grep -vE '#include ("null/[a-z_]+\.h"|<[a-z_]+>|"weft/(plan|declaration)\.h")' || true)

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Installs the build, moves the folder, and uses it as a user and as an embedder would. Without a device the exit code is
-# 77, after all tests that need none have passed.
+# Installs the build, moves the folder, and uses the moved folder as a user and as an embedder would. Without a Vulkan
+# device the exit code is 77 (skipped), after all parts of the test that need no device have passed.
 #   install_test.sh CMAKE BUILD_FOLDER SOURCE_ROOT PROGRAM
 set -euo pipefail
 cmake=$1 build=$2 source=$3 program=$4
-# Outside the source tree, because the program also searches the folders above its own for missing files.
+# The folder is outside the source tree, because the program also searches the folders above its own folder for missing
+# files. So it could find files of the source tree.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 installed=$scratch/moved
@@ -18,13 +19,13 @@ fail() {
 install_and_move() {
   "$cmake" --install "$build" --prefix "$scratch/first" >"$scratch/install.log"
   mv "$scratch/first" "$installed"
-  # No file may contain the old path.
+  # No file may contain the path of the folder before the move, or of the source tree.
   if grep -rlI -e "$scratch/first" -e "$source" "$installed/lib/cmake" "$installed/lib/pkgconfig" "$installed/include"; then
     fail "these files name a place of the machine that built them"
   fi
 }
 
-# Libraries that are not part of the system must come from the folder.
+# Expects that all libraries which are not part of the system come from the installed folder.
 check_libraries() {
   local name arrow path
   while read -r name arrow path _; do
@@ -37,7 +38,7 @@ check_libraries() {
   [ -n "$(ls -A "$installed/share/doc/weft/licences")" ] || fail "no licences came along"
 }
 
-# As a user: an empty environment, another folder, the default picture.
+# Renders the default picture as a user would: with an empty environment, and in another working folder.
 render_default() {
   local renders=(render --size 320x180 -o)
   (cd / && env -i ${ASAN_OPTIONS:+ASAN_OPTIONS="$ASAN_OPTIONS"} "$installed/bin/weft" "${renders[@]}" "$scratch/installed.png")
@@ -56,7 +57,7 @@ build_sample() {
   }
 }
 
-# One file that includes every public header, compiled with warnings.
+# Compiles one file that includes every public header, with warnings enabled and with the flags of pkg-config.
 build_with_pkg_config() {
   (cd "$installed/include" && find weft -name '*.h' | sort | sed 's/.*/#include <&>/') >"$scratch/all_headers.h"
   # shellcheck disable=SC2046,SC2086  # flags are words
@@ -66,7 +67,8 @@ build_with_pkg_config() {
     fail "a file doesn't build with what pkg-config says"
 }
 
-# The commands of docs/embedding.md without CMake, with the installed path, and without commands that need a device.
+# Runs the commands of docs/embedding.md for a build without CMake, with the path of the installed folder. Commands that
+# need a device are left out.
 build_by_the_page() {
   cp -r "$source/docs/examples/embedding" "$scratch/by_hand"
   awk '/^<!-- compiled by the tests -->$/ { wanted = 1; next } /^```/ { inside = wanted && !inside; if (!inside) wanted = 0; next }
@@ -77,7 +79,8 @@ build_by_the_page() {
   [ -x "$scratch/by_hand/embedding" ] || fail "what docs/embedding.md says makes no program"
 }
 
-# The embedder's own image must contain the same picture as the program's.
+# The sample program embeds Weft and writes its own image. The image must contain the same picture as that of `weft
+# render`.
 compare_sample() {
   "$scratch/embedding/embedding" "$scratch/embedded.ppm" --validate || fail "the embedding sample ended with $?"
   "$program" render builtin:spheres --device 0 --size 320x180 --frames 3 -o "$scratch/reference.png"
@@ -85,7 +88,7 @@ compare_sample() {
     fail "the embedding sample draws another picture"
 }
 
-# docs/embedding.md must quote the sample's actual output.
+# Expects that docs/embedding.md quotes the output that the sample program really prints.
 check_quotes() {
   local line
   while IFS= read -r line; do

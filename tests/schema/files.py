@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The schema accepts every graph that is shipped or documented, and rejects every faulty file whose fault is one of
-structure.
+"""Tests that the schema accepts every shipped or documented graph, and rejects every faulty file of tests/diagnostics
+whose fault a JSON schema can detect.
   files.py PROGRAM SOURCE_ROOT"""
 import json
 import pathlib
@@ -10,9 +10,10 @@ import jsonschema
 
 import graph_text
 
-# Faults that a schema can see: unknown keys, wrong types, missing keys, bad values, unknown types, formats, imports.
+# Codes of faults that a JSON schema can detect: unknown keys, wrong types, missing keys, bad values, unknown types,
+# formats and imports.
 STRUCTURAL = {"W101", "W102", "W108", "W109", "W115", "W116"}
-# W109 for faults that depend on two values.
+# Messages of W109 for faults that a schema cannot detect, because they depend on two values.
 BEYOND_SCHEMAS = {
     "the default {} lies outside the range", "the default {} is not listed", "the range ends before it begins",
     "the bounds end before they begin", "the name {} is taken", "{} has a meaning of its own in expressions",
@@ -26,7 +27,7 @@ def beyond(message):
 
 
 def documented(root):
-    """(name, value) of the complete graphs in the documentation."""
+    """Yields the name and the value of each complete graph in the documentation."""
     for page in sorted(root.glob("docs/*.md")):
         for kind, name, text in graph_text.snippets(page.read_text()):
             if kind == "file" and name.endswith(".json"):
@@ -65,7 +66,7 @@ def main():
         if not validator.is_valid(value):
             rejected += 1
             continue
-        # Names that only the graph's own schema has.
+        # Validates with the graph's own schema, which contains the names in the graph.
         narrow = json.loads(graph_text.run(program, "schema", file).stdout)
         if jsonschema.Draft7Validator(narrow).is_valid(value):
             failures.append(f"{name} is accepted, though: {own[0]['code']} {own[0]['message']}")

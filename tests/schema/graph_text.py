@@ -1,4 +1,4 @@
-"""JSON with comments and trailing commas, read as Weft reads it, for tools that know plain JSON only."""
+"""Reads JSON with comments and trailing commas as Weft does, for tools that know only plain JSON."""
 import json
 import re
 import subprocess
@@ -9,7 +9,7 @@ TRAILING_COMMA = re.compile(STRING + r"|,(?=\s*[}\]])")
 
 
 def plain(text):
-    """The text without comments and trailing commas. Strings do not change."""
+    """Returns the text without comments and trailing commas. Strings do not change."""
     for unwanted in (COMMENT, TRAILING_COMMA):
         text = unwanted.sub(lambda match: match[0] if match[0].startswith('"') else " ", text)
     return text
@@ -24,19 +24,19 @@ def run(program, *arguments, folder=None):
 
 
 def shipped(root):
-    """The shipped graphs and the examples."""
+    """Returns the files of the shipped graphs and of the example graphs."""
     graphs = [file for folder in ("graphs", "docs/examples") for file in sorted((root / folder).rglob("*.json"))]
     return [file for file in graphs if file.name != "weft.schema.json"]
 
 
 def snippets(page):
-    """The fenced blocks of a page that are marked by a comment: (kind, name, text), kind "file" or "over"."""
+    """Returns (kind, name, text) of each fenced block with a comment before it. The kind is "file" or "over"."""
     mark = re.compile(r"^<!-- (file|over): (\S+) -->\n+```\w*\n(.*?)^```", re.S | re.M)
     return [match.groups() for match in mark.finditer(page)]
 
 
 def verdict(failures, summary):
-    """Prints the failures and a summary, and returns the exit code."""
+    """Prints the failures and a summary, and returns the exit code of the test."""
     print("\n".join(failures))
     print(summary)
     return 1 if failures else 0

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`weft schema FILE`: a graph is accepted by its own schema, and with one of its names misspelt it is rejected.
+"""Tests `weft schema FILE`: the schema of a graph accepts the graph, and rejects it if one of its names is misspelt.
   names.py PROGRAM SOURCE_ROOT"""
 import copy
 import json
@@ -15,7 +15,7 @@ SLIP = "Slip"
 
 
 def reference(text):
-    """hdr@glass → hdrSlip@glass; for a port that is an object, its "ref"."""
+    """Misspells the resource in a reference: hdr@glass → hdrSlip@glass. If a port is an object, its "ref" changes."""
     if isinstance(text, dict):
         return {**text, "ref": reference(text["ref"])}
     end = next((i for i, c in enumerate(text) if c in "@[."), len(text))
@@ -23,9 +23,10 @@ def reference(text):
 
 
 def slips(graph):
-    """(what, graph with one name misspelt), for every name that the schema of all graphs cannot contain."""
+    """Yields (description, graph with one misspelt name) for every name that only the graph's own schema knows."""
     for name, body in graph["passes"].items():
-        if body is None:  # removed from the included graph
+        # A null body removes the pass of the included graph, so there are no names to misspell.
+        if body is None:
             continue
         for key in ("in", "out"):
             ports = body.get(key, [])
@@ -36,7 +37,7 @@ def slips(graph):
                     slip = copy.deepcopy(graph)
                     at = slip["passes"][name][key]
                     at[port + SLIP] = at.pop(port)
-                    # Ports of copies and blits may have any name.
+                    # Copy and blit passes are skipped, because their ports may have any name.
                     if body.get("type") in ("compute", "fullscreen", "raster"):
                         yield f"{name}.{key}: port {port}", slip
         for key in ("params", "constants"):
@@ -48,7 +49,8 @@ def slips(graph):
             yield from changed(graph, ["passes", name, "depth"], reference)
         if isinstance(body.get("draws"), list):
             yield from changed(graph, ["passes", name, "draws", 0], reference)
-        if "shader" in body and "type" in body:  # else the included file determines the kind of shader
+        # Without these keys, the included file determines the kind of shader.
+        if "shader" in body and "type" in body:
             yield from changed(graph, ["passes", name, "shader"], lambda text: SLIP + text)
         if "after" in body:
             yield from changed(graph, ["passes", name, "after", 0], reference)
@@ -72,7 +74,7 @@ TIERED_SLIPS = ['"exposure": 1', '"exposure": 2', '"tonemap": { "in": { "hdr"', 
 
 
 def check_tiers(program, failures):
-    """The names in tiers, tests and views."""
+    """Yields (description, graph with one misspelt name) for the names in tiers, tests and debug views."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "tiered.json"
         file.write_text(TIERED)
@@ -98,7 +100,7 @@ def own_validator(program, file):
 def main():
     program, root = sys.argv[1], pathlib.Path(sys.argv[2])
     failures, count = [], 0
-    # Modules may use names that only the including graphs declare.
+    # Modules are skipped, because they may use names that only the including graphs declare.
     files = [file for file in graph_text.shipped(root) if file.parent.name != "modules"]
     for file in files:
         graph = graph_text.parse(file.read_text())
@@ -112,7 +114,7 @@ def main():
             if validator.is_valid(slip):
                 failures.append(f"{file.name}: accepted with a slip in {what}")
     check_tiers(program, failures)
-    # A missing file, and a file that is not JSON.
+    # `weft schema` must refuse a missing file, and a file that is not JSON, with exit code 3.
     for bad in ("nowhere.json", "tests/diagnostics/W001_quote.json"):
         if graph_text.run(program, "schema", root / bad).returncode != 3:
             failures.append(f"{bad} is not exit code 3")

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""docs/format.md: every example is a graph that `weft check` finds good, whose tests pass and whose views can be drawn, and
-every key of the format stands in one.
-An example marked `<!-- file: NAME -->` is a file; one marked `<!-- over: NAME -->` is what a graph holds that includes
-that file.
+"""Tests the examples in docs/format.md: `weft check` accepts each of them, their tests pass, and their debug views can
+be drawn. Every key of the format must occur in an example.
+An example after `<!-- file: NAME -->` is the content of file NAME. An example after `<!-- over: NAME -->` is a part of
+a graph that includes file NAME.
   page.py PROGRAM SOURCE_ROOT"""
 import json
 import pathlib
@@ -17,7 +17,7 @@ DEFINITIONS = "#/definitions/"
 
 
 class KeyWalk:
-    """The keys of the schema's definitions that a graph uses."""
+    """Collects the keys of the schema's definitions that a graph uses."""
 
     def __init__(self, schema):
         self.schema = schema
@@ -35,7 +35,8 @@ class KeyWalk:
             target = self.schema["definitions"][parts[0]]
             for part in parts[1:]:
                 target = target[part]
-            if len(parts) == 3:  # a key that several kinds share
+            # This key is defined once and shared by several kinds of objects.
+            if len(parts) == 3:
                 self.used.add((parts[0].removesuffix(".patch"), parts[2]))
                 return self.visit(target, value, place)
             return self.visit(target, value, parts[0].removesuffix(".patch"))
@@ -58,7 +59,7 @@ class KeyWalk:
 
 
 def all_keys(schema):
-    """(definition, key) of all objects; all kinds of passes share their keys, and so do all kinds of resources."""
+    """Returns (definition, key) of all objects. All kinds of passes share their keys; all kinds of resources do too."""
     keys = {("graph", key) for key in schema["properties"]}
     for name, definition in schema["definitions"].items():
         kinds = name.endswith("Pass") and name != "anyPass" or name.endswith("Resource") or name == "pass"
@@ -68,7 +69,7 @@ def all_keys(schema):
 
 
 def runs(program, file, graph, folder, has_device):
-    """Checks the graph; with a device also runs its tests and renders its views."""
+    """Checks the graph. If there is a device, also runs the tests of the graph and renders its debug views."""
     yield graph_text.run(program, "check", file, folder=folder)
     if has_device and "tests" in graph:
         yield graph_text.run(program, "check", "--run", file, folder=folder)

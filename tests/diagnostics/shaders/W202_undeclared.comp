@@ -5,5 +5,5 @@ writeonly uniform image2D image;
 void main() {
     const vec4 grey = vec4(0.5);
     imageStore(image, ivec2(gl_GlobalInvocationID.xy), gray);
-    //                                                 ^ W202
+    //                                                 ^ W202 is expected here
 }

@@ -4,7 +4,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 writeonly uniform image2D image;
 layout(buffer_reference) buffer Anywhere { uint value; };
-//     ^ W208
+//     ^ W208 is expected here
 
 void main() {
     Anywhere(gl_GlobalInvocationID.xy).value = 1;

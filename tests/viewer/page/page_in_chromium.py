@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Opens pages of `weft plan --format html` in headless Chromium and uses them as a person does: with pointer, keyboard,
-in light and dark. Prints what is wrong and fails when something is.
-  page_in_chromium.py FOLDER PAGE.html...     FOLDER gets the screenshots
+"""Opens pages of `weft plan --format html` in headless Chromium and uses them as a person does: with pointer and
+keyboard, in light and dark colours. Prints every fault, and fails if there is one.
+  page_in_chromium.py FOLDER PAGE.html...     screenshots are written to FOLDER
 Needs the Debian packages chromium and python3-websocket."""
 import base64
 import json
@@ -21,7 +21,7 @@ ANSWER_S = 600
 
 
 class Browser:
-    """One tab, controlled with the DevTools protocol."""
+    """One tab of the browser, controlled with the DevTools protocol."""
 
     def __init__(self):
         self.folder = tempfile.mkdtemp(prefix="weft-chromium-")
@@ -118,7 +118,7 @@ class Browser:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-# Scrolls to an item and finds a point where no other item covers it.
+# JavaScript that scrolls to an item and returns a point where no other item covers it.
 SPOT = """(() => { const item = document.querySelector(%s); if (!item) return null;
   item.scrollIntoView({ block: "center", inline: "center" });
   const box = item.getBoundingClientRect(), way = item.querySelector("path.hit"), spots = [];
@@ -129,10 +129,10 @@ SPOT = """(() => { const item = document.querySelector(%s); if (!item) return nu
   return spots.find(([x, y]) => document.elementFromPoint(x, y)?.closest(".i") === item) ?? "covered"; })()"""
 SPOT_OF_OPENER = """(() => { const opener = document.querySelector("#graph .open"); if (!opener) return null;
   opener.scrollIntoView({ block: "center" }); const at = opener.getBoundingClientRect(); return [at.x + at.width / 2, at.y + at.height / 2]; })()"""
-# The text of an article and of the explanation, without white space.
+# JavaScript for the text of an article, and for the text of the explanation, both without white space.
 ARTICLE = '(document.getElementById(%s)?.textContent ?? "none").replace(/\\s+/g, "")'
 EXPLAINED = 'document.getElementById("explained").textContent.replace(/\\s+/g, "")'
-# Texts that extend beyond their box or drawing.
+# JavaScript that returns the texts which extend beyond their box or drawing.
 STICKS_OUT = """(() => { const out = [];
   for (const item of document.querySelectorAll("svg .pass, svg .batch, svg .block, svg .cell")) {
     const box = item.querySelector(".box, .mark").getBBox();
@@ -149,7 +149,7 @@ STICKS_OUT = """(() => { const out = [];
       if (t.left < whole.left - 1 || t.right > whole.right + 1 || t.top < whole.top - 1 || t.bottom > whole.bottom + 1)
         out.push(text.textContent + " leaves its drawing"); } }
   return out; })()"""
-# Names in the graph that are not on their own edge, or that another edge crosses.
+# JavaScript that returns the names of edges which do not lie on their edge, or which another edge crosses.
 STRAY_NAMES = """(() => { const out = [];
   const text = (edge) => edge.querySelector(".edgename")?.textContent ?? edge.getAttribute("aria-label").split(": ").pop();
   for (const svg of document.querySelectorAll("#graph svg")) {
@@ -162,12 +162,12 @@ STRAY_NAMES = """(() => { const out = [];
       for (const other of edges) if (other.resources !== resources && other.spots.some(inside))
         out.push(other.edge.getAttribute("aria-label") + " runs through the name " + name.textContent); } }
   return out; })()"""
-# Queues with a row in the timeline but without a submission.
+# JavaScript that returns the queues which have a row in the timeline but no submission.
 EMPTY_ROWS = """(() => { const rows = [...document.querySelectorAll("#timeline .lanes li")];
   const batches = [...document.querySelectorAll("#timeline .batch .box")].map((box) => box.getBoundingClientRect());
   return rows.filter((row) => { const at = row.getBoundingClientRect();
     return !batches.some((b) => b.top < at.bottom && at.top < b.bottom); }).map((row) => row.textContent); })()"""
-# Items hidden below the explanation.
+# JavaScript that returns the items which the explanation at the bottom of the page covers.
 COVERED = """(() => { const bar = document.getElementById("inspector"), at = bar.getBoundingClientRect(), found = new Set();
   bar.style.visibility = "hidden";
   for (let x = at.left + 5; x < Math.min(at.right, innerWidth); x += 20)
@@ -175,7 +175,7 @@ COVERED = """(() => { const bar = document.getElementById("inspector"), at = bar
       for (const part of document.elementsFromPoint(x, y)) { const of = part.closest("section, header"); if (of) found.add(of.id || "the header"); }
   bar.style.visibility = "";
   return [...found]; })()"""
-# Visible boxes of passes in the graph.
+# JavaScript for the number of visible boxes of passes in the graph.
 BOXES = """[...document.querySelectorAll("#graph .pass .box")].filter((box) => box.checkVisibility({ visibilityProperty: true })).length"""
 SCALE = """(() => { const svg = document.querySelector("#graph svg"); return svg.getBoundingClientRect().width / svg.viewBox.baseVal.width; })()"""
 SMALLEST = """Math.min(...[...document.querySelectorAll("body *")].filter((e) => e.childNodes.length && e.innerText !== "")
@@ -183,7 +183,7 @@ SMALLEST = """Math.min(...[...document.querySelectorAll("body *")].filter((e) =>
 
 
 def check_hover(browser, faults, style):
-    """The pointer over the first item of this kind shows its explanation."""
+    """Moves the pointer over the first item of this kind. The page must show the explanation of the item."""
     selector = json.dumps(f"svg .i.{style}")
     spot = browser.value(SPOT % selector)
     if spot is None:
@@ -204,7 +204,7 @@ def check_hover(browser, faults, style):
 
 
 def check_keyboard(browser, faults):
-    """Tab and arrows reach a barrier and show its explanation; Enter selects it, Escape clears the selection."""
+    """Uses the keyboard: Tab and arrows reach a barrier and show its explanation. Enter selects, Escape deselects."""
     for _ in range(60):
         browser.key("Tab")
         if browser.value('!!document.activeElement.closest("#timeline svg")'):
@@ -230,7 +230,7 @@ def check_keyboard(browser, faults):
 
 
 def check_selection(browser, faults, folder, name):
-    """A click on a pass keeps only related items bright in all panels."""
+    """Clicks on a pass. In all panels, only related items must remain bright."""
     spot = browser.value(SPOT % json.dumps("#timeline svg .pass"))
     if spot is None:
         return
@@ -248,7 +248,7 @@ def check_selection(browser, faults, folder, name):
 
 
 def check_zoom(browser, faults):
-    """Buttons, keys and the wheel change the size of the graph; the mouse moves it."""
+    """Changes the size of the graph with buttons, keys and the wheel, and moves the graph with the mouse."""
     def expect(what, good):
         if not good:
             faults.append(f"{what}: the graph is drawn at {browser.value(SCALE):.2f}")
@@ -283,7 +283,7 @@ def check_zoom(browser, faults):
 
 
 def check_repeats(browser, faults):
-    """A repeat of many rounds is one box; its square expands it."""
+    """Checks that a repeat of many iterations is drawn as one box, and that a click on its square expands the box."""
     rounds = browser.value('new Set([...document.querySelectorAll("#timeline .pass")].map((e) => e.dataset.k.split(" ")[0])).size')
     folded = browser.value(BOXES)
     if folded > 40 and browser.value('[...document.querySelectorAll("#timeline .title")].filter((e) => e.ariaLabel.includes("#")).length') > 40:
@@ -296,7 +296,7 @@ def check_repeats(browser, faults):
 
 
 def check_without_script(browser, path, faults):
-    """Without scripts the drawings are complete, and there are no controls that need a script."""
+    """Checks the page without scripts: drawings must be complete, and no control may be shown that needs a script."""
     browser.call("Emulation.setScriptExecutionDisabled", value=True)
     browser.open(path)
     if browser.value('document.querySelector("#graph .zoom")?.checkVisibility() ?? false'):
