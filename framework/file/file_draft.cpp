@@ -13,9 +13,10 @@ namespace weft {
 namespace {
 
 constexpr int kMostNames = 100;
-constexpr mode_t kNewFile = 0666;  // reduced by the umask
+constexpr mode_t kNewFile = 0666;  // Permissions of a new file before the process's umask is applied.
 
-// Unpredictable, so that another program cannot create a file or link with this name in advance.
+// Makes a name for a draft. It is random, so that no other program can create a file or link with this name
+// in advance.
 std::string random_name() {
     uint64_t bits = 0;
     while (getrandom(&bits, sizeof bits, 0) != sizeof bits) {
@@ -25,7 +26,8 @@ std::string random_name() {
     return text.data();
 }
 
-// Calls `make` with random names until an unused one is found. `make` returns a value of errno.
+// Calls `make` with random names until `make` finds one that is not in use (no EEXIST), at most kMostNames
+// times. `make` returns a value of errno.
 template <class Make>
 int with_free_name(std::string& name, Make make) {
     int error = EEXIST;
@@ -85,7 +87,7 @@ int FileDraft::open_random() {
 int FileDraft::keep_permissions(const struct stat& old) const {
     struct stat now {};
     if (fstat(file_, &now) != 0) return errno;
-    // Changing the owner clears setuid and setgid bits, so permissions are set last.
+    // Set the permissions after the owner, because changing the owner clears the setuid and setgid bits.
     const bool same_owner = old.st_uid == now.st_uid && old.st_gid == now.st_gid;
     const bool owned = same_owner || fchown(file_, old.st_uid, old.st_gid) == 0;
     const mode_t wanted = old.st_mode & (owned ? 07777 : 0777);
@@ -98,7 +100,8 @@ int FileDraft::fill(std::string_view data, const std::optional<struct stat>& old
         if (const int error = keep_permissions(*old); error != 0) return error;
     if (const int error = write_all(file_, data); error != 0) return error;
     if (sync && fsync(file_) != 0) return errno;
-    // Some file systems report a full disk only when the descriptor is closed, so close a copy.
+    // Some file systems report a full disk only when a descriptor is closed. So close a copy of the
+    // descriptor here and check the result.
     const int copy = fcntl(file_, F_DUPFD_CLOEXEC, 0);
     return copy < 0 || close(copy) != 0 ? errno : 0;
 }
@@ -108,7 +111,8 @@ int FileDraft::give_name(const std::string& name) const {
     return linkat(AT_FDCWD, self.c_str(), folder_, name.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
 }
 
-// linkat() cannot replace an existing file, so the draft gets an unused name first and is renamed afterwards.
+// Gives the draft a random, unused name. This is necessary because linkat() cannot replace an existing file:
+// the draft gets this name first, and then renameat() replaces the file.
 int FileDraft::link_random() {
     return with_free_name(name_, [&](const std::string& name) { return give_name(name); });
 }
@@ -123,7 +127,7 @@ int FileDraft::place(const std::string& name, bool sync) {
     if (!name_.empty() && renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) return errno;
     name_.clear();
     if (!sync) return 0;
-    // The file is already in place, so an error when flushing the folder is ignored.
+    // An error of flushing the folder is ignored, because the file is already complete and has its name.
     const int folder = openat(folder_, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0) return 0;
     fsync(folder);

@@ -1,5 +1,5 @@
-// Purpose: a temporary file that becomes visible under its final name in one step. On failure no temporary
-// file remains. Errors are values of errno; 0 is success.
+// Purpose: a temporary file (the draft) that gets its final name in one step, when it is complete. If writing
+// fails, no temporary file remains. Errors are values of errno; 0 means success.
 #pragma once
 
 #include <signal.h>
@@ -11,11 +11,11 @@
 
 namespace weft {
 
-// Writes all data, with several calls of write() if necessary.
+// Writes all data to a descriptor. Calls write() several times if necessary.
 [[nodiscard]] int write_all(int descriptor, std::string_view data);
 
-// Blocks SIGINT, SIGTERM and SIGHUP while it exists, so that they cannot end the program between creation and
-// removal of a named draft.
+// Blocks the signals SIGINT, SIGTERM and SIGHUP as long as this object exists. So these signals cannot end
+// the program while a draft with a name exists, which would leave the draft behind.
 class EndSignalsBlocked {
  public:
     EndSignalsBlocked();
@@ -36,12 +36,14 @@ class FileDraft {
     FileDraft(const FileDraft&) = delete;
     FileDraft& operator=(const FileDraft&) = delete;
 
-    // Name::none requires a file system that supports unnamed files; Name::random works on every file system.
+    // Creates a draft in `folder`. Name::none creates a file without a name, which needs support by the file
+    // system. Name::random works on every file system.
     [[nodiscard]] int open(const std::string& folder, Name name);
-    // Copies the permissions of `old` to the draft, if `old` exists, and its owner, if this process may
-    // change owners.
+    // Writes `data` to the draft. If an old file exists, the draft gets its permissions, and its owner if
+    // this process may change owners. If `sync` is true, the data is flushed to the disk.
     [[nodiscard]] int fill(std::string_view data, const std::optional<struct stat>& old, bool sync);
-    // Replaces `name` in the folder. With `sync` false the folder is not flushed to the disk.
+    // Gives the draft the final name `name`, and so replaces an old file of this name. If `sync` is true, the
+    // folder is flushed to the disk.
     [[nodiscard]] int place(const std::string& name, bool sync);
 
  private:
@@ -53,7 +55,7 @@ class FileDraft {
 
     int folder_ = -1;
     int file_ = -1;
-    std::string name_;  // name of the draft; empty while it has none
+    std::string name_;  // Name of the draft in its folder; empty while the draft has no name.
 };
 
 }  // namespace weft

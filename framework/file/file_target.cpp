@@ -12,15 +12,16 @@ namespace weft {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kMostLinks = 40;  // the same limit as in the Linux kernel
+constexpr int kMostLinks = 40;  // The largest number of links to follow; the Linux kernel has the same limit.
 
-// Entries of /proc/self/fd look like links, but their target need not be a path ("pipe:[4711]").
+// Returns true if the folder is in the /proc file system. Entries of /proc/self/fd look like links, but their
+// targets need not be paths (example: "pipe:[4711]"), so they must not be followed.
 bool is_in_proc(const fs::path& folder) {
     struct statfs system {};
     return statfs(folder.c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
 }
 
-// The number of a descriptor of this process; -1 if the path does not name one.
+// Returns the number of the descriptor of this process that the path names; -1 if the path names none.
 int own_descriptor(const fs::path& path) {
     std::error_code error;
     const fs::path folder = fs::canonical(path.parent_path(), error);
@@ -42,7 +43,8 @@ TargetKind kind_of(const std::optional<struct stat>& old) {
     return S_ISDIR(old->st_mode) ? TargetKind::folder : TargetKind::stream;
 }
 
-// Follows the link at the end of the path, repeatedly. The kernel resolves links in the middle of the path.
+// Follows a link at the end of the path, as often as the result is a link again. Links in the middle of the
+// path need no treatment, because the kernel resolves them.
 FileTarget follow_links(fs::path at) {
     FileTarget target;
     for (int links = 0; is_link(at); ++links) {
@@ -75,7 +77,7 @@ FileTarget find_target(const std::string& path) {
     else if (errno != ENOENT)
         target.error = errno;
     if (target.kind == TargetKind::file) target.kind = kind_of(target.old);
-    // "name/" names a folder, which does not exist.
+    // The path ends with "/", so that it names a folder that does not exist.
     if (target.kind == TargetKind::file && !target.path.has_filename()) target.kind = TargetKind::folder;
     return target;
 }

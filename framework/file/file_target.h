@@ -1,5 +1,5 @@
-// Purpose: resolves a path given by a user: follows links and recognises descriptors of this process. Errors
-// are values of errno.
+// Purpose: finds the target of a path that a user gave. Symbolic links are followed, and open descriptors of
+// this process are recognised. Errors are values of errno.
 #pragma once
 
 #include <sys/stat.h>
@@ -11,20 +11,20 @@
 namespace weft {
 
 enum class TargetKind : uint8_t {
-    file,        // a regular file, or an unused name
-    stream,      // a pipe, a device or a socket
-    descriptor,  // an open descriptor of this process: /dev/stdout, /dev/fd/N
+    file,        // A regular file, or a path at which no file exists yet.
+    stream,      // A pipe, a device or a socket.
+    descriptor,  // An open descriptor of this process, such as /dev/stdout or /dev/fd/N.
     folder,
 };
 
 struct FileTarget {
     TargetKind kind = TargetKind::file;
-    std::filesystem::path path;      // the path after following links at its end
-    int descriptor = -1;             // for TargetKind::descriptor; not owned
-    std::optional<struct stat> old;  // status of the existing file
-    int error = 0;                   // errno of the resolution; the path cannot be resolved
+    std::filesystem::path path;  // The path after following the symbolic links at its end.
+    int descriptor = -1;  // Number of the descriptor, for TargetKind::descriptor; it is not owned. Else -1.
+    std::optional<struct stat> old;  // Status of the existing file; absent if no file exists.
+    int error = 0;  // If it is not 0, the path cannot be resolved, and this is the value of errno.
 
-    // The folder of the file: "." for a name without a folder.
+    // Returns the folder of the file: "." for a name without a folder.
     [[nodiscard]] std::string folder() const {
         return path.has_parent_path() ? path.parent_path().string() : ".";
     }

@@ -62,8 +62,8 @@ Status check_file(const std::string& path, const FileTarget& target) {
     struct stat status {};
     if (stat(folder.c_str(), &status) != 0) return cannot_write(path, errno, target);
     if (!S_ISDIR(status.st_mode)) return cannot_write(path, ENOTDIR, target);
-    // Write permission in the folder is enough to replace a read-only file, but its owner marked it read-only
-    // to protect it.
+    // The permissions of the folder may allow this process to replace a read-only file. Refuse to do so,
+    // because the owner of the file has protected it.
     if (target.old && faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0)
         return cannot_write(path, errno, target);
     if (faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return Unit{};
@@ -71,7 +71,7 @@ Status check_file(const std::string& path, const FileTarget& target) {
     return cannot_write(path, "no file can be made in its folder: " + reason(error), remedy(error, target));
 }
 
-// An error of close() is reported too.
+// Writes the data and closes the descriptor. Returns the first error, which may also be an error of close().
 int write_and_close(int descriptor, std::string_view data) {
     const int error = write_all(descriptor, data);
     const bool closed = close(descriptor) == 0;
@@ -97,8 +97,9 @@ int write_draft(const FileTarget& target, std::string_view data, bool sync, File
     return error;
 }
 
-// True for errors of an unnamed draft that a named draft may avoid: the file system does not support unnamed
-// files, or /proc, which is needed to name one later, is not mounted.
+// Returns true if a draft with a name may succeed after a draft without a name failed with `error`. The
+// causes of such errors: the file system does not support files without names, or /proc is not mounted, which
+// is needed to name the draft at the end.
 bool is_worth_a_name(int error) {
     return error == EOPNOTSUPP || error == EISDIR || error == EINVAL || error == ENOENT || error == EPERM;
 }
@@ -121,7 +122,7 @@ Status check_writable(const std::string& path) {
 }
 
 Status write_file(const std::string& path, std::string_view data, Durability durability) {
-    // The target may have changed since the first check.
+    // Check again, because the target may have changed since the program called check_writable().
     if (Status writable = check_writable(path); !writable) return writable;
     const FileTarget target = find_target(path);
     const bool sync = durability == Durability::on_disk;

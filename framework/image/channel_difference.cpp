@@ -8,7 +8,7 @@
 namespace weft::image {
 namespace {
 
-// The texel's channels as whole numbers from 0 to 255.
+// Returns the channels of a texel as whole numbers from 0 to 255.
 glm::vec3 step_texel(const Image& image, size_t index) {
     return glm::round(display_texel(image, index) * 255.0f);
 }
@@ -18,7 +18,8 @@ bool compares_raw(const Image& a, const Image& b) {
 }
 
 float difference(float a, float b) {
-    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;  // also covers two equal infinities
+    // The first comparison is also true for two equal infinities.
+    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
     if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<float>::infinity();
     return std::abs(a - b);
 }
@@ -27,7 +28,7 @@ float largest_of(const glm::vec3& p, const glm::vec3& q) {
     return std::max({difference(p.r, q.r), difference(p.g, q.g), difference(p.b, q.b)});
 }
 
-// The largest difference of the texel's channels: of raw values, or in 8-bit steps.
+// Returns the largest difference of the channels of a texel: of raw values if `raw`, else in 8-bit steps.
 float difference_at(const Image& a, const Image& b, bool raw, size_t index) {
     return raw ? largest_of(a.texels[index], b.texels[index])
                : largest_of(step_texel(a, index), step_texel(b, index));

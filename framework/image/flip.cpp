@@ -13,9 +13,10 @@
 namespace weft::image {
 namespace {
 
-constexpr float kColorExponent = 0.7f;    // q_c in the paper
-constexpr float kFeatureExponent = 0.5f;  // q_f in the paper
-// Differences up to kColorKnee (p_c) times the largest possible one map to [0, kErrorAtKnee (p_t)].
+constexpr float kColorExponent = 0.7f;    // The exponent q_c in the paper.
+constexpr float kFeatureExponent = 0.5f;  // The exponent q_f in the paper.
+// Colour differences from 0 to kColorKnee (p_c in the paper) times the largest possible difference become
+// errors from 0 to kErrorAtKnee (p_t in the paper). Larger differences become errors from kErrorAtKnee to 1.
 constexpr float kColorKnee = 0.4f;
 constexpr float kErrorAtKnee = 0.95f;
 
@@ -43,7 +44,8 @@ Plane blurred(const Plane& plane, const std::vector<WeightedGaussian>& kernels) 
     return result;
 }
 
-// The picture as the eye perceives it at that distance.
+// Returns the colours of the picture as the eye perceives them at the given resolution: blurred, then
+// converted to L*a*b* with Hunt's correction.
 std::vector<glm::vec3> perceived(const Planes& ycxcz, const SensitivityKernels& kernels) {
     const Planes blur{blurred(ycxcz[0], kernels[0]), blurred(ycxcz[1], kernels[1]),
                       blurred(ycxcz[2], kernels[2])};
@@ -55,7 +57,8 @@ std::vector<glm::vec3> perceived(const Planes& ycxcz, const SensitivityKernels& 
     return lab;
 }
 
-// The length of the gradient: `kernel` is applied along x and along y.
+// Returns for each texel the length of the gradient of the luminance. Its two components are `kernel` along x
+// and `kernel` along y; `smooth` is applied perpendicular to `kernel`.
 std::vector<float> strength(const Plane& luminance, const std::vector<float>& kernel,
                             const std::vector<float>& smooth) {
     const Plane x = filter_columns(filter_rows(luminance, kernel), smooth);
@@ -90,7 +93,7 @@ struct Kernels {
         : sensitivity(sensitivity_kernels(pixels_per_degree)),
           detectors(feature_kernels(pixels_per_degree)) {}
 
-    // Radius of the neighbourhood that affects a texel.
+    // Returns the radius of the neighbourhood that affects the result of a texel.
     [[nodiscard]] uint32_t radius_px() const {
         size_t taps = std::max({detectors.edge.size(), detectors.point.size(), detectors.smooth.size()});
         for (const std::vector<WeightedGaussian>& sums : sensitivity)
@@ -99,7 +102,7 @@ struct Kernels {
     }
 };
 
-// Rows [first, end) of a picture, as display values.
+// Returns the rows [first, end) of a picture as display values.
 Image rows_of(const Image& picture, uint32_t first, uint32_t end) {
     const auto at = [&](uint32_t row) {
         return picture.texels.begin() + static_cast<std::ptrdiff_t>(size_t{row} * picture.width_px);
@@ -107,7 +110,8 @@ Image rows_of(const Image& picture, uint32_t first, uint32_t end) {
     return to_display({picture.width_px, end - first, picture.encoding, {at(first), at(end)}});
 }
 
-// A picture in FLIP's model of the eye: filtered colours, and detected edges and points.
+// The intermediate results of FLIP for one picture: colours as the eye perceives them, and detected edges and
+// points.
 struct Seen {
     std::vector<glm::vec3> lab;
     Features found;
@@ -135,9 +139,10 @@ Plane flip_of_rows(const Image& reference, const Image& test, const Kernels& ker
     return map;
 }
 
-// The picture is processed in bands of about this many texels, to limit the memory of temporary data.
+// The picture is processed in bands of rows with about this many texels, which limits the memory of temporary
+// data.
 constexpr uint64_t kBandTexels = 1 << 19;
-// Per texel of a band: two pictures, three planes of each, and the temporary data of the filters.
+// Temporary memory per texel of a band: two pictures, three planes for each picture, and data of the filters.
 constexpr uint64_t kBytesPerBandTexel = 128;
 
 uint32_t band_rows(uint32_t width_px, uint32_t radius_px) {
@@ -152,8 +157,8 @@ uint64_t flip_band_bytes(uint32_t width_px, uint32_t height_px, float pixels_per
     return rows * width_px * kBytesPerBandTexel;
 }
 
-// Each band includes as many extra rows on both sides as the kernels reach, so that its result is the same as
-// for the whole picture.
+// Computes the map band by band. The filters of a band also need rows above and below the band: as many as
+// the radius of the kernels. With these rows, the result is the same as for the whole picture at once.
 Plane flip_map(const Image& reference, const Image& test, float pixels_per_degree) {
     assert(same_size(reference, test) && !reference.texels.empty());
     const Kernels kernels(pixels_per_degree);

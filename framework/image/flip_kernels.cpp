@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// One term a · exp(-b · f²) of a sensitivity at f cycles per degree. In space: a √(π/b) exp(-π² d² / b).
+// One term a · exp(-b · f²) of the eye's contrast sensitivity at f cycles per degree. As a function of the
+// distance d in degrees, this term is a √(π/b) exp(-π² d² / b).
 struct Term {
     double a, b;
 };
@@ -20,10 +21,10 @@ constexpr std::array<std::array<Term, 2>, 3> kSensitivities{{
 }};
 constexpr double kWidest = 0.04;
 
-// Width of the feature detectors, in degrees of the field of view.
+// Width of the feature detectors (edges and points), in degrees of the field of view.
 constexpr double kFeatureWidth = 0.082;
 
-// The radius is three standard deviations.
+// Returns the radius of a kernel in pixels: three standard deviations.
 int radius_of(double deviation_px) {
     return static_cast<int>(std::ceil(3 * deviation_px));
 }
@@ -35,7 +36,7 @@ std::vector<double> sample(int radius, const Function& function) {
     return taps;
 }
 
-// Scales positive taps to a sum of 1 and negative taps to a sum of -1.
+// Scales the positive taps so that their sum is 1, and the negative taps so that their sum is -1.
 std::vector<float> normalized(const std::vector<double>& taps) {
     double positive = 0, negative = 0;
     for (const double tap : taps) (tap > 0 ? positive : negative) += std::abs(tap);
@@ -52,7 +53,8 @@ SensitivityKernels sensitivity_kernels(float pixels_per_degree) {
     SensitivityKernels kernels;
     for (size_t channel = 0; channel < kernels.size(); ++channel) {
         double all = 0;
-        std::vector<double> volumes;  // integrals of the sampled two-dimensional terms
+        // For each term, the sum of its two-dimensional kernel over all pixels: the weight of the term.
+        std::vector<double> volumes;
         for (const Term& term : kSensitivities[channel]) {
             if (term.a == 0) continue;
             const std::vector<double> taps = sample(radius, [&](double x_px) {

@@ -5,8 +5,8 @@
 namespace weft::image {
 namespace {
 
-// Rec.709 primaries, white at x = 0.3127, y = 0.3290. The columns are the contributions of red, green and
-// blue.
+// Converts linear Rec.709 colours to XYZ. The three columns are the contributions of red, green and blue.
+// White has the chromaticity x = 0.3127, y = 0.3290 (D65).
 const glm::mat3 kToXyz{{0.4123908f, 0.2126390f, 0.0193308f},
                        {0.3575843f, 0.7151687f, 0.1191948f},
                        {0.1804808f, 0.0721923f, 0.9505322f}};

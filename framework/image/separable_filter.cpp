@@ -7,7 +7,8 @@
 namespace weft::image {
 namespace {
 
-// The inner loop of both directions. It has no branches, so that the compiler vectorises it.
+// Adds `weight` times `in` to `out`. This is the inner loop of both filters. It has no branches, so that the
+// compiler vectorises it.
 void add_scaled(float* out, const float* in, float weight, size_t count) {
     for (size_t i = 0; i < count; ++i) out[i] += weight * in[i];
 }

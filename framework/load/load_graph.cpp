@@ -12,8 +12,8 @@
 namespace weft {
 namespace {
 
-// Faults of meaning know their place in the text; this adds the place in the document as it is written, and
-// the tier in which they are faults.
+// Adds to each error the name of the tier and, if the error has a line and column, the JSON pointer of the
+// value at this place in the document.
 void complete(const JsonDoc& document, const std::string& tier, Diagnostics& faults) {
     for (Diagnostic& fault : faults) {
         fault.tier = tier;
@@ -28,7 +28,7 @@ Diagnostics with_places(const JsonDoc& document, const std::string& tier, Diagno
     return faults;
 }
 
-// The name of a file as it is asked for and, if that is a link, the file that it leads to.
+// Adds the absolute path of a file to `files`. If the path is or contains a link, the real path is added too.
 void add_place(const std::string& path, std::set<std::filesystem::path>& files) {
     files.insert(std::filesystem::absolute(path).lexically_normal());
     std::error_code error;

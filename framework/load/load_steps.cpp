@@ -21,7 +21,8 @@ std::optional<ProgramKind> program_kind(const PassDesc& pass) {
     return std::nullopt;
 }
 
-// A missing shader is a fault of the graph, so the error points to the graph.
+// Moves the error W201 (shader not found) to the place in the graph that names the shader, because the fault
+// is in the graph.
 void locate(const GraphDesc& graph, const PassDesc& pass, Diagnostics& faults) {
     for (Diagnostic& fault : faults) {
         if (fault.code != "W201") continue;
@@ -36,7 +37,8 @@ bool says_no_compiler(const Diagnostic& fault) {
     return fault.code == "X570";
 }
 
-// Messages name files below the graph's folder with the folder's path as the request has it.
+// The folder of the graph is taken from the request unchanged, so that messages name shader files with the
+// path that the user gave (relative or absolute).
 ShaderRoots shader_roots(const LoadInput& input) {
     const LoadSettings& settings = input.settings;
     return {{std::filesystem::path(input.request.path).parent_path(), settings.shader_root},
@@ -80,7 +82,8 @@ ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input, Di
     ShaderCatalog catalog;
     std::set<std::pair<std::string, ProgramKind>> known;
     shader::StageCompiler compiler(roots);
-    bool no_compiler = false;  // true after the missing compiler was reported
+    // True after the error "no compiler" (X570) was reported once. It is not repeated for other shaders.
+    bool no_compiler = false;
     for (const auto& [name, pass] : graph.passes) {
         const std::optional<ProgramKind> kind = program_kind(pass);
         if (!kind || pass.shader.empty() || !known.emplace(pass.shader, *kind).second) continue;

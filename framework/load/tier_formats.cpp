@@ -14,7 +14,8 @@ bool has_alternatives(const GraphDesc& desc) {
     return std::ranges::any_of(desc.resources, [](const auto& r) { return r.second.formats.size() > 1; });
 }
 
-// Tiers with faults are skipped: loading them reports the faults. "" is the file as it is.
+// Parses each tier and compiles its shaders. A tier with faults is left out, because loading this tier will
+// report the faults. The tier "" is the graph without a tier.
 std::vector<TierVariant> load_tiers(const JsonDoc& document, const std::vector<std::string>& tiers,
                                     LoadInput input) {
     std::vector<TierVariant> variants;
@@ -35,7 +36,8 @@ std::vector<std::string> all_tiers(const JsonDoc& document) {
     return tiers;
 }
 
-// Raises `skipped` to the chosen formats. Returns whether that changed anything.
+// Sets skipped[name] for each image with alternative formats to the index of the format that was chosen, if
+// this index is larger. Returns whether a value changed.
 bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& skipped) {
     bool changed = false;
     for (const auto& [name, resource] : desc.resources) {
@@ -51,7 +53,8 @@ bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& sk
     return changed;
 }
 
-// Resolves without the formats in `skipped`, and raises that to the chosen formats.
+// Resolves one tier without the formats in `skipped`. Then raises `skipped` to the formats that were chosen.
+// Returns whether a value changed.
 bool raise_for(const TierVariant& variant, const LoadInput& input, SkippedFormats& skipped) {
     Diagnostics ignored;
     const Result<ResolvedGraph> graph =

@@ -1,19 +1,20 @@
-// Purpose: chooses among the alternative formats of an image. All tiers share the first format that the
-// device supports for each tier's use of the image, so that images keep their content when the tier changes.
-// common_formats() in load_graph.h finds the formats once for all tiers.
+// Purpose: chooses one of the alternative formats of an image ("rg16_snorm|rg16f"). All tiers use the same
+// format: the first one that the device supports for the uses of the image in every tier. So the image keeps
+// its content when the tier changes. common_formats() in load_graph.h makes the choice once for all tiers.
 #pragma once
 
 #include "weft/load/load_graph.h"
 
 namespace weft {
 
-// One tier of a graph, and how it uses its images.
+// One tier of a graph: its passes and resources, and its shaders, which determine how images are used.
 struct TierVariant {
     GraphDesc desc;
     ShaderCatalog shaders;
 };
 
-// The formats for the tier of `input`, with its parameters and observers; the other tiers are loaded without.
+// Chooses the formats for the tier of `input`, with the parameters and observed resources of its request. The
+// other tiers are loaded without these.
 [[nodiscard]] SkippedFormats formats_with_others(const JsonDoc& document, const TierVariant& own,
                                                  const LoadInput& input);
 
