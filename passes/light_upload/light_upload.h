@@ -1,6 +1,6 @@
-// Output port `lights`: a buffer of Light. Copies the program's light list, as far as the buffer has room, to
-// the frame's upload memory and from there to the buffer. Errors: W160 when the buffer's element is not
-// Light.
+// The pass type light_upload copies the list of lights from the program to a buffer of Light, which is bound
+// to the output port `lights`. The list is first written to the upload memory of the frame. Lights that do
+// not fit into the buffer are left out. Error W160: the elements of the buffer are not of type Light.
 #pragma once
 
 #include <array>
