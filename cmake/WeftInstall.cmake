@@ -1,16 +1,17 @@
-# `cmake --install BUILD --prefix DIR`: a folder that can be moved. bin/ has the programs, lib/weft/ the shared
-# libraries that they need except libc, libstdc++, the Vulkan loader and the window system, share/weft/ their data
-# files; include/ and lib/ are for embedders (docs/embedding.md).
+# Defines the folder that `cmake --install BUILD --prefix DIR` makes. The folder can be moved. bin/ has the programs.
+# lib/weft/ has the shared libraries that the programs need, except libc, libstdc++, the Vulkan loader and the window
+# system. share/weft/ has the data files of the programs. include/ and lib/ are for embedders (docs/embedding.md).
 include(CMakePackageConfigHelpers)
 
-# These programs are installed, and their shared libraries are copied.
+# The programs to install. Their shared libraries are copied, too.
 set(WEFT_PROGRAMS weft weft-shader-worker)
-# The parts of the framework for embedders, as one archive.
+# The libraries of the framework that embedders need. They are installed as one archive, libweft.a.
 set(WEFT_EMBEDDED_LIBRARIES weft_graph weft_check weft_file weft_glsl weft_shader weft_load weft_scene weft_image weft_vulkan weft_render weft_passes)
-# Packages whose code is compiled or linked statically into the programs: their licences are copied too.
+# Debian packages whose code is compiled into the programs or linked statically. Their licences are copied, too.
 set(WEFT_LINKED_PACKAGES glslang-dev spirv-tools libtinygltf-dev libstb-dev libglm-dev nlohmann-json3-dev libcli11-dev)
 
-# The programs. DT_RPATH instead of DT_RUNPATH, so that dependencies of the copied libraries are found beside them.
+# Installs the programs. They search for shared libraries in lib/weft. This path is written as DT_RPATH and not as
+# DT_RUNPATH, because only DT_RPATH is also used for the libraries that a shared library needs.
 set_target_properties(${WEFT_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/weft")
 set_property(TARGET ${WEFT_PROGRAMS} APPEND PROPERTY LINK_OPTIONS "LINKER:--disable-new-dtags")
 install(TARGETS ${WEFT_PROGRAMS} RUNTIME DESTINATION bin)
@@ -22,15 +23,16 @@ install(CODE "set(WEFT_PROGRAM_FILES \"${program_files}\")
 set(WEFT_LINKED_PACKAGES \"${WEFT_LINKED_PACKAGES}\")")
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_carried.cmake)
 
-# Their data files.
+# Installs the data files of the programs: graphs, shaders, the page that explains diagnostics, device profiles.
 install(DIRECTORY graphs shaders DESTINATION share/weft)
 install(FILES docs/diagnostics.md DESTINATION share/weft/docs)
 install(DIRECTORY framework/profiles/ DESTINATION share/weft/profiles)
 
-# The public headers, unchanged.
+# Installs the public headers without change.
 install(DIRECTORY framework/include/weft DESTINATION include FILES_MATCHING PATTERN *.h)
 
-# The archive, and files with which CMake and pkg-config find it and its dependencies.
+# Installs the archive for embedders, and the files with which CMake and pkg-config find the archive and its
+# dependencies.
 add_library(weft_embedded STATIC)
 foreach(library ${WEFT_EMBEDDED_LIBRARIES})
   target_sources(weft_embedded PRIVATE $<TARGET_OBJECTS:${library}>)
@@ -39,14 +41,15 @@ set_target_properties(weft_embedded PROPERTIES OUTPUT_NAME weft EXPORT_NAME weft
                       ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 target_include_directories(weft_embedded INTERFACE $<INSTALL_INTERFACE:include>)
 target_compile_features(weft_embedded INTERFACE cxx_std_20)
-# No target of this build links to it.
+# The archive's dependencies. They are needed only in the installed package, because no target of this build links to
+# the archive.
 set(needs glm::glm glslang::SPIRV glslang::glslang glslang::glslang-default-resource-limits SPIRV-Tools-opt
   SPIRV-Tools-static Threads::Threads ${CMAKE_DL_LIBS} weft::carried)
 target_link_libraries(weft_embedded INTERFACE "$<INSTALL_INTERFACE:${needs}>")
 install(TARGETS weft_embedded EXPORT weft ARCHIVE DESTINATION lib)
 install(EXPORT weft FILE weftTargets.cmake NAMESPACE weft:: DESTINATION lib/cmake/weft)
 
-# The sonames of the shared libraries that the archive needs.
+# Finds the sonames of the shared libraries that the archive needs, such as libpng16.so.16.
 set(WEFT_CARRIED "")
 foreach(library ${XXHASH_LIBRARY} ${PNG_LIBRARY} ${JPEG_LIBRARY} ${WEFT_SPIRV_CROSS_LIBRARY})
   get_filename_component(real ${library} REALPATH)

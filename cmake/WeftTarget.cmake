@@ -1,32 +1,34 @@
-# Warnings, sanitizers and the test macro for all Weft targets.
+# Defines the compiler options and the functions for all targets of Weft: warnings, sanitizers, libraries, tests.
 
 add_library(weft_options INTERFACE)
 target_compile_options(weft_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual -Woverloaded-virtual
-  -Wno-missing-field-initializers  # members that an initialiser omits are zero, as is usual for Vulkan structs
+  # Initialisers may leave out members, which are then zero. This is usual for Vulkan structs.
+  -Wno-missing-field-initializers
   -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # g++ 12 warns of nonexistent overlaps in std::string's operator+ (GCC bug 105329).
+  # g++ 12 warns of overlaps in operator+ of std::string that do not exist (GCC bug 105329).
   target_compile_options(weft_options INTERFACE -Wno-restrict)
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    # In a precompiled header, system headers lose their exemption from warnings, so more false warnings appear (GCC bug 105651).
+    # g++ exempts system headers from warnings, but not if they are in a precompiled header. This causes more false
+    # warnings (GCC bug 105651).
     target_compile_options(weft_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
 endif()
 if(WEFT_SANITIZE)
-  # glslang and SPIRV-Tools are built without RTTI, so UBSan's vptr check cannot link against them.
+  # UBSan's check `vptr` is off: it needs RTTI, and glslang and SPIRV-Tools are built without RTTI.
   target_compile_options(weft_options INTERFACE
     -fsanitize=${WEFT_SANITIZE} -fno-sanitize=vptr -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(weft_options INTERFACE -fsanitize=${WEFT_SANITIZE} -fno-sanitize=vptr)
 endif()
 
-# Most test code runs only once per compilation, so full optimisation costs more time than it saves.
+# Most code of tests runs only once after it is compiled, so that full optimisation costs more time than it saves.
 add_library(weft_test_options INTERFACE)
 target_link_libraries(weft_test_options INTERFACE weft_options)
 target_compile_options(weft_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
-# Headers of the standard library are half of the cost of compiling a source: they are compiled once. Weft's own headers
-# are not among them, so that an edit rebuilds no more than it must. -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON finds a source
-# that forgot an #include.
+# Precompiles the headers of the standard library, which take half of the time to compile a source. Weft's own headers
+# are not precompiled, because then a change of one header would compile all sources again. To find a source in which
+# an #include is missing, build with -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
 set(WEFT_PRECOMPILED <algorithm> <array> <cmath> <cstdint> <cstring> <functional> <map> <memory> <numeric> <optional>
     <set> <span> <string> <string_view> <tuple> <utility> <vector>)
 add_library(weft_precompiled OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
@@ -39,9 +41,9 @@ if(WEFT_TESTS)
     <gtest/gtest.h>)
 endif()
 
-# With WEFT_UNITY the sources of a folder are compiled as one, so that what they include is compiled once for all of
-# them: names in unnamed namespaces are unique within a folder. After an edit the whole folder is compiled again, so the
-# preset `debug` compiles sources one by one.
+# With WEFT_UNITY, all sources of a folder are compiled as one source, so that the headers that they include are
+# compiled only once. For this, names in unnamed namespaces are unique within a folder. After an edit the whole folder
+# is compiled again, so the preset `debug` compiles sources one by one.
 option(WEFT_UNITY "Compile the sources of a folder as one" OFF)
 function(weft_unity name)
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
@@ -55,7 +57,7 @@ function(weft_unity name)
   endforeach()
 endfunction()
 
-# weft_library(NAME SOURCES...): a static library with the public headers and the shared options.
+# weft_library(NAME SOURCES...) adds a static library with the include folders and compiler options of Weft.
 function(weft_library name)
   add_library(${name} STATIC ${ARGN})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/framework/include ${PROJECT_SOURCE_DIR}/framework)
@@ -66,11 +68,12 @@ function(weft_library name)
   endif()
 endfunction()
 
-# Seconds after which a test counts as hanging. Much longer than any test takes on a busy machine, so results do not depend on time.
+# A test that runs longer than this number of seconds fails, because it probably hangs. The time is much longer than
+# any test takes on a busy machine, so that results do not depend on time.
 set(WEFT_HANG_S 1800)
 
-# weft_test(NAME LIBS lib... [LABELS label...] SOURCES file...): one gtest binary. Its cases are found after
-# the build, so a test that hangs while it is being listed cannot hang the build.
+# weft_test(NAME LIBS lib... [LABELS label...] SOURCES file...) adds a test program that uses GoogleTest. The program
+# is asked for its tests when the tests are run, not during the build. So a program that hangs cannot hang the build.
 function(weft_test name)
   cmake_parse_arguments(ARG "" "" "LIBS;LABELS;SOURCES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})

@@ -1,6 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
-# Copies the shared libraries that WEFT_PROGRAM_FILES need, and the licences of all installed code. libstdc++ and
-# libgcc_s belong to the compiler, the Vulkan loader and the window system to the machine, so they are not copied.
+# Copies the shared libraries that the programs in WEFT_PROGRAM_FILES need, and the licences of all installed code.
+# libstdc++ and libgcc_s are not copied, because they belong to the compiler; the Vulkan loader and the window system
+# are not copied, because they belong to the machine.
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${WEFT_PROGRAM_FILES}
   RESOLVED_DEPENDENCIES_VAR carried UNRESOLVED_DEPENDENCIES_VAR missing
   PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread|stdc\\+\\+|gcc_s)\\.so" "^libvulkan\\.so"
@@ -13,7 +14,8 @@ foreach(library ${carried})
   file(INSTALL ${library} DESTINATION ${CMAKE_INSTALL_PREFIX}/lib/weft FOLLOW_SYMLINK_CHAIN)
   file(REAL_PATH ${library} real)
   get_filename_component(name ${real} NAME)
-  # dpkg may list a library below /lib or below /usr/lib, because one links to the other, so search by name.
+  # Search for the package by the name of the library without its folder: dpkg may list it in /lib or in /usr/lib,
+  # because one of these folders is a link to the other.
   execute_process(COMMAND dpkg-query -S "*/${name}" OUTPUT_VARIABLE owner ERROR_QUIET)
   if(owner MATCHES "^([^:,\n]+)")
     list(APPEND packages ${CMAKE_MATCH_1})

@@ -1,1 +1,1 @@
-// CMake compiles precompiled headers for a target, and a target needs a source.
+// An empty source: CMake compiles the precompiled headers as a part of a target, and a target needs a source.
