@@ -1,6 +1,7 @@
 // tests/shader/capabilities/ has one small shader for each SPIR-V capability that glslang can emit. The file
-// is named after the capability. Its first line gives the expected result, and "// here" marks the line that
-// the error must name. Further tests limit the memory that shaders may use.
+// is named after the capability. Its first line gives the expected result, such as "// refused". "// here" at
+// the end of a line means that the error must name this line. Further tests limit the memory that shaders may
+// use.
 #include "shader/gate/spirv_gate.h"
 
 #include <gtest/gtest.h>

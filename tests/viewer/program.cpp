@@ -21,8 +21,8 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
 }
 
-// FrameSlices the forked child process into the program: connects stdin, stdout and stderr, sets the environment,
-// and calls exec. The child must not return from this function.
+// Replaces the forked child process by the program: connects stdin, stdout and stderr, sets the environment,
+// and calls exec. The function does not return to the child.
 [[noreturn]] void become(std::vector<char*>& arguments, const Environment& environment,
                          const std::filesystem::path& folder, const char* out, const char* err) {
     const int out_file = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);

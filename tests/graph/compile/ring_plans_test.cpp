@@ -142,7 +142,7 @@ TEST(RingPlans, AForgottenPrologueIsAFault) {
 }
 
 // No pass writes the ring here, for example because `if` removed the writer. Then every frame must read the
-// value that the prologue has cleared.
+// initial value that the prologue has written to the ring.
 TEST(RingPlans, APastThatNobodyWritesStaysAsItWasAtFirst) {
     for (const uint32_t history : {1u, 2u}) {
         GraphBuilder builder;

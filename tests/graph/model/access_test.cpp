@@ -1,4 +1,5 @@
-// The table of accesses: stages, access bits and layouts by kind, and properties that hold for every kind.
+// Tests the table of accesses: the stages, access bits and layout of each kind of access, and properties that
+// hold for every kind.
 #include "weft/access.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ TEST(AccessTable, BuffersHaveNoLayout) {
         EXPECT_EQ(access_state(a, kCompute, aspect::kNone).layout, Layout::undefined) << access_name(a);
     EXPECT_EQ(text(access_state(Access::indirect_read, 0, aspect::kNone)),
               "draw_indirect indirect_read undefined");
-    // Shaders read buffers as storage buffers, so a sampled access of a buffer becomes a storage read.
+    // Shaders read buffers as storage buffers, so a sampled access to a buffer becomes a storage read.
     EXPECT_EQ(text(access_state(Access::sampled_read, kCompute, aspect::kNone)),
               "compute_shader storage_read undefined");
 }
@@ -52,7 +53,8 @@ TEST(AccessTable, ShaderAccessesHaveTheStagesOfTheShaders) {
         EXPECT_EQ(stages_text(access_state(a, both, aspect::kColor).stages), "vertex_shader|fragment_shader");
 }
 
-// A kind that writes has a write bit; a kind without one does not write. Only a write can need no read bit.
+// Tests that a kind of access has a write bit if and only if it writes, and that every kind that reads has a
+// read bit. The kind `present` is an exception, because the presentation engine needs no access bits.
 TEST(AccessTable, AccessBitsAgreeWithReadsAndWrites) {
     for (const Access a : all_kinds()) {
         const AccessMask bits = access_state(a, kCompute, aspect::kColor).access;

@@ -1,5 +1,5 @@
-// Tests that equal plans have equal hashes, and that a change of any field changes the hash, except for the
-// provenance.
+// Tests that equal plans have equal hashes, and that a change of any field changes the hash. Only places in
+// the graph file (line and column) do not count.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -199,8 +199,6 @@ TEST_F(ResolveVersions, ShuffledDeclarationsResolveAlike) {
     }
 }
 
-// The following graphs have faults, which resolve() must report.
-
 TEST_F(ResolveVersions, TwoUnorderedWriters) {
     const Diagnostic d = bad(R"j(
 "resources": {"x": "rgba16f"},

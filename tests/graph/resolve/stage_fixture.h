@@ -80,7 +80,8 @@ class StageTest : public ::testing::Test {
         return bound[pass].uses.back();
     }
 
-    // Returns the records of parts that already have an error, with one entry for each pass and use.
+    // Returns which resources, passes and uses already have an error, so that later stages report no
+    // follow-up errors for them.
     Suspects suspects() {
         Suspects all = shapes.suspects;
         bound.resize(expansion.passes.size());

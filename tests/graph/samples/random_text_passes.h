@@ -31,8 +31,9 @@ class RandomTextPasses : public RandomTextFrame {
                (layers > 1 ? ".layer(" + std::to_string(layer) + ")" : "");
     }
 
-    // Gives the last added pass a condition, with this probability. Such a pass writes a whole new value;
-    // otherwise another write to the same value would hide that its content is missing.
+    // Gives the last added pass a condition, with a probability of `percent`. The caller lets such a pass
+    // write a whole new value. If another pass wrote the same value, a false condition would not make its
+    // content missing.
     void choose_condition(uint32_t percent) {
         if (chance(percent)) model_.passes.back().condition = new_condition();
         settle_condition();

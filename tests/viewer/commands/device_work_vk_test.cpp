@@ -108,8 +108,8 @@ TEST_F(DeviceWork, TheThumbnailIsThePictureFilteredLinearly) {
         for (uint32_t x = 0; x < small.width_px; ++x) {
             const Texel wanted =
                 bilinear(color, (x + 0.5) * kWidth / small.width_px, (y + 0.5) * kHeight / small.height_px);
-            // The tolerance covers two roundings: values up to 1 are half floats, and the device uses eight
-            // bits for a position between two texels.
+            // The tolerance covers two roundings: the values are half floats of at most 1, and the device
+            // uses eight bits for a position between two texels.
             for (size_t c = 0; c < 3; ++c) ASSERT_NEAR(small.at(x, y)[c], wanted[c], 0.005) << x << ", " << y;
         }
 }

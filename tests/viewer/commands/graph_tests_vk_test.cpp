@@ -139,8 +139,7 @@ TEST_F(GraphTests, FramesOfAllRunsAreLimited) {
     EXPECT_NE(run.err.find("raise graph.testFrames"), std::string::npos) << run.text();
 }
 
-// The following tests render debug views (`weft render --debug VIEW`).
-
+// Tests of debug views, which `weft render --debug VIEW` renders.
 class DebugViews : public GraphTests {
  protected:
     RunResult show(const std::string& graph, const std::string& view, const std::string& file) const {

@@ -1,8 +1,7 @@
 // Tests every diagnostic of graphs. tests/diagnostics/ has a failing file for each diagnostic, and a
 // corrected file. In a failing file, a comment line below the fault marks its column ("// ^ W103 is expected
-// here"). The mark
-// "// nowhere: W120" stands for a fault without a place in a file. A first line "// args: …" gives further
-// arguments of `weft check`.
+// here"). The mark "// nowhere: W120" stands for a fault without a place in a file. A first line "// args: …"
+// gives further arguments of `weft check`.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -30,7 +30,7 @@ TEST(ProgressText, AFileGetsALineForEachTenth) {
         "weft: loading a.glb: textures, 10 of 100\nweft: loading a.glb: textures, 20 of 100\n"))
         << said;
     EXPECT_TRUE(said.ends_with("textures, 100 of 100\n")) << said;
-    // A new stage starts again at zero, and its text appears at once.
+    // The stage "meshes" is new, so its count starts again, and its first line appears at once.
     EXPECT_EQ(text.at(200, "meshes", 1, 2), "weft: loading a.glb: meshes, 1 of 2\n");
     EXPECT_EQ(text.finish(), "");
 }

@@ -1,5 +1,5 @@
-// Tests a full disk below the shader caches: the cache of the Mesa driver, which ends a program with SIGBUS
-// in that case, and the cache of Weft.
+// Tests rendering when the disk of the shader caches is full. There are two caches: that of the Mesa driver,
+// which ends a program with SIGBUS in this case, and that of Weft.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/output/full_disk.h"

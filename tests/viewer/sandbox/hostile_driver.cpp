@@ -55,8 +55,8 @@ bool writes_to_descriptor(const char* number) {
     return number != nullptr && write(std::atoi(number), "x", 1) == 1;
 }
 
-// Starts a process that continues after the driver's process has ended. It closes its files, so that no
-// reader waits for it.
+// Starts a child process that continues for ten minutes after the driver's process has ended. The child
+// closes its file descriptors, so that no caller waits for the end of its output.
 void leave_behind() {
     const pid_t child = fork();
     if (child == 0) {
