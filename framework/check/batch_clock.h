@@ -32,11 +32,12 @@ class BatchClock {
     [[nodiscard]] bool covers(const Actor& actor) const;
 
  private:
-    using Known = std::vector<uint32_t>;  // Index: queue. Number of batches known to be complete.
+    // Index: queue. Number of its batches that are known to be complete.
+    using Known = std::vector<uint32_t>;
 
     const FramePlan& plan_;
     std::vector<Known> known_;   // Index: waiting queue. The batches that this queue knows to be complete.
-    std::vector<uint32_t> own_;  // Index: queue. Number of batches begun so far.
+    std::vector<uint32_t> own_;  // Index: queue. Number of its batches that have begun so far.
     // Index: batch, in this frame and in the previous frame. The known batches at the end of that batch;
     // empty if the batch has not ended yet.
     std::vector<Known> ends_, previous_ends_;

@@ -10,12 +10,12 @@
 
 namespace weft::check {
 
-// The origin of the values in a subresource.
+// Describes where the current content of a subresource comes from.
 struct Content {
     enum class Kind : uint8_t {
         undefined,
-        outside,  // Content of an import, written by the program outside the graph.
-        initial,  // The first-frame value of a persistent resource.
+        outside,  // The content of an import, written by the program outside the graph.
+        initial,  // The first-frame value of a persistent resource, set by the prologue.
         carried,  // Content that a persistent resource had at the end of `frame`.
         written,  // Content that `pass` wrote.
         // Content destroyed by `pass`, which wrote the same memory through the resource `through`.
@@ -34,7 +34,7 @@ struct Cell {
     Layout layout = Layout::undefined;
     Content content;
     bool has_write = false;
-    AccessRecord write;  // The last write or layout transition.
+    AccessRecord write;  // The last write to the subresource, or its last layout transition.
     // The reads since `write`. A read is left out if a wait for a later read also covers it.
     std::vector<AccessRecord> reads;
     // The queue family that owns the subresource. kNoFamily: the next family that uses the subresource
@@ -48,7 +48,7 @@ struct Cell {
     uint64_t last_batch = 0;
 };
 
-// All cells of one resource.
+// The cells of one resource. A cell is the state of one subresource.
 class Cells {
  public:
     explicit Cells(const ResourceDecl& resource);

@@ -87,8 +87,8 @@ class SlicedResource {
 
     struct Part {
         std::vector<PassId> writers;
-        bool overwritten = false;  // True if a writer discards the previous content.
-        bool sliced = false;       // True if a writer runs only in some frames.
+        bool overwritten = false;  // True if a writer of this part discards its previous content.
+        bool sliced = false;       // True if a writer of this part runs only in some frames.
     };
 
     template <class Visit>

@@ -8,7 +8,7 @@
 namespace weft::check {
 namespace {
 
-// One attachment of a pass.
+// One attachment of a pass, with its declaration and its use.
 struct Bound {
     const AttachmentDecl* decl = nullptr;
     const UseDecl* use = nullptr;

@@ -157,7 +157,7 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
 
 void check_alias_transitions(const FramePlan& plan, FaultList& faults) {
     const std::vector<AliasTransition>& listed = plan.memory.alias_transitions;
-    // Key: (from, to). Value: index into `listed`.
+    // All alias transitions of the memory plan. Key: (from, to). Value: index into `listed`.
     std::multimap<std::pair<ResourceId, ResourceId>, size_t> known;
     for (size_t i = 0; i < listed.size(); ++i) known.emplace(std::pair(listed[i].from, listed[i].to), i);
     std::vector<uint8_t> used(listed.size(), 0);

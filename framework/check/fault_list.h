@@ -13,9 +13,9 @@ namespace weft::check {
 // Describes an access or a layout transition: its pass, frame, queue and batch. It is used in checks and in
 // messages.
 struct Actor {
-    PassId pass = kNoId;  // kNoId means the program outside the graph.
+    PassId pass = kNoId;  // The pass that acts; kNoId means the program outside the graph.
     uint32_t frame = 0;
-    bool transition = false;  // True for a layout transition before the pass.
+    bool transition = false;  // True if a layout transition before the pass acts, not the pass.
     QueueIndex queue = 0;
     // Number of batches of its queue, up to and including its own batch. 0 means before all frames.
     uint32_t batch_count = 0;
@@ -33,7 +33,8 @@ class FaultList {
     [[nodiscard]] bool any(const char* code) const;
     // Returns the name in quotes; for kNoId, returns "outside the graph" without quotes.
     [[nodiscard]] std::string pass_name(PassId pass) const;
-    [[nodiscard]] std::string resource_name(ResourceId resource) const;  // Returns the name in quotes.
+    // Returns the name in quotes, such as "hdr".
+    [[nodiscard]] std::string resource_name(ResourceId resource) const;
     [[nodiscard]] std::string actor_text(const Actor& actor, uint32_t current_frame) const;
     [[nodiscard]] Diagnostics take() { return std::move(faults_); }
 

@@ -68,7 +68,8 @@ class AccessRecord {
     StageMask stages_ = 0;
     AccessMask access_ = 0;
     bool is_write_ = false;
-    uint32_t followed_ = 0;  // Number of barrier batches of its queue that were applied.
+    // Number of barrier batches of the access's queue that were applied to this record so far.
+    uint32_t followed_ = 0;
     // Later stages that are ordered after the barrier that made the write available.
     StageMask available_reach_ = 0;
     // Index: bit of a stage of this access. Later stages that are ordered after this stage.

@@ -13,10 +13,10 @@
 
 namespace weft::check {
 
-// A resource whose memory overlaps that of another one.
+// A resource that shares memory with another resource.
 struct Neighbour {
     ResourceId resource = kNoId;
-    bool covered = false;  // True if all its memory is also memory of the other resource.
+    bool covered = false;  // True if the other resource contains all its memory.
 };
 
 class Replay {
@@ -75,8 +75,9 @@ class Replay {
     }
     [[nodiscard]] std::string missing(const AccessRecord& record, const std::string& barrier) const;
 
-    // Checks that a cell has the content that the use declares. `hint` is the index of the source that
-    // matched the previous cell of the use; the search starts there.
+    // Checks that a cell has the content that the use declares. `hint` is an index into UseDecl::sources: the
+    // entry that matched the previous cell of this use. The search starts at this entry, because neighbouring
+    // cells often match the same entry.
     void expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint);
     [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const;
     [[nodiscard]] bool anybody_writes(ResourceId resource, const SubresourceRange& range) const;
@@ -95,18 +96,18 @@ class Replay {
     const FramePlan& plan_;
     FaultList& faults_;
     BatchClock clock_;
-    std::vector<BarrierLog> logs_;  // Index: queue. All barriers of the queue.
+    std::vector<BarrierLog> logs_;  // Index: queue. All barriers recorded on the queue so far.
     uint64_t barrier_batches_ = 0;  // Number of vkCmdPipelineBarrier2 calls so far, on all queues.
     uint32_t frame_ = 0;
     // Number of the current rendering scope, counted over all frames.
     uint32_t scope_ = 0;
-    std::vector<Cells> cells_;  // Index: ResourceId. The state of each subresource.
+    std::vector<Cells> cells_;  // Index: ResourceId. The states of the resource's subresources.
     // Index: ResourceId of A. The resource B that has taken over all memory of A since the last use of A,
     // after it waited for that use; or kNoId. If a third resource takes over the memory, it waits for B, and
     // so also for A. B itself is an exception: it may take over the memory part by part, so it always waits
     // for A. This table is separate from cells_, because each use reads it for all neighbours.
     std::vector<ResourceId> superseded_by_;
-    // Index: ResourceId. The resources that overlap it in memory.
+    // Index: ResourceId. The resources that share memory with it.
     std::vector<std::vector<Neighbour>> neighbours_;
     // Index: the ring's resource of age 0. All resources of the ring, ordered by age.
     std::vector<std::vector<ResourceId>> rings_;

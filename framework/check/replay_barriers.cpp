@@ -123,7 +123,8 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
 // they are checked.
 void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes) {
     StageChain all;
-    std::map<ResourceId, std::vector<size_t>> on_resource;  // Key: ResourceId. Indices into `batch`.
+    // Key: ResourceId. Its barriers, as indices into `batch`.
+    std::map<ResourceId, std::vector<size_t>> on_resource;
     for (size_t i = 0; i < batch.size(); ++i) {
         all.add(scopes[i]);
         on_resource[batch[i].resource].push_back(i);

@@ -14,7 +14,7 @@ struct EffectiveUse {
     bool writes = false;
     // True if the pass needs the previous content or a clear, but the load operation gives neither.
     bool loses_old = false;
-    bool loses_written = false;  // True if the content is undefined after the pass.
+    bool loses_written = false;  // True if the content is undefined after the pass: it is not stored.
 };
 [[nodiscard]] bool draws_to(const PassDecl& pass, uint32_t use);  // Returns true if the use is an attachment.
 [[nodiscard]] EffectiveUse effective_use(const PassDecl& pass, const PassStep& step, uint32_t use);

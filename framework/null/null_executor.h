@@ -40,7 +40,7 @@ inline constexpr CellValue kUndefinedValue = 0;
 struct ObservedCell {
     uint32_t frame = 0;
     PassId pass = kNoId;
-    uint32_t use = 0;  // Index into PassDecl::uses of the pass.
+    uint32_t use = 0;  // Index into PassDecl::uses of the observing pass.
     ResourceId resource = kNoId;
     SubresourceRange range;  // The subresource: one mip of one layer of one aspect.
     CellValue value = kUndefinedValue;

@@ -50,7 +50,7 @@ void for_each_stage(StageMask stages, F visit) {
         if (stages & (1u << s)) visit(s);
 }
 
-// The progress of one queue, with one set of nodes per stage.
+// The dependencies of the next commands on one queue, as sets of nodes, one set per stage.
 struct QueueProgress {
     // Index: bit of the stage. Nodes that the next command must wait for in this stage.
     std::array<NodeSet, stage::kCount> required;
@@ -327,7 +327,7 @@ class Unroller {
     std::vector<uint32_t> entered_;
     // Index: ResourceId. The nodes that used the import since it entered the frame.
     std::vector<std::vector<uint32_t>> uses_of_import_;
-    std::vector<uint32_t> signals_, previous_signals_;  // Index: batch. Node of its signal.
+    std::vector<uint32_t> signals_, previous_signals_;  // Index: batch. Node of the batch's signal.
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ enum class NodeKind : uint8_t {
     barrier,
     signal,         // A semaphore signal at the end of a batch.
     wait,           // A semaphore wait at the beginning of a batch.
-    import_enter,   // The import enters the frame.
+    import_enter,   // The program passes an import to the frame.
     import_access,  // An access of the import's owner before the frame, in one stage of the entry state.
     import_leave,   // An access of the import's owner after the frame, in one stage of the exit state.
 };
@@ -33,10 +33,10 @@ struct Node {
     NodeKind kind = NodeKind::barrier;
     uint32_t frame = 0;
     QueueIndex queue = 0;
-    StageMask stage = stage::kNone;  // One stage; kNone if the node does not belong to a stage.
+    StageMask stage = stage::kNone;  // The stage in which the node runs; kNone if it has none.
     uint32_t instance = kNoNode;     // For a pass: index into Timeline::instances.
     const BarrierDecl* barrier = nullptr;
-    ResourceId resource = kNoId;  // For imports and clears: the resource.
+    ResourceId resource = kNoId;  // For imports and clears: the resource that the node uses.
     // For attachment accesses: the number of the rendering scope, counted over all frames. The node waits for
     // earlier nodes of its scope that access the same kind of attachment, and sees their results. Other parts
     // of the passes do not.
@@ -54,7 +54,7 @@ struct PassInstance {
 
 struct Timeline {
     std::vector<Node> nodes;      // All nodes, in the order in which their commands are recorded.
-    std::vector<NodeSet> before;  // Index: node. All direct and indirect predecessors.
+    std::vector<NodeSet> before;  // Index: node. Its direct and indirect predecessors.
     // Index: node. Predecessors that are ordered only by the owner of an import. The owner is not part of the
     // plan, so no other node may rely on this order.
     std::vector<std::vector<uint32_t>> outside_before;

@@ -20,7 +20,7 @@ struct PackItem {
 };
 
 struct Packing {
-    std::vector<uint64_t> offsets_bytes;  // Index: item. Offset in the heap.
+    std::vector<uint64_t> offsets_bytes;  // Index: item. Offset of the item in the heap.
     uint64_t height_bytes = 0;
 };
 

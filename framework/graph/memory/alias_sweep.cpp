@@ -41,7 +41,7 @@ class FreeList {
     }
 
  private:
-    using Holes = std::map<uint64_t, uint64_t>;  // Key: begin of the gap. Value: its end.
+    using Holes = std::map<uint64_t, uint64_t>;  // The free gaps. Key: begin of a gap; value: its end.
 
     static uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
         return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;

@@ -16,8 +16,8 @@ struct PipelineParts {
     const ResolvedGraph& graph;
     const PassDecl& pass;
     const ShaderProgram& program;
-    const DrawVariant* variant = nullptr;    // The variant of a draw list; its constants are hashed.
-    const VertexFormat* vertices = nullptr;  // The vertex format of the draw list.
+    const DrawVariant* variant = nullptr;    // Variant of the draw list, or null; its constants are hashed.
+    const VertexFormat* vertices = nullptr;  // Vertex format of the draw list, or null.
 };
 
 [[nodiscard]] std::string pipeline_hash(const PipelineParts& parts);

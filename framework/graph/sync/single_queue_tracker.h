@@ -23,13 +23,14 @@ struct LastUse {
     uint32_t position = 0;
     // Stages of the reads since the last barrier; without such reads, the stages of the last write.
     StageMask stages = stage::kNone;
-    AccessMask writes = access::kNone;  // Writes that no barrier has made available yet.
+    AccessMask writes = access::kNone;  // Writes of this use that no barrier has made available yet.
     PassId pass = kNoId;                // The pass of these accesses; kNoId if there are several.
 };
 
 struct CellBarrier {
-    uint32_t position = 0;  // Position of the pass; kEpiloguePosition for the frame's end.
-    bool after = false;     // True if the barrier is recorded after the pass.
+    // Schedule position at which the barrier is recorded; kEpiloguePosition means the end of the frame.
+    uint32_t position = 0;
+    bool after = false;  // True if the barrier is recorded after that pass, not before it.
     uint32_t cell = 0;
     AccessState src;
     AccessState dst;
@@ -60,7 +61,7 @@ class SingleQueueTracker {
         // A transient resource. Its first access always needs a barrier, because it takes memory over. Only
         // the caller knows the source of that barrier.
         taken_over,
-        known,  // A persistent resource without pending accesses.
+        known,  // A persistent resource: its layout is known, and no access is pending.
     };
     explicit SingleQueueTracker(Start start) : taken_over_(start == Start::taken_over) {}
     // Starts with an import in its entry state, in which the program passes it to the frame.
@@ -93,8 +94,8 @@ class SingleQueueTracker {
     void merge_drawing(AccessEvent event);
     void note_pass(PassId pass);
 
-    bool taken_over_ = true;  // True until the first access of a transient.
-    bool entered_ = false;    // True until the first access of an import.
+    bool taken_over_ = true;  // True until the first access to a transient, which takes memory over.
+    bool entered_ = false;    // True until the first access to an import in this frame.
     Layout layout_ = Layout::undefined;
     StageMask writer_stages_ = stage::kNone;
     AccessMask unflushed_ = access::kNone;
@@ -105,7 +106,7 @@ class SingleQueueTracker {
     bool written_ = false;
     bool touched_ = false;
     bool previous_frame_ = false;  // True if the last access was in the previous frame.
-    QueueIndex queue_ = 0;         // Queue of the last access.
+    QueueIndex queue_ = 0;         // Queue of the last access to the subresource.
     uint32_t position_ = 0;
 };
 

@@ -13,8 +13,9 @@
 namespace weft {
 
 struct PlacedBarrier {
-    uint32_t position = 0;  // Position of the pass; kEpiloguePosition for the frame's end.
-    bool after = false;     // True if the barrier is recorded after the pass.
+    // Schedule position at which the barrier is recorded; kEpiloguePosition means the end of the frame.
+    uint32_t position = 0;
+    bool after = false;  // True if the barrier is recorded after that pass, not before it.
     BarrierDecl barrier;
 };
 
@@ -29,11 +30,11 @@ struct ResourceHistory {
 // are its roles.
 struct Role {
     const ResourceDecl* decl = nullptr;
-    const std::vector<RangeAccess>* events = nullptr;  // The accesses, sorted by schedule position.
+    const std::vector<RangeAccess>* events = nullptr;  // The accesses to it, sorted by position.
 };
 
 struct HistoryInput {
-    ResourceId resource = kNoId;  // Resource of the first role.
+    ResourceId resource = kNoId;  // The ring's resource of age 0, or the single resource.
     std::vector<Role> roles;      // All resources of a ring, indexed by age; without a ring, one resource.
     const Schedule* order = nullptr;
 };

@@ -12,7 +12,7 @@ struct LayerNode {
     uint32_t box = UINT32_MAX;  // Index of the box; UINT32_MAX for a dummy node (bend of an edge).
     uint32_t layer = 0;
     int32_t height_px = 0;
-    std::vector<uint32_t> before, after;  // Neighbours in the previous and next layers.
+    std::vector<uint32_t> before, after;  // Neighbours in the previous and in the next layer.
     double y_px = 0;                      // Vertical position of the node's centre.
 };
 

@@ -29,7 +29,7 @@ struct PointPx {
 };
 
 struct LayeredLayout {
-    std::vector<PointPx> boxes;  // Index: box. Top left corner.
+    std::vector<PointPx> boxes;  // Index: box. Position of its top left corner.
     // Index: edge. The points where the edge enters and leaves each layer that it crosses. The two points of
     // a layer have the same height.
     std::vector<std::vector<PointPx>> bends;

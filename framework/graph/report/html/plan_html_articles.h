@@ -26,7 +26,7 @@ void write_sentences(Markup& out, const std::string& text);
 struct ArticleLink {
     std::string key;
     std::string text;
-    std::string more;  // Text after the link.
+    std::string more;  // Text that follows the link.
 };
 void write_links(Markup& out, const char* title, const std::vector<ArticleLink>& links);
 

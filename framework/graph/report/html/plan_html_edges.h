@@ -16,7 +16,7 @@ class EdgePath {
     void move(PointPx to);
     void line(PointPx to);
     void curve(PointPx first, PointPx second, PointPx to);  // Appends a cubic Bézier curve.
-    void bend(PointPx corner, PointPx to);                  // Appends a quadratic curve.
+    void bend(PointPx corner, PointPx to);                  // Appends a quadratic Bézier curve.
 
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const std::vector<PointPx>& points() const { return points_; }
@@ -33,8 +33,8 @@ struct AreaPx {
 };
 
 struct EdgeName {
-    std::string text;  // Empty if there is no room for a name.
-    PointPx at;        // The middle of the text's baseline.
+    std::string text;  // The edge's name; empty if there is no room for it.
+    PointPx at;        // The middle of the name's baseline.
 };
 
 // The possible names of an edge, the longest first.

@@ -17,8 +17,8 @@ constexpr int32_t kRoomyGraph_px = 880;                  // A graph with few lay
 constexpr int32_t kLeastGap_px = 64, kMostGap_px = 120;  // Limits of the horizontal gap between layers.
 // Height of one lane below the boxes. Each edge from one frame to the next has its own lane.
 constexpr int32_t kLane_px = 20;
-constexpr size_t kMostNamedEdges = 200;  // If a graph has more edges, no edge gets a name.
-constexpr int32_t kBehind_px = 4;        // Offset between the stacked rectangles of a repeat.
+constexpr size_t kMostNamedEdges = 200;  // If a graph has more edges than this, no edge gets a name.
+constexpr int32_t kBehind_px = 4;        // Offset between the stacked rectangles that show a repeat.
 constexpr int32_t kOpen_px = 16;         // Side of the "+" square that opens a repeat.
 
 // Returns the vertical offset at which edges of this kind leave and enter a box. Each kind has its own
@@ -257,7 +257,7 @@ class GraphDrawing {
         open_item(out_, "pass " + style + (repeat ? " repeat" : ""),
                   repeat ? repeat_keys(page_, node.repeat) : pass_keys(page_, node.passes[0]),
                   node.name + ": " + (repeat ? short_kind(node) : type_text(plan_, node.passes[0])));
-        if (repeat)  // Two rectangles behind the box show that the box is a repeat.
+        if (repeat)  // Two more rectangles behind the box show that it is a repeat.
             for (const int32_t behind_px : {2 * kBehind_px, kBehind_px})
                 draw_rect("behind", {at.x + behind_px, at.y + behind_px}, {width_px, kBoxHeight_px}, 6);
         draw_rect("box", at, {width_px, kBoxHeight_px}, 6);

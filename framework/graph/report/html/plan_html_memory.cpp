@@ -10,7 +10,7 @@
 namespace weft {
 namespace {
 
-constexpr int32_t kStrip_px = 44;  // Height of the bar chart of live bytes.
+constexpr int32_t kStrip_px = 44;  // Height of the bar chart that shows the live bytes per pass.
 constexpr int32_t kHeapGap_px = 34;
 constexpr size_t kHues = 8;
 

@@ -228,7 +228,7 @@ class TimelineDrawing {
     const PlanPage& page_;
     const FramePlan& plan_;
     Markup& out_;
-    std::vector<uint32_t> queues_;  // Queues that have a row; at least one.
+    std::vector<uint32_t> queues_;  // The queues that have a row in the drawing; at least one.
     int32_t top_px_;
 };
 

@@ -81,7 +81,8 @@ struct PastRead {
 // Adds an edge for each read of content from an earlier frame: from the pass that wrote the content last to
 // the pass that reads it.
 void add_history(const FramePlan& plan, std::vector<EdgeItem>& edges) {
-    std::map<ResourceId, std::vector<PastRead>> reads;  // Key: the ring's resource of age 0.
+    // Key: the ring's resource of age 0. Value: all reads of content that the ring kept from earlier frames.
+    std::map<ResourceId, std::vector<PastRead>> reads;
     for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass)
         for (const UseDecl& use : plan.graph.passes[pass].uses) {
             const ResourceId ring = plan.graph.resources[use.resource].ring;

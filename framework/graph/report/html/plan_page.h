@@ -33,12 +33,12 @@ struct EdgeItem {
 
 // A repeat with many iterations. The graph can draw all its passes as one box.
 struct RepeatItem {
-    std::string name;            // Name of the repeat, without "#" and number.
+    std::string name;  // Name of the repeat, such as "down" if its passes are "down#1", "down#2" ...
     std::vector<PassId> passes;  // The passes of its iterations, in schedule order.
 };
 
 struct WaitItem {
-    uint32_t batch = 0;  // Index of the batch that waits.
+    uint32_t batch = 0;  // Index of the batch that waits for another batch.
     const QueueWait* wait = nullptr;
 };
 
@@ -52,7 +52,7 @@ struct PageColumn {
 };
 
 struct PageColumns {
-    std::vector<PageColumn> passes;  // Index: schedule position.
+    std::vector<PageColumn> passes;  // Index: schedule position. Column of the pass there.
     PageColumn prologue, epilogue;   // Columns at both ends of the frame; not drawn if their width is 0.
     int32_t width_px = 0;
     // True if the names above the columns are slanted at 45°, because there are too many for horizontal text.
