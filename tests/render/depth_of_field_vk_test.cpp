@@ -132,9 +132,10 @@ class LampReference {
     glm::dvec3 hidden_{0};
 };
 
+// Largest relative difference of a pixel from the nearby values of the reference: above their maximum, and
+// below their minimum.
 struct Overshoot {
-    double above = 0,
-           below = 0;  // largest relative difference from the nearby values of the reference, above and below
+    double above = 0, below = 0;
 };
 
 class Lamps : public ShippedEffects {

@@ -46,8 +46,8 @@ std::vector<VkDeviceQueueCreateInfo> queue_create_infos(const std::vector<uint32
 
 }  // namespace
 
-// Fills a Device step by step. On an error the incomplete device is destroyed and frees the objects that it
-// owns.
+// Fills a Device step by step. If a step fails, the destructor of the incomplete device frees the Vulkan
+// objects that have been created so far.
 struct DeviceBuilder {
     std::unique_ptr<Device> device{new Device};
 

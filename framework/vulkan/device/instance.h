@@ -1,5 +1,5 @@
-// Purpose: a VkInstance with the layers and extensions that Weft uses. Errors: V401 no loader, V402 no
-// driver, V405 validation requested but not installed, V406 creation failed.
+// Purpose: a VkInstance with the layers and extensions that Weft uses. Errors: V401 (no Vulkan loader),
+// V402 (no driver), V405 (validation was requested but is not installed), V406 (creation failed).
 #pragma once
 
 #include <vector>

@@ -32,8 +32,8 @@ std::string pass_names(const FramePlan& plan, uint32_t first) {
     return names;
 }
 
-// Returns how many objects each pass draws, from schedule position `first` on, because many draws may explain
-// a time-out. Example: "gbuffer 4096, sunShadows#0 4096".
+// Returns how many objects each pass draws, from position `first` of the execution order on, because many
+// draws may explain a time-out. Example: "gbuffer 4096, sunShadows#0 4096".
 std::string draw_counts(const FramePlan& plan, const DrawSource* draws, uint32_t first) {
     std::string counts;
     for (size_t position = first; draws != nullptr && position < plan.schedule.order.size(); ++position) {

@@ -52,7 +52,7 @@ Result<VkDeviceMemory> allocate(Device& device, const VkMemoryRequirements& need
 }
 
 // Returns the number of mip levels from the full size down to one texel. The limit that Vulkan reports
-// (maxMipLevels) is that of the largest image.
+// (maxMipLevels) is that of the largest image, so a smaller image needs this check too.
 uint32_t mips_of(const VkExtent3D& extent) {
     const uint32_t largest = std::max({extent.width, extent.height, extent.depth});
     return static_cast<uint32_t>(std::bit_width(largest));
@@ -80,8 +80,8 @@ Status check_supported(const Device& device, const VkImageCreateInfo& info, cons
     return error;
 }
 
-// Returns the usage that a persistent resource needs in addition: transfer destination, because the prologue
-// clears the resource before the first frame.
+// Returns the usage that a persistent resource needs in addition: transfer destination, because its content
+// is cleared before the first frame.
 UsageMask before_first_frame(const ResourceDecl& decl) {
     return decl.lifetime == ResourceLifetime::persistent ? usage::kTransferDst : 0;
 }

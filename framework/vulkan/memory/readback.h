@@ -16,7 +16,7 @@ class ReadbackMemory {
  public:
     [[nodiscard]] static Result<ReadbackMemory> create(Device& device, const FramePlan& plan);
 
-    // Records the copy commands of the readback pass at schedule position `position`.
+    // Records the copy commands of the readback pass at index `position` of the execution order.
     void record(const Device& device, VkCommandBuffer commands, uint32_t position, uint32_t slot,
                 const FramePlan& plan, const FrameResources& resources) const;
     // Records a barrier that makes the readback copies of a batch visible to the host. Call this after all

@@ -40,8 +40,8 @@ Status bind_import(const FramePlan& plan, ResourceId id, const ImportBindings& b
     return Unit{};
 }
 
-// Returns 1 for each resource that a pass or barrier of the plan uses. An import that only culled passes use
-// need not be provided.
+// Returns a list with 1 for each resource that a pass or barrier of the plan uses. The program need not
+// provide an import that is used only by passes that the compiler has removed.
 std::vector<uint8_t> used_resources(const FramePlan& plan) {
     std::vector<uint8_t> used(plan.graph.resources.size(), 0);
     for (const PassId pass : plan.schedule.order)

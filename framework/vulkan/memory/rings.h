@@ -17,15 +17,16 @@ class Rings {
     explicit Rings(const FramePlan& plan);
 
     // Returns the resource whose memory contains the content of `resource` in frame `frame`. This is
-    // `resource` itself, unless it belongs to a ring.
+    // `resource` itself, unless it belongs to a ring of copies that rotate.
     [[nodiscard]] ResourceId copy(ResourceId resource, uint64_t frame) const;
-    // Returns all resources of the ring that contains `resource`, ordered by age. If `resource` belongs to no
-    // ring, returns only `resource`.
+    // Returns all resources of the ring that contains `resource`, ordered by age: this frame, one frame ago,
+    // and so on. If `resource` belongs to no ring, returns only `resource`.
     [[nodiscard]] std::vector<ResourceId> roles(ResourceId resource) const;
     // Returns the number of frames after which `pass` uses the same copies of its resources again.
     [[nodiscard]] uint64_t period(const PassDecl& pass) const;
-    // Takes over the valid history of the rings of a replaced executor, which has run `frames` frames. Only
-    // rings whose content the transition keeps take part.
+    // Called when this executor replaces another one: the past frames in `old`, the rings of the other
+    // executor, become valid here. The other executor has run `frames` frames. Only rings whose content
+    // `transition` keeps take part.
     void inherit(const Rings& old, uint64_t frames, const TransitionPlan& transition);
     // True if a pass has written the content that resource `role` has in frame `frame`. `role` is one of the
     // ages of a ring, such as the content of two frames ago.
@@ -36,13 +37,15 @@ class Rings {
         ResourceId ring = kNoId;
         uint32_t age = 0;
     };
-    // Ring and age of each resource, indexed by ResourceId.
+    // The ring to which each resource belongs (the copies of one resource with history), and its age in the
+    // ring. Indexed by ResourceId.
     std::vector<Role> all_;
     // The resources of each ring: roles_[ring][age].
     std::vector<std::vector<ResourceId>> roles_;
-    // For each ring, 1 if a pass of the plan writes it.
+    // For each ring (resource with history), 1 if a pass of the plan writes it.
     std::vector<uint8_t> written_;
-    // For each ring, the number of frames that a replaced executor wrote before frame 0.
+    // For each ring (resource with history), the number of valid past frames that this executor took over
+    // from the executor that it replaces.
     std::vector<uint64_t> inherited_;
 };
 

@@ -46,8 +46,8 @@ MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
             exclusive.type_bits & concurrent.type_bits};
 }
 
-// True if the plan shares `resource`, or another resource of its ring, between queue families. The copies of
-// a ring rotate, so one concurrent resource makes all copies of its ring concurrent.
+// True if the memory of `resource` must be accessible to several queue families. A resource with history has
+// several copies that rotate. So if the plan shares one of them, all of them are shared.
 bool is_concurrent(const FramePlan& plan, const Rings& rings, ResourceId resource) {
     const std::vector<uint8_t>& concurrent = plan.barriers.concurrent;
     const std::vector<ResourceId> roles = rings.roles(resource);

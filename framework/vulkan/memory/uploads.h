@@ -29,20 +29,20 @@ class UploadMemory {
  public:
     [[nodiscard]] static Result<UploadMemory> create(Device& device, const FramePlan& plan);
 
-    // Calls the `prepare` function of the pass at schedule position `position`. This function fills the
-    // upload memory of frame slot `slot`.
+    // Calls the `prepare` function of the pass at index `position` of the execution order. This function
+    // fills the upload memory of frame slot `slot`.
     void prepare(uint32_t position, const PassType& type, const PassDecl& pass, const HostInputs& host,
                  uint32_t slot);
-    // Calls the `record` function of the pass at schedule position `position`. This function records copies
-    // from the upload memory of frame slot `slot`.
+    // Calls the `record` function of the pass at index `position` of the execution order. This function
+    // records copies from the upload memory of frame slot `slot`.
     void record(const Device& device, VkCommandBuffer commands, uint32_t position, const PassType& type,
                 const PassDecl& pass, uint32_t slot, const FrameResources& resources) const;
 
  private:
-    // The upload memory of each port of a pass: places_[schedule position][n].
+    // The upload memory of each port of a pass: places_[position of the pass in the execution order][n].
     std::vector<std::vector<UploadPlace>> places_;
     // Number of bytes that the pass has put into a port's upload memory for the current frame of a slot:
-    // filled_bytes_[slot][schedule position][n].
+    // filled_bytes_[slot][position of the pass in the execution order][n].
     std::array<std::vector<std::vector<uint64_t>>, kFramesInFlight> filled_bytes_;
     std::array<Buffer, kFramesInFlight> memory_;
 };

@@ -1,5 +1,5 @@
-// Purpose: converts a pass's fixed-function state to Vulkan's pipeline structures, which point to each other.
-// Viewport, scissor, cull mode and front face are dynamic.
+// Purpose: converts the fixed-function state of a pass to the structures of VkGraphicsPipelineCreateInfo,
+// which point to each other. Viewport, scissor, cull mode and front face are dynamic state.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ namespace weft::vk {
 // GraphicsState cannot be moved, because its structures contain pointers to its own members.
 class GraphicsState {
  public:
-    // `vertices` may be null for shaders without vertex inputs.
+    // `vertices` is the vertex format of the draw list; it may be null if the shader has no vertex inputs.
     GraphicsState(const ResolvedGraph& graph, const PassDecl& pass, const ShaderInterface& interface,
                   const VertexFormat* vertices);
     GraphicsState(const GraphicsState&) = delete;

@@ -23,8 +23,8 @@ class ParamsMemory {
  public:
     [[nodiscard]] static Result<ParamsMemory> create(Device& device, const FramePlan& plan);
 
-    // Returns the memory of the Params block of the pass at schedule position `position`. Call it only for
-    // passes whose Params are in a buffer.
+    // Returns the memory of the Params block of the pass at index `position` of the execution order. Call it
+    // only for passes whose Params are in a buffer.
     [[nodiscard]] VkDescriptorBufferInfo descriptor(uint32_t position, uint32_t slot) const;
     // Writes the Params blocks of all passes to the memory of frame slot `slot`. Call it before the frame is
     // submitted.
@@ -37,7 +37,7 @@ class ParamsMemory {
         // Size of the Params block in bytes; 0 if the pass has no block in uniform memory.
         uint64_t size_bytes = 0;
     };
-    // One block for each schedule position.
+    // One block for each pass, in execution order.
     std::vector<Block> blocks_;
     std::array<Buffer, kFramesInFlight> memory_;
 };

@@ -10,9 +10,9 @@
 namespace weft::vk {
 namespace {
 
-// Largest ring period of a pass: the number of frames after which its resources with history are in the same
-// copies again. Each of these frames needs descriptor sets of its own. 840 is a multiple of all ring lengths
-// from 1 to 8.
+// Largest allowed period of a pass: the number of frames after which its resources with history are in the
+// same copies again. Each of these frames needs descriptor sets of its own. 840 is a multiple of all ring
+// lengths from 1 to 8.
 constexpr uint64_t kMaxRingPhases = 840;
 
 bool runs_shader(PassKind kind) {
@@ -99,8 +99,8 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
     return Unit{};
 }
 
-// Makes the descriptor sets and the rendering scope of the pass at schedule position `position` for frame
-// `frame` of its ring period.
+// Makes the descriptor sets and the rendering scope of the pass at index `position` of the execution order
+// for frame `frame` of its period, after which its resources with history are in the same copies again.
 Status prepare_ring_phase(Device& device, PlanObjects& objects, uint32_t position,
                           const ShaderInterface& interface, uint64_t frame) {
     PreparedPass& prepared = objects.passes[position];

@@ -18,8 +18,8 @@ namespace weft::vk {
 // The Vulkan objects needed to record one pass. The kind of the pass determines which members are set.
 struct PreparedPass {
     PassLayout layout;
-    // port_sets and scopes have one element for each frame of the ring period. After that number of frames,
-    // all resources with history are back in the same copies.
+    // port_sets and scopes have one element for each frame of the period of the pass. After that number of
+    // frames, all resources with history are back in the same copies.
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
     std::vector<DrawPipeline> pipelines;
@@ -54,7 +54,7 @@ struct PlanObjects {
     PassTimer timer;
     PipelineCacheHandle cache;
     DescriptorPoolHandle pool;
-    // One element for each schedule position.
+    // One element for each pass, in execution order.
     std::vector<PreparedPass> passes;
     const DrawSource* draws = nullptr;
 };
@@ -64,7 +64,7 @@ struct PlanObjects {
 // The new plan and pipelines that Executor::amend() puts in place of the old ones.
 struct PlanAmendment final : Amendment {
     FramePlan plan;
-    // The pipelines of each pass, indexed by schedule position.
+    // The pipelines of each pass, indexed by the position of the pass in the execution order.
     std::vector<std::vector<DrawPipeline>> passes;
     PipelineCounts counts;
 

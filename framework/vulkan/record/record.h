@@ -16,7 +16,7 @@ struct RecordContext {
     FrameResources resources;
 };
 
-// Records the pass at schedule position `position`, without its barriers.
+// Records the pass at index `position` of the execution order, without its barriers.
 void record_pass(const RecordContext& context, uint32_t position);
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);

@@ -22,11 +22,11 @@ class PassTimer {
     void reset(uint32_t slot) const;
     void record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch) const;
     void record_pass_end(VkCommandBuffer commands, uint32_t slot, uint32_t position) const;
-    // Returns the time of each pass in ms, indexed by schedule position. Call this after the slot's frame has
-    // finished.
+    // Returns the time of each pass in ms, indexed by the position of the pass in the execution order. Call
+    // this after the slot's frame has finished.
     [[nodiscard]] std::vector<double> read_ms(uint32_t slot) const;
-    // Finds the pass in which a frame hangs: the first schedule position whose end the GPU has not reached.
-    // Returns the number of passes if this is unknown.
+    // Finds the pass in which a frame hangs: the position, in the execution order, of the first pass whose
+    // end the GPU has not reached. Returns the number of passes if this is unknown.
     [[nodiscard]] uint32_t first_unfinished(uint32_t slot) const;
 
  private:
@@ -42,10 +42,10 @@ class PassTimer {
     Device* device_ = nullptr;
     // For each batch, 1 if its passes are timed.
     std::vector<uint8_t> batch_timed_;
-    // For each schedule position, 1 if the next pass continues the same rendering scope.
+    // For each pass, in execution order, 1 if the next pass continues the same rendering scope.
     std::vector<uint8_t> inside_scope_;
-    // For each schedule position, the query that precedes the pass on its queue, from which its time counts;
-    // kNoId if the pass is not timed.
+    // For each pass, in execution order, the query that precedes the pass on its queue, from which its time
+    // counts; kNoId if the pass is not timed.
     std::vector<uint32_t> before_;
     std::array<QueryPoolHandle, kFramesInFlight> pools_;
 };

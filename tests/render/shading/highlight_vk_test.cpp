@@ -48,7 +48,7 @@ Highlights mirrored(const shared::Light& light, const glm::dvec3& at) {
 
 class Highlight : public Irradiance {
  protected:
-    // Tests each light at kMoves² positions.
+    // Tests each light at kMoves² positions, because a highlight may lie between the points of the floor.
     void expect_highlights(scene::LightType type, std::span<const Placement> placements) {
         constexpr size_t kPlaces = size_t{kMoves} * kMoves;
         std::vector<Placement> all;

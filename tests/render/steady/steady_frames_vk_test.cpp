@@ -17,8 +17,9 @@ constexpr Extent3D kSize{64, 36, 1};
 constexpr double kStep_s = 1.0 / 60;
 // Number of frames at the start in which the driver may still compile code.
 constexpr uint32_t kFirstFrames = 3;
-constexpr uint32_t kSteadyFrames =
-    9;  // together with the first frames longer than every history and the jitter sequence
+// Number of frames in which nothing may be compiled. With the first frames, they are more frames than the
+// longest history and than the sequence of sub-pixel camera offsets (jitter).
+constexpr uint32_t kSteadyFrames = 9;
 constexpr int64_t kMiB = 1 << 20;
 
 bool extended() {
