@@ -15,8 +15,8 @@ static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64
 // Albedo with which the ground below the horizon reflects daylight.
 constexpr float kGroundAlbedo = 0.25f;
 
-// Largest angle in radians (89 degrees) at which a door limits the light. A door that is opened further has
-// no effect.
+// Largest angle in radians (89 degrees) at which a door of a lamp limits its light. A door that is opened
+// further has no effect.
 constexpr float kSteepest_rad = 1.5533f;
 
 shared::TextureTransform uv_of(const scene::TextureSlot& slot) {

@@ -31,7 +31,7 @@ namespace weft::render {
 // Converts a light, at its position at time `time_s`. Numbers that are out of range are clamped: see
 // scene/light_check.h.
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
-// True if the light has neither an area nor a light function.
+// True if the light has neither an area nor a light function (doors, picture, falloff curve).
 [[nodiscard]] bool is_plain(const shared::Light& light);
 // Returns the lights that have an intensity, at most kMaxLights. Directional lights come first, and within
 // each kind lights without area and function come first; otherwise the scene's order is kept. So a graph's

@@ -24,8 +24,9 @@ class FrameLoop {
     // Replaces the values and pipelines of the running stage from the next frame on. Call set_graph()
     // afterwards.
     void amend(std::unique_ptr<vk::Amendment> amendment) { stage_.executor->amend(std::move(amendment)); }
-    // Replaces the running stage by another one from the next frame on. If `check` is true, the transition is
-    // checked first, and after an error nothing has changed. Call set_graph() afterwards.
+    // Replaces the running stage by another one from the next frame on. If `check` is true, the checker first
+    // checks the transition between the two plans; if it finds an error, nothing changes. Call set_graph()
+    // afterwards.
     [[nodiscard]] Status take_over(RenderStage stage, bool check);
     void set_graph(Extent3D size, uint32_t jitter_length);
 
@@ -48,7 +49,7 @@ class FrameLoop {
     shared::ViewConstants view_{};
     SunCascades sun_;
     float pre_exposure_ = 1;
-    // Declared last, so that it is destroyed first.
+    // Declared last, so that it is destroyed first: its executor waits for the frames in flight.
     RenderStage stage_;
 };
 

@@ -30,7 +30,7 @@ struct GpuGeometry {
     vk::Buffer instances;
     vk::Buffer colors;
     vk::Buffer second_uvs;
-    // The ranges of each mesh, indexed as scene::Scene::meshes.
+    // The place of each mesh in the buffers, in the order of scene::Scene::meshes.
     std::vector<MeshRange> meshes;
 
     [[nodiscard]] static Result<GpuGeometry> create(vk::Device& device, const scene::Scene& scene);

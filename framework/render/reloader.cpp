@@ -44,9 +44,9 @@ Reloader::~Reloader() {
     thread_.join();
 }
 
-// Prepares a swap, and watches the files that the load has read. A file that is read before its folder is
-// watched may change in between. So the files are read again after new folders are watched; results that are
-// still valid are reused.
+// Prepares the graph that replaces the running one, and watches the files from which it is loaded. A file
+// that is read before its folder is watched may change in between. So the files are read again after new
+// folders are watched; results that are still valid are reused.
 PrepareResult Reloader::prepare_and_watch(const Selection& selection) {
     constexpr int kMostRounds = 4;
     PrepareResult made = session_.prepare(selection);

@@ -36,11 +36,12 @@ struct StageFingerprint {
         std::optional<ParamsBlock> params;
     };
     std::string plan_hash, structure_hash;
-    // The shader programs of the graph, by the reference that the graph uses for them.
+    // The shader programs of the graph, by the name under which the graph refers to them.
     std::map<std::string, Program, std::less<>> programs;
     VkImage output = VK_NULL_HANDLE;
-    // Number of swaps that the running graph had when this stage was put in place, so that a swap that was
-    // prepared for an older stage is noticed. 0: no stage runs yet.
+    // Number of the running graph's state: each replacement, also of values only, adds 1. The number shows
+    // whether a replacement was prepared for the state that runs now or for an older one. 0: no graph runs
+    // yet.
     uint64_t generation = 0;
 };
 [[nodiscard]] StageFingerprint take_fingerprint(const FramePlan& plan, const ShaderCatalog& shaders,

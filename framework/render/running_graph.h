@@ -24,12 +24,13 @@ class RunningGraph {
     [[nodiscard]] Result<PendingSwap> start(vk::Device& device, const GpuScene& scene,
                                             const StageSettings& settings);
 
-    // Prepares a swap to the selected graph, as Session::prepare() describes.
+    // Prepares the replacement of the running graph by the selected graph, as Session::prepare() describes.
     [[nodiscard]] PrepareResult prepare(const Selection& selection);
     [[nodiscard]] Result<PendingSwap> prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings);
-    // True if the swap was prepared for the graph that runs now.
+    // True if `next` was prepared to replace the graph that runs now. False if another replacement came
+    // first.
     [[nodiscard]] bool is_next(const SwapParts& next) const;
-    // Makes `next` the running graph: takes over its selection, graph and fingerprint.
+    // Makes `next` the running graph: stores its selection, graph and fingerprint.
     void adopt(SwapParts& next);
 
     [[nodiscard]] const Selection& selection() const { return selection_; }

@@ -1,6 +1,6 @@
-// Purpose: makes a swap (the replacement of the running graph) from a resolved graph: compiles and checks its
-// plan, and makes the objects that the running stage lacks. make() may run on any thread while frames are
-// rendered; it submits nothing.
+// Purpose: makes the parts that replace the running graph (SwapParts) from a resolved graph: compiles and
+// checks its plan, and makes the objects that the running stage lacks. make() may run on any thread while
+// frames are rendered; it submits nothing.
 #pragma once
 
 #include <atomic>
@@ -36,8 +36,8 @@ class StageMaker {
     StageMaker(vk::Device& device, const GpuScene& scene, const GraphLoader& loader, StageSettings settings)
         : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)) {}
 
-    // `running` is the fingerprint of the stage that the swap replaces. Its generation is 0 if no stage runs
-    // yet.
+    // Makes the parts for a resolved graph. `running` is the fingerprint of the stage that they replace; its
+    // generation is 0 if no stage runs yet.
     [[nodiscard]] Result<std::unique_ptr<SwapParts>> make(const Selection& selection,
                                                           const ShaderCatalog& shaders,
                                                           const ResolvedGraph& graph,

@@ -1,5 +1,6 @@
-// Purpose: the contents of a PendingSwap. It has a whole stage, or only new values and pipelines if the new
-// plan has the same structure as the running one, or neither if nothing changed.
+// Purpose: the contents of a PendingSwap, which can replace the running graph. It has a whole stage, or only
+// new values and pipelines if the new plan has the same structure as the running one, or neither if nothing
+// changed.
 #pragma once
 
 #include <memory>
@@ -14,7 +15,7 @@ namespace weft::render {
 struct SwapParts {
     Selection selection;
     Rebuilt rebuilt;
-    // StageFingerprint::generation of the stage that this swap replaces.
+    // StageFingerprint::generation of the stage that these parts are meant to replace.
     uint64_t follows = 0;
     StageFingerprint fingerprint;
     // The newly loaded graph; absent if the session keeps its loaded graph.

@@ -46,7 +46,7 @@ MakeModule find_real(void* caller) {
         std::fprintf(stderr, "code counter: no LLVM to call\n");
         std::abort();
     }
-    // This only undoes the dlopen() above. The driver itself keeps the library loaded.
+    // Releases only the reference that dlopen() has added. The driver itself keeps the library loaded.
     dlclose(library);
     return reinterpret_cast<MakeModule>(function);
 }

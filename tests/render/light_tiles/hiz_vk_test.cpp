@@ -89,8 +89,8 @@ TEST_F(HiZ, IsExactInColumns) {
     run(sizes);
 }
 
-// Tests sizes just below, at and above a multiple of 128 pixels, in both directions, because a workgroup of the
-// Hi-Z shader covers 128 × 128 pixels.
+// Tests sizes just below, at and above a multiple of 128 pixels, in both directions, because a workgroup of
+// the Hi-Z shader covers 128 × 128 pixels.
 TEST_F(HiZ, IsExactAroundSquares) {
     run({{127, 129, 1}, {128, 128, 1}, {129, 127, 1}, {257, 130, 1}});
 }

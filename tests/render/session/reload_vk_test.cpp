@@ -16,7 +16,8 @@ constexpr Extent3D kSize{64, 36, 1};
 // The number of frames after which the picture no longer changes: the longest history has 2 frames.
 constexpr uint32_t kSettlingFrames = 3;
 
-// A valid edit, which the test applies and undoes alternately, and the work that it may cause.
+// A valid edit, which the test applies and undoes alternately, and the work that it may cause (compiled
+// shaders, new pipelines, a new plan).
 struct GoodEdit {
     const char* name;
     std::function<void(LiveFolder&, bool there)> apply;
@@ -156,8 +157,8 @@ class Reloading : public SessionTest {
         while (made.wait_for(std::chrono::milliseconds(2)) != std::future_status::ready) draw(*live_, 1);
         return made.get();
     }
-    // Expects that the counter in the graph, which must survive all swaps, equals the number of frames
-    // rendered.
+    // Expects that the counter in the graph, which must go on after each replacement of the graph, equals the
+    // number of frames rendered.
     void expect_all_counted() {
         ASSERT_TRUE(live_->finish());
         uint32_t counted = 0;
@@ -277,8 +278,8 @@ TEST_F(ManyEdits, OfOneShaderLeaveNoPipelineBehind) {
         render::PrepareResult made = prepare();
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
         EXPECT_EQ(to_text(made.result->rebuilt()), "1 of 4 shaders, 1 of 4 pipelines");
-        // Frames are in flight during the swap, so the replaced pipelines can be destroyed only when these
-        // frames have finished.
+        // Frames are in flight while the graph is replaced, so the replaced pipelines can be destroyed only
+        // when these frames have finished.
         ASSERT_NO_FATAL_FAILURE(draw(*live_, 2));
         const Result<bool> swapped = live_->swap_in(std::move(*made.result));
         ASSERT_TRUE(swapped && *swapped);

@@ -60,7 +60,8 @@ class Reloads : public SessionTest {
         }
         return std::nullopt;
     }
-    // Returns the number of frames rendered since the start, which a counter in the graph keeps across swaps.
+    // Returns the number of frames rendered since the start, from a counter in the graph that goes on when
+    // the graph is replaced.
     uint32_t counted() {
         EXPECT_TRUE(live_->finish());
         uint32_t count = 0;

@@ -20,8 +20,8 @@ std::string graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
 }
 
-// Adds a rectangle light in front of each of the first two cameras. They are the last lights in the list, so
-// a method that drops the last light fails.
+// Returns the scene "lights" with two more rectangle lights, one at each of the first two cameras. These are
+// the last lights in the list, so a method that drops the last light fails.
 scene::Scene lights_scene(uint32_t lights) {
     Result<scene::Scene> scene = scene::make_builtin("lights", {.lights = lights});
     EXPECT_TRUE(scene);
@@ -104,8 +104,8 @@ double reaching(const std::vector<shared::Light>& lights, const glm::dvec3& posi
     return count;
 }
 
-// Returns the largest error of any channel, as a share of the bound that is given at the top of this file. A
-// result above 1 is a failure.
+// Returns the largest error of any channel, divided by the bound for its pixel, which grows with the number
+// of lights that reach the pixel. A result above 1 is a failure.
 double worst_share(const Rendered& looped, const Rendered& blended) {
     const Image &a = looped.images.at("hdr@lighting"), &b = blended.images.at("hdr@lighting"),
                 &depth = looped.images.at("depth");
