@@ -159,7 +159,7 @@ ExitCode CommandLine::run_command() {
 
 // Prints the error of CLI11, and converts the exit code of CLI11 to the exit code of Weft for wrong usage.
 int usage_exit(const CLI::App& app, const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // CLI11 also reports --help and --version in this way.
+    if (error.get_exit_code() == 0) {  // --help and --version also end with this exception.
         std::ostringstream text;
         app.exit(error, text, text);
         return exit_with(print_data(text.str()));

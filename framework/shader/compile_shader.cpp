@@ -139,8 +139,8 @@ void report(const InterfaceFaults& faults, const std::vector<CompiledStage>& sta
         FoundWord found{find_declaration(fault.subject, source, reader.sources()),
                         static_cast<uint32_t>(fault.subject.size())};
         if (fault.subject.empty()) found = find_words(fault.words, source, reader.sources());
-        // Errors of capabilities can come from GL_EXT_spirv_intrinsics, whose words start with "spirv_". With
-        // these words, a shader can request any capability without the extension for it.
+        // The words of the capability are not in the source. Then the cause may be GL_EXT_spirv_intrinsics,
+        // whose words start with "spirv_". With these words, a shader can request any capability.
         if (found.position.line == 0 && fault.code == "W208")
             found = find_words("spirv_*", source, reader.sources());
         Diagnostic diagnostic = diagnostic_at(found.position, fault.code, fault.message);

@@ -1,7 +1,7 @@
-// Finds the lines of the picture. Output r: jumps of depth, where a surface ends; g: creases, where a surface
-// bends.
-// Depth is near plane / distance. On any plane, this value is linear in screen space. So its second difference is
-// not 0 only where a surface ends or bends. Lines at jumps are drawn on the nearer side, `lineWidth` pixels wide.
+// Finds the lines of the picture. Output r: jumps of depth, where a surface ends; g: creases, where a surface bends.
+// Depth is near plane / distance. On any plane, this value is linear in screen space, so its second difference is 0.
+// The second difference differs from 0 where a surface ends or bends. Lines at jumps are drawn on the nearer side,
+// `lineWidth` pixels wide.
 #version 460
 #include "octahedral.glsl"
 

@@ -40,7 +40,7 @@ vec3 edge_integral(vec3 a, vec3 b) {
     const float x = dot(a, b) * scale, y = abs(x);
     const float fit = 6.28318530718 * (0.8543985 + (0.4965155 + 0.0145206 * y) * y) / (3.4175940 + (4.1616724 + y) * y);
     const float arc_over_sine = x > 0.0 ? fit : kPi * inversesqrt(max(1.0 - x * x, 1e-7)) - fit;
-    // Use b − a instead of b: if a and b are nearly equal, a × b would lose all significant digits.
+    // The cross product uses b − a, because a × b would lose all significant digits if a and b are nearly equal.
     return cross(a, b - a) * (scale * arc_over_sine);
 }
 
@@ -55,8 +55,8 @@ vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
 }
 
 // Returns the vector irradiance of the part of a rectangle above the horizon. Arguments: its middle, and vectors of
-// half its width and height. Corners are counter-clockwise, seen from the surface. The loops in this file keep the code
-// short, because compilers inline every call: without loops, it was two thirds of the code of such shaders.
+// half its width and height. Corners are counter-clockwise, seen from the surface. Loops keep the code short, because
+// compilers inline every call: without them, this file was two thirds of the code of shaders with area lights.
 vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
     vec3 down = vec3(0.0), up = vec3(0.0), sum = vec3(0.0), to_side = -x, to_next = -y;
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
@@ -169,7 +169,7 @@ float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     return sum;
 }
 
-// The part of the horizon that the light covers: between the smallest and the largest azimuth of all crossings.
+// The part of the horizon that the light covers: all azimuths between the crossings of the light's outline.
 struct Horizon {
     vec3 first;
     vec2 azimuths;
@@ -217,7 +217,7 @@ float side_above(Silhouette s, vec3 n, float side, inout Horizon horizon) {
     }
     vec3 down = vec3(0.0), up = vec3(0.0);
     const vec3 sum = edge_above(n, a, b, down, up);
-    const vec3 crossing = down != vec3(0.0) ? down : up;  // A great-circle arc crosses the horizon at most once here.
+    const vec3 crossing = down != vec3(0.0) ? down : up;  // A side crosses the horizon at most once, either down or up.
     if (crossing != vec3(0.0)) note_crossing(horizon, n, crossing);
     return dot(n, sum);
 }

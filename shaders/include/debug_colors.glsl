@@ -1,4 +1,4 @@
-// Colours of debug views.
+// Functions that return the colours of debug views.
 #ifndef WEFT_DEBUG_COLORS
 #define WEFT_DEBUG_COLORS
 

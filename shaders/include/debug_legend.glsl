@@ -46,7 +46,7 @@ vec3 bar_legend(ivec2 at, uint decode, float black, float white) {
     return inside ? bar_color(float(on_bar.x) / float(kBar.x - 1), decode) : vec3(0.0);
 }
 
-// Returns the pixel of a colour wheel: each direction in its colour, and below the wheel the length of full brightness.
+// Returns the legend of vectors: a wheel with the colour of each direction, and the length of full brightness below.
 vec3 wheel_legend(ivec2 at, float white) {
     const vec2 v = vec2(at - ivec2(kWheelRadius + 4)) / float(kWheelRadius);
     if (dot(v, v) <= 1.0) return vector_color(v);

@@ -4,12 +4,12 @@
 #include "shared/material.glsl"
 
 layout(set = 2, binding = 0, std140) uniform MaterialBlock { Material material; };
-layout(set = 2, binding = 1) uniform sampler2D base_color_texture;          // sRGB-encoded.
-layout(set = 2, binding = 2) uniform sampler2D metallic_roughness_texture;  // g: roughness, b: metalness.
+layout(set = 2, binding = 1) uniform sampler2D base_color_texture;          // Texels are sRGB-encoded.
+layout(set = 2, binding = 2) uniform sampler2D metallic_roughness_texture;  // Channel g: roughness, b: metalness.
 layout(set = 2, binding = 3) uniform sampler2D normal_texture;
-layout(set = 2, binding = 4) uniform sampler2D occlusion_texture;           // r: occlusion.
-layout(set = 2, binding = 5) uniform sampler2D emissive_texture;            // sRGB-encoded.
-layout(set = 2, binding = 6) uniform sampler2D anisotropy_texture;          // rg: direction, b: strength.
+layout(set = 2, binding = 4) uniform sampler2D occlusion_texture;           // Channel r: occlusion.
+layout(set = 2, binding = 5) uniform sampler2D emissive_texture;            // Texels are sRGB-encoded.
+layout(set = 2, binding = 6) uniform sampler2D anisotropy_texture;  // Channels rg: direction of the grain, b: strength.
 
 vec2 transformed(TextureTransform transform, vec2 uv) {
     const vec3 homogeneous = vec3(uv, 1.0);

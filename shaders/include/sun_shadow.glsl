@@ -56,8 +56,8 @@ float filtered(SunPlace place) {
     for (int y = 0; y < 2; ++y) {
         for (int x = 0; x < 2; ++x) {
             const vec2 corner = second + vec2(2 * x, 2 * y);  // The corner that the four texels share.
-            // Clamp the depth: points that are farther from the sun than the map's range are compared at its end, so
-            // that they are not in shadow.
+            // Clamp the depth: a point farther from the sun than the range of the map is compared at the end of the
+            // range, so that it is not in shadow.
             const float z = clamp(place.at.z + dot(place.slope, corner - place.at.xy), 0.0, 1.0);
             const vec4 lit = textureGather(sunShadow, vec3(corner / place.size, float(place.cascade)), z);
             sum += dot(lit, vec4(wx[x].x * wy[y].y, wx[x].y * wy[y].y, wx[x].y * wy[y].x, wx[x].x * wy[y].x));

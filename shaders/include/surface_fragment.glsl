@@ -48,7 +48,7 @@ vec4 anisotropy(vec3 n) {
     const vec2 grain = material.anisotropy_textured > 0.0 ? texel.rg * 2.0 - 1.0 : vec2(1.0, 0.0);
     const vec2 turn = material.anisotropy_turn;
     const vec2 turned = mat2(turn, -turn.y, turn.x) * grain;
-    const vec3 any = abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);  // Used if there is no tangent.
+    const vec3 any = abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);  // Replaces a missing tangent.
     vec3 t = world_tangent.xyz - n * dot(n, world_tangent.xyz);
     if (dot(t, t) < 1e-12) t = cross(any, n);
     t = normalize(t);

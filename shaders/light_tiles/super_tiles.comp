@@ -52,7 +52,7 @@ void find_sides(ivec2 origin) {
     if (i >= kTilesPerSide) return;
     const ivec2 end = origin + (i + 1) * kTilePx;
     const ivec2 last = last_before(end);
-    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));  // Outside: use the last column.
+    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));  // Outside: last column.
     column_sides[i] = vec4(sides.left, sides.right);
     row_sides[i] = vec4(sides.lower, sides.upper);
 }

@@ -5,7 +5,7 @@
 const int kSlices = 32;
 
 shared uint slice_pixels[kSlices];  // Pixels of each slice: bits of columns (low 16), of rows (high 16).
-shared uint slice_edges[kSlices];   // One byte each: first column, first row, last column, last row.
+shared uint slice_edges[kSlices];   // Of these pixels: first column, first row, last column, last row.
 shared uint occupied;               // One bit for each slice that contains a pixel.
 shared uint nearest_z, farthest_z;  // Bits of depth values; non-negative floats sort like their bits.
 
@@ -169,7 +169,7 @@ Box slice_box(int k) {
     return box_of(slopes, near_m, k == kSlices - 1 ? last_m : near_m + slice_m);
 }
 
-// Returns true if the light, which is inside this sphere, reaches a pixel box of one of these slices.
+// Returns true if the light, which is inside this sphere, reaches the box of one of these slices.
 bool reaches_slice(vec4 sphere, Reach r, uint slices) {
     for (;;) {
         const int k = max(findLSB(slices), 0);

@@ -69,7 +69,7 @@ void put(uint light, uint place) {
 }
 
 uint fill_list() {
-    find_edges();  // The first round contains the barrier that must follow.
+    find_edges();  // The barrier that must follow is in the first round.
     const TileBounds bounds = tile_bounds();
     const uint super = super_list(), end = super + 1u + superLights.items[super].x;  // `end` is at least 1.
     uint listed = 0u;

@@ -22,8 +22,8 @@ const int kTriangles = 20;
 const float kMargin = 1.01;
 const float kPi = 3.14159265358979;
 const int kSides = 10;
-const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // Ratio of outer to inner radius.
-const float kAroundSphere = kMargin * 1.258408572;               // The same ratio for the icosahedron.
+const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // Outer / inner radius of the rim.
+const float kAroundSphere = kMargin * 1.258408572;               // Outer / inner radius of the icosahedron.
 
 const float kGolden = 1.618033988750;
 const vec3 kIcosahedron[12] = vec3[](

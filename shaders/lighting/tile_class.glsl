@@ -1,4 +1,4 @@
-// Classes of tiles: the lighting code that the tile needs. Each class has a separate dispatch.
+// Classes of tiles, by the lighting code that a tile needs. Each class has a separate dispatch.
 
 const uint kTileSky = 0u;          // The tile shows only sky.
 const uint kTileDirectional = 1u;  // The tile has surfaces, but no light in its list.

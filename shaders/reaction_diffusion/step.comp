@@ -1,6 +1,6 @@
 // Computes one step of the Gray–Scott model of two chemicals. u is food, and v consumes it: one u and two v become
 // three v. Both diffuse, and v decays.
-// u' = Δu·Du − u·v² + feed·(1 − u)      v' = Δv·Dv + u·v² − (feed + kill)·v
+//   u' = Δu·Du − u·v² + feed·(1 − u)      v' = Δv·Dv + u·v² − (feed + kill)·v
 // Source: Pearson 1993, "Complex Patterns in a Simple System". Du = 1, Dv = ½ and the nine-point Laplacian (sides 0.2,
 // corners 0.05) are from Sims, for time steps of 1. Feed and kill vary across the dish, so that several patterns
 // appear.

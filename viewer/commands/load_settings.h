@@ -1,6 +1,5 @@
 // Purpose: the settings with which every command loads graphs and shaders: the folders of the shipped files,
 // the shader cache and the limits.
-// the shader cache and the limits.
 #pragma once
 
 #include "weft/limits.h"

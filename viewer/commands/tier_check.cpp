@@ -60,8 +60,8 @@ class Findings {
         size_t index;
         // Number of the first variant (file with one tier, or without a tier) that has the message.
         size_t first;
-        size_t last;      // Number of the last variant that has the message.
-        size_t variants;  // Number of variants that have the message.
+        size_t last;      // Number of the last variant of the file that has the message.
+        size_t variants;  // Number of variants of the file that have the message.
     };
     Diagnostics all_;
     std::map<std::tuple<std::string, std::string, uint32_t, uint32_t>, Seen> seen_;

@@ -33,7 +33,8 @@ struct RenderOptions {
     std::string device;
     double timeout_s = 60;
     uint32_t queues = 1;
-    // Pass without barriers before it. Only tests use this, to check that errors are detected.
+    // Name of a pass whose barriers are not recorded. Only tests use this option, to check that errors are
+    // detected.
     std::string drop_barriers_before;
     bool sandbox = false;
     std::string named_output;  // Name of the output file in messages; if empty, the path in `output` is used.
@@ -91,7 +92,7 @@ struct SchemaOptions {
 struct ExplainOptions {
     std::string file;
     OfflineOptions offline;
-    std::string question;            // One of culled, barrier, alias, wait, resource.
+    std::string question;            // The question: culled, barrier, alias, wait or resource.
     std::vector<std::string> names;  // Names of the passes or resources that the question is about.
 };
 

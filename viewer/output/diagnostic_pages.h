@@ -12,7 +12,7 @@ struct DiagnosticPage {
     std::string section;  // Heading of the section in docs/diagnostics.md that describes the code.
 };
 
-// Returns the documentation by code, such as "W103". The source are the tables of the installed
+// Returns the documentation of each code, such as "W103", from the tables of the installed
 // docs/diagnostics.md. The map is empty if that file is not installed.
 [[nodiscard]] std::map<std::string, DiagnosticPage> diagnostic_pages();
 

@@ -35,8 +35,9 @@ void release_reserve() {
     throw std::bad_alloc();
 }
 
-// Handles std::terminate(), which is called when an allocation fails in a destructor. Then this function
-// prints the error X571 and ends the process. It allocates no memory itself.
+// Handles std::terminate(), which is called when an exception leaves a destructor. If the exception is
+// std::bad_alloc, the function prints the error X571 and exits; otherwise it aborts. It allocates no memory
+// itself.
 [[noreturn]] void end_with_message() {
     try {
         if (const std::exception_ptr fault = std::current_exception()) std::rethrow_exception(fault);

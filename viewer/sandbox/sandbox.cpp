@@ -222,8 +222,8 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
         return conclude(end_group(child), stage);
     }
 
-    // For the terminal, the process group of the child is in the background. Ignoring SIGTTOU allows it to
-    // write to the terminal nevertheless.
+    // For the terminal, the process group of the child is in the background. The child ignores SIGTTOU, so
+    // that it can write to the terminal nevertheless.
     std::signal(SIGTTOU, SIG_IGN);
     close_others(stage.descriptors());
     stage.rename(needs.outputs);

@@ -141,7 +141,7 @@ constexpr uint32_t word_of(size_t argument) {
     return static_cast<uint32_t>(offsetof(seccomp_data, args) + 8 * argument);
 }
 constexpr uint32_t upper_word_of(size_t argument) {
-    // This is the upper word because both supported processors are little-endian.
+    // The upper 32 bits come after the lower 32 bits, because both supported processors are little-endian.
     return word_of(argument) + 4;
 }
 
@@ -238,7 +238,8 @@ class Filter {
 // Adds the calls that are allowed only with some arguments.
 void add_judged_calls(Filter& filter, int landlock_version) {
     // Threads and child processes are allowed, new namespaces are not. The flags of clone3 are in memory,
-    // where the filter cannot read them, so clone3 seems to be missing. glibc then uses clone.
+    // where the filter cannot read them, so the filter answers as if clone3 did not exist. glibc then uses
+    // clone.
     filter.answer(SYS_clone3, Filter::refused(ENOSYS));
     filter.refuse_if(SYS_clone, word_of(0), BPF_JSET,
                      CLONE_NEWNS | CLONE_NEWCGROUP | CLONE_NEWUTS | CLONE_NEWIPC | CLONE_NEWUSER |
@@ -275,7 +276,8 @@ void add_judged_calls(Filter& filter, int landlock_version) {
     if (landlock_version >= 6) filter.allow(SYS_kill);
     if (landlock_version < 3) filter.refuse_truncating_reads(SYS_openat, 2);
     filter.allow(SYS_openat);
-    // The flags of openat2 are in memory, where the filter cannot read them.
+    // The flags of openat2 are in memory, where the filter cannot read them. So the filter answers as if
+    // openat2 did not exist.
     filter.answer(SYS_openat2, Filter::refused(ENOSYS));
 #if defined(__x86_64__)
     if (landlock_version < 3) filter.refuse_truncating_reads(SYS_open, 1);

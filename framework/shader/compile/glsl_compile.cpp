@@ -28,8 +28,8 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
         const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
         if (lookup.source == nullptr) {
             // For #include "x", glslang asks twice: for a file beside the including file, then for a file in
-            // the include root. If the first file exists but must not be read, its reason helps the user more
-            // than "no such file" for the second.
+            // the include root. If the first file exists but must not be read, the reason for this helps the
+            // user more than "no such file" for the second.
             if (lookup.refused) refusal = {request.name, lookup.reason};
             return refused(refusal.first == request.name ? refusal.second : lookup.reason);
         }

@@ -47,8 +47,8 @@ void move_to(CompiledStage& stage, ReflectedVariable& variable, uint32_t locatio
     if (variable.location_word) stage.spirv[*variable.location_word] = location;
 }
 
-// Assigns locations to the variables without one, sorted by name. Each variable gets the lowest free location
-// that has enough free locations after it.
+// Assigns locations to the variables that have none, sorted by name. Each variable gets the lowest free
+// location that has enough free locations after it.
 void place_free_variables(CompiledStage& stage, std::vector<ReflectedVariable>& variables) {
     std::set<uint32_t> taken;
     std::vector<ReflectedVariable*> free;

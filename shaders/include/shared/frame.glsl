@@ -19,7 +19,7 @@ struct FrameConstants {
     uint plain_count;         // Number of lights before the first with an area or a light function.
     uint reserved0;
     uint reserved1;
-    vec4 environment_irradiance_over_pi[9];  // rgb; for 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z².
+    vec4 environment_irradiance_over_pi[9];  // rgb coefficients of 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z².
 };
 
 struct ViewConstants {

@@ -4,7 +4,7 @@
 #include "begin.glsl"
 
 struct TextureTransform {
-    vec4 row0;               // w: index of the uv set that is transformed, 0 or 1.
+    vec4 row0;               // row0.w: index of the uv set that is transformed, 0 or 1.
     vec4 row1;
 };
 
