@@ -1,6 +1,6 @@
 // Purpose: host memory for readback passes, which copy a resource to the host. There is one host-visible copy
 // per frame slot; the program gets the copy when the slot's frame has finished. Errors: V410 (out of memory),
-// V417 (the pass does not read exactly one resource).
+// V417 (the pass does not read exactly one resource), V409 (any other failure).
 #pragma once
 
 #include <array>

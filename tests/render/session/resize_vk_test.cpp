@@ -186,7 +186,8 @@ TEST_F(Resize, TheShippedPipelineTakesAnySize) {
         << "another picture than one that had this size from the start";
 }
 
-// Returns a random size of a window: the smallest sizes are as likely as usual ones.
+// Returns a random size of a window. Four of five sizes are special cases: 1 × 1, one pixel wide or high, or
+// 7 × 3 pixels.
 Extent3D any_size(std::mt19937& random) {
     const auto any = [&](uint32_t most) { return 1 + static_cast<uint32_t>(random()) % most; };
     switch (random() % 5) {
