@@ -13,9 +13,10 @@ namespace weft::check {
 // Describes an access or a layout transition: its pass, frame, queue and batch. It is used in checks and in
 // messages.
 struct Actor {
-    PassId pass = kNoId;  // The pass that acts; kNoId means the program outside the graph.
+    PassId pass = kNoId;  // The pass of the access; kNoId means the program outside the graph.
     uint32_t frame = 0;
-    bool transition = false;  // True if a layout transition before the pass acts, not the pass.
+    // True for a layout transition before the pass, false for the pass's own access.
+    bool transition = false;
     QueueIndex queue = 0;
     // Number of batches of its queue, up to and including its own batch. 0 means before all frames.
     uint32_t batch_count = 0;

@@ -247,8 +247,8 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
         expect_free_memory(by, use.resource, use.loc, state.stages, nullptr);
     superseded_by_[use.resource] = kNoId;
     cells_[use.resource].each(use.range, [&](Cell& cell) {
-        // A pass that discards the content of a buffer needs no ownership transfer. For an image, the
-        // transition from UNDEFINED has this effect.
+        // A pass that discards the content of a buffer makes its queue family the owner without an ownership
+        // transfer. For an image, the transition from UNDEFINED does this.
         if (resource.kind == ResourceKind::buffer && !reads(use.access)) cell.owner = family();
         expect_owner(by, use, cell);
         // If this pass also reads the cell, read() has added it to the reads. A pass does not wait for its

@@ -16,7 +16,9 @@ namespace weft::check {
 // A resource that shares memory with another resource.
 struct Neighbour {
     ResourceId resource = kNoId;
-    bool covered = false;  // True if the other resource contains all its memory.
+    // True if all memory of this resource is also memory of the other resource, so the other resource
+    // overwrites all of it.
+    bool covered = false;
 };
 
 class Replay {
@@ -32,8 +34,8 @@ class Replay {
     void enter_imports();
     void leave_imports();
     void batch(uint32_t index);
-    // Simulates a pass with its barriers. `scope_continues` is true if the next pass draws into the same rendering
-    // scope.
+    // Simulates a pass with its barriers. `scope_continues` is true if the next pass draws into the same
+    // rendering scope.
     void step(const PassStep& step, bool scope_continues);
     void uses(const PassStep& step, bool scope_continues);
 

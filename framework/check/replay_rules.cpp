@@ -99,7 +99,8 @@ bool Replay::is_wanted_content(const UseDecl& use, const Cell& cell, PassId want
         return found.kind == Content::Kind::written && found.pass == wanted && found.frame == frame_;
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.ring == kNoId) return found.kind == Content::Kind::outside;
-    // A ring of one resource has the content of the previous frame.
+    // A resource that is alone in its ring has age 0, but a read of it sees the content of the previous
+    // frame. So its age counts as 1.
     const uint32_t age = std::max(resource.age, 1u);
     const bool never_written = resource.history > 0 && !anybody_writes(resource.ring, cell.range);
     if (frame_ < age || never_written) return found.kind == Content::Kind::initial;

@@ -56,7 +56,9 @@ struct MemoryCell {
 // Describes an access: the node that accesses a cell, with the stage, access type and layout.
 struct Accessor {
     uint32_t node = kNoNode;
-    StageMask stage = stage::kNone;  // The access's stage. kNone: it sees everything that is available.
+    // The stage of the access. kNone means that the access follows a semaphore wait and sees everything that
+    // is available.
+    StageMask stage = stage::kNone;
     AccessMask access = access::kNone;
     Layout layout = Layout::undefined;  // Layout that the image must have for the access.
 };

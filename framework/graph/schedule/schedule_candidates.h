@@ -30,8 +30,8 @@ struct ScheduleProblem {
     // One row per pass. `successors`: the passes that depend on the pass. `predecessors`: the passes on which
     // it depends.
     IndexRows successors, predecessors;
-    IndexRows resources;               // One row per pass: the transients that it uses, each once.
-    IndexRows users;                   // One row per resource: the live passes that use it, each once.
+    IndexRows resources;  // One row per pass: the transients that it uses, without duplicates.
+    IndexRows users;      // One row per resource: the live passes that use it, without duplicates.
     std::vector<uint64_t> size_bytes;  // Index: ResourceId. Size of the resource in bytes.
 };
 

@@ -27,9 +27,8 @@ AccessMask writes_of(StageMask stages) {
 struct AliasTransitionRows {
     const std::vector<AliasTransition>& all;
 
-    // Returns the alias transitions whose new resource is `to`. Every transient in use has at least one: if
-    // no other resource uses its memory, it takes the memory over from itself, as it was in the previous
-    // frame.
+    // Returns the alias transitions whose new owner is `to`. Every transient in use has at least one: if no
+    // other resource uses its memory, it takes the memory over from its own use in the previous frame.
     [[nodiscard]] std::vector<AliasTransition> into(ResourceId to) const {
         const auto first = std::lower_bound(
             all.begin(), all.end(), to, [](const AliasTransition& h, ResourceId id) { return h.to < id; });

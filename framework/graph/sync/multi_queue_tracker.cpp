@@ -149,7 +149,7 @@ void MultiQueueTracker::begin(std::span<const AccessEvent> events, CellSync& syn
 void MultiQueueTracker::share(const Past& past, std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     AccessState dst = state_on(group_of(events), past.queue);
-    // The transition has no reader on this queue. Its destination stages are then its source stages, so that
+    // If the transition has no reader on this queue, its destination stages are its source stages, so that
     // later barriers on this queue chain with it.
     if (dst.stages == stage::kNone) dst.stages = past.stages;
     sync.barriers.push_back({.position = past.position,

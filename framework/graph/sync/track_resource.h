@@ -30,7 +30,8 @@ struct ResourceHistory {
 // are its roles.
 struct Role {
     const ResourceDecl* decl = nullptr;
-    const std::vector<RangeAccess>* events = nullptr;  // The accesses to it, sorted by position.
+    // The accesses to the resource, sorted by schedule position.
+    const std::vector<RangeAccess>* events = nullptr;
 };
 
 struct HistoryInput {

@@ -1,5 +1,6 @@
-// Shows the explanation of the item under the pointer or the keyboard focus. A selected item keeps its explanation on
-// screen, and only the items related to it stay bright. The page is complete without this script: every item links to its explanation.
+// Shows the explanation of the item under the pointer or with the keyboard focus. A selected item keeps its explanation
+// on screen, and only the items related to it stay bright. The page is complete without this script, because every item
+// is also a link to its explanation.
 "use strict";
 (() => {
   const root = document.body;

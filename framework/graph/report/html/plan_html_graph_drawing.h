@@ -1,4 +1,4 @@
-// Purpose: writes one drawing of the page's graph.
+// Purpose: draws the graph of passes for the HTML page.
 #pragma once
 
 #include "graph/report/html/html_sections.h"
