@@ -20,7 +20,8 @@ enum class TargetKind : uint8_t {
 struct FileTarget {
     TargetKind kind = TargetKind::file;
     std::filesystem::path path;  // The path after following the symbolic links at its end.
-    int descriptor = -1;  // Number of the descriptor, for TargetKind::descriptor; it is not owned. Else -1.
+    // Number of the open descriptor for TargetKind::descriptor, else -1. FileTarget does not close it.
+    int descriptor = -1;
     std::optional<struct stat> old;  // Status of the existing file; absent if no file exists.
     int error = 0;  // If it is not 0, the path cannot be resolved, and this is the value of errno.
 

@@ -57,7 +57,7 @@ inline constexpr AccessMask kAllWrites =
 
 using AspectMask = uint8_t;
 namespace aspect {
-inline constexpr AspectMask kNone = 0;  // A buffer has no aspects.
+inline constexpr AspectMask kNone = 0;  // No aspect: the value for buffers.
 inline constexpr AspectMask kColor = 1;
 inline constexpr AspectMask kDepth = 2;
 inline constexpr AspectMask kStencil = 4;
@@ -103,7 +103,7 @@ enum class Access : uint8_t {
     present,
 };
 
-// One side of a barrier: pipeline stages, access bits and image layout.
+// Describes one side of a barrier: pipeline stages, access bits and image layout.
 struct AccessState {
     StageMask stages = stage::kNone;
     AccessMask access = access::kNone;

@@ -73,10 +73,10 @@ enum class ResourceLifetime : uint8_t {
     imported,
 };
 
-// The states of an imported resource before and after each frame. `entry` describes how the program uses the
-// resource before the frame: the frame must wait for these reads before it writes, and must make these writes
-// visible before it reads. `exit` describes how the program uses the resource after the frame: the frame
-// makes its own writes visible to these accesses.
+// The states of an imported resource before and after each frame. `entry` describes the accesses of the
+// program before the frame: the frame waits for the program's reads before it writes the resource, and makes
+// the program's writes visible before it reads the resource. `exit` describes the accesses of the program
+// after the frame: the writes of the frame are made visible to them.
 struct ImportState {
     AccessState entry;  // The layout `undefined` means that the frame discards the old content.
     AccessState exit;
@@ -111,9 +111,10 @@ struct ResourceDecl {
     // Union of the usage flags of all passes that use the resource, including culled passes.
     UsageMask usage = 0;
     // A resource with `history` n is a ring of n + 1 ResourceDecls. In a ring of 3, "color" (age 0) is the
-    // content of this frame, "color[-1]" (age 1) that of the previous frame, "color[-2]" (age 2) that of the
-    // frame before. The memory rotates, so that nothing is copied: in frame f, age a uses the memory that was
-    // placed for age (f - a) mod (n + 1). A resource with `keep` is a ring of one, which keeps its content.
+    // content of this frame, "color[-1]" (age 1) the content of the previous frame, and "color[-2]" (age 2)
+    // the content of the frame before. The memory rotates, so that nothing is copied: in frame f, age a uses
+    // the memory that was placed for age (f - a) mod (n + 1). A resource with `keep` is a ring of one, which
+    // keeps its content.
     uint32_t history = 0;  // Number of earlier frames whose content is kept.
     // The resource of age 0 in the ring of this resource; kNoId if the resource is not persistent.
     ResourceId ring = kNoId;
@@ -352,7 +353,8 @@ struct PassDecl {
     // For a raster pass without draw lists: number of vertices. The shader computes their positions from
     // gl_VertexIndex.
     uint32_t vertices = 0;
-    uint32_t instances = 0;  // For a raster pass without draw lists: number of instances of these vertices.
+    // For a raster pass without draw lists: how many instances of its vertices are drawn.
+    uint32_t instances = 0;
     std::string view = "camera";
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.

@@ -90,7 +90,7 @@ struct PortDesc {
 struct ParamDesc {
     std::string name;
     double default_value = 0;
-    // True if the parameter is true or false instead of a number.
+    // True if the values of the parameter are `true` and `false`, not numbers.
     bool is_bool = false;
     std::optional<std::array<double, 2>> range;
     std::vector<double> allowed;  // The allowed values, from the key "enum"; empty: all values in `range`.
@@ -203,7 +203,7 @@ struct PassDesc {
     // with the draw commands of an indirect draw.
     std::optional<PortDesc> indirect;
     std::vector<Expr> groups;   // Numbers of workgroups: one or three expressions, or a single size.
-    std::vector<Expr> threads;  // Numbers of shader invocations, in the same form as `groups`.
+    std::vector<Expr> threads;  // Numbers of shader invocations: one or three expressions, or a single size.
     RasterState state;
     std::vector<StateNumberDesc> state_numbers;
     StateLocs state_locs;
@@ -244,7 +244,7 @@ struct ExpectationDesc {
 struct GraphTestDesc {
     // The tiers with which the test runs, one run for each; "" is the graph without a tier.
     std::vector<std::string> tiers;
-    // Used instead of `tiers`: one run that changes from each of these tiers to the next.
+    // Used instead of `tiers`: the tiers of a single run, which changes from each tier to the next one.
     std::vector<std::string> swap;
     uint32_t every = 8;  // Number of frames between two changes of the tier in `swap`.
     std::string scene;   // The scene to render; empty: builtin:spheres.

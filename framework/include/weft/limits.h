@@ -92,7 +92,7 @@ struct LimitRow {
     // Name in messages, in limit files and in docs/SECURITY.md, for example "graph.passes".
     const char* name;
     const char* unit;    // Unit: "bytes", "px" or "ms"; empty if the limit is a count.
-    const char* guards;  // The quantity that is limited, in words.
+    const char* guards;  // The quantity that is limited, in words, such as "mips of an image".
     // The largest value that may be set. With a larger one, recursion could overflow the stack, or a 64-bit
     // sum could overflow.
     uint64_t most;

@@ -1,6 +1,6 @@
-// Purpose: defines a compiled frame, the plan. It contains all decisions, so that an executor only has to
-// carry it out: order, queues, barriers, memory, submissions. Units: bytes. A position is an index into
-// Schedule::order. The barriers of position p are recorded before the pass at p.
+// Purpose: defines a compiled frame, the plan. It contains all decisions about a frame: order, queues,
+// barriers, memory and submissions. An executor only records and submits it. Units: bytes. A position is an
+// index into Schedule::order. The barriers of position p are recorded before the pass at p.
 #pragma once
 
 #include <cstdint>
@@ -68,7 +68,7 @@ struct LifetimeSpan {
 };
 
 struct Lifetimes {
-    std::vector<LifetimeSpan> spans;  // index: ResourceId
+    std::vector<LifetimeSpan> spans;  // By ResourceId: the lifetime of each resource.
 };
 
 struct MemoryNeed {
@@ -170,9 +170,9 @@ struct PassStep {
     std::vector<BarrierDecl> after;
     // Load and store operations of the attachments: colours sorted by location, then depth.
     std::vector<AttachmentOps> attachments;
-    // True: the pass draws inside the rendering scope that the previous pass on its queue has begun
-    // (vkCmdBeginRendering). Such a chain of passes has one scope: it begins with the load operations of its
-    // first pass, and ends with the store operations of its last pass.
+    // True: the pass draws inside the rendering scope (vkCmdBeginRendering) that the previous pass on its
+    // queue began. A chain of such passes has one scope, with the load operations of the first pass and the
+    // store operations of the last pass.
     bool merges_render_pass = false;
 };
 

@@ -1,8 +1,7 @@
 // Purpose: summarises an error map in a few numbers. Units: those of the map. A quantile is always a value
-// that occurs in the map. Weighted quantiles give every error a weight of its own size, so that a large area
-// without errors does not hide visible errors: all errors up to the weighted q-quantile make up the share q
-// of the sum of errors. It is 0 for a map without errors. Source: the paper cited in flip.h, section on
-// pooling.
+// that occurs in the map. The weighted q-quantile is the error e for which all errors up to e make up the
+// share q of the sum of all errors. So a large area without errors does not hide visible errors. Weighted
+// quantiles are 0 for a map without errors. Source: the paper cited in flip.h, section on pooling.
 #pragma once
 
 #include <array>

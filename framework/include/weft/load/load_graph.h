@@ -21,8 +21,8 @@
 
 namespace weft {
 
-// By the name of an image: how many of its alternative formats ("rg16_snorm|rg16f") are not tried. See
-// ResolveInput.
+// For each image, by its name: the number of its alternative formats ("rg16_snorm|rg16f") that are not used,
+// counted from the first. See ResolveInput.
 using SkippedFormats = std::map<std::string, size_t>;
 
 // Settings for loading graphs: the folders of graphs and shaders, and the limits.
@@ -64,7 +64,7 @@ struct LoadedGraph {
     GraphDesc desc;
     ShaderCatalog shaders;
     ResolvedGraph graph;
-    // Leads to the same format of each image in all tiers; see SkippedFormats.
+    // The numbers of skipped formats with which each image has the same format in all tiers.
     SkippedFormats skipped_formats;
 };
 

@@ -35,7 +35,7 @@ struct Rebuilt {
     // Number of shader programs of the graph, and number of those that changed.
     uint32_t shaders = 0, changed_shaders = 0;
     uint32_t pipelines = 0, made_pipelines = 0;
-    bool plan = false;  // True: a new plan with new memory, descriptors and barriers.
+    bool plan = false;  // True: there is a new plan, with new memory, descriptors and barriers.
     // True: the plan stays the same, except for values of parameters or constants, or the state of pipelines.
     bool values = false;
 

@@ -99,7 +99,7 @@ class Session {
     // Returns the factor 2^EV of the last frame, with which radiance was multiplied.
     [[nodiscard]] float pre_exposure() const;
 
-    // For tests only, which include render/session_parts.h.
+    // Gives tests access to the parts of the session. The tests include render/session_parts.h.
     [[nodiscard]] const SessionParts& parts() const { return *parts_; }
 
  private:

@@ -1,10 +1,11 @@
-// Purpose: prints plans for people and programs. The same plan always gives the same bytes. Shapes:
-//   text: the passes in execution order with their queue, every wait and barrier with its reason, then memory
-//   (sum, peak, the resources alive at the peak, heaps, gap between peak and heaps) and culled passes
-//   JSON: every field of the plan; ids are indices into graph.passes and graph.resources, null means none
-//   DOT: a drawing of passes and resources, with culled ones in grey
-//   HTML: a self-contained page with the graph, every queue's timeline, lifetimes, memory, culled passes, and
-//   all explanations of `weft explain`
+// Purpose: prints plans for people and programs. The same plan always gives the same bytes. Formats:
+//   - Text lists the passes in execution order with their queue, and every wait and barrier with its reason.
+//     Then follow memory (sum, peak, the resources alive at the peak, heaps, gap between peak and heaps) and
+//     the culled passes.
+//   - JSON has every field of the plan. Ids are indices into graph.passes and graph.resources; null is none.
+//   - DOT draws passes and resources, with culled ones in grey.
+//   - HTML is a self-contained page with the graph, every queue's timeline, lifetimes, memory, culled passes,
+//     and all explanations of `weft explain`.
 #pragma once
 
 #include <string>

@@ -6,8 +6,8 @@
 //   "brushed": anisotropic metal
 //   "lights": the atrium at night with many moving lights
 //   "stage": all kinds of lamps
-//  Every run makes the same bytes. Lights have photometric units, and textures have full mip chains.
-//  Errors: S120, a name that is not a built-in scene.
+// Every run makes the same bytes. Lights have photometric units, and textures have full mip chains.
+// Errors: S120, a name that is not a built-in scene.
 #pragma once
 
 #include <cstdint>

@@ -63,7 +63,7 @@ struct TextureSlot {
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
     uint32_t uv_set = 0;  // Set of texture coordinates: 0: Mesh::uvs, 1: Mesh::second_uvs.
-    // The columns are the factors of u, the factors of v, and the offset.
+    // Transforms (u, v, 1). The columns of the matrix are the factor of u, the factor of v, and the offset.
     glm::mat3x2 transform{1, 0, 0, 1, 0, 0};
 };
 
@@ -178,8 +178,8 @@ struct Scene {
     std::vector<LightFunction> light_functions;
     std::vector<Camera> cameras;
     Bounds bounds;  // Bounding box of all instances, in world space.
-    // Radiance of the sky at the zenith in cd/m²; down to the horizon it changes to sky_horizon. 0 with
-    // `--env none`.
+    // Radiance of the sky at the zenith in cd/m². It changes gradually to sky_horizon at the horizon. Both
+    // are 0 with `--env none`.
     glm::vec3 sky_zenith{0};
     glm::vec3 sky_horizon{0};
     Environment environment;  // Picture of the surroundings. If the scene has one, it replaces the sky.

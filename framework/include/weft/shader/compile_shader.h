@@ -51,8 +51,9 @@ enum class ProgramKind : uint8_t {
 // Compiles the shader `reference`. Equal texts give equal SPIR-V, in whatever folders they are. Thread-safe.
 [[nodiscard]] Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
                                                    const ShaderRoots& roots);
-// Compiles with a compiler that was made from the same roots. Its worker process is reused for several
-// shaders. `memory` has programs from earlier loads, which are not compiled again; it may be null.
+// Compiles the shader `reference` with an existing compiler, which must be made from the same `roots`. The
+// compiler keeps its worker process for all its shaders. `memory` has programs from earlier loads, which are
+// not compiled again; it may be null.
 [[nodiscard]] Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
                                                    const ShaderRoots& roots, shader::StageCompiler& compiler,
                                                    ShaderMemory* memory = nullptr);

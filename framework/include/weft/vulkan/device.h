@@ -64,8 +64,8 @@ struct EmbedderDevice {
     VkInstance instance = VK_NULL_HANDLE;  // Must be created for Vulkan 1.3 (VkApplicationInfo::apiVersion).
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
-    // Weft submits only to these queues, from the thread that calls Weft. During such a call no other thread
-    // may use the queues. The first queue must support graphics and compute.
+    // Weft submits only to these queues, from the thread that calls Weft. While such a call runs, other
+    // threads must not use the queues. The first queue must support graphics and compute.
     std::vector<Queue> queues;
     // The features that are enabled in `device`; see enable_features(). No extension is required.
     const FeatureChain* enabled = nullptr;
@@ -92,13 +92,13 @@ class Device {
     [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
     [[nodiscard]] VkDevice handle() const { return device_; }
     [[nodiscard]] Queue queue() const { return queue_; }
-    // The queue families of the physical device; the index is the family.
+    // Returns the queue families of the physical device. The index is the number of the family.
     [[nodiscard]] const std::vector<QueueFamily>& families() const { return families_; }
-    // The families to name in VkSharingMode CONCURRENT: all families with queues, or none if only one family
-    // has queues.
+    // Returns the families to name when a resource is created with VK_SHARING_MODE_CONCURRENT: all families
+    // with queues, or none if only one family has queues.
     [[nodiscard]] const std::vector<uint32_t>& sharing_families() const { return sharing_families_; }
     [[nodiscard]] const DeviceFunctions& fn() const { return *functions_; }
-    // Writable function table: tests replace functions to inject faults.
+    // Returns the function table for writing: tests replace functions to inject faults.
     [[nodiscard]] DeviceFunctions& fn() { return *functions_; }
     [[nodiscard]] const InstanceFunctions& instance_fn() const { return *instance_functions_; }
     [[nodiscard]] const DeviceInfo& info() const { return info_; }

@@ -22,7 +22,8 @@ struct OptionalFeatures {
     bool image_gather_extended = false;
     bool storage_read_without_format = false;
     bool draw_indirect_first_instance = false;
-    bool uniform_array_indexing = false;  // On llvmpipe this feature is required; see opaque_uniforms.h.
+    // Dynamic indices into arrays of uniform buffers. Required on llvmpipe; see opaque_uniforms.h.
+    bool uniform_array_indexing = false;
 };
 
 // The feature structs of Vulkan 1.0 to 1.3, linked through pNext. The class is not copyable, because the

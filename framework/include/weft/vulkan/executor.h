@@ -26,8 +26,8 @@ inline constexpr uint32_t kFramesInFlight = 2;
 
 class PipelineStore;
 
-// Numbers of pipelines of a plan: `all` that it uses, and `made`, those that were created for it. The others
-// existed already.
+// Numbers of pipelines: `all` is the number that a plan uses, `made` the number that was created for this
+// plan. All other pipelines existed before.
 struct PipelineCounts {
     uint32_t all = 0;
     uint32_t made = 0;

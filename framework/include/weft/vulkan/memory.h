@@ -84,7 +84,8 @@ class Image {
 struct Sharing {
     VkSharingMode mode = VK_SHARING_MODE_EXCLUSIVE;
     uint32_t count = 0;
-    const uint32_t* families = nullptr;  // Points into Device::sharing_families().
+    // The numbers of the families. Points into Device::sharing_families().
+    const uint32_t* families = nullptr;
 };
 // Returns CONCURRENT with all families that have queues; EXCLUSIVE if only one family has queues.
 [[nodiscard]] Sharing concurrent_sharing(const Device& device);

@@ -16,7 +16,7 @@ enum class MessageSeverity : uint8_t { info, warning, error };
 
 struct Message {
     MessageSeverity severity = MessageSeverity::error;
-    std::string id;    // Identifier such as "SYNC-HAZARD-WRITE_AFTER_WRITE" or "VUID-…".
+    std::string id;    // Identifier of the message, such as "SYNC-HAZARD-WRITE_AFTER_WRITE" or "VUID-…".
     std::string pass;  // Name of the pass that is recorded or submitted, or the label in the message.
     std::string text;
 };
