@@ -42,8 +42,8 @@ Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, 
         Result<OpenSession> open = opener.open();
         if (open) return std::optional(std::move(*open));
         if (!waits || !opener.is_fixable() || !is_there(options.request.path)) return open.take_errors();
-        // The files were not watched before this call, and may have been edited since they were read. So open
-        // them once more.
+        // watch() returns true if some folders were not watched before. Files there may have been edited
+        // since open() read them, so try again.
         if ((*watch)->watch(opener.files())) continue;
         report(open.errors());
         std::fprintf(stderr, "weft: waiting for the graph to be mended\n");

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kGlslVersion = 460;
 constexpr const char* kPortSetText = "1";
-// Part of the cache key. It must be increased when a change of the options below changes the SPIR-V of the
-// same text.
+// This number is part of the cache key. Increase it when a change of the options below changes the SPIR-V of
+// the same text.
 constexpr int kOptionsRevision = 1;
 
 // Initialises glslang at the first call, once per process. Initialising a static variable is thread-safe.
