@@ -29,8 +29,8 @@ struct RunOutcome {
     std::optional<vk::ReadbackData> last_readback;
 };
 
-// Prints the number of rendered frames to stderr if rendering takes longer than a moment. The number can be
-// too high by the frames in flight, which the device has not yet finished.
+// Prints the number of finished frames to stderr if rendering takes longer than a moment. The number does not
+// include the last submitted frames, which the device may still be rendering.
 class RenderProgress {
  public:
     RenderProgress(const RenderOptions& options, uint32_t frames)
