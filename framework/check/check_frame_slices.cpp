@@ -152,9 +152,7 @@ class SlicedResource {
                         range_text(cell) + " as pass " + faults_.pass_name(named) +
                         " leaves it, but in frames in which that pass does not run, pass " +
                         faults_.pass_name(other) + " has overwritten it",
-                    "a pass that runs in some frames only (perFrame) must not overwrite the result of "
-                    "another such pass "
-                    "that is still read");
+                    "such a pass must not overwrite the result of another one that is still read");
     }
 
     const FramePlan& plan_;

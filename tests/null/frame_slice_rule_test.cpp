@@ -130,7 +130,7 @@ class BruteForce {
         find_changing_cells();
     }
 
-    uint32_t turns() const { return slices_; }
+    uint32_t slices() const { return slices_; }
 
     bool is_wrong() {
         for (uint32_t one = 0; one < 1u << slices_; ++one)

@@ -88,7 +88,7 @@ TEST_F(ResolveExpressions, ConstantsInACircleAndOfSizes) {
 }
 
 TEST_F(ResolveExpressions, SoManySlicesAFrame) {
-    const auto turns = [&](const std::string& each) {
+    const auto slices = [&](const std::string& each) {
         const ResolvedGraph g = good(R"j("params": {"rate": 2},
           "resources": {"a": {"format": "rgba16f", "layers": 5, "keep": true}},
           "passes": {"p": {"type": "compute", "shader": "make.comp", "repeat": {"i": "0..4"}, "perFrame": )j" +

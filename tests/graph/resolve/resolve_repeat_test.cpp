@@ -139,7 +139,7 @@ std::string slices(const std::string& keys, const std::string& repeat = R"j("rep
 }
 
 TEST_F(ResolveRepeat, PassesMayBeSlicedOverFrames) {
-    const ResolvedGraph g = good(turns(R"j(, "keep": true)j"));
+    const ResolvedGraph g = good(slices(R"j(, "keep": true)j"));
     ASSERT_EQ(g.passes.size(), 6u);
     for (uint32_t i = 0; i < 6; ++i) {
         EXPECT_EQ(g.passes[i].frame_slice, i);
@@ -151,7 +151,7 @@ TEST_F(ResolveRepeat, PassesMayBeSlicedOverFrames) {
 }
 
 TEST_F(ResolveRepeat, ContentOfSlicesMustPersist) {
-    const Diagnostic lost = bad(turns(""));
+    const Diagnostic lost = bad(slices(""));
     EXPECT_EQ(lost.code, "W124");
     expect_help(lost, R"j(add "keep": true to resource "x")j");
     EXPECT_EQ(bad(slices(R"j(, "history": 1)j")).code, "W124");

@@ -24,7 +24,7 @@ class RandomTextFaults : public RandomTextRepeats {
             case 2:
             case 3:
                 chain_slices_wrongly();
-                return {"W124", "chained turns"};
+                return {"W124", "chained slices"};
             case 4:
                 return stencil_without_attachment();
             case 5:

@@ -254,7 +254,7 @@ class RandomTextPasses : public RandomTextFrame {
             return write("dst", add_value(new_words()));
         }
         if (roll == 1 && !model_.values[words].closed && model_.values[words].fresh) {
-            add_pass("turn", "compute", "slice_words.comp").more += ", \"groups\": 4";
+            add_pass("slice", "compute", "slice_words.comp").more += ", \"groups\": 4";
             under_condition_of(words, 50);
             return change(words, "x", "x");
         }

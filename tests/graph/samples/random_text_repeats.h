@@ -150,19 +150,19 @@ class RandomTextRepeats : public RandomTextPasses {
     // layers. Or all iterations modify parts of one buffer.
     void frame_slices() {
         const uint32_t rounds = between(2, 4);
-        const std::string turn = slice_keys(rounds);
+        const std::string slice = slice_keys(rounds);
         if (chance(30)) {
             const size_t kept = new_words();
             model_.resources[kept].more = ", \"keep\": true";
             const std::string name = model_.resources[kept].name;
-            TextPass& pass = add_pass("turn", "compute", "slice_words.comp");
-            pass.more += turn + ", \"groups\": 4, \"partial\": true";
+            TextPass& pass = add_pass("slice", "compute", "slice_words.comp");
+            pass.more += slice + ", \"groups\": 4, \"partial\": true";
             pass.out = {said("x", name)};
             add_closed_value(kept);
             return;
         }
         const size_t kept = kept_layers("sliced", rounds);
-        add_pass("turn", "compute", "mix_1.comp").more += turn;
+        add_pass("slice", "compute", "mix_1.comp").more += slice;
         model_.passes.back().in = {input("a", plain_color(), kNone, false)};
         model_.passes.back().out = {said("dst", model_.resources[kept].name + ".layer(i)")};
         close_layers(kept, rounds);
@@ -181,8 +181,8 @@ class RandomTextRepeats : public RandomTextPasses {
         const uint32_t rounds = between(2, 4);
         const size_t scratch = new_image("scratch"), kept = kept_layers("stored", rounds);
         model_.resources[scratch].more = ", \"keep\": true";
-        const std::string name = model_.resources[scratch].name, turn = slice_keys(rounds, rounds - 1);
-        add_pass("bake", "compute", "mix_1.comp").more += turn;
+        const std::string name = model_.resources[scratch].name, slice = slice_keys(rounds, rounds - 1);
+        add_pass("bake", "compute", "mix_1.comp").more += slice;
         model_.passes.back().in = {input("a", plain_color(), kNone, false)};
         model_.passes.back().out = {said("dst", name)};
         TextPass& store = add_pass("store", "compute", "mix_1.comp");

@@ -24,8 +24,8 @@ FrameSlice slice_of(const Declared& declared, PassId pass) {
 }
 
 // Checks the reads of one cell (a part of a resource that every use covers completely or not at all) that
-// passes with different frame slices write. The frame slice of a pass is the set of frames in which it runs. The rule does
-// not depend on which slice comes first. A read is right in every frame if one of these holds:
+// passes with different frame slices write. The frame slice of a pass is the set of frames in which it runs.
+// The rule does not depend on which slice comes first. A read is right in every frame if one of these holds:
 // - The pass whose version the read names runs in every frame in which the reader runs.
 // - The named version is the last one of the cell, and all writers of the cell run in the same frames.
 // - Every writer modifies the content in place. Then each read names the current content and sees it.
@@ -70,10 +70,10 @@ class SlicedCell {
         const size_t version =
             before ? cell_.writers.size() - 1 : static_cast<size_t>(cell_.writer_index(source->producer));
         const CellUse& wanted = cell_.writers[version];
-        const FrameSlice turn = slice_of(declared_, wanted.pass);
-        if (turn == FrameSlice{} || (!before && turn == slice_of(declared_, reader.pass))) return;
+        const FrameSlice slice = slice_of(declared_, wanted.pass);
+        if (slice == FrameSlice{} || (!before && slice == slice_of(declared_, reader.pass))) return;
         const auto other = std::ranges::find_if(
-            cell_.writers, [&](const CellUse& w) { return slice_of(declared_, w.pass) != turn; });
+            cell_.writers, [&](const CellUse& w) { return slice_of(declared_, w.pass) != slice; });
         if (other != cell_.writers.end()) return report(reader, wanted, *other);
         if (version + 1 < cell_.writers.size()) report(reader, wanted, cell_.writers[version + 1]);
     }
