@@ -99,7 +99,7 @@ class SingleQueueTracker {
     Layout layout_ = Layout::undefined;
     StageMask writer_stages_ = stage::kNone;
     AccessMask unflushed_ = access::kNone;
-    StageMask reader_stages_ = stage::kNone;  // Stages of the reads since the last barrier.
+    StageMask reader_stages_ = stage::kNone;  // Stages that have read since the last barrier.
     std::array<AccessMask, stage::kCount> visible_{};
     PassId pass_ = kNoId;  // The pass of the pending accesses; kNoId if there are several.
     bool several_ = false;
