@@ -17,7 +17,7 @@ namespace weft {
 
 enum class Durability : uint8_t {
     on_disk,  // The file survives a power failure.
-    cached,   // A power failure may lose or damage the file. For files that can be made again.
+    cached,   // A power failure may lose or damage the file. Use this for files that can be made again.
 };
 
 // Checks whether `path` can be written: its folder exists, permissions suffice, and it is not itself a

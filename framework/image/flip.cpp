@@ -13,8 +13,9 @@
 namespace weft::image {
 namespace {
 
-constexpr float kColorExponent = 0.7f;    // The exponent q_c in the paper.
-constexpr float kFeatureExponent = 0.5f;  // The exponent q_f in the paper.
+constexpr float kColorExponent = 0.7f;  // Exponent of colour differences: q_c in the paper that flip.h cites.
+// Exponent of feature differences: q_f in the paper that flip.h cites.
+constexpr float kFeatureExponent = 0.5f;
 // Colour differences from 0 to kColorKnee (p_c in the paper) times the largest possible difference become
 // errors from 0 to kErrorAtKnee (p_t in the paper). Larger differences become errors from kErrorAtKnee to 1.
 constexpr float kColorKnee = 0.4f;

@@ -103,8 +103,8 @@ struct DeviceProfile {
     uint64_t buffer_image_granularity_bytes = 64;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
-    // Optional pipeline state: "fill" with the value "line" or "point", "depthClamp", and "clamp" in
-    // "depthBias".
+    // The next members tell whether the device supports optional pipeline state: "fill" with the value "line"
+    // or "point", "depthClamp", and "clamp" in "depthBias".
     bool non_solid_fill = false;
     bool depth_clamp = false;
     bool depth_bias_clamp = false;

@@ -229,7 +229,8 @@ struct DebugViewDesc {
     // The method that converts values to colours, one of debug_decoders(); empty: chosen by the format.
     std::string decode;
     std::string shader;  // The author's own shader, used instead of a decoder; empty: a decoder is used.
-    std::optional<std::array<Expr, 2>> range;  // The values that are shown as black and as white.
+    // The value that is shown as black and the value that is shown as white.
+    std::optional<std::array<Expr, 2>> range;
     SourceLoc loc;
 };
 
@@ -276,8 +277,8 @@ struct GraphDesc {
     Expr frames;  // Number of frames of a run; absent: 1.
     std::map<std::string, DebugViewDesc> debug;
     std::vector<GraphTestDesc> tests;
-    // The camera moves by fractions of a pixel, and repeats this movement after so many frames; 0: no
-    // movement.
+    // The camera moves by fractions of a pixel from frame to frame. The movement repeats after this number of
+    // frames; 0: no movement.
     uint32_t jitter = 0;
     SourceMap sources;
 };

@@ -30,7 +30,8 @@ struct VertexAttribute {
 };
 
 struct VertexFormat {
-    std::vector<uint32_t> stride_bytes;  // By stream: number of bytes from one vertex to the next.
+    // stride_bytes[s] is the number of bytes from one vertex to the next in stream s.
+    std::vector<uint32_t> stride_bytes;
     std::vector<VertexAttribute> attributes;
 };
 

@@ -37,7 +37,7 @@ struct BlockMember {
     uint32_t array_stride_bytes = 0;
     bool is_runtime_array = false;
     std::string struct_name;  // Type name of the struct, if the member has a struct type; else empty.
-    std::vector<BlockMember> members;  // Members of that struct type; empty for other types.
+    std::vector<BlockMember> members;  // Members of the struct, if this member has a struct type; else empty.
     bool operator==(const BlockMember&) const = default;
 };
 

@@ -42,7 +42,7 @@ struct LoadSettings {
 // A graph that was read with all its includes, merged for the tier of the request, and parsed.
 struct ParsedGraph {
     JsonDoc document;
-    GraphDesc desc;  // The graph. The debug view of the request is not yet added.
+    GraphDesc desc;  // The parsed graph, without the debug view of the request.
     // Absolute paths of all graph files that were searched, including files that do not exist.
     std::set<std::filesystem::path> files;
 };

@@ -62,7 +62,7 @@ class Reloader {
     const std::unique_ptr<FileWatch> watch_;
     // The files of the last successful load. Only the watching thread uses this member.
     std::set<std::filesystem::path> good_files_;
-    std::mutex mutex_;  // Guards all members below.
+    std::mutex mutex_;  // Guards all members that are declared below, because both threads use them.
     Selection selection_;
     bool asked_ = false;
     bool stop_ = false;

@@ -1,6 +1,6 @@
-// Purpose: converts texels that were read back to four floats each. Missing channels become 0, a missing
-// alpha becomes 1. sRGB is decoded, normalised integers become [0, 1] or [-1, 1], other integers keep their
-// value.
+// Purpose: converts each texel that was read back from the GPU to four floats. Missing channels become 0, a
+// missing alpha becomes 1. sRGB is decoded, normalised integers become [0, 1] or [-1, 1], other integers keep
+// their value.
 #pragma once
 
 #include <cstddef>

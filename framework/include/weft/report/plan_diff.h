@@ -26,7 +26,8 @@ struct NamesDiff {
 
 struct PassMove {
     std::string name;
-    uint32_t from = 0, to = 0;  // Positions in the order of the first plan and of the second plan.
+    // Position of the pass in the first plan (`from`) and in the second plan (`to`).
+    uint32_t from = 0, to = 0;
 };
 
 struct CountChange {

@@ -142,7 +142,8 @@ struct Light {
     std::string name;
     LightType type = LightType::point;
     glm::vec3 color{1};
-    // In cd for point and spot lights, in lx for directional lights, in cd/m² for capsules and rectangles.
+    // Intensity in cd for point and spot lights, in lx for directional lights, in cd/m² for capsules and
+    // rectangles.
     float intensity = 1;
     glm::vec3 position{0};
     // Direction in which the light travels; for a capsule, its axis. Unit length.
@@ -154,7 +155,8 @@ struct Light {
     // The direction of the width of a rectangle, and of doors and pictures. 0: any vector perpendicular to
     // `direction` is used.
     glm::vec3 side{0};
-    // Rectangle: half width and half height. Capsule: half length without the caps, and radius.
+    // Size of the light. Rectangle: half width and half height. Capsule: half length without the caps, and
+    // radius.
     glm::vec2 half_size_m{0};
     // Light function: an index into Scene::light_functions; kNone: no light function.
     uint32_t function = kNone;

@@ -66,8 +66,8 @@ struct ExecutorInput {
     const ImportCatalog* imports = nullptr;
     ImportBindings bindings;
     const DrawSource* draws = nullptr;  // May be null if the plan has no raster pass.
-    // The store from which pipelines are shared. It must outlive the executor. Null: the executor creates its
-    // own.
+    // The store of pipelines that executors share. It must outlive the executor. Null: the executor creates
+    // its own store.
     PipelineStore* pipelines = nullptr;
     ExecutorHooks hooks;
     // True: GPU times of passes are measured. False: only the commands of the plan are recorded, and all
