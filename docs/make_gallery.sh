@@ -13,8 +13,8 @@ mkdir -p "$here/images/gallery"
 cat <<'END' >"$scratch/gallery.md"
 # Gallery
 
-Pictures of graphs that consist only of JSON and GLSL: except for the upload of lights, none of them has C++ code of its own.
-`docs/make_gallery.sh` renders the pictures and writes this page.
+This page shows pictures of graphs that consist only of JSON and GLSL. Only the pass that uploads the lights to the GPU
+is written in C++. The script `docs/make_gallery.sh` renders the pictures and writes this page.
 END
 
 draw() {
@@ -48,59 +48,68 @@ show() {
 
 show light_indexed light_indexed "A thousand lights" "The court at night in the light of 1,024 coloured lamps" \
   builtin:lights --lights 1024 --time 22 <<'END'
-Points, spots, tubes and rectangles, each with a range. For each tile of 16 × 16 pixels, light culling lists the lamps that
-reach a surface in the tile. The light of each pixel is the sum over its tile's list, equal in every bit to the sum over all
-lamps. [Thousands of lights](lights.md) describes the method.
+The scene has 1,024 lamps: points, spots, tubes and rectangles, each with a limited range. The picture is divided into
+tiles of 16 × 16 pixels. For each tile, a culling pass lists the lamps that reach a surface in the tile. Each pixel then
+adds only the light of the lamps in its tile's list. The result is bit for bit the same as the sum over all lamps.
+[Thousands of lights](lights.md) describes the method.
 END
 
 show lights_per_tile light_indexed "Lights per tile" "A heat map of the same view: how many lamps each tile lists" \
   builtin:lights --lights 1024 --time 22 --debug "Lights per tile" <<'END'
-A debug view of the same frame. Of 1,024 lamps a tile evaluates about 20; a tile of sky evaluates none.
+This debug view of the same frame shows how many lamps each tile lists. Of the 1,024 lamps, a tile lists about 20; a
+tile that shows only sky lists none.
 END
 
 show stage forward_plus "Kinds of lamps" "A stage: a neon tube, a lit window, leaves thrown on a wall, a lantern's spots" \
   builtin:stage <<'END'
-A spot that projects the shadow of leaves, a rectangle with barn doors, two tubes, and a lantern with holes and a custom
-falloff. One loop evaluates all of them, here in forward+, and any number of them may move.
+The scene contains a spot that projects the shadow of leaves, a rectangle with barn doors, two tubes, and a lantern with
+holes and a custom falloff curve. One loop in the shader evaluates all these kinds of lamps, and any number of the lamps
+may move. This picture is rendered with forward+ (forward shading with lists of lamps per tile).
 END
 
 show bloom bloom "Bloom" "A court at night: lamps, candles and lanterns glow softly" --time 22 <<'END'
-A lens scatters a share of all incoming light. The picture is halved six times with a filter that gives every texel the same
-weight; on the way back each mip is mixed with the next coarser one, in place. The result replaces a share of the picture,
-without a threshold and without additional light. Repeats over the mips make the chain two passes, and the last mix is a
-blend state.
+Bloom imitates a lens, which scatters a share of all incoming light. The picture is halved six times, with a filter that
+gives every texel the same weight. On the way back to full size, each mip is mixed in place with the next coarser mip.
+The result replaces a share of the picture, so bloom needs no threshold and adds no light. The graph needs only one
+entry to halve the mips and one entry to mix them, because each entry is a repeat over the mips. A blend state mixes the
+result into the picture.
 END
 
 show taa taa "Temporal anti-aliasing" "The court in the sun; wires, railings and leaves have no stairs" <<'END'
-With `"jitter": 16`, each frame samples its pixels at different points, and `resolved[-1]` is the result of earlier frames.
-Velocities of the nearest surface give its earlier position, Catmull-Rom weights keep it sharp, and values outside the mean
-and deviation of this frame's neighbours, in YCoCg, are clipped. Still parts of the picture converge to the mean of the frames.
+With `"jitter": 16`, each frame samples its pixels at different points. The history `resolved[-1]` is the result of
+earlier frames. For each pixel, the shader takes the velocity of the nearest surface around the pixel and finds where
+this surface was in the previous frame. Catmull-Rom weights keep the history sharp. The shader clips the colour from the
+history to a range around the mean of this frame's neighbour pixels. Their standard deviation gives the size of the
+range, and the colour space is YCoCg. So parts of the picture that do not move converge to the mean of the frames.
 END
 
 show dof dof "Depth of field" "A fountain in focus before a court at night; lamps become discs of light" --time 22 <<'END'
-At half resolution the picture is split into a layer blurred behind the focus and a layer blurred in front of it, each
-multiplied by its share before filtering (Liu 2016, "Rendering 'Monster Hunter Online'"). Sharp parts have no weight, so a
-bright edge in focus causes no halo on the surfaces behind it, and colours hidden by a blurred leaf are estimated from its
-surroundings. The gather reads every pixel in its range, unfiltered, so each lamp is a uniform disc of its own size. The
-result is blended over the picture with premultiplied alpha.
+At half resolution, the picture is split into a layer of surfaces behind the focus and a layer of surfaces in front of
+it. Before a layer is filtered, each colour is multiplied by its share of blur (Liu 2016, "Rendering 'Monster Hunter
+Online'"). Sharp parts of the picture have the share 0, so a bright edge in focus causes no halo on the surfaces behind
+it. Colours that a blurred leaf hides are estimated from the surroundings of the leaf. The blur reads every pixel in its
+range without filtering, so each lamp becomes a uniform disc of its own size. The result is blended over the picture
+with premultiplied alpha.
 END
 
 show edges edges "Edges" "The court as a pale drawing: outlines in ink, creases in red" <<'END'
-A view for finding faults. Black lines mark jumps of depth: near plane divided by distance is linear in screen space on any
-plane, so only the ends of surfaces have a second difference, and steep floors have no lines. Red lines mark creases. Among
-leaves the lines are lighter. The lit picture is faintly visible below.
+This view helps to find mistakes in a scene. Black lines mark jumps of depth. The shader computes the second difference
+of the value near plane ÷ distance. On any plane, this value is linear in screen space, so its second difference is
+zero. So even a floor at a grazing angle gets no lines; only the ends of surfaces do. Red lines mark creases. Lines
+among leaves are lighter. The lit picture is faintly visible under the lines.
 END
 
 show reaction_diffusion reaction_diffusion "Reaction and diffusion" "Worms and rings of enamel, cream and coral on dark blue" <<'END'
-Gray and Scott's two chemicals on a grid, without a scene: one is food, the other consumes it. A repeat takes 64 steps per
-frame between the two layers of an image that is kept from frame to frame. The rates `feed` and `kill` vary across the dish,
-which therefore shows rings, worms and mazes. The dish is drawn as a lit relief.
+The graph simulates Gray and Scott's reaction of two chemicals on a grid, without a scene: the first chemical is food,
+and the second chemical consumes the food. A repeat computes 64 steps per frame. The image of the grid has two layers;
+each step reads one layer and writes the other. The image keeps its content from frame to frame. The rates `feed` and
+`kill` vary across the grid, so the picture shows rings, worms and mazes. The grid is drawn as a lit relief in a dish.
 END
 
 show fjord fjord "Fjord" "A sunrise behind mountains, mirrored in still water" <<'END'
-A procedural picture, also without a scene. One pass computes the height of the land; one marches four rays per pixel over it,
-with mist, shadows, clouds, and a reflected ray at the water; one adds light shafts from the sun, and the last one applies a
-film curve.
+This procedural picture also needs no scene. The first pass computes the height of the land. The second pass marches
+four rays per pixel over the land; it adds mist, shadows, clouds, and a reflected ray at the water. The third pass adds
+light shafts from the sun, and the last pass applies a film curve.
 END
 
 mv "$scratch/gallery.md" "$here/gallery.md"
