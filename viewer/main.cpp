@@ -55,14 +55,14 @@ struct CommandLine {
     BenchCommands bench;
     CLI::App* render = app.add_subcommand("render", "render a scene with a graph and write a picture");
     CLI::App* view = app.add_subcommand("view", "render continuously, and reload files that change");
-    CLI::App* check = app.add_subcommand("check", "check graph files and list their faults");
-    CLI::App* plan = app.add_subcommand("plan", "show the compiled frame: order, barriers, memory");
-    CLI::App* schema = app.add_subcommand("schema", "print the JSON schema of graphs, or of one graph");
+    CLI::App* check = app.add_subcommand("check", "check graph files and list their errors and warnings");
+    CLI::App* plan = app.add_subcommand("plan", "show the compiled frame: order of passes, barriers, memory");
+    CLI::App* schema = app.add_subcommand("schema", "print the JSON schema of all graphs, or of one graph");
     CLI::App* explain = app.add_subcommand("explain", "answer a question about a plan");
     CLI::App* diff = app.add_subcommand("diff", "list the differences between two plans");
-    CLI::App* compare = app.add_subcommand("compare", "compute the difference of two pictures");
+    CLI::App* compare = app.add_subcommand("compare", "measure the difference of two pictures");
     CLI::App* doctor =
-        app.add_subcommand("doctor", "list the Vulkan devices and layers, and what is missing");
+        app.add_subcommand("doctor", "list the Vulkan devices and layers, and the missing parts");
 
     CommandLine();
     void finish(const Limits& limits);
@@ -150,9 +150,8 @@ ExitCode CommandLine::run_command() {
     if (bench.compile->parsed()) return run_bench_compile(bench.compile_options);
     if (bench.app->parsed()) return run_bench_frame(bench.frame_options);
     std::fputs(
-        "weft: name a command: render, view, check, plan, schema, explain, diff, compare, bench or "
-        "doctor\nRun "
-        "`weft --help`.\n",
+        "weft: no command was given; wanted render, view, check, plan, schema, explain, diff, compare, bench "
+        "or doctor\nRun `weft --help`.\n",
         stderr);
     return ExitCode::usage;
 }

@@ -20,7 +20,7 @@ std::string to_text(const Rebuilt& rebuilt) {
     if (rebuilt.changed_shaders > 0) add(count_part(rebuilt.changed_shaders, rebuilt.shaders, "shader"));
     if (rebuilt.made_pipelines > 0) add(count_part(rebuilt.made_pipelines, rebuilt.pipelines, "pipeline"));
     if (rebuilt.plan) add("a new plan");
-    if (rebuilt.values) add("values");
+    if (rebuilt.values) add("new values");
     return text;
 }
 

@@ -38,8 +38,8 @@ std::string graph_path(const std::string& graph) {
 Diagnostic no_timestamps() {
     Diagnostic d;
     d.code = "X590";
-    d.message = "this device has no timestamps, so nothing can be measured";
-    d.help = {"--device chooses another; weft doctor lists them"};
+    d.message = "the device has no timestamps, so `weft bench frame` cannot measure times";
+    d.help = {"choose another device with --device; `weft doctor` lists the devices"};
     return d;
 }
 
@@ -94,7 +94,7 @@ class Run {
         const size_t steps = options_.graphs.size() + 1;
         const std::chrono::duration<double> elapsed = Clock::now() - begin_;
         std::fputs(progress_
-                       .at(elapsed.count(), "frames and graphs up to " + std::to_string(lights) + " lights",
+                       .at(elapsed.count(), "frames (now with " + std::to_string(lights) + " lights)",
                            ++done_, steps * (options_.rounds + 1) * options_.lights.size())
                        .c_str(),
                    stderr);

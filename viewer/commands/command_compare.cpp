@@ -39,11 +39,14 @@ bool is_psnr(const CompareOptions& options) {
 // Returns a message if the options contradict each other, such as --max with --metric psnr. Returns an empty
 // text if the options are valid.
 std::string usage_fault(const CompareOptions& options) {
-    if (options.max && is_psnr(options)) return "--max: a higher PSNR is a better one: --min limits it";
-    if (options.min && !is_psnr(options)) return "--min: it limits --metric psnr, --max the others";
+    if (options.max && is_psnr(options))
+        return "--max: for the metric psnr, a higher value is better; use --min for psnr";
+    if (options.min && !is_psnr(options))
+        return "--min: for flip and max, a lower value is better; use --max for flip and max";
     if (options.output.empty()) return "";
     const Result<ImageFileKind> kind = image_file_kind(options.output);
-    if (!kind || *kind != ImageFileKind::png) return "--output: the heat map is a .png";
+    if (!kind || *kind != ImageFileKind::png)
+        return "--output: the heat map is a .png file; give a name that ends in .png";
     return "";
 }
 
@@ -54,8 +57,9 @@ Diagnostic sizes_differ(const CompareOptions& options, const Image& a, const Ima
     Diagnostic d;
     d.code = "X532";
     d.file = options.test;
-    d.message = "the picture is " + size(b) + ", and " + options.reference + " is " + size(a);
-    d.help = {"render both with the same --size"};
+    d.message =
+        "the size of the picture is " + size(b) + ", but the size of " + options.reference + " is " + size(a);
+    d.help = {"render both pictures with the same --size"};
     return d;
 }
 
@@ -70,8 +74,10 @@ void require_numbers(const Image& picture, const std::string& file, Diagnostics&
     d.code = "X533";
     d.file = file;
     d.message = "texel (" + std::to_string(index % picture.width_px) + ", " +
-                std::to_string(index / picture.width_px) + ") is not a number";
-    d.help = {"`--metric max` of two raw pictures (EXR, PFM) compares such texels too"};
+                std::to_string(index / picture.width_px) + ") is not a number (NaN)";
+    d.help = {
+        "correct the pass that writes NaN, or compare two raw pictures (EXR, PFM) with `--metric max`, which "
+        "accepts NaN"};
     errors.push_back(std::move(d));
 }
 
@@ -167,9 +173,9 @@ ExitCode run_compare(const CompareOptions& options) {
     const ExitCode printed = print_data(options.json ? comparison_json(options, comparison, good)
                                                      : formatted("%.6g\n", comparison.value));
     if (good || printed != ExitCode::ok) return printed;
-    std::fprintf(stderr, "weft: %s is too far from %s: %.6g %s, where --%s is %g\n", options.test.c_str(),
-                 options.reference.c_str(), comparison.value, comparison.unit, options.max ? "max" : "min",
-                 options.max ? *options.max : *options.min);
+    std::fprintf(stderr, "weft: %s differs too much from %s: the result is %.6g %s, the limit --%s is %g\n",
+                 options.test.c_str(), options.reference.c_str(), comparison.value, comparison.unit,
+                 options.max ? "max" : "min", options.max ? *options.max : *options.min);
     return ExitCode::mismatch;
 }
 

@@ -29,7 +29,8 @@ std::string machine_text(const vk::MachineReport& machine) {
         validation = validation || layer.name == "VK_LAYER_KHRONOS_validation";
     }
     if (!validation)
-        text += "missing           the validation layer: apt-get install vulkan-validationlayers\n";
+        text +=
+            "missing           the validation layer; install it: apt-get install vulkan-validationlayers\n";
     text += formatted("shipped files     %s\n", shipped_root().c_str());
     return text + formatted("shader cache      %s\n", shader_cache().c_str());
 }
@@ -50,7 +51,7 @@ ExitCode run_doctor(const DoctorOptions& options) {
     if (!device) return fail(device.errors());
     if (options.json) return print_data(profile_to_json((*device)->profile()));
     return print_data(
-        formatted("chosen device     %s: everything Weft needs is there\n", (*device)->info().name.c_str()));
+        formatted("chosen device     %s: has everything that Weft needs\n", (*device)->info().name.c_str()));
 }
 
 }  // namespace weft::viewer

@@ -39,8 +39,8 @@ ExitCode run_explain(const ExplainOptions& options) {
     const Question* question = find_question(options);
     if (question == nullptr) {
         std::fputs(
-            "weft: ask culled PASS, barrier PASS PASS, alias RESOURCE RESOURCE, wait PASS or resource "
-            "RESOURCE\n",
+            "weft: the question has a wrong number of names; ask culled PASS, barrier PASS PASS, alias "
+            "RESOURCE RESOURCE, wait PASS or resource RESOURCE\n",
             stderr);
         return ExitCode::usage;
     }

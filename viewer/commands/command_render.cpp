@@ -93,7 +93,7 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     if (!is_output && !outcome.last_readback) {
         Diagnostic d;
         d.code = "W103";
-        d.message = "\"" + options.resource + "\" was not read back";
+        d.message = "no pass wrote \"" + options.resource + "\" in the last frame";
         d.help = {"name a resource that a pass of this graph writes"};
         return d;
     }

@@ -35,7 +35,7 @@ void tell(const render::Reload& reload, ViewCounts& counts) {
     if (!reload.good()) {
         ++counts.failed_reloads;
         report(reload.errors);
-        std::fprintf(stderr, "weft: not reloaded: the last valid graph keeps running\n");
+        std::fprintf(stderr, "weft: the edit has errors; the last valid graph continues to run\n");
         return;
     }
     ++counts.reloads;
@@ -134,7 +134,7 @@ ExitCode run_view(const ViewOptions& options) {
     OpenSession* open = &**opened;
     Result<std::unique_ptr<render::Reloader>> reloader = render::Reloader::start(*open->session);
     if (!reloader) return fail_on_device(reloader.errors());
-    std::fprintf(stderr, "weft: watching %s and what it reads\n",
+    std::fprintf(stderr, "weft: watching %s and the files that it includes\n",
                  open->session->selection().request.path.c_str());
     const Result<ViewCounts> counts = draw_frames(options, *open, **reloader, end);
     reloader->reset();

@@ -80,7 +80,7 @@ class TestRun {
     Diagnostics of_a_test(Diagnostics faults) const {
         for (Diagnostic& fault : faults)
             if (fault.code == "W143" || fault.code == "W125")
-                fault.help.push_back("a graph's own test may use " +
+                fault.help.push_back("a test of a graph may use at most " +
                                      limit_bytes_text(options_.limits.graph.test_bytes) + ", " +
                                      raise_limit_text("graph.testBytes"));
         return faults;
@@ -97,9 +97,9 @@ class TestRun {
         if (bytes <= most) return true;
         Diagnostic d = graph_.sources.error(
             test_.loc, "W125",
-            "the test reads back more than the " + limit_bytes_text(most) + " that a test may use");
+            "the test reads back more than " + limit_bytes_text(most) + ", the limit for one test");
         d.tier = tier_;
-        d.help.push_back("expect something of fewer or smaller resources, " +
+        d.help.push_back("check fewer or smaller resources in \"expect\", " +
                          raise_limit_text("graph.testBytes"));
         failed_.push_back(std::move(d));
         return false;
@@ -113,10 +113,10 @@ class TestRun {
             frames_left_ -= frames;
             return true;
         }
-        Diagnostic d = graph_.sources.error(test_.loc, "W125",
-                                            "the graph has more than " +
-                                                std::to_string(options_.limits.graph.test_frames) +
-                                                " frames of its own tests");
+        Diagnostic d =
+            graph_.sources.error(test_.loc, "W125",
+                                 "the tests of the graph render more than " +
+                                     std::to_string(options_.limits.graph.test_frames) + " frames");
         d.tier = tier_;
         d.help.push_back("give the test fewer \"frames\", " + raise_limit_text("graph.testFrames"));
         failed_.push_back(std::move(d));
@@ -199,9 +199,9 @@ class TestRun {
     void at_most(const ExpectationDesc& expectation, double found, const std::string& what) {
         if (found <= expectation.most) return;
         fail(expectation, "W161",
-             "the frame has " + number_text(found) + " " + what + ", the test allows " +
+             "found " + number_text(found) + " " + what + ", the test allows at most " +
                  number_text(expectation.most),
-             "weft plan and weft explain show their reasons");
+             "look at the output of `weft plan` and `weft explain`, or raise the number in the test");
     }
 
     void check_all(const render::Session& session) {
@@ -217,10 +217,11 @@ class TestRun {
                 at_most(e, static_cast<double>(measured_.black_frames), "black pictures");
             if (e.what == "pipelinesOnFrameThread")
                 at_most(e, static_cast<double>(session.pipelines_made_between_frames()),
-                        "pipelines made between frames");
+                        "pipelines for which a frame had to wait");
             if (e.what == "kept" && measured_.lost.contains(e.ref))
-                fail(e, "W161", "a swap loses what \"" + e.ref + "\" holds",
-                     "its size and format must be the same in all tiers, or \"onResize\": \"resample\"");
+                fail(e, "W161", "a change of tier loses the content of \"" + e.ref + "\"",
+                     "give \"" + e.ref +
+                         "\" the same size and format in all tiers, or set \"onResize\": \"resample\"");
             if (e.what == "finite" || e.what == "range" || e.what == "mean") check_values(e);
         }
     }
@@ -270,17 +271,18 @@ class TestRun {
         });
         if (bad)
             return fail(expectation, "W161",
-                        "\"" + expectation.ref + "\" holds " + number_text(double{bad->second}) + " at (" +
+                        "\"" + expectation.ref + "\" contains " + number_text(double{bad->second}) + " at (" +
                             std::to_string(bad->first % width) + ", " + std::to_string(bad->first / width) +
                             ")",
-                        "weft render --resource writes it as .exr, --debug as a picture");
+                        "look at \"" + expectation.ref +
+                            "\": `weft render --resource` writes an .exr file, `--debug` a picture");
         if (expectation.what != "mean" || count == 0) return;
         const double mean = sum / (static_cast<double>(count) * channels);
         if (mean >= expectation.least && mean <= expectation.most) return;
         fail(expectation, "W161",
              "the mean of \"" + expectation.ref + "\" is " + number_text(mean) + ", not between " +
                  number_text(expectation.least) + " and " + number_text(expectation.most),
-             "weft render --resource writes it as .exr");
+             "look at \"" + expectation.ref + "\": `weft render --resource` writes an .exr file");
     }
 
     void check_messages(const std::vector<vk::Message>& messages) {
@@ -291,8 +293,9 @@ class TestRun {
         ExpectationDesc here = allowed != test_.expect.end() ? *allowed : ExpectationDesc{};
         if (allowed == test_.expect.end()) here.loc = test_.loc;
         fail(here, "W162",
-             count_text(messages.size(), "validation message") + ", the test allows " + number_text(most),
-             "weft render --validate shows them");
+             "found " + count_text(messages.size(), "validation message") + ", the test allows at most " +
+                 number_text(most),
+             "correct the causes of the messages; `weft render --validate` shows the messages");
     }
 
     RenderOptions options_;
@@ -325,11 +328,11 @@ Diagnostics run_graph_tests(const std::string& file, const CheckOptions& options
             Diagnostics found = TestRun(file, options, *graph, test, tier, frames_left).run();
             std::fprintf(stderr, "%s: test %zu%s%s%s: %s\n", file.c_str(), i + 1,
                          tier.empty() ? "" : ", tier ", tier.c_str(),
-                         test.swap.empty() ? "" : " and on, swapping", has_errors(found) ? "failed" : "ok");
+                         test.swap.empty() ? "" : ", then other tiers", has_errors(found) ? "failed" : "ok");
             failed.insert(failed.end(), found.begin(), found.end());
         }
     }
-    if (graph->tests.empty()) std::fprintf(stderr, "%s: contains no tests\n", file.c_str());
+    if (graph->tests.empty()) std::fprintf(stderr, "%s: the graph has no tests\n", file.c_str());
     return failed;
 }
 

@@ -87,28 +87,31 @@ Diagnostic choice_error(const std::string& code, std::string message, std::strin
 }
 
 Diagnostic no_hours(const std::string& scene) {
-    return choice_error("X521", "\"" + scene + "\" has no time of day",
-                        "leave --time out; builtin:atrium and builtin:lights have one");
+    return choice_error(
+        "X521", "\"" + scene + "\" has no time of day",
+        "remove --time, or choose builtin:atrium or builtin:lights, which have a time of day");
 }
 
 Result<scene::Camera> placed_camera(const std::string& choice) {
     const std::vector<double> n = numbers(choice);
-    const std::string help = "--camera EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG: metres and degrees";
+    const std::string help = "give --camera EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG, in metres and degrees";
     if (n.size() != 7)
-        return choice_error("X520", "a camera is a name or seven numbers, not \"" + choice + "\"", help);
+        return choice_error("X520", "\"" + choice + "\" is not a camera; wanted a name or seven numbers",
+                            help);
     for (size_t i = 0; i < n.size(); ++i) {
         const NumberRange& range = i == 6 ? kFieldOfView : kPlace;
         if (n[i] < range.least || n[i] > range.most)
             return choice_error(
                 "X520",
-                "the camera's number " + std::to_string(i + 1) + " is out of range: \"" + choice + "\"",
-                std::string(i == 6 ? "the field of view lies from " : "a coordinate lies from ") +
-                    describe(range));
+                "number " + std::to_string(i + 1) + " of the camera is out of range: \"" + choice + "\"",
+                std::string(i == 6 ? "give a field of view of " : "give a coordinate of ") + describe(range));
     }
     const glm::vec3 eye(n[0], n[1], n[2]), at(n[3], n[4], n[5]);
     if (glm::distance(eye, at) < 1e-6f)
-        return choice_error("X520", "this camera has no view direction: \"" + choice + "\"",
-                            "eye and target must differ");
+        return choice_error(
+            "X520",
+            "the camera has no view direction, because it looks at its own position: \"" + choice + "\"",
+            "give two different points: the position of the camera, and the point that it looks at");
     const glm::vec3 forward = glm::normalize(at - eye);
     const glm::vec3 up = std::abs(forward.y) > 0.999f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
     scene::Camera camera;
@@ -157,7 +160,7 @@ Status expect_scene(const std::string& name) {
         text->find("\"asset\"") != std::string::npos)
         return Unit{};
     return choice_error("X522", "\"" + name + "\" is a graph, not a scene",
-                        "to render a scene through it: weft render --graph " + name);
+                        "to render a scene with this graph, use `weft render --graph " + name + "`");
 }
 
 Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits, Diagnostics& warnings) {
@@ -190,8 +193,9 @@ Result<scene::Camera> choose_camera(const scene::Scene& scene, const CameraChoic
     if (wanted.find(',') != std::string::npos) return placed_camera(wanted);
     std::vector<std::string> names;
     for (const scene::Camera& camera : scene.cameras) names.push_back(camera.name);
-    std::string known = "this scene has no cameras of its own: give seven numbers, or leave --camera out";
-    for (size_t i = 0; i < names.size(); ++i) known = (i == 0 ? "its cameras are " : known + ", ") + names[i];
+    std::string known = "the scene has no cameras: give seven numbers, or remove --camera";
+    for (size_t i = 0; i < names.size(); ++i)
+        known = (i == 0 ? "the cameras of the scene are: " : known + ", ") + names[i];
     Diagnostic fault = choice_error("S130", "the scene has no camera \"" + wanted + "\"", known);
     const std::string guess = did_you_mean_text(wanted, names);
     if (!guess.empty()) fault.help.insert(fault.help.begin(), guess);

@@ -46,7 +46,7 @@ Result<std::optional<OpenSession>> open_when_good(const RenderOptions& options, 
         // since open() read them, so try again.
         if ((*watch)->watch(opener.files())) continue;
         report(open.errors());
-        std::fprintf(stderr, "weft: waiting for the graph to be mended\n");
+        std::fprintf(stderr, "weft: waiting for an edit that corrects the graph\n");
         if (!wait_for_change(**watch, end)) return std::optional<OpenSession>();
     }
 }

@@ -82,11 +82,11 @@ Diagnostic no_such_profile(const std::string& name) {
     const std::vector<std::string> known = shipped_profiles();
     std::string list;
     for (const std::string& shipped : known) list += (list.empty() ? "" : ", ") + shipped;
-    Diagnostic d = file_error("W141", name, "there is no such device profile",
+    Diagnostic d = file_error("W141", name, "the device profile does not exist",
                               "give a file, or one of the shipped profiles: " + list);
     const std::string guess = did_you_mean_text(name, known);
     if (!guess.empty()) d.help.insert(d.help.begin(), guess);
-    d.help.push_back("`weft doctor --json > FILE` writes this machine's");
+    d.help.push_back("`weft doctor --json > FILE` writes the profile of this machine");
     return d;
 }
 
@@ -104,7 +104,7 @@ Result<DeviceProfile> load_profile(const std::string& file_or_name) {
     if (!text) return no_such_profile(name);
     if (text->size() > kMostProfileBytes)
         return file_error("W140", file, "the file has more than 1 MiB",
-                          "a profile is what `weft doctor --json` writes");
+                          "give a profile that `weft doctor --json` wrote");
     return parse_profile(*text, file);
 }
 

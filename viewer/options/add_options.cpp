@@ -11,17 +11,19 @@ constexpr NumberRange kAnyDifference{-1e30, 1e30, ""};
 
 void add_sandbox(CLI::App& command, bool& sandbox) {
     command.add_flag("--sandbox", sandbox,
-                     "for untrusted files: run in a process that can open no other files");
+                     "for untrusted files: run in a process that can open only the files of this command");
 }
 
 // Adds the options of commands that compile a graph without a device.
 void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     command.add_option("--profile", o.profile,
-                       "a device profile: a file, or the name of a shipped one [lavapipe]");
-    command.add_option("--size", raw.size, "size of the output")
+                       "a device profile: a file, or the name of a shipped profile [lavapipe]");
+    command.add_option("--size", raw.size, "size of the output in pixels")
         ->check(size_validator())
         ->capture_default_str();
-    command.add_option("--queues", o.queues, "number of queues: graphics, compute, transfer, compute")
+    command
+        .add_option("--queues", o.queues,
+                    "number of queues in the plan: 1 graphics, 2 + compute, 3 + transfer, 4 + compute")
         ->transform(whole_number_in(1, kMostQueues))
         ->capture_default_str();
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
@@ -31,44 +33,50 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
 
 void add_tier(CLI::App& command, OfflineOptions& o, const char* otherwise) {
     command.add_option("--tier", o.request.tier,
-                       std::string("a quality tier of the graph [") + otherwise + "]");
+                       std::string("the quality tier of the graph [") + otherwise + "]");
 }
 
 }  // namespace
 
 void add_limits(CLI::App& command, RawTexts& raw) {
-    command.add_option("--limits", raw.limits, "a JSON file with limits for inputs");
+    command.add_option("--limits", raw.limits, "a JSON file that changes the limits for input files");
 }
 
 void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
-    command.add_option("SCENE", o.scene, "a .gltf or .glb file, a folder that contains one, or builtin:NAME")
+    command
+        .add_option("SCENE", o.scene,
+                    "the scene: a .gltf or .glb file, a folder that contains one, or builtin:NAME")
         ->capture_default_str();
-    command.add_option("-o,--output", o.output, "the picture: .png, .exr or .pfm")->capture_default_str();
-    command.add_option("--graph", o.request.path,
-                       "the pipeline, a JSON file [the shipped graphs/deferred.json]");
-    command.add_option("--tier", o.request.tier, "a quality tier of the graph [none]");
+    command.add_option("-o,--output", o.output, "the picture file to write: .png, .exr or .pfm")
+        ->capture_default_str();
+    command.add_option("--graph", o.request.path, "the graph file (JSON) [the shipped graphs/deferred.json]");
+    command.add_option("--tier", o.request.tier, "the quality tier of the graph [none]");
     command.add_option("--size", raw.size, "size of the output in pixels")
         ->check(size_validator())
         ->capture_default_str();
     command
-        .add_option("--frames", o.frames, "number of frames; the last one is written [the graph's, else 1]")
+        .add_option("--frames", o.frames,
+                    "number of frames to render; the last frame is written [the graph's, else 1]")
         ->transform(whole_number_in(1, 1'000'000));
-    command.add_option("--fixed-dt", o.fixed_dt_s, "seconds from frame to frame, such as 0.02 or 1/60")
+    command
+        .add_option("--fixed-dt", o.fixed_dt_s,
+                    "scene time between two frames in seconds, such as 0.02 or 1/60")
         ->transform(fraction_in({0, 3600, "s"}));
     command.add_option("--camera", o.camera,
-                       "a camera of the scene by name, or EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG");
-    command.add_option("--env", o.env, "environment of the scene: sky, none, or a Radiance picture (.hdr)")
+                       "the name of a camera in the scene, or EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG");
+    command
+        .add_option("--env", o.env, "the environment of the scene: sky, none, or a Radiance picture (.hdr)")
         ->check(env_validator())
         ->capture_default_str();
     command
-        .add_option("--time", o.hour, "the hour of the day, 0 to 24, of builtin:atrium and builtin:lights")
+        .add_option("--time", o.hour, "the hour of the day, 0 to 24, in builtin:atrium and builtin:lights")
         ->transform(number_in({0, 24, "hours"}));
-    command.add_option("--lights", o.lights, "number of seeded lights that replace the scene's")
+    command.add_option("--lights", o.lights, "number of random lights that replace the scene's lights")
         ->transform(whole_number_in(1, kMostLights));
-    command.add_option("--seed", o.seed, "seed for --lights")
+    command.add_option("--seed", o.seed, "seed of the random lights of --lights")
         ->transform(whole_number_in(0, kMostSeed))
         ->capture_default_str();
-    command.add_option("--exposure", raw.exposure, "exposure in EV [the scene's]")
+    command.add_option("--exposure", raw.exposure, "exposure of the camera in EV [the scene's]")
         ->transform(number_in({-40, 40, "EV"}));
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
@@ -79,15 +87,15 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
                     "write this debug view of the graph, or a view of any resource")
         ->excludes("--resource");
     command.add_flag("--validate", o.validate,
-                     "run under the validation layers; any message gives exit code 5");
+                     "run under the Vulkan validation layer; any message gives exit code 5");
     command.add_option("--stats", o.stats, "write times, memory and hashes to this JSON file");
-    command.add_option("--device", o.device, "a device's index or part of its name");
+    command.add_option("--device", o.device, "the Vulkan device: its index or a part of its name");
     command
         .add_option("--queues", o.queues,
-                    "number of queues to plan for: 1 graphics, 2 + compute, 3 + transfer")
+                    "number of queues in the plan: 1 graphics, 2 + compute, 3 + transfer, 4 + compute")
         ->transform(whole_number_in(1, kMostQueues))
         ->capture_default_str();
-    command.add_option("--timeout", o.timeout_s, "seconds to wait for a frame")
+    command.add_option("--timeout", o.timeout_s, "seconds to wait for a frame before the command fails")
         ->transform(number_in(kTimeout))
         ->capture_default_str();
     add_limits(command, raw);
@@ -102,31 +110,34 @@ void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
          {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats", "--sandbox"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "run without a window");
-    command.add_option("-o,--output", o.render.output, "write the last frame: .png, .exr or .pfm");
+    command.add_option("-o,--output", o.render.output,
+                       "write the last frame to this picture file: .png, .exr or .pfm");
     command
         .add_option("--frames", o.render.frames,
                     "end after this many frames [end on SIGINT, SIGTERM, or when stdin closes]")
         ->transform(whole_number_in(1, 100'000'000));
-    command.add_option("--stats", o.render.stats, "write the number of reloads, and more, to this JSON file");
+    command.add_option("--stats", o.render.stats,
+                       "write numbers of frames, reloads and validation messages to this JSON file");
 }
 
 void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.files, "graph files")->required();
-    add_tier(command, o.offline, "none, and then each tier");
+    add_tier(command, o.offline, "check without a tier, then with each tier");
     add_offline(command, o.offline, raw);
     command.add_flag("--run", o.run,
-                     "run the graphs' own tests, on a device and under the validation layers");
-    command.add_option("--device", o.device, "for --run: a device's index or part of its name");
+                     "run the tests in the graphs, on a device and under the Vulkan validation layer");
+    command.add_option("--device", o.device, "the Vulkan device for --run: its index or a part of its name");
     add_sandbox(command, o.sandbox);
-    CLI::Option* json = command.add_flag("--json", o.json, "print the faults as JSON on stdout");
-    command.add_flag("--sarif", o.sarif, "print the faults as a SARIF 2.1.0 log on stdout")->excludes(json);
+    CLI::Option* json = command.add_flag("--json", o.json, "print errors and warnings as JSON to stdout");
+    command.add_flag("--sarif", o.sarif, "print errors and warnings as a SARIF 2.1.0 log to stdout")
+        ->excludes(json);
 }
 
 void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     add_tier(command, o.offline, "none");
     add_offline(command, o.offline, raw);
-    command.add_option("--format", o.format, "text, json, dot or html")
+    command.add_option("--format", o.format, "format of the plan: text, json, dot (Graphviz) or html")
         ->check(choice_validator({"text", "json", "dot", "html"}))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "write to this file instead of stdout");
@@ -134,17 +145,22 @@ void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
 }
 
 void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
-    command.add_option("FILE", o.file, "a graph file, whose names the schema proposes [all graphs]");
+    command.add_option(
+        "FILE", o.file,
+        "a graph file; the schema then proposes the names in this graph [a schema for all graphs]");
     command.add_option("-o,--output", o.output, "write to this file instead of stdout");
     add_limits(command, raw);
 }
 
 void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
-    command.add_option("QUESTION", o.question, "culled, barrier, alias, wait or resource")
+    command.add_option("QUESTION", o.question, "the question: culled, barrier, alias, wait or resource")
         ->check(choice_validator({"culled", "barrier", "alias", "wait", "resource"}))
         ->required();
-    command.add_option("NAME", o.names, "PASS, PASS PASS, RESOURCE RESOURCE, PASS, RESOURCE")
+    command
+        .add_option("NAME", o.names,
+                    "names for the question: culled PASS, barrier PASS PASS, alias RESOURCE RESOURCE, wait "
+                    "PASS, resource RESOURCE")
         ->required()
         ->expected(1, 2);
     add_tier(command, o.offline, "none");
@@ -153,32 +169,33 @@ void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
 
 void add_diff(CLI::App& command, DiffOptions& o, RawTexts& raw) {
     command.add_option("FROM", o.from, "a graph file, or FILE:TIER")->required();
-    command.add_option("TO", o.to, "another graph file, or the same one")->required();
+    command.add_option("TO", o.to, "another graph file, or the same file with another tier")->required();
     add_offline(command, o.offline, raw);
-    command.add_flag("--json", o.json, "print JSON");
+    command.add_flag("--json", o.json, "print the differences as JSON");
 }
 
 void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
-    command.add_option("REFERENCE", o.reference, "a .png, .exr or .pfm")->required();
-    command.add_option("TEST", o.test, "another picture of the same size")->required();
+    command.add_option("REFERENCE", o.reference, "the reference picture: .png, .exr or .pfm")->required();
+    command.add_option("TEST", o.test, "the picture to compare with the reference, of the same size")
+        ->required();
     command
-        .add_option(
-            "--metric", o.metric,
-            "flip: the visible difference, 0 to 1; psnr: in dB; max: the largest difference of a channel")
+        .add_option("--metric", o.metric,
+                    "flip: visible difference, 0 to 1; psnr: signal-to-noise ratio in dB; max: largest "
+                    "difference of a channel")
         ->check(choice_validator({"flip", "psnr", "max"}))
         ->capture_default_str();
-    command.add_option("--max", o.max, "exit code 6 when the mean FLIP, or max, is above this")
+    command.add_option("--max", o.max, "for flip and max: exit code 6 if the result is above this number")
         ->transform(number_in(kAnyDifference));
-    command.add_option("--min", o.min, "exit code 6 when the PSNR is below this")
+    command.add_option("--min", o.min, "for psnr: exit code 6 if the result is below this number")
         ->transform(number_in(kAnyDifference));
-    command.add_option("-o,--output", o.output, "write a map of the differences to this .png");
-    command.add_flag("--json", o.json, "print JSON");
+    command.add_option("-o,--output", o.output, "write a picture of the differences to this .png file");
+    command.add_flag("--json", o.json, "print the result as JSON");
     add_limits(command, raw);
 }
 
 void add_doctor(CLI::App& command, DoctorOptions& o) {
-    command.add_flag("--json", o.json, "print the chosen device's profile as JSON on stdout");
-    command.add_option("--device", o.device, "a device's index or part of its name");
+    command.add_flag("--json", o.json, "print the profile of the chosen device as JSON to stdout");
+    command.add_option("--device", o.device, "the Vulkan device: its index or a part of its name");
 }
 
 }  // namespace weft::viewer

@@ -15,7 +15,7 @@ struct FutureFlag {
     const char* what;
 };
 constexpr std::array kFutureRenderFlags{
-    FutureFlag{"--profile", "rendering to a profile"},
+    FutureFlag{"--profile", "rendering for a device profile"},
 };
 
 struct FutureFlags {
@@ -23,7 +23,7 @@ struct FutureFlags {
     std::span<const FutureFlag> flags;
 };
 constexpr std::array kFutureViewFlags{
-    FutureFlag{"--sandbox", "pictures that are written from a sandbox while it runs"},
+    FutureFlag{"--sandbox", "writing pictures while a sandbox runs"},
 };
 constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
                                   FutureFlags{"view", kFutureViewFlags}};
@@ -50,7 +50,7 @@ std::string size_fault(const std::string& text) {
         return whole_number_fault(side, 1, kMostSide_px).empty();
     };
     if (by != std::string::npos && is_side(text.substr(0, by)) && is_side(text.substr(by + 1))) return "";
-    return "a size is WIDTHxHEIGHT in pixels, each 1 to 16384, not \"" + text + "\"";
+    return "\"" + text + "\" is not a size; wanted WIDTHxHEIGHT in pixels, each 1 to 16384";
 }
 
 Extent3D parse_size(const std::string& text) {
@@ -63,10 +63,12 @@ Extent3D parse_size(const std::string& text) {
 
 std::string param_fault(const std::string& text) {
     const size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) return "a parameter is NAME=VALUE, not \"" + text + "\"";
+    if (equals == std::string::npos || equals == 0)
+        return "\"" + text + "\" is not a parameter; wanted NAME=VALUE";
     const std::string value = text.substr(equals + 1);
     if (is_truth(value)) return "";
-    if (!finite_number(value)) return "\"" + value + "\" is not a number, true or false";
+    if (!finite_number(value))
+        return "\"" + value + "\" is not a value of a parameter; wanted a number, true or false";
     return number_fault(value, kParam);
 }
 
@@ -78,14 +80,16 @@ std::string choice_fault(const std::string& text, const std::vector<std::string>
 }
 
 std::string plot_fault(const std::string& text) {
-    return text.size() > 4 && text.ends_with(".svg") ? "" : "a plot is an .svg, not \"" + text + "\"";
+    return text.size() > 4 && text.ends_with(".svg")
+               ? ""
+               : "\"" + text + "\" is not a name of a plot; wanted FILE.svg";
 }
 
 std::string env_fault(const std::string& text) {
     const bool is_file = text.find_first_of("./") != std::string::npos;
     return text == "sky" || text == "none" || is_file
                ? ""
-               : "an environment is sky, none or a Radiance picture (FILE.hdr), not \"" + text + "\"" +
+               : "\"" + text + "\" is not an environment; wanted sky, none or a Radiance picture (FILE.hdr)" +
                      with_guess(text, {"sky", "none"});
 }
 
@@ -104,14 +108,14 @@ std::string future_fault(const std::vector<std::string>& arguments) {
     if (arguments.empty()) return "";
     const auto says = [&](const char* word) { return std::ranges::find(arguments, word) != arguments.end(); };
     if (arguments[0] == "view" && !says("--headless") && !says("--help") && !says("-h"))
-        return "`view` is not there yet in this version of weft; `view --headless` is";
+        return "this version of weft has no window yet; use `weft view --headless`";
     for (const FutureFlags& command : kFutureFlags) {
         if (arguments.front() != command.command) continue;
         for (const std::string& argument : arguments)
             for (const FutureFlag& flag : command.flags)
                 if (argument.substr(0, argument.find('=')) == flag.name)
                     return std::string(flag.name) + ": " + flag.what +
-                           " are not there yet in this version of weft";
+                           " is not available in this version of weft";
     }
     return "";
 }

@@ -38,7 +38,7 @@ Status expect_own_file(const std::string& path, std::span<const std::string> oth
         d.code = "X510";
         d.file = path;
         d.message = std::string("the file cannot be written: it is ") + what;
-        d.help = {"name another file"};
+        d.help = {"choose another file for the output"};
         return d;
     }
     return Unit{};
@@ -62,9 +62,10 @@ ExitCode check_outputs(const std::vector<std::string>& paths, const std::vector<
     for (size_t i = 0; i < paths.size(); ++i) {
         if (paths[i].empty()) continue;
         code = outcome(check_writable(paths[i]), code);
-        code =
-            outcome(expect_own_file(paths[i], inputs, "an input of this command, which would be lost"), code);
-        code = outcome(expect_own_file(paths[i], std::span(paths).first(i), "another output, too"), code);
+        code = outcome(expect_own_file(paths[i], inputs, "also an input of this command"), code);
+        code = outcome(
+            expect_own_file(paths[i], std::span(paths).first(i), "also another output of this command"),
+            code);
     }
     return code;
 }

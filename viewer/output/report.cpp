@@ -28,14 +28,14 @@ void report(const Diagnostics& diagnostics) {
         if (seen <= kMostShown) print(d, colors);
         if (seen > kMostShown) ++hidden;
     }
-    if (hidden > 0) std::fprintf(stderr, "weft: and %zu more like these\n", hidden);
+    if (hidden > 0) std::fprintf(stderr, "weft: %zu more errors and warnings are not shown\n", hidden);
 }
 
 // Prints the text directly instead of through a Diagnostic, because creating a Diagnostic needs memory.
 void report_out_of_memory() {
     std::fputs(
         "error[X571]: memory ran out\n"
-        "  help: close other programs, or ask for less: a smaller --size, a smaller scene or graph\n",
+        "  help: close other programs, or use a smaller --size, scene or graph\n",
         stderr);
 }
 

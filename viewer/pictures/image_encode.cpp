@@ -29,7 +29,7 @@ Diagnostic cannot_encode(const std::string& why) {
     Diagnostic d;
     d.code = "X510";
     d.message = "the picture cannot be encoded: " + why;
-    d.help = {"ask for a smaller --size"};
+    d.help = {"use a smaller --size"};
     return d;
 }
 

@@ -42,8 +42,8 @@ Result<ImageFileKind> image_file_kind(const std::string& path) {
     Diagnostic d;
     d.code = "X511";
     d.file = path;
-    d.message = "a picture's name ends in .png, .exr or .pfm, not in \"" + extension + "\"";
-    d.help = {"--output frame.png for a display-encoded picture, .exr or .pfm for raw values"};
+    d.message = "the name of the picture ends in \"" + extension + "\"; wanted .png, .exr or .pfm";
+    d.help = {"choose .png for a picture that is encoded for the display, .exr or .pfm for raw values"};
     return d;
 }
 

@@ -38,8 +38,8 @@ Diagnostic unreadable(const std::string& path, const std::string& message, const
 }
 
 Diagnostic undecodable(const std::string& path, const std::string& what, const std::string& why) {
-    return unreadable(path, "the " + what + " can't be decoded" + (why.empty() ? "" : ": " + why),
-                      "write it again; PNG, EXR and PFM as `weft render -o` writes them can be read");
+    return unreadable(path, "the " + what + " picture cannot be decoded" + (why.empty() ? "" : ": " + why),
+                      "write the picture again, in a form that `weft render -o` writes");
 }
 
 // Memory that reading a picture needs in addition to the decoded texels.
@@ -73,11 +73,12 @@ std::optional<Diagnostic> size_fault(const std::string& path, const Size& size, 
     d.file = path;
     d.message = "according to its header, the picture is " + std::to_string(size.width_px) + "x" +
                 std::to_string(size.height_px);
-    d.message += fits ? "; to compare two of that size takes " +
+    d.message += fits ? "; comparing two pictures of this size needs " +
                             std::to_string(comparing_bytes(size, reading)) + " bytes, the limit is " +
                             std::to_string(limits.memory_bytes)
-                      : "; a side has 1 to " + std::to_string(limits.side_px) + " px";
-    d.help = {"compare parts of it, " + raise_limit_text(fits ? "picture.memoryBytes" : "picture.sidePx")};
+                      : "; a side must have 1 to " + std::to_string(limits.side_px) + " px";
+    d.help = {"compare parts of the picture, " +
+              raise_limit_text(fits ? "picture.memoryBytes" : "picture.sidePx")};
     return d;
 }
 
@@ -87,7 +88,7 @@ std::span<const uint8_t> bytes_of(const std::string& content) {
 
 Result<Image> read_png(const std::string& path, const std::string& content, const PictureLimits& limits) {
     const std::optional<scene::ImageSize> size = scene::read_image_size(bytes_of(content));
-    if (!size) return undecodable(path, "PNG", "its header is cut short");
+    if (!size) return undecodable(path, "PNG", "the file ends inside the header");
     const Reading reading{content.size() + size->decoder_bytes, 4};
     if (auto fault = size_fault(path, {size->width_px, size->height_px}, reading, limits)) return *fault;
     const scene::DecodedImage decoded = scene::decode_image(bytes_of(content));
@@ -117,9 +118,10 @@ struct ExrShape {
 Result<ExrShape> exr_shape(const std::string& path, std::span<const uint8_t> bytes) {
     EXRVersion version{};
     if (ParseEXRVersionFromMemory(&version, bytes.data(), bytes.size()) != TINYEXR_SUCCESS)
-        return undecodable(path, "EXR", "its header is cut short");
+        return undecodable(path, "EXR", "the file ends inside the header");
     if (version.multipart != 0 || version.non_image != 0)
-        return undecodable(path, "EXR", "it has several parts, or deep texels");
+        return undecodable(path, "EXR",
+                           "the file has several parts or deep texels; wanted one part of plain texels");
     EXRHeader header;
     InitEXRHeader(&header);
     const char* why = nullptr;
@@ -188,7 +190,8 @@ std::optional<PfmHeader> pfm_header(std::string_view content) {
 
 Result<Image> read_pfm(const std::string& path, const std::string& content, const PictureLimits& limits) {
     const std::optional<PfmHeader> header = pfm_header(content);
-    if (!header) return undecodable(path, "PFM", "its header isn't \"PF\", width, height and scale");
+    if (!header)
+        return undecodable(path, "PFM", "the header is not \"PF\" or \"Pf\", width, height and scale");
     if (auto fault = size_fault(path, header->size, {content.size(), 0}, limits)) return *fault;
     Image result{static_cast<uint32_t>(header->size.width_px),
                  static_cast<uint32_t>(header->size.height_px),
@@ -198,7 +201,7 @@ Result<Image> read_pfm(const std::string& path, const std::string& content, cons
     const size_t wanted_bytes = header->length_bytes + row_bytes * result.height_px;
     if (content.size() < wanted_bytes)
         return undecodable(path, "PFM",
-                           "it has " + std::to_string(content.size()) + " bytes and should have " +
+                           "the file has " + std::to_string(content.size()) + " bytes; wanted " +
                                std::to_string(wanted_bytes));
     const auto value = [&](size_t index) {
         std::array<char, 4> bytes;
@@ -222,25 +225,25 @@ Result<Image> read_pfm(const std::string& path, const std::string& content, cons
 Result<Image> read_image(const std::string& path, const PictureLimits& limits) {
     const std::optional<std::string> content = read_file(path, limits.file_bytes);
     if (!content)
-        return unreadable(path, "there is no readable picture of that name",
-                          "check the path; it is relative to the current folder");
+        return unreadable(path, "the picture does not exist or cannot be read",
+                          "check the path, which is relative to the current folder");
     if (content->size() > limits.file_bytes)
         return unreadable(path, "the file has more than " + std::to_string(limits.file_bytes) + " bytes",
-                          "compare parts of it, " + raise_limit_text("picture.fileBytes"));
+                          "compare parts of the picture, " + raise_limit_text("picture.fileBytes"));
     try {
         if (content->starts_with("\x89PNG")) return read_png(path, *content, limits);
         if (content->starts_with("\x76\x2f\x31\x01")) return read_exr(path, *content, limits);
         if (content->starts_with("PF") || content->starts_with("Pf")) return read_pfm(path, *content, limits);
     } catch (const std::bad_alloc&) {
         Diagnostic fault = unreadable(path, "memory ran out while the picture was read",
-                                      "close other programs, or compare parts of it");
+                                      "close other programs, or compare parts of the picture");
         fault.code = "X571";
         return fault;
     } catch (const std::exception& error) {  // tinyexr may throw exceptions on broken files.
-        return undecodable(path, "picture", error.what());
+        return undecodable(path, "EXR", error.what());
     }
-    return unreadable(path, "this is neither a PNG nor an EXR nor a PFM",
-                      "`weft render -o` writes all three; convert other formats first");
+    return unreadable(path, "the file is not a PNG, EXR or PFM picture",
+                      "convert the picture to PNG, EXR or PFM");
 }
 
 }  // namespace weft::viewer

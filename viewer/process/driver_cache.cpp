@@ -77,8 +77,8 @@ Diagnostic runs_without(const fs::path& folder, int error) {
     d.message = "Mesa's shader cache in \"" + folder.string() +
                 "\" cannot be used: " + std::generic_category().message(error);
     d.help = {
-        "this run does without it and compiles all shaders: make room there, or name another folder in "
-        "MESA_SHADER_CACHE_DIR"};
+        "make room on that disk, or name another folder in MESA_SHADER_CACHE_DIR; this run compiles all "
+        "shaders without the cache"};
     return d;
 }
 

@@ -26,9 +26,9 @@ namespace weft::viewer {
 Diagnostic no_sandbox(const std::string& why, const std::string& help) {
     Diagnostic d;
     d.code = "X595";
-    d.message = "the sandbox is not available, and nothing was run: " + why;
+    d.message = "the sandbox is not available, so the command was not run: " + why;
     if (!help.empty()) d.help.push_back(help);
-    d.help.emplace_back("run untrusted files in a container, or trusted files without --sandbox");
+    d.help.emplace_back("for untrusted files, use a container; for trusted files, remove --sandbox");
     return d;
 }
 
@@ -73,8 +73,9 @@ class StagingFolders {
             Diagnostic d;
             d.code = "X510";
             d.file = output;
-            d.message = std::string("no file can be made beside it: ") + std::strerror(errno);
-            d.help = {"check that its folder exists and can be written"};
+            d.message = std::string("a temporary folder cannot be created beside the output file: ") +
+                        std::strerror(errno);
+            d.help = {"check that the folder of the output exists and can be written"};
             return d;
         }
         files_.push_back({wanted, folder});
@@ -106,7 +107,7 @@ class StagingFolders {
             d.code = "X510";
             d.file = file.wanted.string();
             d.message = std::string("the file cannot be written: ") + std::strerror(errno);
-            d.help = {"check its folder"};
+            d.help = {"check that the folder of the file exists and can be written"};
             errors.push_back(std::move(d));
         }
         return errors;
@@ -174,9 +175,10 @@ ExitCode conclude(int status, const StagingFolders& stage) {
     if (WIFSIGNALED(status)) {
         Diagnostic d;
         d.code = "X596";
-        d.message =
-            std::string("the process in the sandbox was ended by a signal: ") + strsignal(WTERMSIG(status));
-        d.help = {"a driver may crash on a valid shader, or a library on a file: nothing was written"};
+        d.message = std::string("a signal ended the process in the sandbox, and nothing was written: ") +
+                    strsignal(WTERMSIG(status));
+        d.help = {
+            "look for a shader that crashes the Vulkan driver, or for a damaged file that crashes a library"};
         const bool asked = WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM;
         if (!asked) report({d});
         return ExitCode::failed;
@@ -213,7 +215,7 @@ std::optional<ExitCode> run_in_sandbox(const SandboxNeeds& needs) {
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     const pid_t child = fork();
     if (child < 0) {
-        report({no_sandbox(std::string("no process can be started: ") + std::strerror(errno), {})});
+        report({no_sandbox(std::string("a new process cannot be started: ") + std::strerror(errno), {})});
         return ExitCode::failed;
     }
     setpgid(child, child);  // Both parent and child make this call, because either may run first.

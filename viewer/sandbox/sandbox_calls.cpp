@@ -288,7 +288,7 @@ void add_judged_calls(Filter& filter, int landlock_version) {
 }  // namespace
 
 Status restrict_calls(int landlock_version) {
-    if (kProcessor == 0) return no_sandbox("there is no list of system calls for this processor", {});
+    if (kProcessor == 0) return no_sandbox("Weft has no list of allowed system calls for this processor", {});
     Filter filter;
     for (const std::span<const long> calls :
          {std::span<const long>(kFileCalls), std::span<const long>(kMemoryCalls),
@@ -297,8 +297,8 @@ Status restrict_calls(int landlock_version) {
         for (const long call : calls) filter.allow(call);
     add_judged_calls(filter, landlock_version);
     if (const int error = filter.install(); error != 0)
-        return no_sandbox(std::string("the kernel takes no seccomp filter: ") + std::strerror(error),
-                          "it needs CONFIG_SECCOMP_FILTER");
+        return no_sandbox(std::string("the kernel does not accept a seccomp filter: ") + std::strerror(error),
+                          "use a kernel with CONFIG_SECCOMP_FILTER");
     return Unit{};
 }
 

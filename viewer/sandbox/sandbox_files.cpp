@@ -89,18 +89,19 @@ int landlock_version() {
 Status restrict_files(const OpenRules& rules) {
     const int version = landlock_version();
     if (version == 0)
-        return no_sandbox(std::string("the kernel has no Landlock: ") + std::strerror(errno),
-                          "Landlock came with Linux 5.13; it must be compiled in and named in the kernel's "
-                          "lsm= line (cat /sys/kernel/security/lsm)");
+        return no_sandbox(
+            std::string("the kernel does not offer Landlock: ") + std::strerror(errno),
+            "use Linux 5.13 or newer with Landlock enabled: /sys/kernel/security/lsm must list landlock");
     const RulesetAttributes attributes = handled_by(version);
     const long made = syscall(SYS_landlock_create_ruleset, &attributes, attribute_bytes(version), 0u);
-    if (made < 0) return no_sandbox(std::string("Landlock takes no rules: ") + std::strerror(errno), {});
+    if (made < 0)
+        return no_sandbox(std::string("Landlock cannot create a rule set: ") + std::strerror(errno), {});
     const int ruleset = static_cast<int>(made);
     int error = allow_all(ruleset, rules, attributes.files);
     if (error == 0 && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) error = errno;
     if (error == 0 && syscall(SYS_landlock_restrict_self, ruleset, 0u) != 0) error = errno;
     close(ruleset);
-    if (error != 0) return no_sandbox(std::string("Landlock refuses: ") + std::strerror(error), {});
+    if (error != 0) return no_sandbox(std::string("Landlock rejects the rules: ") + std::strerror(error), {});
     return Unit{};
 }
 

@@ -88,9 +88,9 @@ TEST_F(GraphTests, WhatHoldsPasses) {
 TEST_F(GraphTests, WhatFailsIsNamedAtItsPlace) {
     expect_failure("1.0 / params.zero",
                    R"("tests": [ { "size": [32, 32], "expect": { "finite": [$$"x"] } } ])",
-                   "\"x\" holds inf at (0, 0)");
+                   "\"x\" contains inf at (0, 0)");
     expect_failure("0.5", R"("tests": [ { "size": [32, 32], "expect": { "range": { $$"x": [0.75, 1] } } } ])",
-                   "\"x\" holds 0.5 at (0, 0)");
+                   "\"x\" contains 0.5 at (0, 0)");
     expect_failure("0.5", R"("tests": [ { "size": [32, 32], "expect": { "mean": { $$"x": [0.75, 1] } } } ])",
                    "the mean of \"x\" is 0.375");
     expect_failure("0.5", R"("tests": [ { "size": [32, 32], "expect": { "passes": $$2 } } ])", "3 passes");
@@ -110,13 +110,13 @@ TEST_F(GraphTests, TiersAreRunAndSwapped) {
                    "expect": { "kept": ["sum"], "blackFrames": 1, "pipelinesOnFrameThread": 0 } } ])");
     EXPECT_EQ(run.exit_code, 0) << run.text();
     EXPECT_NE(run.err.find("test 1, tier high: ok"), std::string::npos) << run.text();
-    EXPECT_NE(run.err.find("test 2, tier low and on, swapping: ok"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("test 2, tier low, then other tiers: ok"), std::string::npos) << run.text();
 }
 
 TEST_F(GraphTests, AHistoryThatASwapLosesIsSeen) {
     expect_failure("0.5", R"("tiers": { "low": {}, "high": { "patch": { "sizes": { "area": [8, 8] } } } },
       "tests": [ { "swap": ["low", "high"], "every": 2, "size": [32, 32], "expect": { "kept": [$$"sum"] } } ])",
-                   "a swap loses what \"sum\" holds");
+                   "a change of tier loses the content of \"sum\"");
 }
 
 TEST_F(GraphTests, WhatATestNamesMustBeThere) {
@@ -133,7 +133,7 @@ TEST_F(GraphTests, FramesOfAllRunsAreLimited) {
     const RunResult run = check("0.5", R"("frames": "10000 + zero", "tests": [
       { "size": [32, 32], "frames": 2 }, { "size": [32, 32], "params": { "zero": 6383 } } ])");
     EXPECT_EQ(run.exit_code, 3) << run.text();
-    EXPECT_NE(run.err.find("g.json:11:42: error[W125]: the graph has more than 16384 frames"),
+    EXPECT_NE(run.err.find("g.json:11:42: error[W125]: the tests of the graph render more than 16384 frames"),
               std::string::npos)
         << run.text();
     EXPECT_NE(run.err.find("raise graph.testFrames"), std::string::npos) << run.text();

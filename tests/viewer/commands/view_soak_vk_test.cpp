@@ -61,11 +61,11 @@ class ViewSoak : public ::testing::Test {
     }
     // Makes one edit of each kind, then reverts it: a parameter value, a size in the graph, and a shader.
     void edit_all() {
-        edit("live.json", "\"default\": 0.5", "\"default\": 0.8", " ms: values");
-        edit("live.json", "\"default\": 0.8", "\"default\": 0.5", " ms: values");
+        edit("live.json", "\"default\": 0.5", "\"default\": 0.8", " ms: new values");
+        edit("live.json", "\"default\": 0.8", "\"default\": 0.5", " ms: new values");
         edit("live.json", "[40, 24]", "[56, 16]", "a new plan");
         edit("live.json", "[56, 16]", "[40, 24]", "a new plan");
-        edit("paint.comp", "imageStore", "imageStor", "the last valid graph keeps running");
+        edit("paint.comp", "imageStore", "imageStor", "the last valid graph continues to run");
         replace("paint.comp", "imageStor(", "imageStore(");
     }
     void edit(const std::string& file, const std::string& from, const std::string& to,

@@ -53,13 +53,13 @@ TEST_F(View, FollowsEditsUntilStdinCloses) {
 
     const std::string good = read_text(folder_ / "paint.comp");
     replace("paint.comp", "imageStore", "imageStor");
-    ASSERT_TRUE(program.says("the last valid graph keeps running")) << program.err();
+    ASSERT_TRUE(program.says("the last valid graph continues to run")) << program.err();
     EXPECT_TRUE(program.says("paint.comp:10:")) << program.err();
     EXPECT_TRUE(program.says("error[W202]")) << program.err();
     replace("live.json", "\"default\": 0.5", "\"default\": 0.8");
-    ASSERT_TRUE(program.says("the last valid graph keeps running", 2)) << program.err();
+    ASSERT_TRUE(program.says("the last valid graph continues to run", 2)) << program.err();
     save("paint.comp", good);
-    ASSERT_TRUE(program.says(" ms: values")) << program.err();
+    ASSERT_TRUE(program.says(" ms: new values")) << program.err();
 
     program.close_stdin();
     EXPECT_EQ(program.exit_code(), 0) << program.err();
@@ -102,10 +102,10 @@ TEST_F(View, WaitsForAGraphThatIsBrokenFromTheStart) {
     save("live.json", "{");
     save("tint.glsl", "broken");
     RunningProgram program(arguments({"--output", folder_ / "last.png"}));
-    ASSERT_TRUE(program.says("weft: waiting for the graph to be mended")) << program.err();
+    ASSERT_TRUE(program.says("weft: waiting for an edit that corrects the graph")) << program.err();
     EXPECT_TRUE(program.says("live.json:1:")) << program.err();
     save("live.json", graph);
-    ASSERT_TRUE(program.says("weft: waiting for the graph to be mended", 2)) << program.err();
+    ASSERT_TRUE(program.says("weft: waiting for an edit that corrects the graph", 2)) << program.err();
     EXPECT_TRUE(program.says("tint.glsl:1:")) << program.err();
     save("tint.glsl", shader);
     ASSERT_TRUE(program.says("weft: watching")) << program.err();
@@ -117,7 +117,7 @@ TEST_F(View, WaitsForAGraphThatIsBrokenFromTheStart) {
 TEST_F(View, EndsWhileItWaitsForAGraph) {
     save("live.json", "{");
     RunningProgram program(arguments());
-    ASSERT_TRUE(program.says("weft: waiting for the graph to be mended")) << program.err();
+    ASSERT_TRUE(program.says("weft: waiting for an edit that corrects the graph")) << program.err();
     program.send(SIGINT);
     EXPECT_EQ(program.exit_code(), 3) << program.err();
     // In the following cases no edit can correct the fault, so `weft view` must end: stdin has ended, the

@@ -244,7 +244,7 @@ TEST(WrittenFirst, NoFileIsWrittenOverAnInputOrAnotherOutput) {
     for (const std::vector<std::string>& command : commands) {
         const RunResult run = run_weft(command);
         EXPECT_EQ(run.exit_code, 1) << run.text();
-        EXPECT_NE(run.err.find("error[X510]: the file cannot be written: it is an"), std::string::npos)
+        EXPECT_NE(run.err.find("error[X510]: the file cannot be written: it is also an"), std::string::npos)
             << run.text();
     }
     EXPECT_EQ(read_text(scratch / "g.json"), graph);
