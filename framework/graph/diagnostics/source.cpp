@@ -69,7 +69,7 @@ void add_replaced(const SourceMap& sources, const SourceLoc& loc, std::vector<No
     const auto [first, last] = sources.replacements.equal_range(std::prev(behind)->first);
     for (auto it = first; it != last; ++it)
         if (stands_in(loc, it->second.by))
-            notes.push_back(note_at(sources, it->second.what, "in place of what is here"));
+            notes.push_back(note_at(sources, it->second.what, "the marked value replaces the value here"));
 }
 
 }  // namespace

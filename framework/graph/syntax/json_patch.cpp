@@ -56,8 +56,8 @@ class Patcher {
         if (keeps_nulls()) return;
         if (node.kind == JsonKind::null) {
             Diagnostic& d = log_.errors.emplace_back(log_.sources.error(
-                node.loc, "W128", "null removes a member, but there is no member of this name"));
-            d.help.emplace_back("correct the name, or leave it out");
+                node.loc, "W128", "null removes a key, but the object has no key of this name"));
+            d.help.emplace_back("correct the name, or remove this line");
         }
         for (JsonMember& member : node.members) {
             path_.push_back(member.key);

@@ -57,7 +57,7 @@ std::optional<JsonFault> scan_unicode_escape(JsonCursor& cursor, std::string& ou
     const SourceLoc loc = cursor.here(2);
     std::optional<uint32_t> code = hex4(cursor, 2);
     if (!code)
-        return syntax(loc, "\\u wants four hexadecimal digits",
+        return syntax(loc, "\\u must be followed by four hexadecimal digits",
                       "write for example \\u00e9, or the character itself");
     cursor.advance(6);
     if (*code >= 0xD800 && *code < 0xDC00 && cursor.peek() == '\\' && cursor.peek(1) == 'u') {
@@ -68,8 +68,9 @@ std::optional<JsonFault> scan_unicode_escape(JsonCursor& cursor, std::string& ou
         }
     }
     if (*code >= 0xD800 && *code < 0xE000)
-        return syntax(loc, "half of a surrogate pair", "write the character itself, or both halves");
-    if (*code == 0) return syntax(loc, "a string must not hold the character \\u0000", "leave it out");
+        return syntax(loc, "the \\u escape is only one half of a surrogate pair",
+                      "write the character itself, or both halves");
+    if (*code == 0) return syntax(loc, "a string must not contain the character \\u0000", "remove it");
     append_utf8(*code, out);
     return std::nullopt;
 }
@@ -96,22 +97,22 @@ const char* number_fault(std::string_view s) {
         while (i < s.size() && is_digit(s[i])) ++i;
         return i - begin;
     };
-    if (!s.empty() && s[0] == '+') return "leave the '+' out";
+    if (!s.empty() && s[0] == '+') return "remove the '+'";
     if (i < s.size() && s[i] == '-') ++i;
     const size_t whole = i;
     const size_t count = digits();
-    if (count == 0) return "write a digit before the point";
-    if (count > 1 && s[whole] == '0') return "leave out the leading zeros; numbers are decimal";
+    if (count == 0) return "write a digit before the decimal point";
+    if (count > 1 && s[whole] == '0') return "remove the leading zeros; numbers are decimal";
     if (i < s.size() && s[i] == '.') {
         ++i;
-        if (digits() == 0) return "write a digit behind the point";
+        if (digits() == 0) return "write a digit after the decimal point";
     }
     if (i < s.size() && (s[i] == 'e' || s[i] == 'E')) {
         ++i;
         if (i < s.size() && (s[i] == '+' || s[i] == '-')) ++i;
-        if (digits() == 0) return "write the exponent's digits";
+        if (digits() == 0) return "write the digits of the exponent";
     }
-    return i == s.size() ? nullptr : "numbers are decimal; put text in quotes";
+    return i == s.size() ? nullptr : "write a decimal number, or put text in double quotes";
 }
 
 // Returns the length in bytes of the well-formed UTF-8 sequence at text[i], or 0 if the bytes there are not
@@ -166,7 +167,7 @@ std::optional<JsonFault> skip_blank(JsonCursor& cursor) {
             const SourceLoc open = cursor.here(2);
             cursor.advance(2);
             while (!cursor.at_end() && (cursor.peek() != '*' || cursor.peek(1) != '/')) cursor.advance();
-            if (cursor.at_end()) return syntax(open, "the comment is never closed", "add the missing */");
+            if (cursor.at_end()) return syntax(open, "the comment has no end", "add the missing */");
             cursor.advance(2);
         } else {
             return std::nullopt;
@@ -181,11 +182,11 @@ std::optional<JsonFault> scan_string(JsonCursor& cursor, std::string& out) {
     while (cursor.peek() != '"' || cursor.at_end()) {
         const char c = cursor.peek();
         if (cursor.at_end() || c == '\n' || c == '\r')
-            return syntax(open, "the string is not closed on its line",
+            return syntax(open, "the string has no closing quote on its line",
                           "add the closing quote; write \\n for a line break");
         if (static_cast<unsigned char>(c) < 0x20)
             return syntax(cursor.here(), "control character " + printable(c) + " in a string",
-                          c == '\t' ? "write \\t" : "leave it out");
+                          c == '\t' ? "write \\t" : "remove it");
         if (c == '\\') {
             if (auto fault = scan_escape(cursor, out)) return fault;
             continue;
@@ -212,7 +213,7 @@ std::optional<JsonFault> scan_number(JsonCursor& cursor, double& number, std::st
     const auto parsed = std::from_chars(spelling.data(), spelling.data() + spelling.size(), number);
     if (parsed.ec != std::errc{})
         return syntax(loc, "the number " + spelling + " is out of range",
-                      "numbers reach from 1e-307 to 1e308");
+                      "use 0, or a magnitude from 1e-307 to 1e308");
     return std::nullopt;
 }
 
@@ -223,7 +224,7 @@ std::optional<JsonFault> check_utf8(std::string_view text) {
         if (length == 0)
             return JsonFault{"W005",
                              cursor.here(),
-                             "the file is not UTF-8: stray byte " + printable(cursor.peek()),
+                             "the file is not UTF-8: found the invalid byte " + printable(cursor.peek()),
                              "save the file as UTF-8",
                              std::nullopt,
                              {}};

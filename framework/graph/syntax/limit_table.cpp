@@ -20,13 +20,13 @@ constexpr uint64_t kMostTime_ms = 3'600'000;
 constexpr std::array kTable{
     LimitRow{"graph.jsonBytes", "bytes", "a graph file", 1ull << 28,
              [](Limits& l) -> uint64_t& { return l.graph.json_bytes; }},
-    LimitRow{"graph.jsonDepth", "", "nesting of objects and arrays", kMostDepth,
+    LimitRow{"graph.jsonDepth", "", "nesting of objects and arrays in a graph file", kMostDepth,
              [](Limits& l) -> uint64_t& { return l.graph.json_depth; }},
-    LimitRow{"graph.jsonValues", "", "values of all files, counted once more for each tier", kMostItems,
-             [](Limits& l) -> uint64_t& { return l.graph.json_values; }},
-    LimitRow{"graph.stringBytes", "bytes", "a string or key", 1ull << 20,
+    LimitRow{"graph.jsonValues", "", "JSON values of all files of a graph, counted once more for each tier",
+             kMostItems, [](Limits& l) -> uint64_t& { return l.graph.json_values; }},
+    LimitRow{"graph.stringBytes", "bytes", "a string or key in a graph file", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.string_bytes; }},
-    LimitRow{"graph.nameBytes", "bytes", "a name of anything", 1ull << 12,
+    LimitRow{"graph.nameBytes", "bytes", "a name, for example of a pass or resource", 1ull << 12,
              [](Limits& l) -> uint64_t& { return l.graph.name_bytes; }},
     LimitRow{"graph.includeFiles", "", "files that a graph includes, each counted once", 1ull << 10,
              [](Limits& l) -> uint64_t& { return l.graph.include_files; }},
@@ -39,31 +39,31 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.graph.repeat_indices; }},
     LimitRow{"graph.debugViews", "", "debug views", 1ull << 16,
              [](Limits& l) -> uint64_t& { return l.graph.debug_views; }},
-    LimitRow{"graph.testRuns", "", "runs of the graph's own tests, each tier counted", 1ull << 20,
+    LimitRow{"graph.testRuns", "", "test runs of the graph, counted for each tier", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.test_runs; }},
-    LimitRow{"graph.testFrames", "", "frames of all these runs together", 1ull << 32,
+    LimitRow{"graph.testFrames", "", "frames of all test runs of the graph together", 1ull << 32,
              [](Limits& l) -> uint64_t& { return l.graph.test_frames; }},
     LimitRow{"graph.testBytes", "bytes",
-             "memory of one such run: its picture, the frame's resources and data that is read back",
-             kMostBytes, [](Limits& l) -> uint64_t& { return l.graph.test_bytes; }},
-    LimitRow{"graph.passes", "", "passes after `repeat`", 1ull << 20,
+             "memory of one test run: picture, resources of the frame and data that is read back", kMostBytes,
+             [](Limits& l) -> uint64_t& { return l.graph.test_bytes; }},
+    LimitRow{"graph.passes", "", "passes, after each `repeat` is expanded", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.passes; }},
     LimitRow{"graph.passPorts", "", "ports of a pass", 1ull << 16,
              [](Limits& l) -> uint64_t& { return l.graph.pass_ports; }},
-    LimitRow{"graph.ports", "", "ports of all these passes", kMostItems,
+    LimitRow{"graph.ports", "", "ports of all passes together", kMostItems,
              [](Limits& l) -> uint64_t& { return l.graph.ports; }},
     LimitRow{"graph.steps", "",
-             "steps of resolving a graph: expressions, ranges and orders, of all tiers together", 1ull << 40,
-             [](Limits& l) -> uint64_t& { return l.graph.steps; }},
-    LimitRow{"graph.resources", "", "resources, each copy of a history counted", 1ull << 20,
+             "steps to resolve a graph, all tiers together: for expressions, ranges and the order of passes",
+             1ull << 40, [](Limits& l) -> uint64_t& { return l.graph.steps; }},
+    LimitRow{"graph.resources", "", "resources, where each copy for a history counts", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.resources; }},
-    LimitRow{"graph.imageSidePx", "px", "a side of an image; the device may allow less", kMostSide_px,
-             [](Limits& l) -> uint64_t& { return l.graph.image_side_px; }},
+    LimitRow{"graph.imageSidePx", "px", "width, height or depth of an image; the device may allow less",
+             kMostSide_px, [](Limits& l) -> uint64_t& { return l.graph.image_side_px; }},
     LimitRow{"graph.mips", "", "mips of an image", 17, [](Limits& l) -> uint64_t& { return l.graph.mips; }},
     LimitRow{"graph.layers", "", "layers of an image; the device may allow less", kMostSide_px,
              [](Limits& l) -> uint64_t& { return l.graph.layers; }},
     LimitRow{"graph.transientBytes", "bytes",
-             "one resource, and all memory that the frame's resources are placed in", kMostBytes,
+             "one resource, and also all memory for the resources of a frame", kMostBytes,
              [](Limits& l) -> uint64_t& { return l.graph.transient_bytes; }},
     LimitRow{"shader.fileBytes", "bytes", "a shader file", 1ull << 28,
              [](Limits& l) -> uint64_t& { return l.shader.file_bytes; }},
@@ -71,44 +71,44 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.shader.text_bytes; }},
     LimitRow{"shader.files", "", "files of a shader", kMostItems,
              [](Limits& l) -> uint64_t& { return l.shader.files; }},
-    LimitRow{"shader.includes", "", "includes followed in one stage", kMostItems,
+    LimitRow{"shader.includes", "", "`#include` lines that one shader stage follows", kMostItems,
              [](Limits& l) -> uint64_t& { return l.shader.includes; }},
-    LimitRow{"shader.includeDepth", "", "nesting of includes", kMostDepth,
+    LimitRow{"shader.includeDepth", "", "nesting of `#include` lines", kMostDepth,
              [](Limits& l) -> uint64_t& { return l.shader.include_depth; }},
-    LimitRow{"shader.workerBytes", "bytes", "address space of the compiler's process", kMostBytes,
+    LimitRow{"shader.workerBytes", "bytes", "address space of the shader compiler process", kMostBytes,
              [](Limits& l) -> uint64_t& { return l.shader.worker_bytes; }},
-    LimitRow{"shader.stageMs", "ms", "compiling one stage, in processor time", kMostTime_ms,
+    LimitRow{"shader.stageMs", "ms", "processor time for compiling one shader stage", kMostTime_ms,
              [](Limits& l) -> uint64_t& { return l.shader.stage_ms; }},
-    LimitRow{"shader.graphMs", "ms", "compiling all stages of a graph, in processor time", kMostTime_ms,
-             [](Limits& l) -> uint64_t& { return l.shader.graph_ms; }},
-    LimitRow{"shader.spirvBytes", "bytes", "a compiled stage", 1ull << 28,
+    LimitRow{"shader.graphMs", "ms", "processor time for compiling all shader stages of a graph",
+             kMostTime_ms, [](Limits& l) -> uint64_t& { return l.shader.graph_ms; }},
+    LimitRow{"shader.spirvBytes", "bytes", "SPIR-V of a compiled shader stage", 1ull << 28,
              [](Limits& l) -> uint64_t& { return l.shader.spirv_bytes; }},
-    LimitRow{"shader.inlinedBytes", "bytes", "a compiled stage with all calls inlined", 1ull << 32,
-             [](Limits& l) -> uint64_t& { return l.shader.inlined_bytes; }},
+    LimitRow{"shader.inlinedBytes", "bytes", "SPIR-V of a compiled shader stage after all calls are inlined",
+             1ull << 32, [](Limits& l) -> uint64_t& { return l.shader.inlined_bytes; }},
     LimitRow{"shader.sharedBytes", "bytes",
              "`shared` variables of a compute stage; the device may allow less", 1ull << 30,
              [](Limits& l) -> uint64_t& { return l.shader.shared_bytes; }},
     LimitRow{"shader.privateBytes", "bytes",
-             "variables of one invocation of a stage, and arrays that it copies as a whole; those of "
-             "functions at each call anew",
+             "variables of one shader invocation, and arrays that it copies as a whole; the variables of "
+             "a function count once for each call",
              1ull << 30, [](Limits& l) -> uint64_t& { return l.shader.private_bytes; }},
     LimitRow{"shader.pushConstantBytes", "bytes", "push constants; the device may allow less", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.shader.push_constant_bytes; }},
-    LimitRow{"shader.interfaceBytes", "bytes", "inputs of a stage, and its outputs", 1ull << 20,
+    LimitRow{"shader.interfaceBytes", "bytes", "inputs of a shader stage, and also its outputs", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.shader.interface_bytes; }},
-    LimitRow{"scene.jsonBytes", "bytes", "the JSON of a glTF", 1ull << 32,
+    LimitRow{"scene.jsonBytes", "bytes", "the JSON of a glTF file", 1ull << 32,
              [](Limits& l) -> uint64_t& { return l.scene.json_bytes; }},
-    LimitRow{"scene.jsonValues", "", "values in it", 1ull << 28,
+    LimitRow{"scene.jsonValues", "", "values in the JSON of a glTF file", 1ull << 28,
              [](Limits& l) -> uint64_t& { return l.scene.json_values; }},
-    LimitRow{"scene.jsonDepth", "", "nesting of objects and arrays in it", kMostDepth,
+    LimitRow{"scene.jsonDepth", "", "nesting of objects and arrays in the JSON of a glTF file", kMostDepth,
              [](Limits& l) -> uint64_t& { return l.scene.json_depth; }},
-    LimitRow{"scene.resourceBytes", "bytes", "buffers and encoded images together", kMostBytes,
-             [](Limits& l) -> uint64_t& { return l.scene.resource_bytes; }},
-    LimitRow{"scene.arrayItems", "", "each array: nodes, accessors, buffer views, meshes", 1ull << 28,
+    LimitRow{"scene.resourceBytes", "bytes", "buffers and encoded images of a glTF scene together",
+             kMostBytes, [](Limits& l) -> uint64_t& { return l.scene.resource_bytes; }},
+    LimitRow{"scene.arrayItems", "", "nodes, and also accessors, buffer views and meshes, each", 1ull << 28,
              [](Limits& l) -> uint64_t& { return l.scene.array_items; }},
     LimitRow{"scene.materials", "", "materials, textures and images, each", kMostItems,
              [](Limits& l) -> uint64_t& { return l.scene.materials; }},
-    LimitRow{"scene.nodeDepth", "", "nesting of nodes", kMostItems,
+    LimitRow{"scene.nodeDepth", "", "nesting of scene nodes", kMostItems,
              [](Limits& l) -> uint64_t& { return l.scene.node_depth; }},
     LimitRow{"scene.instances", "", "meshes placed by nodes", 1ull << 28,
              [](Limits& l) -> uint64_t& { return l.scene.instances; }},
@@ -116,16 +116,16 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.scene.vertices; }},
     LimitRow{"scene.triangles", "", "triangles of all meshes", 1ull << 31,
              [](Limits& l) -> uint64_t& { return l.scene.triangles; }},
-    LimitRow{"scene.imageSidePx", "px", "a side of a texture", kMostSide_px,
+    LimitRow{"scene.imageSidePx", "px", "width or height of a texture", kMostSide_px,
              [](Limits& l) -> uint64_t& { return l.scene.image_side_px; }},
     LimitRow{"scene.memoryBytes", "bytes",
-             "all memory that a scene takes: files, meshes, textures with mips, loading, its copy on the GPU",
+             "memory of a scene: files, meshes, textures with mips, temporary data and the copy on the GPU",
              kMostBytes, [](Limits& l) -> uint64_t& { return l.scene.memory_bytes; }},
-    LimitRow{"picture.fileBytes", "bytes", "a picture that `weft compare` reads", kMostBytes,
+    LimitRow{"picture.fileBytes", "bytes", "a picture file that `weft compare` reads", kMostBytes,
              [](Limits& l) -> uint64_t& { return l.picture.file_bytes; }},
-    LimitRow{"picture.sidePx", "px", "a side of it", kMostSide_px,
+    LimitRow{"picture.sidePx", "px", "width or height of a picture that `weft compare` reads", kMostSide_px,
              [](Limits& l) -> uint64_t& { return l.picture.side_px; }},
-    LimitRow{"picture.memoryBytes", "bytes", "all memory that comparing two pictures takes", kMostBytes,
+    LimitRow{"picture.memoryBytes", "bytes", "memory for the comparison of two pictures", kMostBytes,
              [](Limits& l) -> uint64_t& { return l.picture.memory_bytes; }},
 };
 
@@ -142,7 +142,7 @@ Diagnostic fault(const JsonDoc& document, SourceLoc loc, const std::string& poin
 
 Diagnostic unknown_name(const JsonDoc& document, const JsonMember& member) {
     Diagnostic d =
-        fault(document, member.key_loc, "/" + member.key, "there is no limit \"" + member.key + "\"");
+        fault(document, member.key_loc, "/" + member.key, "no limit has the name \"" + member.key + "\"");
     std::vector<std::string> names;
     std::string list;
     for (const LimitRow& row : kTable) {
@@ -150,7 +150,7 @@ Diagnostic unknown_name(const JsonDoc& document, const JsonMember& member) {
         list += (list.empty() ? "" : ", ") + names.back();
     }
     if (const std::string near = did_you_mean_text(member.key, names); !near.empty()) d.help.push_back(near);
-    d.help.push_back("limits are " + list);
+    d.help.push_back("the limits are " + list);
     return d;
 }
 
@@ -188,7 +188,7 @@ Result<Limits> read_limits(const std::string& path, const FileReader& reader) {
         Diagnostic d = fault(*document, document->root.loc, "",
                              std::string("found ") + json_kind_name(document->root.kind) +
                                  ", wanted an object of limits by name");
-        d.help.emplace_back("for example { \"graph.passes\": 8192 }");
+        d.help.emplace_back("write for example { \"graph.passes\": 8192 }");
         return d;
     }
     Limits limits;

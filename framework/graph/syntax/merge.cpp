@@ -41,10 +41,11 @@ void wrap_params(JsonNode* node) {
 }
 
 Diagnostic duplicate_port(const JsonMember& port, SourceLoc first, const SourceMap& sources) {
-    Diagnostic error = sources.error(port.key_loc, "W003", "two ports would be called \"" + port.key + "\"");
-    error.help.emplace_back("name the ports: {\"a\": \"" + port.value.string + "\", \"b\": …}");
+    Diagnostic error =
+        sources.error(port.key_loc, "W003", "two ports would have the name \"" + port.key + "\"");
+    error.help.emplace_back("give each port a name: {\"a\": \"" + port.value.string + "\", \"b\": …}");
     const std::string file = error.file;
-    error.notes.push_back({file, first.line, first.column, "the first is here"});
+    error.notes.push_back({file, first.line, first.column, "the first of these ports is here"});
     return error;
 }
 
@@ -123,11 +124,11 @@ Diagnostic unknown_tier(const JsonDoc& document, const std::string& name) {
     const std::vector<std::string> names = tier_names(document);
     const JsonNode* tiers = document.root.find("tiers");
     const SourceLoc loc = tiers != nullptr ? tiers->loc : document.root.loc;
-    Diagnostic d = document.sources.error(loc, "W129", "there is no tier \"" + name + "\"");
+    Diagnostic d = document.sources.error(loc, "W129", "the graph has no tier \"" + name + "\"");
     const std::string near = did_you_mean_text(name, names);
     if (!near.empty()) d.help.push_back(near);
-    d.help.push_back(names.empty() ? "the graph has no tiers: leave the name out"
-                                   : "tiers are " + quoted_list(names));
+    d.help.push_back(names.empty() ? "this graph has no tiers: remove the tier name"
+                                   : "choose one of its tiers: " + quoted_list(names));
     return d;
 }
 
@@ -144,13 +145,14 @@ void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
         std::vector<std::string> names;
         if (params != nullptr)
             for (const JsonMember& member : params->members) names.push_back(member.key);
-        Diagnostic& d = log.errors.emplace_back(log.sources.error(
-            value.key_loc, "W131", "the tier sets \"" + value.key + "\", which is no parameter"));
+        Diagnostic& d = log.errors.emplace_back(
+            log.sources.error(value.key_loc, "W131",
+                              "the tier sets \"" + value.key + "\", which is not a parameter of the graph"));
         const std::string near = did_you_mean_text(value.key, names);
         d.help.push_back(!near.empty()   ? near
                          : names.empty() ? "declare it in \"params\" first"
-                                         : "parameters are " + quoted_list(names) +
-                                               "; anything else is changed by a \"patch\"");
+                                         : "the parameters are " + quoted_list(names) +
+                                               "; use \"patch\" to change anything else");
     }
 }
 

@@ -68,13 +68,14 @@ class IncludeReader {
             if (names.size() > limits.tiers)
                 return fail(tier.key_loc, "W004",
                             "the graph has more than " + std::to_string(limits.tiers) + " tiers",
-                            "let a parameter decide, " + raise_limit_text("graph.tiers"));
+                            "use parameters instead of some tiers, " + raise_limit_text("graph.tiers"));
             if (values_ * (names.size() + 1) > limits.json_values)
                 return fail(tier.key_loc, "W004",
-                            "the files hold " + std::to_string(values_) + " values, which with " +
-                                std::to_string(names.size()) + " tiers count for more than " +
+                            "the files contain " + std::to_string(values_) +
+                                " values, and all values are counted once more for each tier: with " +
+                                std::to_string(names.size()) + " tiers this is more than " +
                                 std::to_string(limits.json_values),
-                            "have fewer tiers, " + raise_limit_text("graph.jsonValues"));
+                            "use fewer tiers, " + raise_limit_text("graph.jsonValues"));
         }
     }
 
@@ -93,8 +94,8 @@ class IncludeReader {
         const std::filesystem::path name(item.string);
         const bool climbs = std::ranges::find(name, "..") != name.end();
         if (!item.string.empty() && name.is_relative() && !climbs) return true;
-        fail(item.loc, "W126", "\"" + item.string + "\" is not a file below the graph's folder",
-             "write a relative path without \"..\", of a file beside this one or in the shipped graphs "
+        fail(item.loc, "W126", "\"" + item.string + "\" is not a path inside the folder of the graph",
+             "write a relative path without \"..\", to a file next to this one or in the shipped graphs "
              "folder");
         return false;
     }
@@ -120,16 +121,17 @@ class IncludeReader {
             // existing files are checked for links.
             const RealFile real = find_real_file(path, folders_);
             if (!real.path.empty() && !real.is_inside)
-                return fail(item.loc, "W126",
-                            "\"" + item.string + "\" is a link that leads out of the graph's folder",
-                            "copy the file to where the link is");
+                return fail(
+                    item.loc, "W126",
+                    "\"" + item.string + "\" is a symbolic link that leads out of the folder of the graph",
+                    "replace the link by a copy of the file");
             std::optional<std::string> text = reader_(path);
             if (text) return read(item, path, std::move(*text));
         }
         std::string places;
         for (const std::string& path : paths) places += (places.empty() ? "\"" : " and \"") + path + "\"";
-        fail(item.loc, "W126", "there is no readable file \"" + item.string + "\"",
-             "looked for " + places + ": correct the name");
+        fail(item.loc, "W126", "the file \"" + item.string + "\" does not exist or cannot be read",
+             "correct the name; Weft looked for " + places);
     }
 
     void check_circle(const JsonNode& item, uint32_t file) {
@@ -148,11 +150,11 @@ class IncludeReader {
         if (doc_.sources.files.size() > limits.include_files)
             return fail(item.loc, "W004",
                         "the graph includes more than " + std::to_string(limits.include_files) + " files",
-                        "include fewer, " + raise_limit_text("graph.includeFiles"));
+                        "include fewer files, " + raise_limit_text("graph.includeFiles"));
         bytes_ += text.size();
         if (bytes_ > limits.json_bytes)
             return fail(item.loc, "W004",
-                        "the files have more than " + limit_bytes_text(limits.json_bytes) + " together",
+                        "the files together have more than " + limit_bytes_text(limits.json_bytes),
                         "check that \"" + path + "\" is a graph, " + raise_limit_text("graph.jsonBytes"));
         // read_json_file() appends the file to the list of files, so the file gets this index.
         const auto file = static_cast<uint32_t>(doc_.sources.files.size());
@@ -164,9 +166,10 @@ class IncludeReader {
         }
         values_ += count_values(*root);
         if (values_ > limits.json_values)
-            return fail(item.loc, "W004",
-                        "the files hold more than " + std::to_string(limits.json_values) + " values together",
-                        "include fewer, " + raise_limit_text("graph.jsonValues"));
+            return fail(
+                item.loc, "W004",
+                "the files together contain more than " + std::to_string(limits.json_values) + " values",
+                "include fewer files, " + raise_limit_text("graph.jsonValues"));
         open_.push_back(file);
         follow(*root);
         open_.pop_back();

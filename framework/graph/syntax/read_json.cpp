@@ -31,12 +31,13 @@ class JsonReader {
         constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
         if (cursor_.starts_with(kByteOrderMark)) cursor_.advance(kByteOrderMark.size());
         if (!blank()) return false;
-        if (cursor_.at_end()) return syntax(cursor_.here(), "the file is empty", "a graph begins with '{'");
+        if (cursor_.at_end())
+            return syntax(cursor_.here(), "the file is empty", "write a graph: it begins with '{'");
         if (!value(root) || !blank()) return false;
         if (cursor_.at_end()) return true;
         return syntax(cursor_.here(),
-                      "found '" + printable(cursor_.peek()) + "' behind the end of the document",
-                      "remove it, or look for a brace too many before it");
+                      "found '" + printable(cursor_.peek()) + "' after the end of the JSON document",
+                      "remove this text, or look for an extra closing brace before it");
     }
     std::vector<JsonFault> take_faults() { return std::move(faults_); }
 
@@ -62,7 +63,7 @@ class JsonReader {
         node.loc = cursor_.here();
         if (++values_ > limits_.json_values)
             return over(node.loc,
-                        "the file holds more than " + std::to_string(limits_.json_values) + " values",
+                        "the file contains more than " + std::to_string(limits_.json_values) + " values",
                         "split it into smaller graphs", "graph.jsonValues");
         const char c = cursor_.peek();
         if (c == '{') return nested(node, '}');
@@ -80,8 +81,7 @@ class JsonReader {
             return true;
         }
         if (begins_word(c)) return word(node);
-        if (c == '\'')
-            return syntax(node.loc, "found a single quote", "strings are written with double quotes");
+        if (c == '\'') return syntax(node.loc, "found a single quote", "write strings with double quotes");
         return syntax(node.loc, "found '" + printable(c) + "' where a value was wanted",
                       "write a value here");
     }
@@ -118,10 +118,10 @@ class JsonReader {
     bool nested(JsonNode& node, char close) {
         node.kind = close == '}' ? JsonKind::object : JsonKind::array;
         if (++depth_ > limits_.json_depth)
-            return over(
-                node.loc,
-                "objects and arrays are nested more than " + std::to_string(limits_.json_depth) + " deep",
-                "no graph needs this: look for a missing bracket", "graph.jsonDepth");
+            return over(node.loc,
+                        "objects and arrays are nested more than " + std::to_string(limits_.json_depth) +
+                            " levels deep",
+                        "look for a missing closing bracket", "graph.jsonDepth");
         cursor_.advance();
         for (;;) {
             if (!blank()) return false;
@@ -140,7 +140,7 @@ class JsonReader {
         const SourceLoc loc = cursor_.here();
         const char c = cursor_.peek();
         if (c == ']') return mismatch(node, '}');
-        if (c == '\'') return syntax(loc, "found a single quote", "keys are written with double quotes");
+        if (c == '\'') return syntax(loc, "found a single quote", "write keys with double quotes");
         if (begins_word(c)) return syntax(loc, "found a key without quotes", "put the key in double quotes");
         if (c != '"')
             return syntax(loc, "found '" + printable(c) + "' where a key was wanted",
@@ -207,9 +207,10 @@ class JsonReader {
                 first = i;
             } else if (++duplicates_ <= kMaxDuplicatesReported) {
                 const JsonMember& again = node.members[order[i]];
-                faults_.push_back({"W003", again.key_loc, "the key \"" + again.key + "\" is here twice",
-                                   "remove one of the two, or give it another name",
-                                   node.members[order[first]].key_loc, "first written here"});
+                faults_.push_back({"W003", again.key_loc,
+                                   "the key \"" + again.key + "\" occurs twice in this object",
+                                   "remove one of the two, or rename one", node.members[order[first]].key_loc,
+                                   "first written here"});
             }
         }
     }
@@ -270,7 +271,7 @@ Result<JsonNode> read_json_file(SourceMap& sources, const std::string& path, std
                                 const GraphLimits& limits, SourceLoc includer) {
     if (text.size() > limits.json_bytes)
         return file_error(path, "W004", "the file has more than " + limit_bytes_text(limits.json_bytes),
-                          "check that this is a graph, " + raise_limit_text("graph.jsonBytes"));
+                          "check that this file is a graph, " + raise_limit_text("graph.jsonBytes"));
     const uint32_t index = sources.add_file(path, std::move(text), includer);
     const std::string_view source = sources.files.back().text;
     JsonNode root;
@@ -296,8 +297,8 @@ Result<JsonNode> read_json_file(SourceMap& sources, const std::string& path, std
 Result<JsonDoc> read_json(const std::string& path, const FileReader& reader, const GraphLimits& limits) {
     std::optional<std::string> text = reader(path);
     if (!text)
-        return file_error(path, "W002", "there is no readable file \"" + path + "\"",
-                          "check its spelling; a relative path starts at the current folder");
+        return file_error(path, "W002", "the file \"" + path + "\" does not exist or cannot be read",
+                          "check the path; a relative path starts at the current folder");
     JsonDoc doc;
     Result<JsonNode> root = read_json_file(doc.sources, path, std::move(*text), limits);
     if (!root) return root.take_errors();

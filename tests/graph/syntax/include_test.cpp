@@ -157,12 +157,13 @@ TEST(Include, AValueThatReplacesOneShowsBothPlaces) {
     ASSERT_EQ(fault.notes.size(), 1u) << to_text(fault);
     EXPECT_EQ(fault.notes[0].file, "pipes/a.json");
     EXPECT_EQ(fault.notes[0].line, 4u);
-    EXPECT_NE(fault.notes[0].message.find("in place of"), std::string::npos);
+    EXPECT_NE(fault.notes[0].message.find("replaces the value here"), std::string::npos);
 }
 
 TEST(Include, AFileThatIsNotThere) {
     expect_fault({{"pipes/main.json", R"({"version": 1, "include": [$$"a.jsn"], "passes": {}})"}}, "W126",
-                 "no readable file \"a.jsn\"", "\"pipes/a.jsn\" and \"shipped/a.jsn\"");
+                 "the file \"a.jsn\" does not exist or cannot be read",
+                 "\"pipes/a.jsn\" and \"shipped/a.jsn\"");
 }
 
 TEST(Include, NothingOutsideIsRead) {
@@ -170,7 +171,7 @@ TEST(Include, NothingOutsideIsRead) {
         expect_fault({{"pipes/main.json", std::string(R"({"version": 1, "include": [$$")") + name + R"("]})"},
                       {"secret.json", kModule},
                       {"/etc/passwd", kModule}},
-                     "W126", "below the graph's folder", "relative path");
+                     "W126", "not a path inside the folder of the graph", "relative path");
 }
 
 TEST(Include, FilesThatIncludeEachOther) {
@@ -193,11 +194,11 @@ TEST(Include, NullWithNothingToTakeAway) {
     expect_fault(
         {{"pipes/main.json", R"({"version": 1, "include": ["a.json"], "resources": {"spair": $$null}})"},
          {"pipes/a.json", kModule}},
-        "W128", "no member of this name", "correct the name");
+        "W128", "no key of this name", "correct the name");
     expect_fault({{"pipes/main.json",
                    R"({"version": 1, "include": ["a.json"], "resources": {"n": {"size": $$null}}})"},
                   {"pipes/a.json", kModule}},
-                 "W128", "no member of this name", "");
+                 "W128", "no key of this name", "");
 }
 
 TEST(Include, FilesAreCounted) {

@@ -62,8 +62,8 @@ TEST(Merge, TwoPortsOfOneNameAreAnErrorAtTheSecond) {
         {"",
          "{\"version\": 1, \"passes\": {\"p\": {\"in\": [\"hiz.mip(0)\",\n $$\"hiz.mip(1)\"]}}}",
          {"W003"},
-         "two ports would be called \"hiz\"",
-         "name the ports"});
+         "two ports would have the name \"hiz\"",
+         "give each port a name"});
 }
 
 TEST(Merge, UnexpectedKindsPassThrough) {

@@ -22,7 +22,7 @@ void expect_refused(const RunResult& run, const std::vector<std::string>& wanted
 
 TEST(BadGraph, AMissingFileIsNamed) {
     expect_refused(run_weft({"check", "no/such/graph.json"}),
-                   {"no/such/graph.json: error[W002]", "help: check its spelling"});
+                   {"no/such/graph.json: error[W002]", "help: check the path"});
 }
 
 TEST(BadGraph, RenderRefusesWhatCheckRefuses) {
@@ -56,7 +56,7 @@ TEST(BadGraph, HostileFilesAreRefusedQuickly) {
                                              "ELF\x02\x01\xff\xfe\0\0",
                                              10));
     scratch.write("empty.json", "");
-    expect_refused(run_weft({"check", scratch / "deep.json"}), {"error[W004]", "64 deep", "help: "});
+    expect_refused(run_weft({"check", scratch / "deep.json"}), {"error[W004]", "64 levels deep", "help: "});
     expect_refused(run_weft({"check", scratch / "large.json"}), {"error[W004]", "8 MiB", "help: "});
     expect_refused(run_weft({"check", scratch / "binary.json"}), {"binary.json:1:", "help: "});
     expect_refused(run_weft({"check", scratch / "empty.json"}),

@@ -57,7 +57,7 @@ TEST_F(LimitsFile, ChangesWhatItNames) {
     EXPECT_EQ(check("{}").exit_code, 0);
     EXPECT_EQ(check(R"({ "graph.passes": 2, })").exit_code, 0);
     expect_refused(R"({ "graph.passes": 1 })", {"error[W125]", "more than 1 passes"});
-    expect_refused(R"({ "graph.jsonDepth": 2 })", {"error[W004]", "more than 2 deep"});
+    expect_refused(R"({ "graph.jsonDepth": 2 })", {"error[W004]", "more than 2 levels deep"});
     expect_refused(R"({ "graph.jsonBytes": 10 })", {"error[W004]", "more than 10 B"});
     expect_refused(R"({ "graph.transientBytes": 4096 })", {"error[W125]", "more than 4 KiB"});
     expect_refused(R"({ "shader.fileBytes": 10 })", {"error[W201]", "larger than 10 B"});

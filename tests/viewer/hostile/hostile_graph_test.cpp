@@ -38,7 +38,7 @@ TEST_F(HostileGraph, DeepJson) {
             std::string text = before;
             for (int i = 0; i < 100'000; ++i) text += open;
             expect_refused_cheaply(check(text),
-                                   {"graph.json:1:", "error[W004]", "64 deep", "graph.jsonDepth"});
+                                   {"graph.json:1:", "error[W004]", "64 levels deep", "graph.jsonDepth"});
         }
 }
 
@@ -46,7 +46,7 @@ TEST_F(HostileGraph, DuplicateKeysByTheHundredThousand) {
     std::string text = "{ \"version\": 1";
     for (int i = 0; i < 200'000; ++i) text += ", \"a\": 1";
     expect_refused_cheaply(check(text + "}"),
-                           {"graph.json:1:25: error[W003]", "the key \"a\" is here twice"});
+                           {"graph.json:1:25: error[W003]", "the key \"a\" occurs twice in this object"});
 }
 
 TEST_F(HostileGraph, UnknownKeysByTheHundredThousand) {
