@@ -15,9 +15,11 @@ import graph_text
 STRUCTURAL = {"W101", "W102", "W108", "W109", "W115", "W116"}
 # Messages of W109 for faults that a schema cannot detect, because they depend on two values.
 BEYOND_SCHEMAS = {
-    "the default {} lies outside the range", "the default {} is not listed", "the range ends before it begins",
-    "the bounds end before they begin", "the name {} is taken", "{} has a meaning of its own in expressions",
-    "draws without a list have no material that determines culling", "the number of view {} is",
+    "the default {} is outside", "the default {} is not in the list",
+    "the first value of the range is greater than the second",
+    "the lower bound is greater than the upper bound", "the name {} is already used",
+    "{} is a reserved word of expressions",
+    "the pass draws no draw list, so no material can determine culling", "the number of view {} is",
     "whose format is {}, can't be cleared to", "the size of {} is",
 }
 

@@ -182,8 +182,8 @@ Result<DebugViewDesc> find_view(const GraphDesc& graph, const std::string& name)
     std::string all;
     for (const auto& [view_name, unused] : graph.debug) all += (all.empty() ? "" : ", ") + view_name;
     d.help.push_back(!near.empty() ? near
-                     : all.empty() ? "the graph names no views; any resource can be shown"
-                                   : "views are " + all + "; any resource can be shown too");
+                     : all.empty() ? "this graph has no debug views; name a resource to show"
+                                   : "debug views are " + all + "; the name of a resource is possible too");
     return d;
 }
 
@@ -204,8 +204,9 @@ Diagnostics debug_view_faults(const GraphDesc& graph) {
         Diagnostic& d = faults.emplace_back(graph.sources.error(
             view.show.loc, "W103", "debug view \"" + name + "\" shows unknown resource \"" + shown + "\""));
         const std::string near = did_you_mean_text(shown, known);
-        d.help.push_back(near.empty() ? "name one of \"resources\" or \"imports\", or remove the view"
-                                      : near);
+        d.help.push_back(near.empty()
+                             ? "name a resource of \"resources\" or \"imports\", or remove the debug view"
+                             : near);
     }
     return faults;
 }
@@ -214,8 +215,10 @@ Status add_debug_view(GraphDesc& graph, const ImportCatalog& imports, const std:
     const Result<DebugViewDesc> view = find_view(graph, name);
     if (!view) return view.errors();
     if (graph.passes.contains(kDebugView) || graph.resources.contains(kDebugView)) {
-        Diagnostic d = graph.sources.error(view->loc, "W109", "the name \"debugView\" is taken");
-        d.help.emplace_back("debug views need it: rename the graph's own");
+        Diagnostic d = graph.sources.error(
+            view->loc, "W109",
+            "debug views need the name \"debugView\", but the graph already uses this name");
+        d.help.emplace_back("rename \"debugView\" in the graph");
         return d;
     }
     Shown shown;
@@ -228,8 +231,9 @@ Status add_debug_view(GraphDesc& graph, const ImportCatalog& imports, const std:
     if (shown.needs_own_shader && view->shader.empty()) {
         Diagnostic d = graph.sources.error(
             view->loc, "W109",
-            "\"" + view->show.name + "\" is a 3D or multisampled image, which no decoder shows");
-        d.help.emplace_back("name a shader of your own that samples \"shown\" and writes \"color\"");
+            "\"" + view->show.name + "\" is a 3D or multisampled image, which \"decode\" cannot show");
+        d.help.emplace_back(
+            "set \"shader\" to your own shader, which samples \"shown\" and writes \"color\"");
         return d;
     }
     ResourceDesc image;

@@ -58,9 +58,9 @@ const char* operand_fault(ExprOp op, const ExprValue& a, const ExprValue& b) {
     if ((op == ExprOp::div || op == ExprOp::mod) && (b.x == 0 || b.y == 0)) return "division by zero";
     if (op == ExprOp::log2 && (a.x <= 0 || a.y <= 0)) return "log2 of a number that is not positive";
     if (op == ExprOp::make_size && (a.is_size || b.is_size))
-        return "a part of [width, height] is itself a size";
+        return "width or height in [width, height] is itself a size, not a number";
     if ((op == ExprOp::select_x || op == ExprOp::select_y) && !a.is_size)
-        return "a number has no .x and .y: only sizes have";
+        return "a number has no .x and .y; only a size has them";
     return nullptr;
 }
 
@@ -68,8 +68,8 @@ const char* operand_help(ExprOp op) {
     if (op == ExprOp::div || op == ExprOp::mod)
         return "keep the divisor above zero, for example with max(…, 1)";
     if (op == ExprOp::log2) return "keep its argument above zero, for example with max(…, 1)";
-    if (op == ExprOp::make_size) return "write .x or .y behind it";
-    return "leave the selection out";
+    if (op == ExprOp::make_size) return "append .x or .y to the size inside the brackets";
+    return "remove .x or .y";
 }
 
 Outcome apply(ExprOp op, const ExprValue& a, const ExprValue& b) {
@@ -91,7 +91,7 @@ Diagnostic unknown(const ExprNode& node, const ExprNames& names, const SourceMap
     const std::string near = did_you_mean_text(node.name, known);
     error.help.push_back(!near.empty() ? near
                          : image       ? "mips() takes the name of an image in \"resources\" or \"imports\""
-                                 : "names are those of \"params\", \"consts\" and \"sizes\", and \"output\"");
+                                       : "use a name of \"params\", \"consts\" or \"sizes\", or \"output\"");
     return error;
 }
 
@@ -142,8 +142,9 @@ Result<ExprValue> evaluate(const Expr& expression, const ExprNames& names, const
     const ExprValue value = stack.back();
     if (!std::isfinite(value.x) || !std::isfinite(value.y)) {
         Diagnostic error =
-            sources.error(expression.loc, "W106", "\"" + expression.text + "\" is too large to be a number");
-        error.help.emplace_back("check its factors");
+            sources.error(expression.loc, "W106",
+                          "\"" + expression.text + "\" has a result that is too large for a number");
+        error.help.emplace_back("check the factors of the expression");
         return error;
     }
     return value;

@@ -80,7 +80,7 @@ class ExpressionParser {
     bool check_length() {
         if (nodes_.size() <= kMaxExpressionNodes) return true;
         return fail(0, text_.text.size(), "the expression is too long: at most 1,024 parts are allowed",
-                    "give a part of it a name in \"sizes\" or \"consts\"");
+                    "move a part of the expression to \"sizes\" or \"consts\", and use its name here");
     }
     bool emit(ExprOp op, size_t offset, size_t length, double number = 0, std::string name = {}) {
         nodes_.push_back({op, number, std::move(name), text_.at(offset, length)});
@@ -89,7 +89,7 @@ class ExpressionParser {
 
     bool sum() {
         if (++nesting_ > kMaxNesting)
-            return fail(position_, 1, "the expression is nested too deeply (limit 64)");
+            return fail(position_, 1, "the expression is nested too deeply: at most 64 levels are allowed");
         if (!product()) return false;
         for (;;) {
             skip_spaces();
@@ -133,7 +133,8 @@ class ExpressionParser {
             const size_t at = position_++;
             const char c = peek();
             if ((c != 'x' && c != 'y') || is_name_char(peek(1)))
-                return fail(at, 1, "after a '.' comes x or y", "write .x for the width, .y for the height");
+                return fail(at, 1, "found '.' without x or y after it",
+                            "write .x for the width, .y for the height");
             ++position_;
             if (!emit(c == 'x' ? ExprOp::select_x : ExprOp::select_y, at, 2)) return false;
         }

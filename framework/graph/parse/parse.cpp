@@ -18,8 +18,8 @@ const std::vector<std::string>& import_kinds() {
 void read_version(ParseContext& context, const JsonNode& node, GraphDesc&) {
     double version = 0;
     if (!read_number(context, node, version) || version == static_cast<double>(kFormatVersion)) return;
-    context.error(node.loc, "W109", "version " + node.string + " of the graph format is not known",
-                  "this program reads version 1");
+    context.error(node.loc, "W109", "the graph format has no version " + node.string,
+                  "write \"version\": 1, which is the only version that this program reads");
 }
 
 void read_import_kind(ParseContext& context, const JsonNode& node, ImportDesc& import) {
@@ -29,7 +29,7 @@ void read_import_kind(ParseContext& context, const JsonNode& node, ImportDesc& i
     Diagnostic& error = context.error(node.loc, "W118", "unknown kind of import \"" + import.kind + "\"");
     const std::string near = did_you_mean_text(import.kind, import_kinds());
     if (!near.empty()) error.help.push_back(near);
-    error.help.push_back("kinds are " + quoted_list(import_kinds()));
+    error.help.push_back("the kinds of imports are " + quoted_list(import_kinds()));
 }
 
 constexpr std::array kImportKeys{KeyRule<ImportDesc>{"kind", read_import_kind}};
@@ -40,7 +40,7 @@ void read_imports(ParseContext& context, const JsonNode& node, GraphDesc& graph)
         if (!read_object(context, member.value, "an import", kImportKeys, import)) return;
         if (member.value.find("kind") == nullptr)
             missing_key(context, member.key_loc, "an import", "kind",
-                        "kinds are " + quoted_list(import_kinds()));
+                        "the kinds of imports are " + quoted_list(import_kinds()));
         graph.imports.emplace(member.key, std::move(import));
     });
 }
@@ -146,13 +146,14 @@ void check_shared_names(ParseContext& context, const JsonNode& root,
             const PointerScope scope(context, member.key);
             if (in_expressions && is_reserved_word(member.key))
                 context.error(member.key_loc, "W109",
-                              "\"" + member.key + "\" has a meaning of its own in expressions",
+                              "\"" + member.key +
+                                  "\" is a reserved word of expressions, so nothing else can have this name",
                               "choose another name");
             const auto [it, is_new] = first.emplace(member.key, member.key_loc);
             if (is_new) continue;
             Diagnostic& error =
-                context.error(member.key_loc, "W109", "the name \"" + member.key + "\" is taken");
-            error.help.emplace_back("choose another name: references could not distinguish the two");
+                context.error(member.key_loc, "W109", "the name \"" + member.key + "\" is already used");
+            error.help.emplace_back("choose another name, because references find both by name");
             error.notes.push_back({error.file, it->second.line, it->second.column, "first used here"});
         }
     }
@@ -178,7 +179,7 @@ void list_graph_grammar(std::vector<GrammarTable>& lists) {
 bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc) {
     return context.within(graph.consts.size() + graph.params.size() + graph.sizes.size() + 1,
                           context.limits().constants, loc, "parameters, constants and sizes",
-                          "graph.constants", "leave out those that nothing uses");
+                          "graph.constants", "remove parameters, constants and sizes that nothing uses");
 }
 
 Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits) {

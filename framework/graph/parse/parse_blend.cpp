@@ -115,7 +115,7 @@ void read_mask(ParseContext& context, const JsonNode& node, uint8_t& out) {
         out = mask;
     else
         context.error(node.loc, "W109", "\"" + node.string + "\" is not a set of channels",
-                      "write \"rgba\", some of its letters, or \"none\"");
+                      "write letters of \"rgba\", for example \"rgb\", or write \"none\"");
 }
 
 void check_output(ParseContext& context, const JsonMember& member, const PassDesc& pass) {
@@ -128,8 +128,8 @@ void check_output(ParseContext& context, const JsonMember& member, const PassDes
         context.error(member.key_loc, "W101", "the pass has no output \"" + member.key + "\"");
     const std::string near = did_you_mean_text(member.key, outputs);
     error.help.push_back(!near.empty()     ? near
-                         : outputs.empty() ? "add it to \"out\""
-                                           : "outputs are " + quoted_list(outputs));
+                         : outputs.empty() ? "add this output to \"out\""
+                                           : "the outputs of the pass are " + quoted_list(outputs));
 }
 
 // Reads a value that is either the same for all outputs of the pass (stored under the empty name) or an

@@ -47,7 +47,7 @@ bool ParseContext::within(size_t count, uint64_t limit, SourceLoc loc, const std
 bool ParseContext::count_parts(const Expr& expression) {
     parts_ += expression.postfix.size();
     return within(parts_, limits_.expression_parts, expression.loc, "parts of expressions",
-                  "graph.expressionParts", "give what is written often a name in \"consts\" or \"sizes\"");
+                  "graph.expressionParts", "define repeated expressions once, in \"consts\" or \"sizes\"");
 }
 
 bool ParseContext::count_parts(const RefDesc& ref) {
@@ -98,7 +98,7 @@ void wrong_type(ParseContext& context, const JsonNode& node, std::string_view wa
     else if (wanted == json_kind_name(JsonKind::array))
         error.help.emplace_back("write [ … ] here");
     else
-        error.help.emplace_back("write a value of that kind here");
+        error.help.emplace_back("write a value of the wanted type here");
 }
 
 bool expect(ParseContext& context, const JsonNode& node, JsonKind wanted) {
@@ -110,7 +110,7 @@ bool expect(ParseContext& context, const JsonNode& node, JsonKind wanted) {
 bool read_string(ParseContext& context, const JsonNode& node, std::string& out) {
     if (!expect(context, node, JsonKind::string)) return false;
     if (node.string.empty()) {
-        context.error(node.loc, "W109", "the string is empty", "write something, or leave the key out");
+        context.error(node.loc, "W109", "the string is empty", "write a text, or remove the key");
         return false;
     }
     out = node.string;
@@ -133,7 +133,8 @@ bool read_float(ParseContext& context, const JsonNode& node, float& out) {
     double number = 0;
     if (!read_number(context, node, number)) return false;
     if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max())) {
-        context.error(node.loc, "W109", "the number is out of range", "single precision ends at 3.4e38");
+        context.error(node.loc, "W109", "the number is out of range",
+                      "use a magnitude of at most 3.4e38, the limit of single precision");
         return false;
     }
     out = static_cast<float>(number);
@@ -146,7 +147,7 @@ bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int6
     if (number != std::floor(number) || number < static_cast<double>(min) ||
         number > static_cast<double>(max)) {
         context.error(node.loc, "W109", "found " + node.string + ", wanted a whole number",
-                      "it may be " + std::to_string(min) + " to " + std::to_string(max));
+                      "write a number from " + std::to_string(min) + " to " + std::to_string(max));
         return false;
     }
     out = static_cast<int64_t>(number);
@@ -226,7 +227,7 @@ bool read_size(ParseContext& context, const JsonNode& node, Expr& out) {
     if (node.kind != JsonKind::array) return read_expression(context, node, out);
     if (node.items.size() != 2) {
         context.error(node.loc, "W109", "found " + std::to_string(node.items.size()) + " values, wanted two",
-                      "a size is [width, height]");
+                      "write a size as [width, height]");
         return false;
     }
     Expr width, height;
@@ -253,12 +254,12 @@ bool check_identifier(ParseContext& context, std::string_view what, const std::s
         context.error(loc, "W004",
                       "the name of " + std::string(what) + " has " + std::to_string(name.size()) +
                           " bytes, more than " + std::to_string(context.limits().name_bytes),
-                      "choose a shorter one, " + raise_limit_text("graph.nameBytes"));
+                      "choose a shorter name, " + raise_limit_text("graph.nameBytes"));
         return false;
     }
     if (is_identifier(name)) return true;
-    context.error(loc, "W109", "\"" + name + "\" cannot be the name of " + std::string(what),
-                  "names are made of letters, digits and _, and do not begin with a digit");
+    context.error(loc, "W109", "\"" + name + "\" is not a valid name for " + std::string(what),
+                  "use only letters, digits and _, and begin with a letter or _");
     return false;
 }
 
@@ -281,9 +282,9 @@ void unknown_key(ParseContext& context, const JsonMember& member, std::string_vi
     if (!near.empty()) error.help.push_back(near);
     if (allowed.size() <= kShortList)
         error.help.push_back(allowed.empty() ? "no keys are allowed here"
-                                             : "keys are " + quoted_list(allowed));
+                                             : "allowed keys are " + quoted_list(allowed));
     else if (near.empty())
-        error.help.emplace_back("remove it, or move it to where it belongs");
+        error.help.emplace_back("remove this key, or move it to another object");
 }
 
 void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, std::string_view key,
@@ -294,10 +295,10 @@ void missing_key(ParseContext& context, SourceLoc loc, std::string_view what, st
 
 void bad_choice(ParseContext& context, const JsonNode& node, const std::string& found,
                 const std::vector<std::string>& allowed) {
-    Diagnostic& error = context.error(node.loc, "W109", "\"" + found + "\" is not among the allowed values");
+    Diagnostic& error = context.error(node.loc, "W109", "\"" + found + "\" is not an allowed value here");
     const std::string near = did_you_mean_text(found, allowed);
     if (!near.empty()) error.help.push_back(near);
-    error.help.push_back("values are " + quoted_list(allowed));
+    error.help.push_back("allowed values are " + quoted_list(allowed));
 }
 
 }  // namespace weft

@@ -21,7 +21,7 @@ void read_decode(ParseContext& context, const JsonNode& node, DebugViewDesc& vie
 void read_view_shader(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
     read_string(context, node, view.shader);
     if (!view.decode.empty())
-        context.error(node.loc, "W109", "a view has a \"decode\" or a \"shader\", not both",
+        context.error(node.loc, "W109", "a debug view cannot have both \"decode\" and \"shader\"",
                       "remove one of the two");
 }
 
@@ -55,7 +55,7 @@ void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
     for (const JsonMember& member : node.members) {
         if (context.is_full()) return;
         if (!context.within(graph.debug.size() + 1, context.limits().debug_views, member.key_loc,
-                            "debug views", "graph.debugViews", "leave some out"))
+                            "debug views", "graph.debugViews", "remove some debug views"))
             return;
         const PointerScope scope(context, member.key);
         DebugViewDesc view;
@@ -64,7 +64,7 @@ void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
         if (!read_object(context, member.value, "a debug view", kViewKeys, view)) continue;
         if (member.value.find("show") == nullptr)
             missing_key(context, member.key_loc, "a debug view", "show",
-                        "name the resource: \"show\": \"hdr\"");
+                        "name the resource to show, for example \"show\": \"hdr\"");
         graph.debug.emplace(member.key, std::move(view));
     }
 }

@@ -18,7 +18,7 @@ void read_param_range(ParseContext& context, const JsonNode& node, ParamDesc& pa
     std::array<double, 2> range{};
     if (!read_numbers(context, node, range)) return;
     if (range[0] > range[1])
-        return context.error(node.loc, "W109", "the range ends before it begins",
+        return context.error(node.loc, "W109", "the first value of the range is greater than the second",
                              "write [smallest, largest]");
     param.range = range;
 }
@@ -26,7 +26,7 @@ void read_param_range(ParseContext& context, const JsonNode& node, ParamDesc& pa
 void read_allowed(ParseContext& context, const JsonNode& node, ParamDesc& param) {
     if (!expect(context, node, JsonKind::array)) return;
     if (node.items.empty())
-        context.error(node.loc, "W109", "the list is empty", "list the values that may be chosen");
+        context.error(node.loc, "W109", "the list is empty", "list the allowed values of the parameter");
     param.allowed.resize(node.items.size());
     read_numbers(context, node, param.allowed);
 }
@@ -34,7 +34,7 @@ void read_allowed(ParseContext& context, const JsonNode& node, ParamDesc& param)
 void read_step(ParseContext& context, const JsonNode& node, ParamDesc& param) {
     if (read_number(context, node, param.step) && param.step <= 0)
         context.error(node.loc, "W109", "a step must be above zero",
-                      "leave it out for a continuous parameter");
+                      "remove \"step\" for a continuous parameter");
 }
 
 constexpr std::array kParamKeys{
@@ -56,17 +56,17 @@ void check_default(ParseContext& context, const JsonNode& node, const ParamDesc&
             if (const JsonNode* extra = node.find(key))
                 context.error(extra->loc, "W109",
                               "a parameter that is true or false has no \"" + std::string(key) + "\"",
-                              "remove it, or make the default a number");
+                              "remove this key, or make \"default\" a number");
         return;
     }
     if (param.range && (param.default_value < (*param.range)[0] || param.default_value > (*param.range)[1]))
-        context.error(value->loc, "W109", "the default " + value->string + " lies outside the range",
-                      "choose a default within \"range\"");
+        context.error(value->loc, "W109", "the default " + value->string + " is outside \"range\"",
+                      "choose a default in this range, or extend the range");
     const bool listed =
         std::find(param.allowed.begin(), param.allowed.end(), param.default_value) != param.allowed.end();
     if (!param.allowed.empty() && !listed)
-        context.error(value->loc, "W109", "the default " + value->string + " is not listed",
-                      "choose a default that \"enum\" lists");
+        context.error(value->loc, "W109", "the default " + value->string + " is not in the list \"enum\"",
+                      "choose a default from this list, or add the value to the list");
 }
 
 bool read_component(ParseContext& context, const JsonNode& node, ParamValueDesc& param) {
@@ -86,7 +86,7 @@ void read_param_value(ParseContext& context, const JsonNode& node, ParamValueDes
     if (node.items.empty() || node.items.size() > kMaxComponents)
         return context.error(node.loc, "W109",
                              "found " + std::to_string(node.items.size()) + " values, wanted 1 to 4",
-                             "a vector has at most four components");
+                             "write 1 to 4 numbers: a vector has at most four components");
     for (size_t i = 0; i < node.items.size(); ++i) {
         const PointerScope scope(context, std::to_string(i));
         read_component(context, node.items[i], param);
@@ -141,7 +141,7 @@ void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass
     for (const ParamValueDesc& constant : pass.constants) {
         if (constant.components.size() == 1) continue;
         const PointerScope scope(context, constant.name);
-        context.error(constant.loc, "W109", "a specialisation constant is one number",
+        context.error(constant.loc, "W109", "a specialisation constant must be one value, not a list",
                       "write a number, an expression, true or false");
     }
 }

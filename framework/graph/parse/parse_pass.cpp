@@ -71,7 +71,7 @@ void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (!number) return context.add(number.take_errors());
     if (!context.count_parts(*number)) return;
     if (text.text.substr(end) != ")")
-        return context.error(text.at(end, 1), "W106", "the number of a view does not end with ')'",
+        return context.error(text.at(end, 1), "W106", "the number of a view needs ')' as its last character",
                              "write the view as \"" + pass.view.substr(0, open) + "(i)\"");
     pass.view.resize(open);
     pass.view_number = std::move(*number);
@@ -204,7 +204,8 @@ void missing_type(ParseContext& context, const JsonMember& member, const JsonNod
         if (other.value.find("type") != nullptr) others.push_back(other.key);
     std::string near = did_you_mean_text(member.key, others);
     missing_key(context, member.key_loc, "a pass", "type",
-                near.empty() ? "types are " + types_text(kAll) + ", or one written in C++" : std::move(near));
+                near.empty() ? "built-in types are " + types_text(kAll) + "; programs can add types in C++"
+                             : std::move(near));
 }
 
 // Returns the bit of the pass's type. If the type is unknown or absent, returns all types, so that no key of
@@ -225,7 +226,8 @@ TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNo
         if (key == nullptr || (key->types & kCustom) != 0) continue;
         const PointerScope scope(context, "type");
         Diagnostic& error = context.error(
-            type->loc, "W115", "unknown pass type \"" + type->string + "\" with \"" + entry.key + "\"");
+            type->loc, "W115",
+            "unknown pass type \"" + type->string + "\", which has the key \"" + entry.key + "\"");
         const std::string near =
             did_you_mean_text(type->string, choice_names(std::span<const Choice<TypeMask>>(kBuiltinTypes)));
         error.help.push_back(near.empty() ? "built-in types are " + types_text(kAll) : near);
@@ -250,8 +252,9 @@ void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, cons
         if (key == nullptr)
             unknown_key(context, member, mask == kAll ? "a pass" : article(type), allowed);
         else if ((key->types & mask) == 0)
-            context.error(member.key_loc, "W101", article(type) + " has no use for \"" + member.key + "\"",
-                          "\"" + member.key + "\" belongs to passes of type " + types_text(key->types));
+            context.error(
+                member.key_loc, "W101", article(type) + " does not use the key \"" + member.key + "\"",
+                "remove it: \"" + member.key + "\" belongs to passes of type " + types_text(key->types));
     }
 }
 
@@ -275,7 +278,7 @@ void check_dispatch(ParseContext& context, const JsonNode& node) {
     const JsonNode* threads = node.find("threads");
     if (threads == nullptr || node.find("groups") == nullptr) return;
     const PointerScope scope(context, "threads");
-    context.error(threads->loc, "W109", "a pass has \"groups\" or \"threads\", not both",
+    context.error(threads->loc, "W109", "a pass cannot have both \"groups\" and \"threads\"",
                   "remove one of the two");
 }
 
@@ -287,14 +290,14 @@ void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& p
     if (!pass.depth && depth != nullptr && pass.state.depth_test) {
         const PointerScope scope(context, "state");
         const PointerScope key(context, "depth");
-        context.error(depth->loc, "W109", "the pass tests depth but has no depth attachment",
-                      "add \"depth\": \"name of the depth image\" to the pass");
+        context.error(depth->loc, "W109", "the pass tests depth, but has no depth attachment",
+                      "add the key \"depth\" with the name of a depth image to the pass");
     }
     if (!pass.depth || depth != nullptr) return;
     if (pass.type == "fullscreen")
         return missing_key(context, member.key_loc,
                            "the \"state\" of a fullscreen pass with a depth attachment", "depth",
-                           "choose a test, for example \"state\": { \"depth\": \"equal\" }");
+                           "choose a depth test, for example \"state\": { \"depth\": \"equal\" }");
     pass.state.depth_test = true;
     pass.state.depth_write = true;
     pass.state.depth_compare = CompareOp::greater;
@@ -304,7 +307,7 @@ void check_procedural(ParseContext& context, const JsonNode& node, const PassDes
     if (pass.vertices.empty() || pass.state.cull != CullMode::material) return;
     const JsonNode* cull = node.find("state")->find("cull");
     const PointerScope scope(context, "state"), key(context, "cull");
-    context.error(cull->loc, "W109", "draws without a list have no material that determines culling",
+    context.error(cull->loc, "W109", "the pass draws no draw list, so no material can determine culling",
                   "write \"none\", \"front\" or \"back\"");
 }
 

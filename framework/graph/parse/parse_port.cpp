@@ -115,7 +115,7 @@ bool is_port_map(ParseContext& context, const JsonNode& node) {
 // targets of a pass are counted separately.
 bool check_port_count(ParseContext& context, size_t count, SourceLoc loc) {
     return context.within(count, context.limits().pass_ports, loc, "ports of one kind in a pass",
-                          "graph.passPorts", "let one image with layers serve for many");
+                          "graph.passPorts", "use one image with layers instead of many images");
 }
 
 // Returns true if the port has its name from its own reference, as in the shorthand ["hdr"]. Such a name is
@@ -192,8 +192,9 @@ void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass)
         resolve.output_loc = member.value.loc;
         if (!read_string(context, member.value, resolve.output)) continue;
         if (pass.depth && resolve.output == "depth") {
-            context.error(member.value.loc, "W109", "depth can't be resolved",
-                          "sample it in another pass, as a sampler2DMS, and write what you need of it");
+            context.error(
+                member.value.loc, "W109", "depth can't be resolved",
+                "read the depth image in another pass as a sampler2DMS, and write the result from there");
             continue;
         }
         if (std::find(outputs.begin(), outputs.end(), resolve.output) == outputs.end())
@@ -212,7 +213,7 @@ void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass)
     if (!read_object(context, node, "the size of a dispatch", kGroupsKeys, draft)) return;
     if (node.members.empty())
         missing_key(context, node.loc, "the size of a dispatch", "indirect",
-                    "name the buffer that holds it: { \"indirect\": \"args\" }");
+                    "name the buffer that contains the size: { \"indirect\": \"args\" }");
     pass.indirect = std::move(draft.port);
 }
 

@@ -7,7 +7,7 @@ namespace weft {
 namespace {
 
 constexpr const char* kRangeHelp =
-    "a range is \"a..b\", both ends included and empty if a > b, or \"a..b by -1\" to count down";
+    "write \"a..b\", which includes a and b and is empty if a > b; or \"a..b by -1\" to count down";
 
 class RangeParser {
  public:
@@ -60,15 +60,15 @@ const char* meaning_of(const GraphDesc& graph, const std::string& name) {
     if (graph.consts.contains(name)) return "a constant";
     if (graph.params.contains(name)) return "a parameter";
     if (graph.sizes.contains(name)) return "a size";
-    return is_reserved_word(name) ? "a word of the expression language" : nullptr;
+    return is_reserved_word(name) ? "a reserved word of expressions" : nullptr;
 }
 
 }  // namespace
 
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (node.kind == JsonKind::object && node.members.empty())
-        return context.error(node.loc, "W109", "a repeat without an index",
-                             "name one: \"repeat\": { \"i\": \"0..3\" }, or remove the key");
+        return context.error(node.loc, "W109", "the repeat has no index",
+                             "add an index: \"repeat\": { \"i\": \"0..3\" }, or remove \"repeat\"");
     read_named(context, node, "an index", [&](const JsonMember& member) {
         if (!context.within(pass.repeat.size() + 1, context.limits().repeat_indices, member.key_loc,
                             "indices in a repeat", "graph.repeatIndices", "combine several indices into one"))
@@ -93,7 +93,7 @@ void check_indices(ParseContext& context, const GraphDesc& graph) {
             const char* meaning = meaning_of(graph, repeat.index);
             if (meaning == nullptr) continue;
             context.error(repeat.loc, "W109", "the index \"" + repeat.index + "\" is already " + meaning,
-                          "choose another name");
+                          "choose another name for the index");
         }
     }
 }

@@ -22,7 +22,7 @@ void read_formats(ParseContext& context, const JsonNode& node, ResourceDesc& res
             const SourceLoc loc = LocatedText{node.string, node.loc}.at(begin, name.size());
             const std::string near = did_you_mean_text(name, format_names());
             context.error(loc, "W116", "unknown format \"" + name + "\"",
-                          near.empty() ? "formats are " + quoted_list(format_names()) : near);
+                          near.empty() ? "allowed formats are " + quoted_list(format_names()) : near);
         }
         begin = end + 1;
     }
@@ -124,9 +124,10 @@ void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
         for (const std::string_view key : keys) {
             if (member.key != key) continue;
             const PointerScope scope(context, key);
-            context.error(member.key_loc, "W101", std::string(what) + " has no \"" + member.key + "\"",
-                          "remove it: \"count\" belongs to buffers, \"format\", \"size\" and what describes "
-                          "texels to images");
+            context.error(
+                member.key_loc, "W101", std::string(what) + " has no \"" + member.key + "\"",
+                "remove the key: \"count\" is only for buffers; \"format\", \"size\" and other keys "
+                "of texels are only for images");
         }
     }
 }
@@ -147,19 +148,21 @@ void check_kind(ParseContext& context, const JsonMember& member) {
     if (node.find("buffer") != nullptr) {
         refuse(context, node, "a buffer", kImageKeys);
         if (node.find("count") == nullptr)
-            missing_key(context, member.key_loc, "a buffer", "count", "give the number of elements");
+            missing_key(context, member.key_loc, "a buffer", "count",
+                        "add the number of elements: \"count\": 64");
         return;
     }
     refuse(context, node, "an image", kBufferKeys);
     if (node.find("format") == nullptr)
         missing_key(context, member.key_loc, "a resource", "format",
-                    "an image needs \"format\", a buffer \"buffer\" and \"count\"");
+                    "add \"format\" for an image, or \"buffer\" and \"count\" for a buffer");
 }
 
 const char* help_for_layers(ImageKind kind) {
-    if (kind == ImageKind::d3) return "a 3D image has a \"depth\" instead";
-    if (kind == ImageKind::cube) return "cubes have their six faces; several are \"kind\": \"cubeArray\"";
-    return "write \"kind\": \"array\", or leave the kind out";
+    if (kind == ImageKind::d3) return "a 3D image has no layers: use \"depth\" instead";
+    if (kind == ImageKind::cube)
+        return "a cube always has six faces; for several cubes write \"kind\": \"cubeArray\"";
+    return "write \"kind\": \"array\", or remove \"kind\"";
 }
 
 // Sets the kind of an image from its keys, and checks that all keys are allowed for this kind.
@@ -171,15 +174,15 @@ void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& reso
     const auto has = [&](std::string_view key) { return node.find(key) != nullptr; };
     for (const std::string_view key : {"size", "kind"})
         if (has("cube") && has(key))
-            complain(key, "\"cube\" already says the " + std::string(key),
-                     "remove it, or write \"kind\": \"cube\" with a size");
+            complain(key, "the key \"cube\" already determines the " + std::string(key),
+                     "remove this key, or replace \"cube\" by \"kind\": \"cube\" and \"size\"");
     if (!has("kind") && !has("cube") && has("layers")) resource.image_kind = ImageKind::d2_array;
     const ImageKind kind = resource.image_kind;
     const bool layered = kind == ImageKind::d2_array || kind == ImageKind::cube_array;
     if (has("layers") && !layered)
         complain("layers", "this kind of image has no layers", help_for_layers(kind));
     if (has("depth") && kind != ImageKind::d3)
-        complain("depth", "only 3D images have a depth", "write \"kind\": \"3d\" too");
+        complain("depth", "only 3D images have a depth", "add \"kind\": \"3d\", or remove \"depth\"");
     const JsonNode* samples = node.find("samples");
     if (samples == nullptr || samples->number == 1) return;
     if (kind != ImageKind::d2 && kind != ImageKind::d2_array)
@@ -198,14 +201,15 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
     const JsonNode* history = node.find("history");
     if (history != nullptr && history->number != 0 && resource.keep != KeepMode::none)
         complain(
-            "keep", "a resource has \"history\" or \"keep\", not both",
-            "\"history\" uses a new copy in each frame, \"keep\" keeps a single copy: remove one of the two");
+            "keep", "a resource cannot have both \"history\" and \"keep\"",
+            "remove one of the two: \"history\" uses a new copy in each frame, \"keep\" keeps a single copy");
     const bool lasting = resource.keep != KeepMode::none || history != nullptr;
     for (const std::string_view key : {"firstFrame", "onResize"})
         if (!lasting && node.find(key) != nullptr)
             complain(key,
-                     "\"" + std::string(key) + "\" has no meaning for a resource that lives within one frame",
-                     "add \"history\": 1 (last frame's content too) or \"keep\": true, or remove it");
+                     "\"" + std::string(key) +
+                         "\" has no effect, because the resource keeps no content after the frame",
+                     "remove this key, or keep the content with \"history\": 1 or \"keep\": true");
     if (resource.is_buffer && resource.on_resize == OnResize::resample)
         complain("onResize", "a buffer can't be resampled", "choose \"clear\" or \"refill\"");
 }

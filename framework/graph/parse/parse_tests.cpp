@@ -34,8 +34,8 @@ bool check_ref(ParseContext& context, const TestDraft& draft, const std::string&
     std::vector<std::string> known;
     for (const auto& [name, unused] : draft.graph.resources) known.push_back(name);
     const std::string near = did_you_mean_text(ref->name, known);
-    context.error(loc, "W103", "the test expects something of unknown resource \"" + ref->name + "\"",
-                  near.empty() ? "name one of \"resources\"" : near);
+    context.error(loc, "W103", "the test checks the unknown resource \"" + ref->name + "\"",
+                  near.empty() ? "name a resource of \"resources\"" : near);
     return false;
 }
 
@@ -70,8 +70,8 @@ void read_bounds(ParseContext& context, const JsonNode& node, TestDraft& draft) 
         if (!check_ref(context, draft, member.key, member.key_loc)) continue;
         if (!read_numbers(context, member.value, bounds)) continue;
         if (bounds[0] > bounds[1])
-            context.error(member.value.loc, "W109", "the bounds end before they begin",
-                          "write [least, most]");
+            context.error(member.value.loc, "W109", "the lower bound is greater than the upper bound",
+                          "write [lower bound, upper bound]");
         draft.test.expect.push_back({What, member.key, bounds[0], bounds[1], member.key_loc});
     }
 }
@@ -82,7 +82,7 @@ void read_most(ParseContext& context, const JsonNode& node, TestDraft& draft) {
     if (!read_number(context, node, most)) return;
     if (most < 0)
         return context.error(node.loc, "W109", "found " + node.string + ", wanted a maximum",
-                             "it is 0 or more");
+                             "write 0 or a greater number");
     draft.test.expect.push_back({What, "", 0, most, node.loc});
 }
 
@@ -99,7 +99,7 @@ constexpr std::array kExpectKeys{KeyRule<TestDraft>{kValidation, read_most<kVali
                                  KeyRule<TestDraft>{kMean, read_bounds<kMean>}};
 
 void read_expect(ParseContext& context, const JsonNode& node, TestDraft& draft) {
-    read_object(context, node, "what a test expects", kExpectKeys, draft);
+    read_object(context, node, "the expectations of a test", kExpectKeys, draft);
 }
 
 void read_test_tiers(ParseContext& context, const JsonNode& node, TestDraft& draft) {
@@ -110,8 +110,8 @@ void read_test_tiers(ParseContext& context, const JsonNode& node, TestDraft& dra
 void read_swap(ParseContext& context, const JsonNode& node, TestDraft& draft) {
     read_names(context, node, draft.swaps, draft.swap_locs);
     if (node.kind == JsonKind::array && node.items.size() < 2)
-        context.error(node.loc, "W109", "a swap needs two tiers or more",
-                      "write [\"low\", \"high\", \"low\"]");
+        context.error(node.loc, "W109", "a test that changes tiers needs two or more tiers",
+                      "write for example [\"low\", \"high\", \"low\"]");
 }
 
 void read_positive_count(ParseContext& context, const JsonNode& node, uint32_t& out) {
@@ -124,7 +124,7 @@ void read_test_size(ParseContext& context, const JsonNode& node, TestDraft& draf
     if (node.items.size() != 2)
         return context.error(node.loc, "W109",
                              "found " + std::to_string(node.items.size()) + " values, wanted two",
-                             "a size is [width, height]");
+                             "write a size as [width, height]");
     std::array<int64_t, 2> size{};
     for (size_t i = 0; i < size.size(); ++i)
         if (!read_integer(context, node.items[i], 1, kMostSide_px, size[i])) return;
@@ -143,8 +143,8 @@ void read_test_size(ParseContext& context, const JsonNode& node, TestDraft& draf
 
 void read_scene(ParseContext& context, const JsonNode& node, TestDraft& draft) {
     if (!read_string(context, node, draft.test.scene) || draft.test.scene.starts_with("builtin:")) return;
-    context.error(node.loc, "W109", "\"" + draft.test.scene + "\" is no built-in scene",
-                  "a test needs no file beside the graph: \"builtin:spheres\"");
+    context.error(node.loc, "W109", "\"" + draft.test.scene + "\" is not a built-in scene",
+                  "name a built-in scene, for example \"builtin:spheres\": a test uses no scene files");
 }
 
 void read_test_params(ParseContext& context, const JsonNode& node, TestDraft& draft) {
@@ -154,7 +154,7 @@ void read_test_params(ParseContext& context, const JsonNode& node, TestDraft& dr
         double value = member.value.boolean ? 1 : 0;
         if (!draft.graph.params.contains(member.key))
             context.error(member.key_loc, "W120", "the graph has no parameter \"" + member.key + "\"",
-                          "name one of \"params\"");
+                          "name a parameter of \"params\"");
         else if (member.value.kind == JsonKind::boolean || read_number(context, member.value, value))
             draft.test.params[member.key] = value;
     }
@@ -167,10 +167,10 @@ void check_tier_names(ParseContext& context, const TestDraft& draft, const std::
     for (size_t i = 0; i < names.size(); ++i) {
         if (std::ranges::find(known, names[i]) != known.end()) continue;
         const std::string near = did_you_mean_text(names[i], known);
-        context.error(locs[i], "W129", "there is no tier \"" + names[i] + "\"",
+        context.error(locs[i], "W129", "the graph has no tier \"" + names[i] + "\"",
                       !near.empty()   ? near
-                      : known.empty() ? "the graph has no tiers"
-                                      : "tiers are " + quoted_list(known));
+                      : known.empty() ? "this graph has no tiers: remove the tier name"
+                                      : "choose one of its tiers: " + quoted_list(known));
     }
 }
 
@@ -224,13 +224,12 @@ void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
             continue;
         const GraphTestDesc& test = graph.tests.back();
         runs += test.swap.empty() ? test.tiers.size() : test.swap.size();
-        if (!context.within(runs, context.limits().test_runs, test.loc,
-                            "runs of its own tests, each tier counted", "graph.testRuns",
-                            "let fewer tests run on fewer tiers"))
+        if (!context.within(runs, context.limits().test_runs, test.loc, "test runs, counted for each tier",
+                            "graph.testRuns", "remove tests, or run them with fewer tiers"))
             return;
         frames += stated_frames(test);
-        if (!context.within(frames, context.limits().test_frames, test.loc, "frames of its own tests",
-                            "graph.testFrames", "let tests draw fewer frames"))
+        if (!context.within(frames, context.limits().test_frames, test.loc, "frames in its tests",
+                            "graph.testFrames", "reduce the frames of its tests"))
             return;
     }
 }

@@ -31,8 +31,7 @@ class ReferenceParser {
         if (error_) return false;
         error_ = sources_.error(text_.at(offset, length), "W106", message);
         error_->help.push_back(
-            help.empty() ? "a reference is name@pass[-N].mip(e).layer(e).depth; all but the name are optional"
-                         : help);
+            help.empty() ? "write name@pass[-N].mip(e).layer(e).depth; only the name is required" : help);
         return false;
     }
     bool fail_at(size_t offset, const std::string& wanted) {
@@ -84,15 +83,16 @@ class ReferenceParser {
     bool history() {
         const size_t begin = position_++;
         if (ref_.history != 0) return fail(begin, 1, "the reference names an earlier frame twice");
-        const std::string help = "[-1] is the content of the resource at the end of the previous frame";
-        if (peek() != '-') return fail(begin, 1, "an earlier frame is written [-1], [-2], …", help);
+        const std::string help = "write [-1] for the content at the end of the previous frame";
+        if (peek() != '-')
+            return fail(begin, 1, "the number of an earlier frame must be written as [-1], [-2], …", help);
         ++position_;
         const size_t digits = position_;
         const std::string number = word();
         const auto parsed = std::from_chars(number.data(), number.data() + number.size(), ref_.history);
         if (parsed.ec != std::errc{} || parsed.ptr != number.data() + number.size() || ref_.history == 0 ||
             ref_.history > kMaxHistory)
-            return fail(digits, number.size(), "an earlier frame is 1 to 16 frames back", help);
+            return fail(digits, number.size(), "only 1 to 16 frames back are possible", help);
         return expect(']');
     }
 
@@ -109,11 +109,11 @@ class ReferenceParser {
         if (name.empty()) return fail_at(begin, "mip, layer, depth or stencil");
         const std::string near = did_you_mean_text(name, {"mip", "layer", "depth", "stencil"});
         return fail(begin, name.size(), "unknown selector \"." + name + "\"",
-                    near.empty() ? "selectors are .mip(e), .layer(e), .depth and .stencil" : near);
+                    near.empty() ? "allowed selectors are .mip(e), .layer(e), .depth and .stencil" : near);
     }
 
     bool range(size_t begin, const std::string& name, std::optional<Expr>& first, std::optional<Expr>& last) {
-        if (first) return fail(begin, name.size(), "the reference has two ." + name + "()");
+        if (first) return fail(begin, name.size(), "the reference has ." + name + "() twice");
         if (!expect('(') || !expression(first)) return false;
         skip_spaces();
         if (text_.text.substr(position_, 2) == "..") {
