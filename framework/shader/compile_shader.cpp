@@ -4,15 +4,15 @@
 #include <optional>
 #include <utility>
 
-#include "shader/shader_memory.h"
 #include "shader/compile/glsl_compile.h"
+#include "shader/compile/link_stages.h"
 #include "shader/compile/shader_cache.h"
 #include "shader/compile/shader_sources.h"
 #include "shader/gate/spirv_gate.h"
 #include "shader/gate/validate_spirv.h"
 #include "shader/reflect/interface_merge.h"
-#include "shader/compile/link_stages.h"
 #include "shader/reflect/local_size.h"
+#include "shader/shader_memory.h"
 
 namespace weft {
 
@@ -79,7 +79,8 @@ Diagnostic not_found(const std::string& reference, ProgramKind kind, const Stage
             (places.empty() ? "" : ", then ") + (root.empty() ? std::string(".") : root.generic_string());
     }
     if (file.shared) places = roots.include_root.generic_string();
-    diagnostic.help.push_back("looked in " + (places.empty() ? "no folder at all" : places));
+    diagnostic.help.push_back(places.empty() ? "no shader folder is known: give one to the program"
+                                             : "put the file into a shader folder; weft looked in " + places);
     const std::string near = did_you_mean_text(reference, known_references(kind, reader));
     if (!near.empty()) diagnostic.help.push_back(near);
     return diagnostic;
@@ -95,12 +96,14 @@ std::optional<Diagnostic> wrong_extension(const std::string& reference, ProgramK
     Diagnostic diagnostic;
     diagnostic.code = "W201";
     if (kind == ProgramKind::raster) {
-        diagnostic.message = "a raster shader is named without extension, found \"" + reference + "\"";
-        diagnostic.help.emplace_back("\"gbuffer\" means gbuffer/gbuffer.vert and gbuffer/gbuffer.frag");
+        diagnostic.message = "the name of a raster shader has no extension, found \"" + reference + "\"";
+        diagnostic.help.emplace_back(
+            "write for example \"gbuffer\", which means the two files gbuffer/gbuffer.vert and "
+            "gbuffer/gbuffer.frag");
     } else {
         diagnostic.message = std::string("a ") + (kind == ProgramKind::compute ? "compute" : "fullscreen") +
-                             " shader ends in " + wanted + ", found \"" + reference + "\"";
-        diagnostic.help.push_back("the extension is the stage: .comp for compute, .frag for fullscreen");
+                             " shader needs the extension " + wanted + ", found \"" + reference + "\"";
+        diagnostic.help.push_back("use .comp for compute passes, .frag for fullscreen passes");
     }
     const std::string near = did_you_mean_text(reference, known_references(kind, reader));
     if (!near.empty()) diagnostic.help.push_back(near);
@@ -155,10 +158,9 @@ Diagnostics invalid_modules(const std::vector<CompiledStage>& stages) {
     for (const CompiledStage& stage : stages) {
         const auto fault = spirv_fault(stage.spirv);
         if (!fault) continue;
-        Diagnostic diagnostic =
-            diagnostic_at({stage.source, 0, 0}, "W204", "the compiled shader is not valid: " + *fault);
-        diagnostic.help.emplace_back(
-            "rewrite the construct that the message names; GLSL accepts more than Vulkan does");
+        Diagnostic diagnostic = diagnostic_at(
+            {stage.source, 0, 0}, "W204", "the compiled shader is not valid SPIR-V for Vulkan: " + *fault);
+        diagnostic.help.emplace_back("rewrite the construct that the message names");
         errors.push_back(std::move(diagnostic));
     }
     return errors;

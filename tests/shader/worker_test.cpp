@@ -78,7 +78,7 @@ TEST_F(Worker, IsStoppedWhenItTakesTooMuchMemory) {
     const Diagnostics faults = errors("bomb.comp", ProgramKind::compute);
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_EQ(faults[0].code, "W207") << to_text(faults);
-    EXPECT_NE(faults[0].message.find("the compute stage takes more than 256 MiB of memory"),
+    EXPECT_NE(faults[0].message.find("the compute stage needs more than 256 MiB of memory"),
               std::string::npos)
         << to_text(faults);
     EXPECT_NE(faults[0].file.find("bomb.comp"), std::string::npos);
@@ -194,7 +194,8 @@ TEST_F(Worker, AllStagesOfAGraphShareOneTime) {
     for (int i = 0; i < 20; ++i)
         last = compile_shader("slow.comp", ProgramKind::compute, roots_, compiler).take_errors();
     EXPECT_LE(children_ms() - before_ms, 3000);
-    EXPECT_NE(last[0].message.find("came too late"), std::string::npos) << to_text(last);
+    EXPECT_NE(last[0].message.find("all stages of the graph together need more than"), std::string::npos)
+        << to_text(last);
 }
 
 TEST_F(Worker, ThatIsNotThereIsNamed) {

@@ -22,9 +22,10 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
     return [&reader, limits, followed = uint64_t{0},
             refusal = std::pair<std::string, std::string>()](const IncludeRequest& request) mutable {
         if (request.depth > limits.include_depth)
-            return refused("includes nest deeper than " + std::to_string(limits.include_depth));
+            return refused("includes are nested more than " + std::to_string(limits.include_depth) +
+                           " levels deep");
         if (followed >= limits.includes)
-            return refused("more than " + std::to_string(limits.includes) + " includes");
+            return refused("the stage has more than " + std::to_string(limits.includes) + " includes");
         const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
         if (lookup.source == nullptr) {
             // For #include "x", glslang asks twice: for a file beside the including file, then for a file in
@@ -97,25 +98,28 @@ Diagnostic StageCompiler::stopped(ShaderStage stage, const SourceText& source, u
     };
     switch (worker_->end()) {
         case WorkerEnd::out_of_memory:
-            return fault("takes more than " + limit_bytes_text(limits_.worker_bytes) + " of memory",
-                         "look for macros that double themselves, " + raise_limit_text("shader.workerBytes"));
+            return fault("needs more than " + limit_bytes_text(limits_.worker_bytes) + " of memory",
+                         "look for macros that expand to two copies of themselves, " +
+                             raise_limit_text("shader.workerBytes"));
         case WorkerEnd::out_of_time:
             if (time_ms < limits_.stage_ms)
-                return fault("came too late: all stages together have " + std::to_string(limits_.graph_ms) +
-                                 " ms of processor time",
+                return fault("stopped: all stages of the graph together need more than " +
+                                 std::to_string(limits_.graph_ms) + " ms of processor time",
                              "split the graph, " + raise_limit_text("shader.graphMs"));
-            return fault("takes more than " + std::to_string(limits_.stage_ms) + " ms of processor time",
-                         "look for macros and loops without end, " + raise_limit_text("shader.stageMs"));
+            return fault("needs more than " + std::to_string(limits_.stage_ms) + " ms of processor time",
+                         "look for endless loops and for macros that expand to very long text, " +
+                             raise_limit_text("shader.stageMs"));
         case WorkerEnd::protocol_error:
-            return fault("gives more than " + limit_bytes_text(limits_.spirv_bytes) + " of SPIR-V, or none",
-                         "make it smaller, " + raise_limit_text("shader.spirvBytes"));
+            return fault(
+                "produces no SPIR-V, or more than " + limit_bytes_text(limits_.spirv_bytes) + " of SPIR-V",
+                "make the shader smaller, " + raise_limit_text("shader.spirvBytes"));
         case WorkerEnd::crashed:
         case WorkerEnd::running:
             break;
     }
     const std::string signal =
         worker_->signal() == 0 ? "" : " (signal " + std::to_string(worker_->signal()) + ")";
-    return fault("crashed the compiler" + signal, "look for very deep nesting, in expressions too");
+    return fault("crashed the compiler" + signal, "look for very deeply nested expressions, blocks or types");
 }
 
 Result<CompiledStage> StageCompiler::compile(ShaderStage stage, const SourceText& source,

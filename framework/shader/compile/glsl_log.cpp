@@ -119,14 +119,14 @@ Diagnostic to_diagnostic(const LogLine& line, const SourceReader& reader) {
     underline_token(diagnostic, line.token);
     if (include) {
         diagnostic.help.emplace_back(
-            "includes are looked for beside the file that includes them, then in shaders/include; paths are "
-            "relative and never climb with \"..\"");
+            "use a relative path without \"..\" from the folder of this file, or from the folder "
+            "shaders/include");
     } else if (line.message.starts_with("undeclared identifier") || line.message.starts_with("no matching")) {
         const std::string near = did_you_mean_text(line.token, identifiers(reader, line.token));
         if (!near.empty()) diagnostic.help.push_back(near);
     }
     if (diagnostic.help.empty()) {
-        diagnostic.help.emplace_back("shaders are GLSL 4.60 with Vulkan's rules (GL_KHR_vulkan_glsl)");
+        diagnostic.help.emplace_back("write GLSL 4.60 with the rules for Vulkan (GL_KHR_vulkan_glsl)");
     }
     note_includers(diagnostic, line.position.source, reader);
     return diagnostic;
@@ -148,7 +148,7 @@ Diagnostics parse_glsl_log(const std::string& log, const SourceReader& reader, c
     }
     if (diagnostics.empty()) {
         Diagnostic diagnostic = diagnostic_at({&main, 0, 0}, "W202", "the shader does not compile");
-        diagnostic.help.emplace_back("shaders are GLSL 4.60 with Vulkan's rules (GL_KHR_vulkan_glsl)");
+        diagnostic.help.emplace_back("write GLSL 4.60 with the rules for Vulkan (GL_KHR_vulkan_glsl)");
         diagnostics.push_back(diagnostic);
     }
     return diagnostics;

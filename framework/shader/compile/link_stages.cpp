@@ -87,7 +87,8 @@ std::string list_of(const std::vector<ReflectedVariable>& outputs) {
         text += (text.empty() ? "" : ", ") + type_name(output) + " " + output.variable.name +
                 " at location " + std::to_string(output.variable.location);
     }
-    return text.empty() ? "it writes nothing but gl_Position" : "it writes " + text;
+    return text.empty() ? "write the variable in the vertex stage, which writes only gl_Position"
+                        : "read a variable that the vertex stage writes: " + text;
 }
 
 // Gives each input without a location the location of the output that has the same name in the previous
@@ -132,7 +133,7 @@ void check_inputs(ShaderStage stage, const std::vector<ReflectedVariable>& input
                               "the fragment stage reads " + wanted + place +
                                   ", but the vertex stage writes " + type_name(*output) + " " +
                                   output->variable.name + " there",
-                              "declare both with the same type"});
+                              "declare both variables with the same type"});
         }
     }
 }

@@ -23,7 +23,7 @@ bool is_plain_relative(const fs::path& path) {
     return std::ranges::none_of(path, [](const fs::path& part) { return part == ".." || part.empty(); });
 }
 
-constexpr const char* kClimbing = "the path is absolute or climbs with \"..\"";
+constexpr const char* kClimbing = "the path is absolute or contains \"..\"";
 
 }  // namespace
 
@@ -56,7 +56,7 @@ SourceLookup SourceReader::look(size_t root, const fs::path& relative) {
         probes_.push_back(probe);
         return {nullptr, false, "no such file"};
     }
-    if (!real.is_inside) return {nullptr, true, "it is a link that leads outside the shader folders"};
+    if (!real.is_inside) return {nullptr, true, "the file is a link to a place outside the shader folders"};
     SourceLookup lookup = load(root, relative, file);
     if (lookup.source != nullptr) {
         probe.present = true;
@@ -69,9 +69,9 @@ SourceLookup SourceReader::look(size_t root, const fs::path& relative) {
 SourceLookup SourceReader::load(size_t root, const fs::path& relative, const fs::path& file) {
     FileContent content = read_plain_file(file, limits_.file_bytes, LastLink::refused);
     if (content.fault == FileFault::too_large)
-        return {nullptr, true, "it is larger than " + limit_bytes_text(limits_.file_bytes)};
-    if (content.fault == FileFault::not_plain) return {nullptr, true, "it is not a file"};
-    if (content.fault != FileFault::none) return {nullptr, true, "it cannot be read"};
+        return {nullptr, true, "the file is larger than " + limit_bytes_text(limits_.file_bytes)};
+    if (content.fault == FileFault::not_plain) return {nullptr, true, "this is not a regular file"};
+    if (content.fault != FileFault::none) return {nullptr, true, "the file cannot be read"};
     if (texts_.size() >= limits_.files)
         return {nullptr, true, "a shader may have at most " + std::to_string(limits_.files) + " files"};
     std::string text = std::move(content.bytes);

@@ -13,39 +13,42 @@ using enum CapabilityRule;
 
 // Texts that tell the user what to do instead of using a capability. If several errors of a stage have the
 // same text, only the first is reported.
-constexpr const char* kOtherDevice = "leave it out, or choose another device";
-constexpr const char* kCubes = "use samplerCube, one cube for each port, or choose another device";
-constexpr const char* kGather = "use constant offsets with textureGatherOffset(), or four texelFetch()";
-constexpr const char* kFormat = "declare the image's format: layout(rgba16f)";
-constexpr const char* kPointer = "keep the data in a storage buffer and pass an index";
-constexpr const char* kWide = "use float, int and uint, and pairs of them where 32 bits are too few";
+constexpr const char* kOtherDevice = "write the shader without this feature, or choose another device";
+constexpr const char* kCubes = "use a samplerCube port for each cube, or choose another device";
+constexpr const char* kGather =
+    "use textureGatherOffset() with constant offsets, or four calls of texelFetch()";
+constexpr const char* kFormat = "declare the format of the image, for example layout(rgba16f)";
+constexpr const char* kPointer = "store the data in a storage buffer, and pass an index instead of a pointer";
+constexpr const char* kWide = "use float, int and uint; where 32 bits are not enough, use two of them";
 constexpr const char* kNarrow =
-    "use float, int and uint; packHalf2x16() and packUnorm4x8() store narrow numbers in a uint";
+    "use float, int and uint; pack smaller numbers into a uint with packHalf2x16() or packUnorm4x8()";
 constexpr const char* kFloatAtomic =
-    "use integer atomics: floatBitsToUint() keeps the order of positive numbers";
+    "use integer atomics; for minimum and maximum of positive floats, use them on floatBitsToUint()";
 constexpr const char* kSample =
-    "shade each pixel once; read single samples of an input with texelFetch() and sampler2DMS";
-constexpr const char* kStoreSamples = "write to an image of one sample, or draw to the attachment";
-constexpr const char* kClip = "test the distance in the fragment stage and `discard`";
-constexpr const char* kLayer = "draw each layer in a pass of its own, with `repeat`";
-constexpr const char* kPrimitive =
-    "pass the number from the vertex stage: layout(location = 0) flat out uint number";
+    "shade once per pixel; to read single samples of an input, use texelFetch() with a sampler2DMS";
+constexpr const char* kStoreSamples =
+    "write to an image with one sample, or draw to a multisampled attachment";
+constexpr const char* kClip =
+    "pass the distance to the fragment stage, and `discard` there if it is negative";
+constexpr const char* kLayer = "draw each layer in a separate pass; `repeat` creates these passes";
+constexpr const char* kPrimitive = "pass the number from the vertex stage in a `flat out uint` variable";
 constexpr const char* kDraw =
-    "gl_VertexIndex and gl_InstanceIndex hold the draw's first vertex and instance already";
-constexpr const char* kIndex = "give the array a size and index it with constants";
-constexpr const char* kSparse = "no image is sparse here: use texture() and textureLod()";
-constexpr const char* kStage = "use vertex, fragment and compute stages: a pass has no others";
-constexpr const char* kRay = "walk through a buffer or a depth image: no pass traces rays";
+    "use gl_VertexIndex and gl_InstanceIndex, which already include the first vertex and instance of the "
+    "draw";
+constexpr const char* kIndex = "declare the size of the array, and use only constants as its index";
+constexpr const char* kSparse = "use texture() and textureLod(); Weft has no sparse images";
+constexpr const char* kStage = "use vertex, fragment and compute stages; a pass has no other stages";
+constexpr const char* kRay = "march along the ray in a buffer or a depth image; Weft has no ray tracing";
 constexpr const char* kSubgroupOld = "use GL_KHR_shader_subgroup_vote and GL_KHR_shader_subgroup_ballot";
-constexpr const char* kOverlap = "use the blend state, or atomics on a storage buffer";
-constexpr const char* kFeedback = "write to a storage buffer";
-constexpr const char* kMemory = "leave the pragma out: barrier() and memoryBarrierShared() work without it";
-constexpr const char* kSharedBlock = "declare plain shared variables";
-constexpr const char* kVendor = "use features of core GLSL 4.60: vendors' extensions are not supported";
-constexpr const char* kStencil = "write the stencil with the pass's stencil state";
-constexpr const char* kCoverage = "test depth in the shader, or `discard`";
-constexpr const char* kClock = "`weft render --stats FILE` measures passes";
-constexpr const char* kDesktop = "use textures and buffers of Vulkan: this is OpenGL's";
+constexpr const char* kOverlap = "use the blend state of the pass, or atomics on a storage buffer";
+constexpr const char* kFeedback = "write the data to a storage buffer";
+constexpr const char* kMemory = "remove the pragma; barrier() and memoryBarrierShared() work without it";
+constexpr const char* kSharedBlock = "declare `shared` variables instead of a block";
+constexpr const char* kVendor = "use features of core GLSL 4.60; extensions of vendors are not supported";
+constexpr const char* kStencil = "write the stencil value with the stencil state of the pass";
+constexpr const char* kCoverage = "compare the depth in the shader, and `discard` where the test fails";
+constexpr const char* kClock = "measure the passes with `weft render --stats FILE`";
+constexpr const char* kDesktop = "use textures and storage buffers of Vulkan; this feature belongs to OpenGL";
 
 constexpr CapabilityRow row(uint32_t capability, const char* name, const char* words, const char* remedy) {
     return {capability, name, never, 0, words, remedy};

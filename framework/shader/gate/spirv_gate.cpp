@@ -36,16 +36,16 @@ std::string refusal(const CapabilityRow& row, ShaderStage stage, const ShaderTar
         case CapabilityRule::always:
             return {};
         case CapabilityRule::compute:
-            if (stage != ShaderStage::compute) return "which only compute stages may use";
+            if (stage != ShaderStage::compute) return "which is allowed only in compute stages";
             [[fallthrough]];
         case CapabilityRule::device:
-            return offered(row, target) ? "" : "which the device does not have";
+            return offered(row, target) ? "" : "which the device does not support";
         case CapabilityRule::never:
             break;
     }
     if (row.capability == SpvCapabilityPhysicalStorageBufferAddresses)
         return "which lets a shader read and write any address";
-    return "which Weft enables on no device";
+    return "which Weft does not support";
 }
 
 class CapabilityCheck {
@@ -56,7 +56,7 @@ class CapabilityCheck {
     void capability(uint32_t number) {
         const CapabilityRow* row = find_capability(number);
         if (row == nullptr) {
-            fault("capability " + std::to_string(number) + " of SPIR-V, which is not on the list", {},
+            fault("capability " + std::to_string(number) + " of SPIR-V, which Weft does not support", {},
                   kCoreOnly);
             return;
         }
@@ -65,7 +65,7 @@ class CapabilityCheck {
         // once.
         if (why.empty() || !said_.insert(row->remedy).second) return;
         const std::string remedy = row->rule == CapabilityRule::compute && stage_ != ShaderStage::compute
-                                       ? "do it in a compute pass"
+                                       ? "move this work into a compute pass"
                                        : row->remedy;
         fault(std::string("the capability ") + row->name + ", " + why, row->words, remedy);
     }
@@ -75,13 +75,13 @@ class CapabilityCheck {
     // explains the extension.
     void extension(const std::string& name) {
         if (!faults_.empty() || std::ranges::find(kExtensions, name) != kExtensions.end()) return;
-        fault("the SPIR-V extension " + name + ", which Weft enables on no device", words_of_extension(name),
+        fault("the SPIR-V extension " + name + ", which Weft does not support", words_of_extension(name),
               kCoreOnly);
     }
 
     void instruction_set(const std::string& name) {
         if (!faults_.empty() || std::ranges::find(kInstructionSets, name) != kInstructionSets.end()) return;
-        fault("the instruction set " + name + ", which is not on the list", words_of_extension(name),
+        fault("the instruction set " + name + ", which Weft does not support", words_of_extension(name),
               kCoreOnly);
     }
 
@@ -137,11 +137,10 @@ class FeatureCheck {
         if (instruction.operand(2) != SpvStorageClassWorkgroup || instruction.operands.size() <= kInitializer)
             return;
         const std::string name = names_[instruction.operand(1)];
-        faults_.push_back({"W208", stage_, name,
-                           "\"" + name +
-                               "\" is shared and has an initial value, which needs the feature "
-                               "shaderZeroInitializeWorkgroupMemory, which Weft enables on no device",
-                           "write the value in main(), then barrier()"});
+        faults_.push_back(
+            {"W208", stage_, name,
+             "\"" + name + "\" is a shared variable with an initial value, which Weft does not support",
+             "write the value in main(), then call barrier()"});
     }
 
     ShaderStage stage_;

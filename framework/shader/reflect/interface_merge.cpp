@@ -29,7 +29,7 @@ bool same_binding(const ShaderBinding& a, const ShaderBinding& b) {
 void fault(InterfaceFaults& faults, ShaderStage stage, const std::string& name, const std::string& what) {
     faults.push_back({"W205", stage, name,
                       what + " \"" + name + "\" is declared differently in the two stages",
-                      "declare it once, in a file under shaders/include that both stages include"});
+                      "declare \"" + name + "\" once, in a file that both stages include"});
 }
 
 void merge_binding(ShaderInterface& all, const ShaderBinding& binding, ShaderStage stage,
@@ -41,9 +41,9 @@ void merge_binding(ShaderInterface& all, const ShaderBinding& binding, ShaderSta
         all.bindings.push_back(binding);
     } else if (stage_bit(stage) == known->stages) {
         faults.push_back({"W205", stage, binding.name,
-                          "\"" + known->name + "\" and \"" + binding.name + "\" are both at set " +
+                          "\"" + known->name + "\" and \"" + binding.name + "\" both have set " +
                               std::to_string(binding.set) + ", binding " + std::to_string(binding.binding),
-                          "leave set and binding out, or give each its own binding"});
+                          "remove `set` and `binding`, or give each resource a different binding"});
     } else if (!same_binding(*known, binding)) {
         fault(faults, stage, binding.name, "the resource");
     } else {
@@ -81,8 +81,9 @@ void merge_spec_constant(ShaderInterface& all, const SpecConstant& constant, Sha
     faults.push_back({"W205", stage, constant.name,
                       "the specialisation constant \"" + constant.name + "\" (id " +
                           std::to_string(constant.id) + ") differs from \"" + clash->name + "\" (id " +
-                          std::to_string(clash->id) + ") declared before it",
-                      "one name has one constant_id, one type and one default in all stages of a program"});
+                          std::to_string(clash->id) + "), which has the same name or id",
+                      "declare one name with the same constant_id, type and default in all stages; give "
+                      "different names different ids"});
 }
 
 void take_variables(std::vector<StageVariable>& into, const std::vector<ReflectedVariable>& variables,
@@ -91,10 +92,11 @@ void take_variables(std::vector<StageVariable>& into, const std::vector<Reflecte
         if (!variable.used) continue;
         into.push_back(variable.variable);
         if (variable.location_count() == 1 && variable.array_count == 0) continue;
-        faults.push_back(
-            {"W206", stage, variable.variable.name,
-             "\"" + variable.variable.name + "\" is an array or a matrix",
-             "vertex inputs and fragment outputs are scalars and vectors: declare one for each row"});
+        faults.push_back({"W206", stage, variable.variable.name,
+                          "\"" + variable.variable.name +
+                              "\" is an array or a matrix; wanted a scalar or vector for a vertex input or "
+                              "fragment output",
+                          "declare one variable for each element of the array or column of the matrix"});
     }
     std::ranges::sort(into, {}, &StageVariable::location);
 }

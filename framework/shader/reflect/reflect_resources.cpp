@@ -24,8 +24,9 @@ void Reflector::refuse_foreign_kinds() {
     for (const auto& [type, what] : kinds) {
         for (const auto& resource : of_type(type)) {
             const std::string name = name_of(resource);
-            fault(name, "\"" + name + "\" is " + what + ", which no pass can bind",
-                  "use sampler2D and its kin, image2D and its kin, uniform blocks and buffer blocks");
+            fault(name, "\"" + name + "\" is " + what + ", which a pass cannot bind",
+                  "use a combined sampler (such as sampler2D), an image (such as image2D), a uniform block "
+                  "or a buffer block");
         }
     }
 }
@@ -43,8 +44,9 @@ ReflectedBinding Reflector::start_binding(const spvc_reflected_resource& resourc
     reflected.binding_word = word_of(resource.id, SpvDecorationBinding);
     if (binding.set > kMaxSet) {
         fault(binding.name,
-              "\"" + binding.name + "\" is in set " + std::to_string(binding.set) + ", but there are 4",
-              "leave the set out: ports of the pass go to set 1");
+              "\"" + binding.name + "\" is in descriptor set " + std::to_string(binding.set) +
+                  "; wanted a set of 0 to 3",
+              "remove `set`: Weft then binds \"" + binding.name + "\" as a port of the pass, in set 1");
     }
     bool is_runtime = false;
     const uint32_t count =
@@ -52,7 +54,7 @@ ReflectedBinding Reflector::start_binding(const spvc_reflected_resource& resourc
     binding.count = count == 0 ? 1 : count;
     if (is_runtime) {
         fault(binding.name, "\"" + binding.name + "\" is an array of descriptors without a size",
-              "give the array a size");
+              "declare the size of the array");
     }
     return reflected;
 }
@@ -63,9 +65,10 @@ void Reflector::describe_image(ReflectedBinding& reflected, spvc_type type) {
     if (const auto dim = to_dim(spirv_dim)) {
         binding.dim = *dim;
     } else {
-        fault(binding.name,
-              "\"" + binding.name + "\" is a texel buffer or another image that graphs do not have",
-              "use a buffer block, or an image of one, two or three dimensions or a cube");
+        fault(
+            binding.name,
+            "\"" + binding.name + "\" is a texel buffer or another kind of image that a graph cannot declare",
+            "use a buffer block, or a 1D, 2D, 3D or cube image");
     }
     binding.arrayed = spvc_type_get_image_arrayed(type) == SPVC_TRUE;
     binding.multisampled = spvc_type_get_image_multisampled(type) == SPVC_TRUE;
@@ -100,7 +103,7 @@ void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, boo
     // capability for this feature, and Weft does not enable it on any device, so it is checked here.
     if (binding.writes && result_.stage == ShaderStage::vertex && used_.contains(id))
         fault(binding.name, "the vertex stage can write to \"" + binding.name + "\"",
-              "declare it `readonly`; fragment and compute stages write");
+              "declare \"" + binding.name + "\" as `readonly`, or write in a fragment or compute stage");
 }
 
 void Reflector::reflect_images() {
@@ -118,8 +121,8 @@ void Reflector::reflect_images() {
         reflected.binding.storage_format = to_format(format);
         if (format != SpvImageFormatUnknown && reflected.binding.storage_format == Format::undefined) {
             fault(reflected.binding.name,
-                  "\"" + reflected.binding.name + "\" has a storage format that graphs do not have",
-                  "use the layout qualifier of a format that graphs can name, for example rgba16f");
+                  "\"" + reflected.binding.name + "\" has a storage format that a graph cannot declare",
+                  "use the layout qualifier of a format that graphs support, for example rgba16f");
         }
         result_.bindings.push_back(std::move(reflected));
     }
@@ -130,8 +133,8 @@ std::vector<BlockMember> Reflector::members_of(const spvc_reflected_resource& bl
     std::vector<BlockMember> members = block_members(compiler_, block.base_type_id, foreign);
     for (const std::string& name : foreign) {
         fault(name.substr(name.rfind('.') + 1),
-              "\"" + name + "\" has a type that blocks cannot share with C++",
-              "use float, int, uint, bool, their vectors and matrices, and structs and arrays of these");
+              "\"" + name + "\" has a type that Weft does not support in blocks",
+              "use float, int, uint, bool, their vectors and matrices, or structs and arrays of these types");
     }
     return members;
 }
@@ -158,8 +161,10 @@ void Reflector::reflect_buffers() {
                 kind == BindingKind::uniform_buffer &&
                 std::string(spvc_compiler_get_name(compiler_, resource.base_type_id)) == kParamsBlock;
             if (reflected.is_params && reflected.binding.set != kPortSet) {
-                fault(kParamsBlock, "the block Params is in set " + std::to_string(reflected.binding.set),
-                      "leave its set out: parameters of a pass go to set 1");
+                fault(kParamsBlock,
+                      "the block Params is in descriptor set " + std::to_string(reflected.binding.set) +
+                          "; wanted set 1",
+                      "remove `set` from the block");
             }
             result_.bindings.push_back(std::move(reflected));
         }
@@ -170,8 +175,8 @@ void Reflector::reflect_push_constants() {
     for (const auto& resource : of_type(SPVC_RESOURCE_TYPE_PUSH_CONSTANT)) {
         const std::string block = spvc_compiler_get_name(compiler_, resource.base_type_id);
         if (block != kParamsBlock) {
-            fault(block, "the push constant block is named \"" + block + "\"",
-                  "name it Params: its members are matched by name to the parameters of the pass");
+            fault(block, "the push constant block is named \"" + block + "\"; wanted \"Params\"",
+                  "rename the block to Params; each member gets the pass parameter of the same name");
             continue;
         }
         if (!used_.contains(resource.id)) continue;

@@ -37,7 +37,8 @@ StageReflection Reflector::run() {
     if (!list_resources()) {
         const char* reason =
             context_ == nullptr ? "out of memory" : spvc_context_get_last_error_string(context_);
-        fault({}, std::string("the shader's SPIR-V cannot be reflected: ") + reason, "simplify the shader");
+        fault({}, std::string("the interface of the shader cannot be read from its SPIR-V: ") + reason,
+              "simplify the shader");
         return std::move(result_);
     }
     refuse_foreign_kinds();
@@ -125,8 +126,8 @@ void Reflector::reflect_variables(spvc_resource_type type, std::vector<Reflected
         if (!scalar) {
             fault(reflected.variable.name,
                   "\"" + reflected.variable.name +
-                      "\" passes a block, a struct or another type than 32-bit numbers",
-                  "pass plain variables between stages: float, int, uint, their vectors and matrices");
+                      "\" is a block, a struct or a type without 32-bit numbers, which stages cannot pass on",
+                  "pass variables of float, int, uint, their vectors or matrices between stages");
             continue;
         }
         bool is_runtime = false;
@@ -182,11 +183,12 @@ StageReflection reflect_stage(ShaderStage stage, const std::vector<uint32_t>& sp
     try {
         return Reflector(stage, spirv, faults).run();
     } catch (const std::exception& error) {
-        faults.push_back({"W206",
-                          stage,
-                          {},
-                          std::string("the shader's SPIR-V cannot be reflected: ") + error.what(),
-                          "simplify the shader"});
+        faults.push_back(
+            {"W206",
+             stage,
+             {},
+             std::string("the interface of the shader cannot be read from its SPIR-V: ") + error.what(),
+             "simplify the shader"});
         StageReflection nothing;
         nothing.stage = stage;
         return nothing;

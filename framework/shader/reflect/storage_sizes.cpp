@@ -62,7 +62,7 @@ class StorageCheck {
         report(SpvStorageClassWorkgroup, "shared memory", shared_limit(), shared_help(),
                total(SpvStorageClassWorkgroup));
         report(SpvStorageClassPushConstant, "push constants", rules_.limits.push_constant_bytes,
-               "declare it as a uniform block, " + raise_limit_text("shader.pushConstantBytes"),
+               "declare the block as a uniform block, " + raise_limit_text("shader.pushConstantBytes"),
                total(SpvStorageClassPushConstant));
         const std::string fewer =
             "pass fewer variables between stages, " + raise_limit_text("shader.interfaceBytes");
@@ -71,7 +71,8 @@ class StorageCheck {
         report(SpvStorageClassOutput, "outputs", rules_.limits.interface_bytes, fewer,
                total(SpvStorageClassOutput));
         report(SpvStorageClassFunction, "private memory", rules_.limits.private_bytes,
-               "make it smaller, keep it in a storage buffer, " + raise_limit_text("shader.privateBytes"),
+               "make the variables smaller, store the data in a storage buffer, " +
+                   raise_limit_text("shader.privateBytes"),
                plus(total(SpvStorageClassPrivate), functions_[entry_].bytes));
     }
 
@@ -213,19 +214,20 @@ class StorageCheck {
         const size_t before = faults_.size();
         if (deepest_type_ > kMostTypeDepth)
             fault({},
-                  "the stage nests types " + std::to_string(deepest_type_) + " deep, more than " +
+                  "the stage nests types " + std::to_string(deepest_type_) + " levels deep, the limit is " +
                       std::to_string(kMostTypeDepth),
-                  "use fewer dimensions and structs within structs");
+                  "use fewer dimensions of arrays and fewer structs within structs");
         if (functions_[entry_].depth > kMostCallDepth)
             fault({},
                   "the stage calls functions " + std::to_string(functions_[entry_].depth) +
-                      " deep, more than " + std::to_string(kMostCallDepth),
-                  "use a loop");
+                      " levels deep, the limit is " + std::to_string(kMostCallDepth),
+                  "replace nested calls by a loop");
         if (functions_[entry_].code_bytes > rules_.limits.inlined_bytes)
             fault({},
-                  "the stage is more than " + limit_bytes_text(rules_.limits.inlined_bytes) +
-                      " of SPIR-V when all calls are inlined, as drivers do",
-                  "call long functions from a loop, once, " + raise_limit_text("shader.inlinedBytes"));
+                  "the stage has more than " + limit_bytes_text(rules_.limits.inlined_bytes) +
+                      " of SPIR-V after a driver has inlined all calls",
+                  "call each long function at only one place, in a loop, " +
+                      raise_limit_text("shader.inlinedBytes"));
         return faults_.size() > before;
     }
 
@@ -237,8 +239,11 @@ class StorageCheck {
             if (!variable.size.specialised || std::ranges::find(kSized, variable.storage) == std::end(kSized))
                 continue;
             const std::string name = names_[variable.id];
-            fault(name, "the size of \"" + name + "\" hangs on a specialisation constant",
-                  "give the array its largest size as a number; the constant can bound the loop over it");
+            fault(name,
+                  "the size of the array \"" + name +
+                      "\" depends on a specialisation constant; wanted a number",
+                  "write the largest size as a number, and use the constant as the bound of the loop over "
+                  "the array");
         }
     }
 
@@ -254,8 +259,9 @@ class StorageCheck {
     }
     [[nodiscard]] std::string shared_help() const {
         const bool by_device = rules_.target.max_shared_bytes <= rules_.limits.shared_bytes;
-        return by_device ? "the device has no more: make it smaller, or keep it in a storage buffer"
-                         : "make it smaller, keep it in a storage buffer, " +
+        return by_device ? "make the variables smaller, or store the data in a storage buffer; the limit is "
+                           "that of the device"
+                         : "make the variables smaller, store the data in a storage buffer, " +
                                raise_limit_text("shader.sharedBytes");
     }
 
@@ -272,9 +278,9 @@ class StorageCheck {
         }
         const std::string name = largest == nullptr ? "" : names_[largest->id];
         const std::string most_of_it =
-            name.empty() ? "" : ", \"" + name + "\" alone " + limit_bytes_text(largest->size.bytes);
+            name.empty() ? "" : " (\"" + name + "\" alone has " + limit_bytes_text(largest->size.bytes) + ")";
         fault(name,
-              what + " of " + limit_bytes_text(bytes) + most_of_it + "; there is room for " +
+              "the stage has " + limit_bytes_text(bytes) + " of " + what + most_of_it + ", the limit is " +
                   limit_bytes_text(limit),
               std::move(help));
     }

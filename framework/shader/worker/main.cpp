@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
     using namespace weft::shader;
     if (argc != 3) {
         constexpr std::string_view kUsage =
-            "weft-shader-worker compiles shaders for weft, which starts it by itself\n";
+            "weft-shader-worker compiles shaders; the program weft starts it automatically\n";
         return write(STDERR_FILENO, kUsage.data(), kUsage.size()) < 0 ? 1 : 2;
     }
     const auto memory_bytes = number_of(argv[1]);

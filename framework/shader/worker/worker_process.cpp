@@ -25,9 +25,8 @@ constexpr uint64_t kFrameSlackBytes = 1 << 20;
 Diagnostic cannot_start(const std::filesystem::path& program, const std::string& why) {
     Diagnostic d;
     d.code = "X570";
-    d.message = "the shader compiler \"" + program.string() + "\" can't be started: " + why;
-    d.help = {
-        "it is a program of its own, weft-shader-worker, and belongs beside weft: build or install it again"};
+    d.message = "the shader compiler \"" + program.string() + "\" cannot be started: " + why;
+    d.help = {"build or install Weft again: the program weft-shader-worker belongs into the folder of weft"};
     return d;
 }
 
@@ -85,10 +84,11 @@ Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::filesyste
     worker->allow(std::chrono::milliseconds(limits.stage_ms));
     const std::optional<Message> hello = worker->receive();
     if (!hello || hello->kind != MessageKind::hello || hello->texts.size() != 1)
-        return cannot_start(program, "it does not answer; shader.workerBytes may be too small for it");
+        return cannot_start(program,
+                            "the program does not answer; the limit shader.workerBytes may be too small");
     if (hello->texts[0] != version)
         return cannot_start(
-            program, "it is of another version: \"" + hello->texts[0] + "\", wanted \"" + version + "\"");
+            program, "the version of the program is \"" + hello->texts[0] + "\", wanted \"" + version + "\"");
     return worker;
 }
 

@@ -57,13 +57,13 @@ TEST_F(HostileShader, AMacroBombIsStopped) {
     EXPECT_LT(text.size(), 800u);
     const RunResult run = check(text);
     expect_refused_cheaply(
-        run, {"hostile.comp:1:1: error[W207]: compiling the compute stage takes more than", "shader."});
+        run, {"hostile.comp:1:1: error[W207]: compiling the compute stage needs more than", "shader."});
     EXPECT_EQ(run.err.find("error["), run.err.rfind("error[")) << "one cause, one message\n" << run.text();
 }
 
 TEST_F(HostileShader, AMacroThatIsNeverExpandedToTheEndIsStopped) {
     expect_refused_cheaply(check(bomb("")),
-                           {"hostile.comp:1:1: error[W207]: compiling the compute stage takes more than"});
+                           {"hostile.comp:1:1: error[W207]: compiling the compute stage needs more than"});
 }
 
 TEST_F(HostileShader, ACompilerThatCrashesIsAMessage) {
@@ -80,7 +80,7 @@ TEST_F(HostileShader, LimitsCanBeLowered) {
     std::vector<std::string> words = arguments();
     words.insert(words.end(), {"--limits", scratch_ / "limits.json"});
     const RunResult run = run_weft(words);
-    expect_refused_cheaply(run, {"error[W207]", "takes more than 128 MiB of memory", "shader.workerBytes"});
+    expect_refused_cheaply(run, {"error[W207]", "needs more than 128 MiB of memory", "shader.workerBytes"});
     EXPECT_LE(run.max_rss_bytes, uint64_t{160} << 20) << run.text();
 }
 
@@ -128,14 +128,15 @@ TEST_F(HostileShader, NothingOutsideTheShaderFoldersIsOpenedAsStraceSeesIt) {
 TEST_F(HostileShader, IncludesWithoutEnd) {
     scratch_.write("graph/round.glsl", "#include \"round.glsl\"\n");
     expect_refused_cheaply(check(including("\"round.glsl\"")),
-                           {"round.glsl:1:", "error[W203]", "deeper than 32"});
+                           {"round.glsl:1:", "error[W203]", "more than 32 levels deep"});
     scratch_.write("graph/two.glsl", "#include \"two.glsl\"\n#include \"two.glsl\"\n");
     expect_refused_cheaply(check(including("\"two.glsl\"")), {"two.glsl:1:", "error[W203]"});
     for (int i = 0; i < 40; ++i)
         scratch_.write("graph/d" + std::to_string(i) + ".glsl",
                        "#include \"d" + std::to_string(i + 1) + ".glsl\"\n");
     scratch_.write("graph/d40.glsl", "\n");
-    expect_refused_cheaply(check(including("\"d0.glsl\"")), {"d31.glsl:1:", "error[W203]", "deeper than 32"});
+    expect_refused_cheaply(check(including("\"d0.glsl\"")),
+                           {"d31.glsl:1:", "error[W203]", "more than 32 levels deep"});
     EXPECT_EQ(check(including("\"d9.glsl\"")).exit_code, 0) << "32 levels are fine";
 }
 
