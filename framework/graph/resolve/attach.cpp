@@ -26,8 +26,8 @@ class PassAttacher : PassStage {
         if (result_.colors.size() > limit) {
             error(draft_.decl.loc, "W180",
                   "pass " + quote(draft_.decl.name) + " has " + std::to_string(result_.colors.size()) +
-                      " colour outputs; the device offers " + std::to_string(limit),
-                  "split the pass, or pack its outputs");
+                      " colour outputs; the device allows at most " + std::to_string(limit),
+                  "split the pass, or combine its outputs");
         }
         check_agreement();
         check_stencil();
@@ -77,8 +77,8 @@ class PassAttacher : PassStage {
         if (!desc().state.stencil_test || desc().depth || suspects_.passes[pass_]) return;
         error(draft_.decl.loc, "W182",
               "the state of pass " + quote(draft_.decl.name) +
-                  " tests stencil, but the pass has no depth attachment",
-              "name one with stencil, \"depth\": \"image\" of format \"d32f_s8|d24_s8\"; or remove "
+                  " tests stencil, but the pass has no depth-stencil attachment",
+              "add \"depth\" with an image of format \"d32f_s8|d24_s8\"; or remove "
               "\"stencil\"");
     }
 
@@ -96,8 +96,8 @@ class PassAttacher : PassStage {
               "the viewport of pass " + quote(draft_.decl.name) + " is " + std::to_string(view.width) + "x" +
                   std::to_string(view.height) + " px at " + std::to_string(view.x) + ", " +
                   std::to_string(view.y),
-              "the device offers " + std::to_string(side) + " px a side, from " + std::to_string(-2 * side) +
-                  " to " + std::to_string(2 * side - 1));
+              "the device allows " + std::to_string(side) + " px for each side, and positions from " +
+                  std::to_string(-2 * side) + " to " + std::to_string(2 * side - 1));
     }
 
     void add_resolve(const ResolveDesc& resolve) {
@@ -111,13 +111,13 @@ class PassAttacher : PassStage {
         const std::string what = "output " + quote(resolve.output) + " of pass " + quote(draft_.decl.name);
         if (color == result_.colors.end()) {
             if (!suspects_.passes[pass_])
-                error(resolve.output_loc, "W179", what + " is no colour attachment",
-                      "only those are resolved");
+                error(resolve.output_loc, "W179", what + " is not a colour attachment",
+                      "remove this output from \"resolve\": only colour attachments can be resolved");
             return;
         }
         if (color->resolve_use != kNoId)
             return error(resolve.output_loc, "W179", what + " is resolved twice",
-                         "resolve it once, and copy the result");
+                         "resolve the output once, and copy the result");
         color->resolve_use = target;
         check_range(bound_.uses[target]);
         check_resolve(bound_.uses[color->use], bound_.uses[target]);
@@ -130,10 +130,10 @@ class PassAttacher : PassStage {
         const std::string what = "pass " + quote(draft_.decl.name) + " can't resolve " + quote(many.name) +
                                  " into " + quote(one.name) + ": ";
         if (one.kind == ResourceKind::buffer)
-            return error(to.loc, "W179", what + "that is a buffer", "name an image");
+            return error(to.loc, "W179", what + "the target is a buffer", "name an image");
         if (many.samples == 1)
-            return error(to.loc, "W179", what + "the former has one sample a pixel",
-                         "give it \"samples\": 4, or write " + quote(one.name) + " directly");
+            return error(to.loc, "W179", what + quote(many.name) + " has only one sample per pixel",
+                         "give this image \"samples\": 4, or write " + quote(one.name) + " directly");
         if (one.samples != 1)
             return error(to.loc, "W179", what + "both are multisampled",
                          "remove \"samples\" of " + quote(one.name));
@@ -141,9 +141,9 @@ class PassAttacher : PassStage {
             return error(to.loc, "W179", what + "their formats differ", "give both the same format");
         if (use_extent(graph_.resources, to) != result_.render_extent)
             error(to.loc, "W179",
-                  what + "they are " + extent_text(result_.render_extent) + " and " +
+                  what + "their sizes are " + extent_text(result_.render_extent) + " and " +
                       extent_text(use_extent(graph_.resources, to)),
-                  "give both the same size, and pick the mip");
+                  "give both the same size, or select a mip of this size");
     }
 
     void check_range(const UseDecl& use) {
@@ -152,16 +152,16 @@ class PassAttacher : PassStage {
             return error(use.loc, "W169",
                          "attachment " + quote(use.port) + " of pass " + quote(draft_.decl.name) +
                              " is the 3D image " + quote(resource.name),
-                         "write 3D images in a compute pass, or use an array");
+                         "write the 3D image in a compute pass, or use an array image");
         if (use.range.mips == 1 && use.range.layers == 1) return;
         const std::string pick =
             resource.name + (use.range.mips > 1 ? ".mip(0)" : "") + (use.range.layers > 1 ? ".layer(0)" : "");
         error(use.loc, "W169",
               "attachment " + quote(use.port) + " of pass " + quote(draft_.decl.name) +
-                  " is one mip of one layer, but " + quote(range_of(resource, use.range)) + " has " +
+                  " must be one mip of one layer, but " + quote(range_of(resource, use.range)) + " has " +
                   std::to_string(use.range.mips) + " mips and " + std::to_string(use.range.layers) +
                   " layers",
-              "pick one: " + quote(pick));
+              "select one mip and layer: " + quote(pick));
     }
 
     std::vector<uint32_t> attachment_uses() const {
@@ -176,8 +176,8 @@ class PassAttacher : PassStage {
         if (uses.empty()) {
             if (suspects_.passes[pass_]) return;
             error(draft_.decl.loc, "W181",
-                  "pass " + quote(draft_.decl.name) + " has no attachment to draw into",
-                  "name a fragment output in \"out\", or a \"depth\"");
+                  "pass " + quote(draft_.decl.name) + " has no attachment to draw to",
+                  "add an output of the fragment shader to \"out\", or add \"depth\"");
             return;
         }
         const UseDecl& first = bound_.uses[uses.front()];

@@ -33,10 +33,10 @@ constexpr std::array kFeatureRows{
     FeatureRow{format_feature::kColorAttachment, "colour attachments"},
     FeatureRow{format_feature::kColorBlend, "blending"},
     FeatureRow{format_feature::kDepthAttachment, "depth attachments"},
-    FeatureRow{format_feature::kTransferSrc, "copying from"},
-    FeatureRow{format_feature::kTransferDst, "copying or clearing to"},
-    FeatureRow{format_feature::kBlitSrc, "blitting from"},
-    FeatureRow{format_feature::kBlitDst, "blitting to"},
+    FeatureRow{format_feature::kTransferSrc, "use as a copy source"},
+    FeatureRow{format_feature::kTransferDst, "use as a copy target, or clearing"},
+    FeatureRow{format_feature::kBlitSrc, "use as a blit source"},
+    FeatureRow{format_feature::kBlitDst, "use as a blit target"},
 };
 
 std::string features_text(FormatFeatureMask mask) {
@@ -148,7 +148,7 @@ std::optional<std::vector<Format>> list_candidates(const ResourceDesc& desc, Rep
         Diagnostic& d = reporter.error(desc.loc, "W116",
                                        "resource " + quote(desc.name) + " has unknown format " + quote(name));
         const std::string near = did_you_mean_text(name, format_names());
-        add_help(d, near.empty() ? "formats are " + quote_all(format_names()) : near);
+        add_help(d, near.empty() ? "allowed formats are " + quote_all(format_names()) : near);
     }
     if (formats.size() == desc.formats.size()) return formats;
     return std::nullopt;
@@ -170,8 +170,8 @@ bool check_samples(const DeviceProfile& profile, const ResourceDecl& decl, Repor
     Diagnostic& d =
         reporter.error(decl.loc, "W119",
                        "image " + quote(decl.name) + " has " + std::to_string(decl.samples) +
-                           " samples; the device offers " + counts_text(offered) + " for " + format);
-    add_help(d, offered > 1 ? "give it one of these" : "remove \"samples\", or use another format");
+                           " samples; the device supports " + counts_text(offered) + " for " + format);
+    add_help(d, offered > 1 ? "choose one of these numbers" : "remove \"samples\", or use another format");
     add_help(d, "the limit comes from the device profile " + quote(profile.name));
     return false;
 }
@@ -197,13 +197,14 @@ bool choose_format(const ResolveInput& input, const ResourceDesc& desc, const Ne
                      "use a colour format, or an array");
             return false;
         }
-        reasons.push_back(quote(format_info(format).name) + " lacks " + features_text(missing));
+        reasons.push_back(quote(format_info(format).name) + " does not support " + features_text(missing));
     }
     Diagnostic& d = reporter.error(
         desc.loc, "W117",
-        "the device supports no format of " + quote(desc.name) + " for all that passes do with it");
+        "the device supports no format of " + quote(desc.name) + " for all uses by the passes");
     for (std::string& reason : reasons) add_help(d, std::move(reason));
-    add_help(d, reasons.empty() ? "name a format" : "add a fallback: \"a|b\" takes the first that works");
+    add_help(d, reasons.empty() ? "name a format"
+                                : "add another format: \"a|b\" uses b if the device does not support a");
     return false;
 }
 
@@ -248,8 +249,8 @@ void check_sizes(const Declared& declared, FormattedGraph& graph, Reporter& repo
         graph.suspects.shapes[id] = 1;
         Diagnostic& d = reporter.error(
             desc->loc, "W125",
-            quote(desc->name) + " takes more than " + limit_bytes_text(limit_bytes) + " of memory");
-        add_help(d, "make it smaller, " + raise_limit_text("graph.transientBytes"));
+            quote(desc->name) + " needs more than " + limit_bytes_text(limit_bytes) + " of memory");
+        add_help(d, "make the resource smaller, " + raise_limit_text("graph.transientBytes"));
     }
 }
 

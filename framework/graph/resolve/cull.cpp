@@ -98,12 +98,13 @@ void explain(const ResolvedGraph& graph, LiveGraph& live) {
             live.reasons[id] = CullReason::upstream_culled;
             const std::string others = readers[id].size() > 1 ? " and others" : "";
             live.details[id] = names + " is read only by " + quoted(graph.passes[readers[id].front()].name) +
-                               others + ", culled as well";
+                               others +
+                               (readers[id].size() > 1 ? ", which are culled too" : ", which is culled too");
             continue;
         }
         live.reasons[id] = CullReason::unused_output;
         live.details[id] =
-            names.empty() ? "it writes nothing and has no side effect" : "nobody reads " + names;
+            names.empty() ? "the pass writes nothing and has no side effect" : "no pass reads " + names;
     }
 }
 

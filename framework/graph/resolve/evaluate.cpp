@@ -11,13 +11,13 @@ namespace weft {
 namespace {
 
 std::string allowed_text(const ParamDesc& param) {
-    if (param.is_bool) return "it is true or false (1 or 0)";
+    if (param.is_bool) return "set it to true or false (1 or 0)";
     if (!param.allowed.empty()) {
         std::string text;
         for (const double value : param.allowed) text += (text.empty() ? "" : ", ") + number_text(value);
-        return "allowed are " + text;
+        return "allowed values are " + text;
     }
-    return "its range is " + number_text((*param.range)[0]) + " to " + number_text((*param.range)[1]);
+    return "choose a value from " + number_text((*param.range)[0]) + " to " + number_text((*param.range)[1]);
 }
 
 bool allows(const ParamDesc& param, double value) {
@@ -39,8 +39,8 @@ void add_unknown_params(const GraphDesc& graph, const std::map<std::string, doub
         if (!near.empty()) {
             add_help(d, near);
         } else {
-            add_help(
-                d, known.empty() ? "this graph has no parameters" : "its parameters are " + quote_all(known));
+            add_help(d, known.empty() ? "this graph has no parameters"
+                                      : "the parameters of this graph are " + quote_all(known));
         }
     }
 }
@@ -140,7 +140,7 @@ class NamedEvaluator {
         if (!value || !value->is_size || !graph_.consts.contains(name)) return value;
         Diagnostic& d =
             reporter_.error(expression.loc, "W106", "constant " + quote(name) + " is a size, not a number");
-        add_help(d, "use .x or .y of it, or declare it in \"sizes\"");
+        add_help(d, "use .x or .y of the size, or move the constant to \"sizes\"");
         return std::nullopt;
     }
 
@@ -157,7 +157,7 @@ class NamedEvaluator {
         if (path_.end() - first > kMostNamed)
             text += "… " + std::to_string(path_.end() - first - kMostNamed) + " more … -> ";
         Diagnostic& d = reporter_.error(loc, "W106", "sizes depend on each other: " + text + name);
-        add_help(d, "write one of them in terms of \"output\" or of numbers");
+        add_help(d, "define one of these sizes by \"output\" or by numbers");
     }
 
     const GraphDesc& graph_;
@@ -207,7 +207,7 @@ Diagnostics param_faults(const GraphDesc& graph, const std::map<std::string, dou
         Diagnostic& d = faults.emplace_back(graph.sources.error(
             param.loc, "W120", what + quote(name) + " can't be " + finite + number_text(value)));
         const bool limited = param.is_bool || !param.allowed.empty() || param.range;
-        add_help(d, limited ? allowed_text(param) : "any finite number will do");
+        add_help(d, limited ? allowed_text(param) : "choose a finite number");
     }
     return faults;
 }

@@ -82,12 +82,12 @@ std::optional<double> Evaluator::number(const Expr& expression, const std::strin
         report(std::move(fault));
         return std::nullopt;
     };
-    if (found->is_size) return refuse("W106", " is a size, not a number", "use .x or .y of it");
+    if (found->is_size) return refuse("W106", " is a size, not a number", "use .x or .y of the size");
     const bool fits = found->x >= least && found->x <= most && (!whole || found->x == std::floor(found->x));
     if (fits) return found->x;
     return refuse("W109", " is " + number_text(found->x),
-                  (whole ? "it is a whole number of " : "it lies between ") + number_text(least) +
-                      (whole ? " to " : " and ") + number_text(most));
+                  (whole ? "write a whole number from " : "write a number from ") + number_text(least) +
+                      " to " + number_text(most));
 }
 
 std::array<float, 4> Evaluator::color(const ColorDesc& color) const {

@@ -40,11 +40,12 @@ class BlockFiller : PassStage {
         result_.push_constants = block.push_constants;
         const uint32_t limit = declared_.input.profile.max_push_constants_bytes;
         if (block.push_constants && block.size_bytes > limit) {
-            Diagnostic& d = report(shader_loc(), "W178",
-                                   "Params of shader " + quote(draft_.desc->shader) + " has " +
-                                       std::to_string(block.size_bytes) + " bytes; push constants hold " +
-                                       std::to_string(limit));
-            add_help(d, "declare it as a uniform block: `uniform Params { … };`");
+            Diagnostic& d =
+                report(shader_loc(), "W178",
+                       "Params of shader " + quote(draft_.desc->shader) + " has " +
+                           std::to_string(block.size_bytes) +
+                           " bytes; the device allows push constants of at most " + std::to_string(limit));
+            add_help(d, "declare the block as a uniform block: `uniform Params { … };`");
         }
         for (const BlockMember& member : block.members) write_member(member);
     }
@@ -64,8 +65,8 @@ class BlockFiller : PassStage {
         for (const BlockMember& member : draft_.shader->params.members) members.push_back(member.name);
         for (const ParamValueDesc& param : draft_.desc->params) {
             if (std::ranges::find(members, param.name) != members.end()) continue;
-            const std::string known =
-                members.empty() ? "it has no block named Params" : "it has " + quote_all(members);
+            const std::string known = members.empty() ? "the shader has no block named Params"
+                                                      : "its members are " + quote_all(members);
             error(param.loc,
                   "Params of shader " + quote(draft_.desc->shader) + " has no member " + quote(param.name),
                   {did_you_mean_text(param.name, members), known});
@@ -77,8 +78,8 @@ class BlockFiller : PassStage {
             !member.struct_name.empty()) {
             error(shader_loc(),
                   "Params." + member.name + " of shader " + quote(draft_.desc->shader) +
-                      " is no number or vector",
-                  {"arrays, matrices and structs go into a buffer"});
+                      " is not a number or a vector",
+                  {"pass arrays, matrices and structs in a buffer"});
             return;
         }
         ParamWrite write;
@@ -196,7 +197,7 @@ class BlockFiller : PassStage {
                   "Params." + member.name + " of shader " + quote(draft_.desc->shader) + " has " +
                       std::to_string(member.rows) + " components, but its value has " +
                       std::to_string(values.size()),
-                  {"give it as many components: [x, y, …] in \"params\""});
+                  {"write the same number of components: [x, y, …] in \"params\""});
             return;
         }
         const bool fits =
@@ -204,9 +205,10 @@ class BlockFiller : PassStage {
         if (!fits) {
             error(loc,
                   "Params." + member.name + " of shader " + quote(draft_.desc->shader) +
-                      " can't hold that value",
-                  {member.scalar == ScalarType::f32 ? "single precision ends at 3.4e38"
-                                                    : "words hold -2147483648 to 4294967295"});
+                      " cannot contain this value",
+                  {member.scalar == ScalarType::f32
+                       ? "use a magnitude of at most 3.4e38, the limit of single precision"
+                       : "use a whole number from -2147483648 to 4294967295"});
             return;
         }
         std::ranges::copy(values, write.value.begin());
@@ -232,10 +234,10 @@ class BlockFiller : PassStage {
             known.push_back(use.port + "Valid");
         }
         error(shader_loc(),
-              "nothing gives Params." + member.name + " of shader " + quote(draft_.desc->shader) +
-                  " a value in pass " + quote(draft_.decl.name),
+              "pass " + quote(draft_.decl.name) + " gives no value to Params." + member.name + " of shader " +
+                  quote(draft_.desc->shader),
               {did_you_mean_text(member.name, known),
-               "give it in the pass: \"params\": { " + quote(member.name) + ": 0 }"});
+               "set the value in the pass: \"params\": { " + quote(member.name) + ": 0 }"});
     }
 
     PassBlock& result_;

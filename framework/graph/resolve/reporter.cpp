@@ -59,8 +59,7 @@ void Reporter::sort_errors(size_t first) {
 
 Diagnostics Reporter::finish() {
     if (hidden_warnings_ > 0)
-        warnings_.back().help.push_back("and " + std::to_string(hidden_warnings_) +
-                                        " more warnings like these");
+        warnings_.back().help.push_back("and " + std::to_string(hidden_warnings_) + " more warnings");
     return std::move(errors_);
 }
 
@@ -77,8 +76,8 @@ void Reporter::stop_for_steps(SourceLoc loc) {
     Diagnostic& d = errors_.emplace_back(sources().error(
         loc, "W125",
         "the graph takes more than " + std::to_string(most_steps()) +
-            " steps to resolve, counted up to here" +
-            (graph_.tiers.empty() ? "" : ": a part of " + std::to_string(steps_limit_) + " for each tier")));
+            " steps to resolve; the limit was exceeded here" +
+            (graph_.tiers.empty() ? "" : ": all tiers together may take " + std::to_string(steps_limit_))));
     d.help.push_back("use fewer passes and ports, wider ranges of mips and layers, or shorter expressions, " +
                      raise_limit_text("graph.steps"));
     throw ResolveStopped{};

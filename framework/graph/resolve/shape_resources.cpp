@@ -52,9 +52,9 @@ std::map<std::string, Role> find_roles(const ResolveInput& input, const Evaluato
     }
     for (const auto& [name, desc] : input.graph.resources) {
         if (input.graph.imports.contains(name)) {
-            Diagnostic& d =
-                reporter.error(desc.loc, "W118", quote(name) + " is both an import and a resource");
-            add_help(d, "rename one of them");
+            Diagnostic& d = reporter.error(desc.loc, "W118",
+                                           quote(name) + " is the name of both an import and a resource");
+            add_help(d, "rename one of the two");
         }
         roles[name] = {&desc, 0};
         const uint32_t copies = count_history(desc, evaluator, shapes);
@@ -67,7 +67,7 @@ void report_too_many(const ResolveInput& input, size_t count, Reporter& reporter
     const std::map<std::string, ResourceDesc>& described = input.graph.resources;
     Diagnostic& d = reporter.error(described.empty() ? SourceLoc{} : described.begin()->second.loc, "W125",
                                    "the graph has " + std::to_string(count) +
-                                       " resources, each copy of a history counted; the limit is " +
+                                       " resources, where each copy for a history counts; the limit is " +
                                        std::to_string(input.limits.resources));
     add_help(d, "use layers or mips of fewer images, " + raise_limit_text("graph.resources"));
 }

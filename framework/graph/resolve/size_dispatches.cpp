@@ -38,8 +38,8 @@ class DispatchSizer : PassStage {
         std::optional<std::array<double, 3>> groups;
         if (!desc.groups.empty() && !desc.threads.empty()) {
             error(desc.groups.front().loc,
-                  "pass " + quote(draft_.decl.name) + " gives both \"groups\" and \"threads\"",
-                  "leave one of them out");
+                  "pass " + quote(draft_.decl.name) + " has both \"groups\" and \"threads\"",
+                  "remove one of the two");
             return;
         }
         if (!desc.groups.empty()) {
@@ -75,7 +75,7 @@ class DispatchSizer : PassStage {
                   (!buffer  ? ", which is an image"
                    : floats ? ", whose elements are floats"
                             : ", which is too small"),
-              "it takes a buffer of three words: { \"buffer\": \"u32\", \"count\": 3 }");
+              "use a buffer of three words: { \"buffer\": \"u32\", \"count\": 3 }");
     }
 
     void check_local_size() {
@@ -85,8 +85,8 @@ class DispatchSizer : PassStage {
         if (invocations <= limit) return;
         error(draft_.desc->shader_loc,
               "shader " + quote(draft_.desc->shader) + " has workgroups of " + std::to_string(invocations) +
-                  " invocations; the device offers " + std::to_string(limit),
-              "make local_size smaller");
+                  " invocations; the device allows at most " + std::to_string(limit),
+              "make local_size in the shader smaller");
     }
 
     // Returns the three sides of a dispatch. A single number n means (n, 1, 1), a size means (x, y, 1), and
@@ -98,7 +98,8 @@ class DispatchSizer : PassStage {
             if (!value) return std::nullopt;
             if (value->is_size && sides.size() > 1) {
                 error(sides[i].loc,
-                      "each item of the dispatch size of " + quote(draft_.decl.name) + " must be a number",
+                      "the dispatch size of pass " + quote(draft_.decl.name) +
+                          " must be a list of numbers, but contains a size",
                       "use .x or .y of the size");
                 return std::nullopt;
             }
@@ -134,9 +135,10 @@ class DispatchSizer : PassStage {
         // The output that determines the dispatch size may be missing because of an error of this pass that
         // was already reported.
         if (suspects_.passes[pass_]) return std::nullopt;
-        const std::string why = extents.empty() ? "it writes no image" : "its outputs differ: " + listed;
+        const std::string why =
+            extents.empty() ? "the pass writes no image" : "its outputs differ in size: " + listed;
         error(draft_.decl.loc, "the dispatch size of pass " + quote(draft_.decl.name) + " is unknown: " + why,
-              "say it: \"threads\": \"output\" (invocations) or \"groups\": [x, y, z] (workgroups)");
+              "add \"threads\": \"output\" (invocations) or \"groups\": [x, y, z] (workgroups)");
         return std::nullopt;
     }
 
@@ -150,8 +152,8 @@ class DispatchSizer : PassStage {
                                                               : desc.loc;
                 error(loc,
                       "pass " + quote(draft_.decl.name) + " would run " + number_text(count) +
-                          " workgroups along one side",
-                      "1 to 65535 are possible");
+                          " workgroups in one dimension",
+                      "choose a whole number from 1 to 65535");
                 return;
             }
             result_.groups[i] = static_cast<uint32_t>(count);
@@ -183,12 +185,12 @@ void find_draw_commands(const Declared& declared, const VersionedGraph& graph, P
         pass, use.loc, "W114",
         "pass " + quote(declared.pass_name(pass)) + " reads its draw commands from " + quote(resource.name) +
             (floats   ? std::string(", whose elements are floats")
-             : buffer ? ", which has " + std::to_string(resource.size_bytes) + " bytes; the " +
-                            std::to_string(draws) + " draws of " + quote(list) + " take " +
+             : buffer ? ", which has " + std::to_string(resource.size_bytes) + " bytes, but the " +
+                            std::to_string(draws) + " draws of " + quote(list) + " need " +
                             std::to_string(draws * kCommandBytes)
                       : ", which is an image"));
-    add_help(
-        d, "it takes a buffer of as many: { \"buffer\": \"DrawCommand\", \"count\": \"" + list + "Draws\" }");
+    add_help(d, "use a buffer with one command for each draw: { \"buffer\": \"DrawCommand\", \"count\": \"" +
+                    list + "Draws\" }");
 }
 
 }  // namespace

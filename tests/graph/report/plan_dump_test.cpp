@@ -64,7 +64,7 @@ TEST(PlanDump, TextTellsTheWholeStory) {
                              "sampled_read shader_read_only  "
                              "[raw, after base]",
                              "[alias from ", "of the frame before", "peak live", "candidates: program",
-                             "culled\n    extra: nobody reads \"unused\""})
+                             "culled\n    extra: no pass reads \"unused\""})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\nis missing in\n" << text;
 }
 

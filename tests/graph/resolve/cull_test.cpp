@@ -44,9 +44,9 @@ TEST(Cull, SaysWhy) {
     const ResolvedGraph graph = frame();
     const LiveGraph live = cull(graph);
     EXPECT_EQ(live.reasons[id(graph, "blur")], CullReason::unused_output);
-    EXPECT_EQ(live.details[id(graph, "blur")], "nobody reads \"blurred\"");
+    EXPECT_EQ(live.details[id(graph, "blur")], "no pass reads \"blurred\"");
     EXPECT_EQ(live.reasons[id(graph, "ao")], CullReason::upstream_culled);
-    EXPECT_EQ(live.details[id(graph, "ao")], "\"ssao\" is read only by \"blur\", culled as well");
+    EXPECT_EQ(live.details[id(graph, "ao")], "\"ssao\" is read only by \"blur\", which is culled too");
     EXPECT_EQ(live.details[id(graph, "make")], "");
 }
 

@@ -75,8 +75,7 @@ TEST_F(ReporterTest, CountsTheWarningsThatItLeavesOut) {
     EXPECT_TRUE(reporter.finish().empty());
     ASSERT_EQ(warnings.size(), Reporter::kMostWarnings);
     EXPECT_EQ(warnings.back().severity, Severity::warning);
-    EXPECT_EQ(warnings.back().help,
-              (std::vector<std::string>{"remove it", "and 2 more warnings like these"}));
+    EXPECT_EQ(warnings.back().help, (std::vector<std::string>{"remove it", "and 2 more warnings"}));
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ TEST_F(ResolveConditions, SwitchesAreNotSetByHand) {
     body.insert(body.rfind(R"j("in")j"), R"j("constants": {"HAS_src": true}, )j");
     const Diagnostic d = bad(body);
     EXPECT_EQ(d.code, "W113");
-    expect_help(d, "leave the port out");
+    expect_help(d, "remove the port");
 }
 
 }  // namespace

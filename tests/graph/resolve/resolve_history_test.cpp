@@ -115,7 +115,7 @@ TEST_F(ResolveHistory, EarlierFramesAreReadOnly) {
       "back": {"type": "compute", "shader": "make.comp", "out": {"dst": "x[-1]"}}})j");
     EXPECT_EQ(d.code, "W122");
     EXPECT_EQ(d.line, 3u);
-    expect_help(d, R"j(write "x": the next frame finds it as "x[-1]")j");
+    expect_help(d, R"j(write "x": the next frame reads this content as "x[-1]")j");
 }
 
 TEST_F(ResolveHistory, OnlyTheLastVersionIsKept) {

@@ -271,7 +271,7 @@ TEST_F(ResolveInterface, CppPassPorts) {
     const Diagnostic none = bad(R"j("resources": {"x": {"buffer": "Light", "count": 4}},
       "passes": {"u": {"type": "upload"}, "c": {"type": "clear", "out": ["x"]}})j");
     EXPECT_EQ(none.code, "W176");
-    EXPECT_NE(none.message.find("lacks its port"), std::string::npos) << none.message;
+    EXPECT_NE(none.message.find("has no port"), std::string::npos) << none.message;
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ TEST_F(ResolveKinds, Blits) {
     profile.formats[Format::rgba8] &= ~format_feature::kBlitDst;
     const Diagnostic d = bad(body(R"j("format": "rgba16f")j", half));
     EXPECT_EQ(d.code, "W117");
-    expect_help(d, "blitting to");
+    expect_help(d, "use as a blit target");
 }
 
 TEST_F(ResolveKinds, IndirectDispatches) {
@@ -198,10 +198,10 @@ TEST_F(ResolveKinds, SampleCountsAreTheDevices) {
     const Diagnostic d = bad(body("rgba16f", 4));
     EXPECT_EQ(d.code, "W119");
     EXPECT_EQ(d.line, 2u);
-    EXPECT_NE(d.message.find("\"ms\" has 4 samples; the device offers 1, 2, 8 for \"rgba16f\""),
+    EXPECT_NE(d.message.find("\"ms\" has 4 samples; the device supports 1, 2, 8 for \"rgba16f\""),
               std::string::npos)
         << d.message;
-    expect_help(d, "give it one of these");
+    expect_help(d, "choose one of these numbers");
     expect_help(d, "\"fake\"");
     profile.color_samples = 1;
     expect_help(bad(body("rgba16f", 2)), "remove \"samples\"");
@@ -250,7 +250,7 @@ TEST_F(ResolveIndirectDraws, NeedACommandForEachDraw) {
     const Diagnostic small = bad(body(R"j("buffer": "u32", "count": 14)j"));
     EXPECT_EQ(small.code, "W114");
     EXPECT_EQ(small.line, 4u);
-    EXPECT_NE(small.message.find("has 56 bytes; the 3 draws of \"opaque\" take 60"), std::string::npos)
+    EXPECT_NE(small.message.find("has 56 bytes, but the 3 draws of \"opaque\" need 60"), std::string::npos)
         << small.message;
     expect_help(small, "opaqueDraws");
     EXPECT_EQ(bad(body(R"j("format": "rgba8")j")).code, "W114");

@@ -68,7 +68,7 @@ TEST_F(ResolveUnused, OfPassesThatFallTogetherTheLastIsTheCause) {
       "c": {"type": "clear", "out": ["x", "z"]}, "r": {"type": "readback", "in": ["z"]},
       "f": {"type": "compute", "shader": "filter.comp", "in": {"src": "x"}, "out": {"dst": "y"}}})j"),
               Names{"W136 f"});
-    EXPECT_NE(warnings[0].message.find("nobody reads \"y\""), std::string::npos) << warnings[0].message;
+    EXPECT_NE(warnings[0].message.find("no pass reads \"y\""), std::string::npos) << warnings[0].message;
     EXPECT_EQ(warned(R"j("resources": {"x": "rgba16f", "y": "rgba16f"}, "passes": {
       "c": {"type": "clear", "out": ["x"]},
       "f": {"type": "compute", "shader": "filter.comp", "in": {"src": "x"}, "out": {"dst": "y"}}})j"),

@@ -206,12 +206,12 @@ TEST_F(ResolveVersions, TwoUnorderedWriters) {
   "a": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}},
   "b": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}}})j");
     EXPECT_EQ(d.code, "W111");
-    EXPECT_EQ(d.message, R"j(passes "a" and "b" both write "x", and nothing orders them)j");
+    EXPECT_EQ(d.message, R"j(passes "a" and "b" both write "x", but nothing determines their order)j");
     EXPECT_EQ(d.file, "graph.json");
     EXPECT_EQ(d.line, 5u);
     ASSERT_EQ(d.notes.size(), 1u);
     EXPECT_EQ(d.notes[0].line, 4u);
-    expect_help(d, "\"after\": [\"a\"] in \"b\"");
+    expect_help(d, "add \"after\": [\"a\"] to \"b\"");
     expect_help(d, "x@a");
 }
 
@@ -326,7 +326,7 @@ TEST_F(ResolveVersions, EarlierFramesAreNotKept) {
         "light": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}},
         "b": {"type": "compute", "shader": "filter.comp", "in": {"src": "x[-1]"}, "out": {"dst": "y"}}})j");
     EXPECT_EQ(d.code, "W121");
-    EXPECT_NE(d.message.find("keeps no history"), std::string::npos);
+    EXPECT_NE(d.message.find("has no history"), std::string::npos);
 }
 
 // Pass "b" reads "xray", which no pass writes, because pass "a" misspells the name. Only the misspelt name is

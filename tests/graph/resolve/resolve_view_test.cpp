@@ -43,7 +43,7 @@ TEST_F(ResolveView, ThatIsNotThere) {
     expect_help(unnumbered, "from 0 to 2: \"view\": \"sun(0)\"");
     const Diagnostic numbered = bad(graph("camera(0)"));
     EXPECT_EQ(numbered.code, "W118");
-    expect_help(numbered, "there is one only: \"view\": \"camera\"");
+    expect_help(numbered, "there is only one such view: \"view\": \"camera\"");
     const Diagnostic beyond = bad(graph("sun(3)"));
     EXPECT_EQ(beyond.code, "W109");
     expect_help(beyond, "0 to 2");

@@ -58,7 +58,8 @@ TEST_F(VersionTest, WritersWithoutAnOrderAreAFault) {
     add_use(add_pass("b"), "dst", x, Access::storage_write);
     (void)run();
     ASSERT_EQ(codes(), "W111");
-    EXPECT_EQ(errors.front().message, "passes \"a\" and \"b\" both write \"x\", and nothing orders them");
+    EXPECT_EQ(errors.front().message,
+              "passes \"a\" and \"b\" both write \"x\", but nothing determines their order");
 }
 
 TEST_F(VersionTest, AfterOrdersWriters) {

@@ -131,7 +131,7 @@ TEST_F(DeviceWork, ABufferWithoutRoomForTheListIsRefused) {
         run_weft({"render", "builtin:spheres", "--graph", "short.json", "-o", "a.png"}, {}, folder_.path());
     EXPECT_EQ(run.exit_code, 3);
     EXPECT_NE(run.err.find("short.json:17:76:"), std::string::npos) << run.text();
-    EXPECT_NE(run.err.find("the 50 draws of \"opaque\" take 1000"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("the 50 draws of \"opaque\" need 1000"), std::string::npos) << run.text();
 }
 
 }  // namespace

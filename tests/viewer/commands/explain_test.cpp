@@ -76,10 +76,10 @@ TEST(Explain, ACulledPassNamesItsReasonAndItsReaders) {
     const RunResult second = run_weft({"explain", graph, "culled", "second"});
     ASSERT_EQ(second.exit_code, 0) << second.text();
     expect_parts(second.out,
-                 {"\"second\" (" + graph + ":7:5) is culled: nobody reads \"b\"", "port \"dst\" (" + graph});
+                 {"\"second\" (" + graph + ":7:5) is culled: no pass reads \"b\"", "port \"dst\" (" + graph});
     const RunResult first = run_weft({"explain", graph, "culled", "first"});
-    expect_parts(first.out, {"is culled: \"a\" is read only by \"second\", culled as well",
-                             "\"second\" (" + graph + ":7:5) would read it", "nobody reads \"b\""});
+    expect_parts(first.out, {"is culled: \"a\" is read only by \"second\", which is culled too",
+                             "\"second\" (" + graph + ":7:5) would read it", "no pass reads \"b\""});
     const RunResult alias = run_weft({"explain", graph, "alias", "a", "c"});
     expect_parts(alias.out, {"They share no memory", "takes no memory: no pass that runs uses it"});
     const RunResult barrier = run_weft({"explain", graph, "barrier", "first", "second"});

@@ -86,7 +86,7 @@ TEST_F(HostileGraph, TooManyPasses) {
     refused(R"("repeat": { "i": "0..1000000000", "j": "1..0" })");
     expect_refused_cheaply(
         check(clears_x(R"("repeat": { "i": "0..9007199254740992 * 9007199254740992" }, "if": "0")")),
-        {"graph.json:3:", "error[W109]", "a repeat counts in whole numbers", "at /passes/p/repeat/i"});
+        {"graph.json:3:", "error[W109]", "a repeat needs whole numbers", "at /passes/p/repeat/i"});
     const RunResult most = check(
         graph(R"("x": "rgba8")", R"("p": { "type": "clear", "out": ["x"], "repeat": { "i": "0..4094" } },
     "z": { "type": "clear", "out": ["backbuffer"] })"));
@@ -139,8 +139,9 @@ TEST_F(HostileGraph, ImagesBeyondTheLimits) {
     raised("\"maxImage2dPx\"");
     raised("\"maxImageLayers\"");
     scratch_.write("big.json", profile);
-    refused(R"("format": "rgba8", "size": [65536, 1])", "the limit is 16384 px a side");
-    refused(R"("format": "rgba8", "size": [1e30, 1e30], "mips": "full")", "the limit is 16384 px a side");
+    refused(R"("format": "rgba8", "size": [65536, 1])", "the limit is 16384 px for each side");
+    refused(R"("format": "rgba8", "size": [1e30, 1e30], "mips": "full")",
+            "the limit is 16384 px for each side");
     refused(R"("format": "rgba8", "size": [65536, 65536], "mips": "full")", "17 mips; the limit is 15 mips");
     refused(R"("format": "rgba8", "size": [1, 1], "layers": 2049)", "2049 layers; the limit is 2048 layers");
     refused(R"("format": "rgba32f", "size": [16384, 16384], "layers": 2048, "mips": "full")",

@@ -22,14 +22,16 @@ void check_optional_ports(PassBinding& pass) {
                 return c.type == ScalarType::boolean && c.name == constant;
             });
         if (known || (has_shader(draft.decl.kind) && !draft.shader)) continue;
-        const std::string who = draft.shader
-                                    ? "shader " + quote(draft.desc->shader) + " does not know " + constant
-                                    : draft.decl.type + " passes have no shader to ask";
-        Diagnostic& d = pass.error(
-            port.loc, "W168",
-            "port " + quote(port.port) + " of pass " + quote(draft.decl.name) + " can't be optional: " + who);
-        add_help(d, draft.shader ? "declare it: layout(constant_id = 0) const bool " + constant + " = false;"
-                                 : "give it an \"else\"");
+        const std::string who =
+            draft.shader
+                ? "shader " + quote(draft.desc->shader) + " does not declare the constant " + constant
+                : draft.decl.type + " passes have no shader that could test for the port";
+        Diagnostic& d = pass.error(port.loc, "W168",
+                                   "port " + quote(port.port) + " of pass " + quote(draft.decl.name) +
+                                       " cannot be optional: " + who);
+        add_help(d, draft.shader
+                        ? "declare the constant: layout(constant_id = 0) const bool " + constant + " = false;"
+                        : "add \"else\" to the port");
     }
 }
 

@@ -45,14 +45,16 @@ class ConstantBinder {
                 std::ranges::find(at_.draft.shader->spec_constants, given.name, &SpecConstant::name) !=
                 at_.draft.shader->spec_constants.end();
             if (known) {
-                add_help(error(given.loc, quote(given.name) + " follows from whether the port is bound"),
-                         "remove it, and leave the port out to make it false");
+                add_help(error(given.loc, quote(given.name) +
+                                              " cannot be set: its value says whether the port is bound"),
+                         "remove this constant; to make its value false, remove the port");
                 continue;
             }
             Diagnostic& d = error(given.loc, "shader " + quote(desc().shader) +
                                                  " has no specialisation constant " + quote(given.name));
             add_help(d, did_you_mean_text(given.name, names));
-            add_help(d, names.empty() ? "it has none" : "it has " + quote_all(names));
+            add_help(d, names.empty() ? "the shader has no such constants"
+                                      : "its constants are " + quote_all(names));
         }
     }
 
@@ -69,10 +71,10 @@ class ConstantBinder {
         } else if (const std::optional<ExprValue> value = from_graph(constant.name)) {
             store(constant, *value, shader_loc());
         } else if (!is_set_by_draws(constant.name)) {
-            Diagnostic& d = error(shader_loc(), "nothing gives constant " + quote(constant.name) +
-                                                    " of shader " + quote(desc().shader) +
-                                                    " a value in pass " + quote(at_.draft.decl.name));
-            add_help(d, "give it in the pass: \"constants\": { " + quote(constant.name) + ": 0 }");
+            Diagnostic& d =
+                error(shader_loc(), "pass " + quote(at_.draft.decl.name) + " gives no value to constant " +
+                                        quote(constant.name) + " of shader " + quote(desc().shader));
+            add_help(d, "set the value in the pass: \"constants\": { " + quote(constant.name) + ": 0 }");
         }
     }
 
@@ -113,8 +115,8 @@ class ConstantBinder {
                                        : constant.type == ScalarType::i32 ? "a whole number"
                                                                           : "a number";
             add_help(error(loc, "constant " + quote(constant.name) + " of shader " + quote(desc().shader) +
-                                    " can't have that value"),
-                     "it is " + wanted + (value.is_size ? ": use .x or .y of the size" : ""));
+                                    " cannot have this value"),
+                     "write " + wanted + (value.is_size ? ": use .x or .y of the size" : ""));
             return;
         }
         at_.bound.spec_values.push_back({constant.id, constant.type, bits_of(constant.type, x)});

@@ -25,7 +25,7 @@ void report_bad_list(PassBinding& pass, const std::string& list, SourceLoc loc) 
     if (catalogued != pass.declared.input.imports.imports.end() && !wrong_kind) {
         add_help(d, "add it to \"imports\": " + quote(list) + ": \"drawlist\"");
     } else {
-        add_help(d, near.empty() ? "imported draw lists are: " + quote_all(lists) : near);
+        add_help(d, near.empty() ? "the imported draw lists are " + quote_all(lists) : near);
     }
 }
 
@@ -42,11 +42,12 @@ void check_vertex_inputs(PassBinding& pass, const std::string& list) {
     for (const StageVariable& input : shader->vertex_inputs) {
         if (std::ranges::find(names, input.name) != names.end()) continue;
         const PassDesc& desc = *pass.draft.desc;
-        Diagnostic& d = pass.error(desc.shader_loc, "W167",
-                                   "shader " + quote(desc.shader) + " reads vertex input " +
-                                       quote(input.name) + ", which draw list " + quote(list) + " lacks");
+        Diagnostic& d =
+            pass.error(desc.shader_loc, "W167",
+                       "shader " + quote(desc.shader) + " reads vertex input " + quote(input.name) +
+                           ", but draw list " + quote(list) + " does not contain it");
         add_help(d, did_you_mean_text(input.name, names));
-        add_help(d, "it offers " + quote_all(names));
+        add_help(d, "the vertex inputs of the draw list are " + quote_all(names));
     }
 }
 
@@ -62,8 +63,9 @@ void check_procedural_shader(PassBinding& pass) {
     for (const ShaderBinding& binding : shader->bindings)
         if (what.empty() && binding.set >= 2) what = "descriptor set " + std::to_string(binding.set);
     if (what.empty()) return;
-    Diagnostic& d = pass.error(desc.shader_loc, "W167", reads + what + ", which draws without a list lack");
-    add_help(d, "place vertices by gl_VertexIndex and gl_InstanceIndex, or name a draw list");
+    Diagnostic& d =
+        pass.error(desc.shader_loc, "W167", reads + what + ", which exists only in draws of a draw list");
+    add_help(d, "compute vertices from gl_VertexIndex and gl_InstanceIndex, or name a draw list");
 }
 
 // Evaluates the numbers of vertices and instances of a draw without a draw list.
@@ -79,7 +81,7 @@ void count_vertices(PassBinding& pass) {
         Diagnostic& d = pass.error(expression.loc, "W114",
                                    "pass " + quote(pass.draft.decl.name) + " would draw " +
                                        (value->is_size ? "a size" : number_text(whole)) + " " + what);
-        add_help(d, value->is_size ? "use .x or .y of it" : "1 to 16777216 are possible");
+        add_help(d, value->is_size ? "use .x or .y of the size" : "choose a whole number from 1 to 16777216");
         return 1;
     };
     pass.bound.vertices = count(desc.vertices, "vertices");

@@ -74,8 +74,8 @@ void report_missing_ports(PassBinding& pass) {
         if (is_misspelt(*draft.custom, port, ports)) continue;
         Diagnostic& d = pass.error(draft.desc->loc, "W176",
                                    "pass " + quote(draft.desc->name) + " of type " + quote(draft.desc->type) +
-                                       " lacks its port " + quote(port.name));
-        add_help(d, "add it to " + quote(port.is_output ? "out" : "in") + ": { " + quote(port.name) +
+                                       " has no port " + quote(port.name) + ", but needs it");
+        add_help(d, "add the port to " + quote(port.is_output ? "out" : "in") + ": { " + quote(port.name) +
                         ": \"resource\" }");
     }
 }
@@ -113,7 +113,7 @@ void bind_custom_ports(PassBinding& pass) {
                                    "passes of type " + quote(draft.decl.type) + " have no " +
                                        (use.is_output ? "output " : "input ") + quote(use.port));
         add_help(d, did_you_mean_text(use.port, names));
-        add_help(d, names.empty() ? "they have none" : "they have " + quote_all(names));
+        add_help(d, names.empty() ? "remove this port" : "the ports of this type are " + quote_all(names));
     }
     report_missing_ports(pass);
 }

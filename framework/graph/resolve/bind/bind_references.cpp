@@ -73,12 +73,12 @@ class ReferenceBinder {
         if (declared_.input.graph.imports.contains(ref.name)) {
             Diagnostic& d =
                 report_.error(pass, ref.loc, "W103", who + quote(ref.name) + ", which is a draw list");
-            add_help(d, "draw lists go to \"draws\" of a raster pass");
+            add_help(d, "name draw lists in \"draws\" of a raster pass");
             return kNoId;
         }
         Diagnostic& d = report_.error(pass, ref.loc, "W103", who + "unknown resource " + quote(ref.name));
         const std::string near = did_you_mean_text(ref.name, resource_names(declared_.shapes.resources));
-        add_help(d, near.empty() ? "declare it in \"resources\", or import it" : near);
+        add_help(d, near.empty() ? "declare the resource in \"resources\", or import it" : near);
         if (is_output) suspect_near_names(ref.name);
         return kNoId;
     }
@@ -87,10 +87,11 @@ class ReferenceBinder {
     bool check_pin(PassId pass, const RefDesc& ref) {
         if (ref.pass == declared_.author_name(pass) &&
             declared_.expansion.passes[pass].desc->repeat.empty()) {
-            Diagnostic& d =
-                report_.error(pass, ref.loc, "W104",
-                              "pass " + quote(ref.pass) + " can't pin its own version of " + quote(ref.name));
-            add_help(d, "name the pass whose version it should see");
+            Diagnostic& d = report_.error(pass, ref.loc, "W104",
+                                          "pass " + quote(ref.pass) +
+                                              " names itself after @, but it cannot read its own result of " +
+                                              quote(ref.name));
+            add_help(d, "name the earlier pass whose result this pass reads");
             return false;
         }
         if (declared_.expansion.faulty.contains(ref.pass)) {
@@ -101,8 +102,8 @@ class ReferenceBinder {
         Diagnostic& d =
             report_.error(pass, ref.loc, "W104", quote(ref.text) + " names unknown pass " + quote(ref.pass));
         const std::string near = did_you_mean_text(ref.pass, list_pass_names(declared_.input.graph));
-        add_help(
-            d, near.empty() ? "passes are " + quote_all(list_pass_names(declared_.input.graph)) : near);
+        add_help(d,
+                 near.empty() ? "the passes are " + quote_all(list_pass_names(declared_.input.graph)) : near);
         return false;
     }
 

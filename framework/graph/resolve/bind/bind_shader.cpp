@@ -68,11 +68,11 @@ class ShaderBinder {
                 Diagnostic& d =
                     at_.error(out->loc, "W165",
                               "port " + quote(out->port) + " of pass " + quote(at_.draft.decl.name) +
-                                  " is bound to two different things");
+                                  " is bound to two different resources");
                 add_help(
                     d,
-                    "one name is one binding of the shader: give input and output the same reference, or "
-                    "different names");
+                    "give input and output the same reference, or different names: each name is one binding "
+                    "of the shader");
             }
             PortDraft& port = at_.bound.ports[out_index];
             if (!port.pinned()) port.pins = at_.bound.ports[in].pins;
@@ -143,8 +143,8 @@ class ShaderBinder {
             Diagnostic& d = at_.error(use.loc, "W182",
                                       "pass " + quote(at_.draft.decl.name) + " has the depth attachment " +
                                           quote(at_.declared.resource_name(use.resource)) +
-                                          " but neither tests nor writes it");
-            add_help(d, "say how: \"state\": { \"depth\": \"greater_write\" }");
+                                          ", but neither tests nor writes it");
+            add_help(d, "set the depth state, for example \"state\": { \"depth\": \"greater_write\" }");
             return;
         }
         if (!s.depth_write && !writes_stencil) {
@@ -163,14 +163,14 @@ class ShaderBinder {
             Diagnostic& d = error(
                 use, "W112", what + " is an output, but shader " + quote(desc().shader) + " only reads it");
             add_help(d, is_storage(binding.kind)
-                            ? "remove `readonly` from it, or move the port to \"in\""
-                            : "declare it as a storage image or buffer, or move the port to \"in\"");
+                            ? "remove `readonly` in the shader, or move the port to \"in\""
+                            : "declare a storage image or buffer in the shader, or move the port to \"in\"");
             return false;
         }
         if (!use.is_output && binding.writes) {
             Diagnostic& d = error(
                 use, "W112", what + " is an input, but shader " + quote(desc().shader) + " may write it");
-            add_help(d, "declare it `readonly` in the shader, or move the port to \"out\"");
+            add_help(d, "add `readonly` in the shader, or move the port to \"out\"");
             return false;
         }
         const bool buffer = at_.declared.shapes.resources[use.resource].kind == ResourceKind::buffer;
@@ -180,13 +180,13 @@ class ShaderBinder {
                       what + " is " + (buffer ? "a buffer" : "an image") + ", but shader " +
                           quote(desc().shader) + " declares " + (buffer ? "an image" : "a buffer"));
             add_help(d, "bind " + std::string(buffer ? "an image" : "a buffer") +
-                            " to it, or change the declaration");
+                            " to the port, or change the declaration in the shader");
             return false;
         }
         if (binding.count != 1) {
             Diagnostic& d =
                 error(use, "W173", what + " is an array of descriptors in shader " + quote(desc().shader));
-            add_help(d, "a port is one image or buffer: use a layered image, or one port for each");
+            add_help(d, "use one image with layers, or one port for each image or buffer");
             return false;
         }
         return true;
@@ -220,12 +220,12 @@ class ShaderBinder {
 
     void report_no_binding(const UseDecl& use, const PortDraft& port) {
         const std::vector<std::string> names = list_bindings(use.is_output);
-        Diagnostic& d =
-            at_.error(port.desc->loc.line != 0 ? port.desc->loc : use.loc, "W170",
-                      "shader " + quote(desc().shader) + " has nothing called " + quote(use.port) +
-                          " for that port of pass " + quote(at_.draft.decl.name));
+        Diagnostic& d = at_.error(port.desc->loc.line != 0 ? port.desc->loc : use.loc, "W170",
+                                  "shader " + quote(desc().shader) + " has no binding " + quote(use.port) +
+                                      " for the port of this name in pass " + quote(at_.draft.decl.name));
         add_help(d, did_you_mean_text(use.port, names));
-        add_help(d, names.empty() ? "it has no bindings at all" : "it has " + quote_all(names));
+        add_help(d, names.empty() ? "the shader has no bindings"
+                                  : "the bindings of the shader are " + quote_all(names));
     }
 
     bool has_optional_switch(const std::string& binding) const {
@@ -266,10 +266,11 @@ class ShaderBinder {
     void report_no_port(const std::string& name, const std::string& verb, const std::string& direction) {
         if (is_misspelt(name)) return;
         const SourceLoc loc = desc().shader_loc.line != 0 ? desc().shader_loc : desc().loc;
-        Diagnostic& d = at_.error(loc, "W171",
-                                  "shader " + quote(desc().shader) + " " + verb + " " + quote(name) +
-                                      ", but pass " + quote(at_.draft.decl.name) + " has no such port");
-        add_help(d, "add it to " + quote(direction) + ": { " + quote(name) + ": \"resource\" }");
+        Diagnostic& d =
+            at_.error(loc, "W171",
+                      "shader " + quote(desc().shader) + " " + verb + " " + quote(name) + ", but pass " +
+                          quote(at_.draft.decl.name) + " has no port of this name");
+        add_help(d, "add the port to " + quote(direction) + ": { " + quote(name) + ": \"resource\" }");
     }
 
     PassBinding& at_;

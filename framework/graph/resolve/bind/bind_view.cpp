@@ -30,13 +30,15 @@ OfferedViews count_views(const ImportCatalog& imports, const std::string& asked)
 void report_unknown(PassBinding& pass, const std::string& view, const OfferedViews& offered) {
     const PassDesc& desc = *pass.draft.desc;
     Diagnostic& d = pass.error(desc.view_loc.line != 0 ? desc.view_loc : desc.loc, "W118",
-                               "pass " + quote(desc.name) + " looks through unknown view " + quote(view));
+                               "pass " + quote(desc.name) + " uses unknown view " + quote(view));
     if (offered.is_known && offered.numbered > 0)
-        return add_help(d, "say which one by its number, from 0 to " + std::to_string(offered.numbered - 1) +
+        return add_help(d, "add the number of the view, from 0 to " + std::to_string(offered.numbered - 1) +
                                ": \"view\": \"" + desc.view + "(0)\"");
-    if (offered.is_known) return add_help(d, "there is one only: \"view\": " + quote(desc.view));
+    if (offered.is_known)
+        return add_help(
+            d, "remove the number, because there is only one such view: \"view\": " + quote(desc.view));
     const std::string near = did_you_mean_text(desc.view, offered.names);
-    add_help(d, near.empty() ? "views are " + quote_all(pass.declared.input.imports.views) : near);
+    add_help(d, near.empty() ? "the views are " + quote_all(pass.declared.input.imports.views) : near);
 }
 
 }  // namespace

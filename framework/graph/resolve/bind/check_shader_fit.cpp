@@ -39,8 +39,8 @@ class ShaderFit {
         if (binding.set != kFrameSet && !draws_lists()) {
             // In a raster pass without draw lists, such bindings have already been reported as W167.
             if (at_.draft.decl.kind != PassKind::raster)
-                error("W185", what + ", which only raster passes that draw lists have",
-                      "leave set and binding out: then it is a port of the pass");
+                error("W185", what + ", which exists only in raster passes that draw a draw list",
+                      "remove set and binding from the layout: then the variable is a port of the pass");
             return;
         }
         const std::vector<OfferedBinding>& offered = at_.declared.input.imports.bindings;
@@ -49,29 +49,29 @@ class ShaderFit {
             return o.set == binding.set && o.binding == binding.binding;
         });
         if (found == offered.end())
-            return error("W185", what + ", where the program binds nothing",
-                         "leave set and binding out: then it is a port of the pass");
+            return error("W185", what + ", but the program binds nothing there",
+                         "remove set and binding from the layout: then the variable is a port of the pass");
         const std::string fault = mismatch(binding, *found);
         if (!fault.empty())
             error("W185", what + ", " + fault,
-                  "include frame_set.glsl or material_set.glsl, which declare what is there");
+                  "include frame_set.glsl or material_set.glsl, which declare these bindings correctly");
     }
 
     // Returns the first reason why a binding of the shader does not match the descriptor that the program
     // binds there, or an empty text if they match.
     static std::string mismatch(const ShaderBinding& binding, const OfferedBinding& offered) {
         if (binding.kind != offered.kind || binding.count != 1)
-            return "where the program binds something else";
-        if ((binding.stages & ~offered.stages) != 0) return "which this stage can't see";
+            return "but the program binds a descriptor of another type there";
+        if ((binding.stages & ~offered.stages) != 0) return "which is not visible to this shader stage";
         const bool image = binding.kind == BindingKind::sampled_image;
         if (image && (binding.dim != ImageDim::d2 || binding.arrayed != offered.arrayed ||
                       binding.multisampled || binding.shadow || binding.numeric != NumericClass::float_like))
-            return "where the program binds another kind of image";
+            return "but the program binds another kind of image there";
         if (binding.kind == BindingKind::uniform_buffer && binding.block_bytes > offered.bytes)
             return "whose block has " + std::to_string(offered.bytes) + " bytes, not " +
                    std::to_string(binding.block_bytes);
         if (binding.kind == BindingKind::storage_buffer && binding.writes)
-            return "and may write it: declare it `readonly`";
+            return "and may write the buffer: declare the buffer `readonly`";
         return "";
     }
 
@@ -82,9 +82,9 @@ class ShaderFit {
         if (!points && state.fill != FillMode::point) return;
         error("W186",
               "pass " + quote(at_.draft.decl.name) + " draws points, but the vertex stage of " + shader() +
-                  " does not say how large they are",
+                  " does not write gl_PointSize",
               at_.draft.decl.kind == PassKind::fullscreen
-                  ? "leave \"topology\" and \"fill\" out: a fullscreen pass draws one triangle"
+                  ? "remove \"topology\" and \"fill\": a fullscreen pass draws one triangle"
                   : "write gl_PointSize = 1.0; in the vertex stage");
     }
 
@@ -93,8 +93,8 @@ class ShaderFit {
             at_.draft.instance > 0)
             return;
         at_.reporter.warn(loc(), "W137",
-                          shader() + " states no local size, so each workgroup is one invocation",
-                          "declare it: layout(local_size_x = 8, local_size_y = 8) in;");
+                          shader() + " has no local size, so each workgroup has only one invocation",
+                          "declare the size: layout(local_size_x = 8, local_size_y = 8) in;");
     }
 
     PassBinding& at_;

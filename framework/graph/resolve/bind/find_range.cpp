@@ -25,7 +25,7 @@ class RangeFinder {
             if (!ref_.mip_first && !ref_.layer_first && ref_.aspects == 0) return SubresourceRange{};
             Diagnostic& d = report_.error(pass_, ref_.loc, "W105",
                                           quote(ref_.name) +
-                                              " is a buffer: it has no mips, "
+                                              " is a buffer, and buffers have no mips, "
                                               "layers or aspects");
             add_help(d, "write " + quote(ref_.name));
             return std::nullopt;
@@ -54,7 +54,7 @@ class RangeFinder {
         Diagnostic& d = report_.error(pass_, ref_.loc, "W105",
                                       std::string(what) + " " + found + " of " + quote(ref_.name) +
                                           (fraction ? " is not a whole number" : " is out of range"));
-        if (fraction) add_help(d, "round it: floor(…) or ceil(…)");
+        if (fraction) add_help(d, "round the value with floor(…) or ceil(…)");
         add_help(d, quote(ref_.name) + " has " +
                         (count == 1 ? std::string("only ") + what + " 0"
                                     : std::string(what) + "s 0 to " + std::to_string(count - 1)));
@@ -73,8 +73,8 @@ class RangeFinder {
         if (*to >= *from) return Span{*from, *to - *from + 1};
         Diagnostic& d =
             report_.error(pass_, ref_.loc, "W105",
-                          std::string("the ") + what + "s of " + quote(ref_.text) + " run backwards");
-        add_help(d, "write the smaller first: a..b with a <= b");
+                          std::string("the ") + what + "s of " + quote(ref_.text) + " are in reverse order");
+        add_help(d, "write the smaller number first: a..b with a <= b");
         return std::nullopt;
     }
 

@@ -28,14 +28,16 @@ void RoleFinder::report_no_history(PassId pass, const RefDesc& ref, const Resour
     const bool kept = resource.lifetime == ResourceLifetime::persistent;
     Diagnostic& d = report_.error(
         pass, ref.loc, "W121",
-        quote(ref.text) + " asks for an earlier frame, but " + quote(ref.name) +
-            (resource.history > 0 ? " keeps only " + std::to_string(resource.history) : " keeps no history"));
+        quote(ref.text) + " reads an earlier frame, but " + quote(ref.name) +
+            (resource.history > 0 ? " keeps only " + std::to_string(resource.history) + " of them"
+                                  : " has no history"));
     if (resource.lifetime == ResourceLifetime::imported) {
-        add_help(d, "leave out [-" + wanted + "]: imports have no history. Copy it into a resource with " +
+        add_help(d, "remove [-" + wanted +
+                        "], because imports have no history; or copy the import to a resource with " +
                         "\"history\": " + wanted);
     } else if (kept && resource.history == 0) {
-        add_help(d,
-                 "a resource with \"keep\" is one copy: read " + quote(ref.name) + " before it is written");
+        add_help(d, "read " + quote(ref.name) +
+                        " before a pass writes it: \"keep\" keeps the old content in the same copy");
     } else {
         add_help(d, "add \"history\": " + wanted + " to resource " + quote(ref.name));
     }
@@ -51,24 +53,26 @@ ResourceId RoleFinder::find(PassId pass, const RefDesc& ref, ResourceId resource
         return kNoId;
     }
     if (is_output) {
-        Diagnostic& d = report_.error(pass, ref.loc, "W122",
-                                      who + " writes " + quote(ref.text) + ", which is of an earlier frame");
-        add_help(
-            d, "write " + quote(ref.name) + ": the next frame finds it as " + quote(role_name(ref.name, 1)));
+        Diagnostic& d =
+            report_.error(pass, ref.loc, "W122",
+                          who + " writes " + quote(ref.text) + ", but a pass cannot write an earlier frame");
+        add_help(d, "write " + quote(ref.name) + ": the next frame reads this content as " +
+                        quote(role_name(ref.name, 1)));
         return kNoId;
     }
     if (!ref.pass.empty()) {
         Diagnostic& d = report_.error(
-            pass, ref.loc, "W122", quote(ref.text) + " pins a version, but only a frame's last one is kept");
+            pass, ref.loc, "W122",
+            quote(ref.text) + " names a pass with @, but only the last version of an earlier frame is kept");
         add_help(d, "write " + quote(role_name(ref.name, ref.history)) +
-                        ", or copy that version into a resource with a history of its own");
+                        ", or copy that version to another resource with a history");
         return kNoId;
     }
     if (!written_by_any_pass(ref.name)) {
         Diagnostic& d =
             report_.error(pass, ref.loc, "W110",
                           who + " reads " + quote(ref.text) + ", but no pass writes " + quote(ref.name));
-        add_help(d, "write " + quote(ref.name) + " in the \"out\" of a pass");
+        add_help(d, "add " + quote(ref.name) + " to \"out\" of a pass");
         return kNoId;
     }
     return resource_id(declared_.shapes.resources, role_name(ref.name, ref.history));

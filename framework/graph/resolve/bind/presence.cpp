@@ -99,23 +99,24 @@ void Presence::report_absent(PassId pass, const PortDesc& port) const {
     const PassDesc* writer =
         pinned ? expansion.dropped.at(port.ref.pass) : dropped_writer(expansion, port.ref.name, reporter_);
     const PassDraft& draft = expansion.passes[pass];
-    std::string why = pinned ? ", and that pass is left out" : ", but nobody who is left writes it";
+    std::string why = pinned ? ", but that pass is removed" : ", but no remaining pass writes it";
     if (writer) {
         why = (pinned ? ", but " : ", which only ") + quote(writer->name) +
-              (pinned ? " is left out" : " writes, and that pass is left out");
+              (pinned ? " is removed" : " writes, and that pass is removed");
         why += writer->condition.empty() ? ": its repeat is empty" : ": its \"if\" is false";
     }
     Diagnostic& d = report_.error(pass, port.ref.loc, "W123",
                                   name_reader(draft) + " reads " + quote(port.ref.text) + why);
     if (writer) {
         const SourceLoc loc = writer->condition.empty() ? writer->loc : writer->condition.loc;
-        add_note(d, reporter_.sources(), loc, "left out here");
+        add_note(d, reporter_.sources(), loc, "the pass is removed here");
     }
-    if (draft.is_observer) return add_help(d, "it is unavailable as the parameters stand");
-    add_help(d, "say what to read instead: { \"ref\": " + quote(port.ref.text) + ", \"else\": \"name\" }");
+    if (draft.is_observer)
+        return add_help(d, "change the parameters: with the current values no pass writes the resource");
+    add_help(d, "name a replacement: { \"ref\": " + quote(port.ref.text) + ", \"else\": \"name\" }");
     add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
     if (writer && !writer->condition.empty() && writer->repeat.empty())
-        add_help(d, "or leave this pass out too: \"if\": " + quote(writer->condition.text));
+        add_help(d, "or remove this pass with the same condition: \"if\": " + quote(writer->condition.text));
 }
 
 }  // namespace weft

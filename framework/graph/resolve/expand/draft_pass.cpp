@@ -38,11 +38,11 @@ std::array<StateNeed, 3> list_needs(const RasterState& state, const StateLocs& l
     return {
         StateNeed{state.fill != FillMode::fill, profile.non_solid_fill, locs.fill,
                   state.fill == FillMode::line ? "\"fill\": \"line\"" : "\"fill\": \"point\"",
-                  "leave \"fill\" out, or draw a list of lines or points with \"topology\""},
+                  "remove \"fill\", or draw lines or points with \"topology\""},
         StateNeed{state.depth_clamp, profile.depth_clamp, locs.depth_clamp, "\"depthClamp\": true",
-                  "leave it out, and let the vertex stage keep gl_Position.z between 0 and gl_Position.w"},
+                  "remove \"depthClamp\", and clamp gl_Position.z to 0..gl_Position.w in the vertex stage"},
         StateNeed{state.depth_bias_clamp != 0, profile.depth_bias_clamp, locs.depth_bias_clamp,
-                  "a \"clamp\" of \"depthBias\"", "leave \"clamp\" out, and choose a smaller \"slope\""}};
+                  "a \"clamp\" of \"depthBias\"", "remove \"clamp\", and choose a smaller \"slope\""}};
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void find_kind(const ResolveInput& input, PassId id, PassDraft& draft, PassRepor
     Diagnostic& d = report.error(id, decl.loc, "W115",
                                  "pass " + quote(decl.name) + " has unknown type " + quote(decl.type));
     const std::string near = did_you_mean_text(decl.type, known);
-    add_help(d, near.empty() ? "types are " + quote_all(known) : near);
+    add_help(d, near.empty() ? "the known types are " + quote_all(known) : near);
 }
 
 void find_shader(const ResolveInput& input, PassId id, PassDraft& draft, Suspects& suspects,
@@ -109,8 +109,9 @@ void find_shader(const ResolveInput& input, PassId id, PassDraft& draft, Suspect
     if (draft.shader->stages & wanted) return;
     draft.shader = nullptr;
     Diagnostic& d = report.error(id, desc.shader_loc, "W177",
-                                 "shader " + quote(desc.shader) + " is not one for a " + decl.type + " pass");
-    add_help(d, decl.kind == PassKind::compute ? "it needs a .comp shader" : "it needs a fragment stage");
+                                 "shader " + quote(desc.shader) + " does not fit a " + decl.type + " pass");
+    add_help(d,
+             decl.kind == PassKind::compute ? "name a .comp shader" : "name a shader with a fragment stage");
 }
 
 void check_state(const DeviceProfile& profile, PassId id, const PassDraft& draft, PassReporter& report) {
@@ -121,7 +122,7 @@ void check_state(const DeviceProfile& profile, PassId id, const PassDraft& draft
         if (!need.asked || need.offered) continue;
         Diagnostic& error = report.error(
             id, need.loc.line != 0 ? need.loc : decl.loc, "W187",
-            "pass " + quote(decl.name) + " asks for " + need.state + ", which the device can't do");
+            "pass " + quote(decl.name) + " uses " + need.state + ", which the device does not support");
         add_help(error, need.remedy);
     }
 }

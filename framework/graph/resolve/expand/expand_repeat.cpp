@@ -46,9 +46,10 @@ class PassRepeater {
         const std::optional<double> step = repeat.step.empty() ? 1.0 : whole(repeat.step);
         if (!first || !last || !step) return false;
         if (*step == 0) {
-            Diagnostic& d = reporter_.error(repeat.step.loc, "W109",
-                                            "the repeat of pass " + quote(desc_.name) + " stands still");
-            add_help(d, "count up without \"by\", or down \"by -1\"");
+            Diagnostic& d = reporter_.error(
+                repeat.step.loc, "W109",
+                "the repeat of pass " + quote(desc_.name) + " has a step of 0, so it would never end");
+            add_help(d, "remove \"by\" to count up, or write \"by -1\" to count down");
             return false;
         }
         bool any = false;
@@ -84,11 +85,11 @@ class PassRepeater {
     bool over(const char* what, const std::string& limit, uint64_t most) {
         if (std::exchange(expansion_.too_large, true)) return false;
         const SourceLoc loc = desc_.repeat.empty() ? desc_.loc : desc_.repeat.front().range_loc;
-        Diagnostic& d =
-            reporter_.error(loc, "W125",
-                            "with pass " + quote(desc_.name) + " the graph has more than " +
-                                std::to_string(most) + " " + what + ", those counted that \"if\" leaves out");
-        add_help(d, "let one dispatch do the work of many: use layers, or the third side of \"groups\"; " +
+        Diagnostic& d = reporter_.error(loc, "W125",
+                                        "with pass " + quote(desc_.name) + " the graph has more than " +
+                                            std::to_string(most) + " " + what +
+                                            ", where passes that \"if\" removes also count");
+        add_help(d, "replace many dispatches by one, with layers or a third number in \"groups\", " +
                         raise_limit_text("graph." + limit));
         return false;
     }
@@ -113,17 +114,17 @@ class PassRepeater {
         const bool fraction = value->x != std::floor(value->x);
         Diagnostic& d = reporter_.error(expression.loc, "W109",
                                         quote(expression.text) + " is " + number_text(value->x) +
-                                            ", and a repeat counts in whole numbers" +
+                                            ", but a repeat needs whole numbers" +
                                             (fraction ? "" : " from -2147483648 to 2147483647"));
-        add_help(d, fraction ? "round it: floor(…) or ceil(…)"
-                             : "count from 0, and compute what you need from the index");
+        add_help(d, fraction ? "round the value with floor(…) or ceil(…)"
+                             : "count from 0, and compute the other number from the index");
         return std::nullopt;
     }
 
     void report_size(const Expr& expression) {
         Diagnostic& d = reporter_.error(expression.loc, "W106",
-                                        quote(expression.text) + " is a size where a number is wanted");
-        add_help(d, "use .x or .y of it");
+                                        quote(expression.text) + " is a size, but must be a number");
+        add_help(d, "use .x or .y of the size");
     }
 
     // Returns the name of one pass of a repeat, made of the author's name and the values of the indices:

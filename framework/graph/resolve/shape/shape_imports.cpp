@@ -15,10 +15,11 @@ std::vector<std::string> import_names(const ImportCatalog& catalog) {
 const ImportDecl* find_offered(const ResolveInput& input, const ImportDesc& desc, Reporter& reporter) {
     const auto found = input.imports.imports.find(desc.name);
     if (found == input.imports.imports.end()) {
-        Diagnostic& d = reporter.error(desc.loc, "W118", "nothing offers the import " + quote(desc.name));
+        Diagnostic& d =
+            reporter.error(desc.loc, "W118", "the program does not offer the import " + quote(desc.name));
         const std::vector<std::string> names = import_names(input.imports);
         const std::string near = did_you_mean_text(desc.name, names);
-        add_help(d, near.empty() ? "offered are " + quote_all(names) : near);
+        add_help(d, near.empty() ? "the program offers " + quote_all(names) : near);
         return nullptr;
     }
     const ImportDecl& import = found->second;

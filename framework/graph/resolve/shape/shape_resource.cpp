@@ -86,7 +86,7 @@ class ResourceShaper {
         Diagnostic& d =
             reporter_.error(expression.loc, "W106",
                             std::string(what) + " of " + quote(desc_.name) + " is a size, not a number");
-        add_help(d, "use .x or .y of it, or their product");
+        add_help(d, "use .x or .y of the size, or their product");
         return std::nullopt;
     }
 
@@ -95,7 +95,7 @@ class ResourceShaper {
     void report_nothing(const Expr& expression, const std::string& message) {
         is_suspect_ = 1;
         add_help(reporter_.error(expression.empty() ? desc_.loc : expression.loc, "W109", message),
-                 "keep it above zero, for example with max(…, 1)");
+                 "make the value greater than zero, for example with max(…, 1)");
     }
 
     bool check_size(const ExprValue& size) {
@@ -146,8 +146,8 @@ class ResourceShaper {
         is_suspect_ = 1;
         Diagnostic& d = reporter_.error(desc_.size.empty() ? desc_.loc : desc_.size.loc, "W109",
                                         "the faces of cube " + quote(desc_.name) + " are " +
-                                            extent_text(decl_.extent) + ", which is no square");
-        add_help(d, "give the side: \"size\": 128");
+                                            extent_text(decl_.extent) + ", which is not square");
+        add_help(d, "write one number for the side, for example \"size\": 128");
     }
 
     void set_layers(uint32_t layers) {
@@ -166,16 +166,16 @@ class ResourceShaper {
         const Extent3D& e = decl_.extent;
         check_limit("image " + quote(desc_.name) + " is " + extent_text(e) + " px",
                     std::max({e.width, e.height, e.depth}), device.max_image_2d_px, limits.image_side_px,
-                    "graph.imageSidePx", " px a side");
+                    "graph.imageSidePx", " px for each side");
         check_limit("image " + quote(desc_.name) + " has " + std::to_string(decl_.layers) + " layers",
                     decl_.layers, device.max_image_layers, limits.layers, "graph.layers", " layers");
         check_limit("image " + quote(desc_.name) + " has " + std::to_string(decl_.mips) + " mips", decl_.mips,
                     UINT32_MAX, limits.mips, "graph.mips", " mips");
         if (decl_.samples != 1 && (decl_.mips != 1 || !std::has_single_bit(decl_.samples))) {
-            Diagnostic& d =
-                reporter_.error(desc_.loc, "W119",
-                                "image " + quote(desc_.name) + " can't have these samples and mips together");
-            add_help(d, "multisampled images have one mip and 2, 4 or 8 samples");
+            Diagnostic& d = reporter_.error(
+                desc_.loc, "W119",
+                "image " + quote(desc_.name) + " cannot have this combination of samples and mips");
+            add_help(d, "use one mip with 2, 4 or 8 samples, or one sample with any number of mips");
         }
     }
 
@@ -188,13 +188,14 @@ class ResourceShaper {
         is_suspect_ = 1;
         Diagnostic& d =
             reporter_.error(desc_.loc, "W125", what + "; the limit is " + std::to_string(limit) + unit);
-        add_help(d, "make it smaller, " + raise_limit_text(name));
+        add_help(d, "reduce this value, " + raise_limit_text(name));
     }
 
     void over_limit(const std::string& what, const std::string& limit) {
         is_suspect_ = 1;
         Diagnostic& d = reporter_.error(desc_.loc, "W119", what + "; the device offers at most " + limit);
-        add_help(d, "the limit comes from the device profile " + quote(input_.profile.name));
+        add_help(d,
+                 "reduce this value; the limit comes from the device profile " + quote(input_.profile.name));
     }
 
     std::optional<uint32_t> element_bytes() {
@@ -210,7 +211,7 @@ class ResourceShaper {
             desc_.loc, "W116",
             "buffer " + quote(desc_.name) + " has elements of unknown type " + quote(desc_.element));
         const std::string near = did_you_mean_text(desc_.element, names);
-        add_help(d, near.empty() ? "known types are " + quote_all(names) : near);
+        add_help(d, near.empty() ? "the known types are " + quote_all(names) : near);
         return std::nullopt;
     }
 
@@ -225,8 +226,8 @@ class ResourceShaper {
         decl_.stride_bytes = *stride;
         // Compares as floating point, because the integer product could exceed 2^64.
         if (elements * *stride > static_cast<double>(limit)) {
-            over_limit("buffer " + quote(desc_.name) + " holds more than " + std::to_string(limit) + " bytes",
-                       std::to_string(limit) + " bytes a buffer");
+            over_limit("buffer " + quote(desc_.name) + " is larger than " + std::to_string(limit) + " bytes",
+                       std::to_string(limit) + " bytes for each buffer");
             return;
         }
         decl_.size_bytes = saturated<uint64_t>(elements) * *stride;

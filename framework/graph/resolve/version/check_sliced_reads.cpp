@@ -84,17 +84,17 @@ class SlicedCell {
         const ResourceDecl& resource = graph_.resources[cell_.resource];
         const std::string what = quote(range_of(resource, cell_.range));
         const std::string who = name_reader(declared_.expansion.passes[reader.pass]);
-        Diagnostic& d = report_.error(reader.pass, use(reader).loc, "W124",
-                                      who + " reads what pass " + quote(declared_.pass_name(wanted.pass)) +
-                                          " wrote into " + what +
-                                          ", but in frames in which that pass does not run, pass " +
-                                          quote(declared_.pass_name(other.pass)) + " has overwritten it");
-        add_note(d, reporter_.sources(), use(other).loc, "the other write");
+        Diagnostic& d =
+            report_.error(reader.pass, use(reader).loc, "W124",
+                          who + " reads " + what + " as pass " + quote(declared_.pass_name(wanted.pass)) +
+                              " wrote it, but in frames without that pass, pass " +
+                              quote(declared_.pass_name(other.pass)) + " has overwritten this content");
+        add_note(d, reporter_.sources(), use(other).loc, "the other pass writes here");
         if (resource.kind == ResourceKind::image)
-            add_help(d, "let each round write a layer or mip of its own, and read that: " +
+            add_help(d, "let each iteration write its own layer or mip, and read this part: " +
                             quote(resource.name + ".layer(i)"));
-        add_help(d, "or, where each round changes only its own part of what is there, say \"partial\": true");
-        add_help(d, "or run all rounds in every frame: remove \"perFrame\" from " +
+        add_help(d, "or add \"partial\": true, if each iteration changes only its own part of the content");
+        add_help(d, "or run all iterations in every frame: remove \"perFrame\" from " +
                         quote(declared_.author_name(wanted.pass)));
     }
 

@@ -179,24 +179,27 @@ class VersionConnector {
                                                     (writes_it_too ? " before any other pass writes it"
                                                                    : ", which no pass writes before it"));
         if (partial && resource.history == 0)
-            add_help(
-                d,
-                "fill it first, for example with a pass of type \"clear\"; or, if this pass writes all of "
-                "it, remove \"partial\"");
+            add_help(d,
+                     "fill the resource first, for example in a pass of type \"clear\"; or remove "
+                     "\"partial\", if this pass "
+                     "writes all of the resource");
         if (resource.history > 0) {
             const std::string last = role_name(resource.name, 1);
-            add_help(d, "every frame begins with an empty copy; what the last one left is " + quote(last) +
-                            ": read that, and write " + quote(resource.name));
+            add_help(d, "the copy of the current frame is empty at first: read " + quote(last) +
+                            " for the content of the previous frame, and write " + quote(resource.name));
         }
         if (const PassDesc* dropped = dropped_writer(declared_.expansion, resource.name, reporter_)) {
-            add_help(d, "pass " + quote(dropped->name) + ", which would write it, is left out");
+            add_help(d, "pass " + quote(dropped->name) +
+                            " would write the resource, but is removed: its \"if\" is false or its "
+                            "\"repeat\" is empty");
         } else if (written_at_all(use(u).resource, u.pass)) {
-            add_help(
-                d, "other parts or later versions of it are written: check the mips and layers, and the pin");
+            add_help(d,
+                     "check the mips, the layers and the @pass of the reference: passes write other parts or "
+                     "later versions");
         } else if (resource.lifetime == ResourceLifetime::imported) {
-            add_help(d, "the import has no content when the frame begins: write it first");
+            add_help(d, "write the import in an earlier pass: it has no content when the frame begins");
         } else if (resource.history == 0 && !partial) {
-            add_help(d, "write it in the \"out\" of a pass, or import it");
+            add_help(d, "add it to \"out\" of a pass that runs earlier, or import it");
         }
     }
 

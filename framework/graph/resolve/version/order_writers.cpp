@@ -107,10 +107,10 @@ class WriterOrder {
         const std::string who = "pass " + quote(declared_.pass_name(pass));
         Diagnostic& d = report_.error(
             pass, loc, "W104",
-            itself ? who + " can't run after itself" : who + " runs after unknown pass " + quote(name));
-        add_help(d, itself ? "leave it out"
+            itself ? who + " cannot run after itself" : who + " runs after unknown pass " + quote(name));
+        add_help(d, itself ? "remove its own name from \"after\""
                            : did_you_mean_text(name, list_pass_names(declared_.input.graph)));
-        add_help(d, itself ? "" : "passes are " + quote_all(list_pass_names(declared_.input.graph)));
+        add_help(d, itself ? "" : "the passes are " + quote_all(list_pass_names(declared_.input.graph)));
     }
 
     void add_read(const Cell& cell, PassId writer, const CellUse& reader, bool pinnable) {
@@ -269,13 +269,12 @@ class WriterOrder {
         const CellUse& earlier = a.pass > b.pass ? b : a;
         Diagnostic& d = reporter_.error(use(later).loc, "W111",
                                         "passes " + quote(name_a) + " and " + quote(name_b) + " both write " +
-                                            range + ", and nothing orders them");
-        add_note(d, reporter_.sources(), use(earlier).loc, "the other write");
-        add_help(d, "say which comes first: \"after\": [" + quote(name_a) + "] in " + quote(name_b) +
-                        ", or the other way round");
-        add_help(d, "or let one read the other's version: " +
-                        quote(declared_.resource_name(cell.resource) + "@" + name_a) + " in " +
-                        quote(name_b));
+                                            range + ", but nothing determines their order");
+        add_note(d, reporter_.sources(), use(earlier).loc, "the other pass writes here");
+        add_help(d, "define the order: add \"after\": [" + quote(name_a) + "] to " + quote(name_b) +
+                        ", or the reverse");
+        add_help(d, "or let pass " + quote(name_b) + " read the result of " + quote(name_a) + ": " +
+                        quote(declared_.resource_name(cell.resource) + "@" + name_a));
     }
 
     const Declared& declared_;

@@ -127,9 +127,9 @@ class CycleReport {
             case EdgeKind::raw:
                 return "reads " + declared_.resource_name(arc.resource);
             case EdgeKind::war:
-                return "overwrites " + declared_.resource_name(arc.resource) + " that it reads";
+                return "overwrites " + declared_.resource_name(arc.resource) + " that the pass before reads";
             case EdgeKind::waw:
-                return "writes " + declared_.resource_name(arc.resource) + " after it";
+                return "writes " + declared_.resource_name(arc.resource) + " after the pass before";
             case EdgeKind::after:
                 return "after";
         }

@@ -130,7 +130,7 @@ TEST(PlanHtml, CulledPassesSayWhy) {
                         {"dst", unused, Access::storage_write, {}, kNoId}});
     read_back(b, "out", used);
     const std::string text = plan_to_html(compiled(b), {});
-    EXPECT_NE(text.find("<td>nobody reads &quot;unused&quot;</td>"), std::string::npos) << text;
+    EXPECT_NE(text.find("<td>no pass reads &quot;unused&quot;</td>"), std::string::npos) << text;
     EXPECT_NE(text.find("class=\"i pass dead\""), std::string::npos);
     EXPECT_NE(text.find("unused: no pass that runs touches it"), std::string::npos);
 }
