@@ -28,23 +28,23 @@ Diagnostic cannot_write(const std::string& path, const std::string& why, std::st
 std::string remedy(int error, const FileTarget& target) {
     switch (error) {
         case ENOENT:
-            return "make its folder first: mkdir -p '" + target.folder() + "'";
+            return "create the folder first: mkdir -p '" + target.folder() + "'";
         case ENOSPC:
         case EDQUOT:
-            return "make room on its disk; nothing was changed";
+            return "make room on the disk; the old file is unchanged";
         case EFBIG:
-            return "the limit on the size of files is too low: see `ulimit -f`";
+            return "raise the limit for the size of files: see `ulimit -f`";
         case EPIPE:
-            return "the program that reads the pipe has ended";
+            return "keep the program that reads the pipe running";
         case EACCES:
         case EPERM:
-            return "give the right to write it, or choose another place";
+            return "allow writing to the file and its folder, or choose another place";
         case EROFS:
-            return "its disk is mounted read-only: choose another place";
+            return "choose another place: the disk is mounted read-only";
         case EBUSY:
-            return "a file that is a mount point cannot be replaced: choose another place";
+            return "choose another place: a mount point cannot be replaced by a file";
         default:
-            return "check the path and its disk";
+            return "check the path and the disk";
     }
 }
 
@@ -54,7 +54,7 @@ Diagnostic cannot_write(const std::string& path, int error, const FileTarget& ta
 
 Diagnostic is_folder(const std::string& path) {
     const std::string slash = path.ends_with('/') ? "" : "/";
-    return cannot_write(path, reason(EISDIR), "name a file in it: " + path + slash + "NAME");
+    return cannot_write(path, reason(EISDIR), "name a file in this folder: " + path + slash + "NAME");
 }
 
 Status check_file(const std::string& path, const FileTarget& target) {
@@ -68,7 +68,8 @@ Status check_file(const std::string& path, const FileTarget& target) {
         return cannot_write(path, errno, target);
     if (faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return Unit{};
     const int error = errno;
-    return cannot_write(path, "no file can be made in its folder: " + reason(error), remedy(error, target));
+    return cannot_write(path, "no file can be created in its folder: " + reason(error),
+                        remedy(error, target));
 }
 
 // Writes the data and closes the descriptor. Returns the first error, which may also be an error of close().
@@ -145,8 +146,8 @@ Status write_stdout(std::string_view data) {
     Diagnostic d;
     d.code = "X512";
     d.message = "standard output cannot be written: " + reason(error);
-    d.help = {error == EPIPE ? "the program that reads it has ended"
-                             : "make room where it goes, or send it elsewhere"};
+    d.help = {error == EPIPE ? "keep the program that reads the output running"
+                             : "make room on the disk, or redirect the output to another file"};
     return d;
 }
 

@@ -27,7 +27,8 @@ Result<DescriptorSets> DescriptorSets::create(vk::Device& device,
     layout_info.pBindings = bindings.data();
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
     VkResult result = fn.vkCreateDescriptorSetLayout(device.handle(), &layout_info, nullptr, &layout);
-    if (result != VK_SUCCESS) return vk::vk_error(result, "making the set layout of the " + name);
+    if (result != VK_SUCCESS)
+        return vk::vk_error(result, "creating the descriptor set layout of the " + name);
     made.layout = {device, layout};
     if (count == 0) return made;
 
@@ -40,7 +41,7 @@ Result<DescriptorSets> DescriptorSets::create(vk::Device& device,
     pool_info.pPoolSizes = sizes.data();
     VkDescriptorPool pool = VK_NULL_HANDLE;
     result = fn.vkCreateDescriptorPool(device.handle(), &pool_info, nullptr, &pool);
-    if (result != VK_SUCCESS) return vk::vk_error(result, "making the descriptor pool of the " + name);
+    if (result != VK_SUCCESS) return vk::vk_error(result, "creating the descriptor pool of the " + name);
     made.pool = {device, pool};
 
     const std::vector<VkDescriptorSetLayout> layouts(count, layout);

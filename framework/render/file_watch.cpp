@@ -46,7 +46,7 @@ Result<std::unique_ptr<FileWatch>> FileWatch::create(std::chrono::milliseconds q
     if (call < 0) {
         Diagnostic error;
         error.code = "X580";
-        error.message = std::string("files can't be watched: ") + std::strerror(errno);
+        error.message = std::string("the system does not allow watching more files: ") + std::strerror(errno);
         error.help = {"end other programs that watch files, or raise fs.inotify.max_user_instances"};
         if (events >= 0) close(events);
         return error;

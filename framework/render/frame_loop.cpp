@@ -62,9 +62,9 @@ Result<vk::ReadbackData> FrameLoop::read_output() {
     if (!has_output()) {
         Diagnostic d;
         d.code = "W184";
-        d.message = "the graph has no output";
-        d.help = {"let it import one, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
-                  "or look at one of its resources: --resource NAME"};
+        d.message = "the graph has no output, so there is no picture";
+        d.help = {"import an output, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
+                  "or write a resource of the graph instead: --resource NAME"};
         return d;
     }
     return stage_.executor->read_image(stage_.output);

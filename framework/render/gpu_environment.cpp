@@ -40,7 +40,7 @@ Result<GpuEnvironment> GpuEnvironment::create(vk::Device& device, const scene::E
     VkSampler sampler = VK_NULL_HANDLE;
     if (const VkResult made = device.fn().vkCreateSampler(device.handle(), &info, nullptr, &sampler);
         made != VK_SUCCESS)
-        return vk::vk_error(made, "creating the environment's sampler");
+        return vk::vk_error(made, "creating the sampler of the environment");
     GpuEnvironment result;
     result.image_ = std::move(*image);
     result.sampler_ = vk::SamplerHandle(device, sampler);

@@ -37,7 +37,7 @@ Result<vk::SamplerHandle> picture_sampler(vk::Device& device) {
     info.maxLod = VK_LOD_CLAMP_NONE;
     VkSampler sampler = VK_NULL_HANDLE;
     const VkResult made = device.fn().vkCreateSampler(device.handle(), &info, nullptr, &sampler);
-    if (made != VK_SUCCESS) return vk::vk_error(made, "creating the sampler of light pictures");
+    if (made != VK_SUCCESS) return vk::vk_error(made, "creating the sampler of the pictures for lights");
     return vk::SamplerHandle(device, sampler);
 }
 

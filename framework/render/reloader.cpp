@@ -14,8 +14,9 @@ Diagnostic unseen_changes(const std::filesystem::path& folder) {
     Diagnostic warning;
     warning.severity = Severity::warning;
     warning.code = "X581";
-    warning.message = "changes in \"" + folder.string() + "\" go unseen: it can't be watched";
-    warning.help = {"give the right to read it, or raise fs.inotify.max_user_watches"};
+    warning.message =
+        "the folder \"" + folder.string() + "\" cannot be watched, so edits of its files are not noticed";
+    warning.help = {"make the folder readable, or raise fs.inotify.max_user_watches"};
     return warning;
 }
 

@@ -38,8 +38,9 @@ Diagnostics find_missing_features(const vk::Device& device, const FramePlan& pla
         if (pass.draw_commands_use == kNoId) continue;
         missing.push_back(plan.graph.sources.error(
             pass.loc, "V417",
-            "pass \"" + pass.name + "\" draws indirectly; the device lacks drawIndirectFirstInstance"));
-        missing.back().help = {"draw the list directly: \"draws\": [\"" + pass.draw_lists.front() + "\"]"};
+            "pass \"" + pass.name + "\" draws indirectly, but the device lacks drawIndirectFirstInstance"));
+        missing.back().help = {"draw the list without indirect commands: \"draws\": [\"" +
+                               pass.draw_lists.front() + "\"]"};
     }
     return missing;
 }

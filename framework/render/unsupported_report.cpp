@@ -47,11 +47,12 @@ Diagnostics report_lights(const FramePlan& plan, const scene::Scene& scene) {
             if (room >= lights) continue;
             warnings.push_back(plan.graph.sources.error(
                 buffer.loc, "S157",
-                "the scene has " + std::to_string(lights) + " lights; \"" + buffer.name +
-                    "\" holds the first " + std::to_string(room) + " of them"));
+                "the scene has " + std::to_string(lights) + " lights, but the buffer \"" + buffer.name +
+                    "\" has space for only " + std::to_string(room) + "; the other lights are ignored"));
             warnings.back().severity = Severity::warning;
-            warnings.back().help = {"raise its count; in the shipped graphs --param maxLights=" +
-                                    std::to_string(lights)};
+            warnings.back().help = {
+                "raise the \"count\" of \"" + buffer.name +
+                "\"; in the shipped graphs, use --param maxLights=" + std::to_string(lights)};
         }
     }
     return warnings;
@@ -73,9 +74,9 @@ Diagnostics report_transparent(const FramePlan& plan, const scene::Scene& scene)
     warning.code = "S155";
     warning.message =
         (objects == 1 ? "1 transparent object is" : std::to_string(objects) + " transparent objects are") +
-        std::string(" left out (BLEND: ") + names_of(materials, scene) + "): no pass of graph \"" +
-        plan.graph.name + "\" draws the list \"transparent\"";
-    warning.help = {"--graph graphs/forward.json draws them"};
+        std::string(" not drawn (BLEND materials: ") + names_of(materials, scene) +
+        "), because no pass of graph \"" + plan.graph.name + "\" draws the list \"transparent\"";
+    warning.help = {"use a graph that draws transparent objects, for example --graph graphs/forward.json"};
     return {warning};
 }
 

@@ -40,11 +40,12 @@ TEST(UnsupportedReport, TransparentObjectsAreNamedOnce) {
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0].code, "S155");
     EXPECT_EQ(said[0].severity, Severity::warning);
-    EXPECT_EQ(
-        said[0].message,
-        "5 transparent objects are left out (BLEND: \"m1\", \"m2\", \"m3\", \"m4\" and 1 more): no pass of "
-        "graph \"deferred\" draws the list \"transparent\"");
-    EXPECT_EQ(said[0].help.at(0), "--graph graphs/forward.json draws them");
+    EXPECT_EQ(said[0].message,
+              "5 transparent objects are not drawn (BLEND materials: \"m1\", \"m2\", \"m3\", \"m4\" and 1 "
+              "more), because no pass of "
+              "graph \"deferred\" draws the list \"transparent\"");
+    EXPECT_EQ(said[0].help.at(0),
+              "use a graph that draws transparent objects, for example --graph graphs/forward.json");
 }
 
 TEST(UnsupportedReport, NothingIsSaidOfWhatIsDrawnOrAbsent) {
@@ -72,7 +73,9 @@ TEST(UnsupportedReport, LightsWithoutRoomAreCountedWhereTheyShine) {
     const Diagnostics said = report_unsupported(plan, scene);
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0].code, "S157");
-    EXPECT_EQ(said[0].message, "the scene has 3 lights; \"lights\" holds the first 2 of them");
+    EXPECT_EQ(said[0].message,
+              "the scene has 3 lights, but the buffer \"lights\" has space for only 2; the other lights are "
+              "ignored");
 }
 
 }  // namespace

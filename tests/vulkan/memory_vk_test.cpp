@@ -149,7 +149,7 @@ TEST_F(MemoryVk, sizes_that_do_not_match_are_errors) {
     const Status status = upload_image(device(), *image, wrong_mip);
     ASSERT_FALSE(status.ok());
     EXPECT_EQ(status.errors().front().code, "V420");
-    EXPECT_EQ(status.errors().front().message, "mip 1 of \"albedo\" is 64 bytes when it should be 16");
+    EXPECT_EQ(status.errors().front().message, "mip 1 of \"albedo\" has 64 bytes; wanted 16");
     EXPECT_FALSE(upload_image(device(), *image, {}).ok());
 
     Result<Buffer> small =

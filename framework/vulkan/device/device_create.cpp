@@ -158,7 +158,7 @@ std::vector<std::string> missing_in(const EmbedderDevice& own, const DeviceInfo&
     std::vector<std::string> missing = missing_features(*own.enabled);
     if (info.compiles_for_uniforms && own.enabled->v10().shaderUniformBufferArrayDynamicIndexing != VK_TRUE)
         missing.emplace_back("shaderUniformBufferArrayDynamicIndexing (" + info.driver +
-                             " compiles shaders again in every frame without it)");
+                             " would compile shaders again in every frame without this feature)");
     constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     const uint32_t first = own.queues.empty() ? UINT32_MAX : own.queues.front().family;
     if (first >= families.size() || (families[first].flags & needed) != needed)
@@ -172,17 +172,17 @@ std::vector<std::string> missing_in(const EmbedderDevice& own, const DeviceInfo&
 Diagnostic incomplete_error(const std::string& name, const std::vector<std::string>& missing) {
     Diagnostic error;
     error.code = "V404";
-    error.message = "the device that was made of \"" + name + "\" lacks ";
+    error.message = "the VkDevice that the program created on \"" + name + "\" lacks ";
     for (size_t i = 0; i < missing.size(); ++i) error.message += (i == 0 ? "" : ", ") + missing[i];
     error.help = {
-        "give vkCreateDevice the features that enable_features() switches on, and adopt() the same"};
+        "pass the features that enable_features() sets to vkCreateDevice, and the same features to adopt()"};
     return error;
 }
 
 Diagnostic old_instance_error() {
     Diagnostic error;
     error.code = "V404";
-    error.message = "the instance was made for a Vulkan older than 1.3";
+    error.message = "the VkInstance was created for a Vulkan version older than 1.3";
     error.help = {"set VkApplicationInfo::apiVersion to VK_API_VERSION_1_3"};
     return error;
 }

@@ -26,9 +26,10 @@ bool has_extension(const LoaderFunctions& loader, const char* layer, const char*
 Diagnostic missing_layer_error() {
     Diagnostic error;
     error.code = "V405";
-    error.message = std::string("validation was asked for, but ") + kValidationLayer + " is not installed";
-    error.help = {"install it: apt-get install vulkan-validationlayers",
-                  "if it is installed, VK_LAYER_PATH may point away from it"};
+    error.message =
+        std::string("validation needs the Vulkan layer ") + kValidationLayer + ", which was not found";
+    error.help = {"install the layer: apt-get install vulkan-validationlayers",
+                  "if the layer is installed, check the environment variable VK_LAYER_PATH"};
     return error;
 }
 
@@ -37,7 +38,8 @@ Diagnostic creation_error(VkResult result) {
     Diagnostic error = vk_error(result, "creating a Vulkan instance");
     if (error.code == "V409") {
         error.code = "V406";
-        error.help = {"`vulkaninfo --summary` (package vulkan-tools) shows whether the drivers load at all"};
+        error.help = {
+            "check with `vulkaninfo --summary` (package vulkan-tools) whether the drivers can be loaded"};
     }
     return error;
 }
@@ -49,7 +51,7 @@ Result<LoaderFunctions> require_loader(const char* library) {
     Diagnostic error;
     error.code = "V401";
     error.message = std::string("the Vulkan loader ") + library + " is not installed";
-    error.help = {"install it and a driver: apt-get install libvulkan1 mesa-vulkan-drivers"};
+    error.help = {"install the loader and a driver: apt-get install libvulkan1 mesa-vulkan-drivers"};
     return error;
 }
 

@@ -41,7 +41,7 @@ void find_family(const InstanceFunctions& fn, Candidate& candidate) {
 
 void find_missing(const InstanceFunctions& fn, Candidate& candidate, uint32_t api_version) {
     if (api_version < VK_API_VERSION_1_3) {
-        candidate.info.missing.push_back("Vulkan 1.3 (it offers " + version_text(api_version) + ")");
+        candidate.info.missing.push_back("Vulkan 1.3 (the device offers " + version_text(api_version) + ")");
         // The feature structs of Vulkan 1.3 must not be queried on an older device.
         return;
     }
@@ -103,8 +103,9 @@ Diagnostic unsuitable_error(const Candidate& candidate) {
         error.message += (i == 0 ? "" : ", ") + candidate.info.missing[i];
     }
     error.help = {
-        "choose another with --device, or install mesa-vulkan-drivers, whose llvmpipe has all of it",
-        "`weft doctor` lists the devices of this machine and what they lack"};
+        "choose another device with --device, or install mesa-vulkan-drivers, whose device llvmpipe has all "
+        "required features",
+        "`weft doctor` lists the devices of this machine and the features that they lack"};
     return error;
 }
 
@@ -115,7 +116,7 @@ Diagnostic no_device_error() {
     error.help = {
         "install a driver: apt-get install mesa-vulkan-drivers (GPUs of AMD and Intel, and llvmpipe, "
         "which needs no GPU)",
-        "if one is installed, VK_DRIVER_FILES or VK_ICD_FILENAMES may point away from it"};
+        "if a driver is installed, check the environment variables VK_DRIVER_FILES and VK_ICD_FILENAMES"};
     return error;
 }
 

@@ -39,21 +39,21 @@ Diagnostic vk_error(VkResult result, std::string_view what) {
     switch (result) {
         case VK_TIMEOUT:
             error.code = "V407";
-            error.help = {"--timeout SECONDS allows more time; a shader may be looping without end"};
+            error.help = {"look for an endless loop in a shader, or allow more time with --timeout SECONDS"};
             break;
         case VK_ERROR_DEVICE_LOST:
             error.code = "V408";
-            error.help = {"the driver lost the device; run with --validate to look for the cause"};
+            error.help = {"the driver has lost the device; look for the cause with --validate"};
             break;
         case VK_ERROR_OUT_OF_HOST_MEMORY:
         case VK_ERROR_OUT_OF_DEVICE_MEMORY:
         case VK_ERROR_OUT_OF_POOL_MEMORY:
             error.code = "V410";
-            error.help = {"a smaller --size, or fewer and smaller textures in the scene, need less memory"};
+            error.help = {"use a smaller --size, or a scene with fewer or smaller textures"};
             break;
         default:
             error.code = "V409";
-            error.help = {"`weft doctor` lists the drivers and devices of this machine"};
+            error.help = {"look at the drivers and devices of this machine with `weft doctor`"};
             break;
     }
     return error;

@@ -75,16 +75,15 @@ Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
     const size_t pass_count = objects_->plan.schedule.order.size();
     uint32_t first = objects_->timer.first_unfinished(slot);
     if (first >= pass_count) first = 0;
-    Diagnostic diagnostic =
-        failed_call("V418",
-                    "frame " + std::to_string(in_flight_[slot].frame_index) +
-                        " did not end; passes in flight: " + pass_names(objects_->plan, first),
-                    result);
+    Diagnostic diagnostic = failed_call("V418",
+                                        "waiting for frame " + std::to_string(in_flight_[slot].frame_index) +
+                                            " (unfinished passes: " + pass_names(objects_->plan, first) + ")",
+                                        result);
     if (diagnostic.help.empty())
-        diagnostic.help.push_back("look for an endless loop in the first of these passes");
+        diagnostic.help.push_back("look for an endless loop in the first unfinished pass");
     if (const std::string counts = draw_counts(objects_->plan, objects_->draws, first); !counts.empty())
-        diagnostic.help.push_back("the number of objects that these passes draw may explain it: " + counts +
-                                  "; large ones that cover each other take longest");
+        diagnostic.help.push_back(
+            "or draw fewer objects; the unfinished passes draw these numbers of objects: " + counts);
     lost_ = {diagnostic};
     timed_out_ = true;
     return diagnostic;

@@ -55,7 +55,7 @@ Status ReplayExecutor::be_followed(const FramePlan& next) {
 // Writes the first contents of this executor's persistent resources. Needed if another executor replaces this
 // one before its first frame, because the other executor copies these contents.
 Status ReplayExecutor::start_without_frame() {
-    Status started = immediate_submit(device_, "the first contents of persistent resources",
+    Status started = immediate_submit(device_, "writing the initial content of persistent resources",
                                       [&](VkCommandBuffer commands) { record_start(commands); });
     if (!started) return started;
     return retire_predecessor();

@@ -117,7 +117,7 @@ Result<FrameSlots> FrameSlots::create(Device& device, const FramePlan& plan) {
     slots.timelines_ = std::move(*timelines);
     for (Slot& slot : slots.slots_)
         if (const VkResult result = slots.open(slot); result != VK_SUCCESS)
-            return failed_call("V418", "making a frame slot", result);
+            return failed_call("V418", "creating the objects of a frame in flight", result);
     return slots;
 }
 
@@ -167,7 +167,7 @@ Status FrameSlots::begin(uint32_t index, uint64_t frame) {
         result = begin_commands(*device_, slot.commands[batch], queues_[queue_of_[batch]].family);
     if (result == VK_SUCCESS && frame == 0)
         result = begin_commands(*device_, slot.prologue, queues_[0].family);
-    if (result != VK_SUCCESS) return failed_call("V418", "beginning a frame's commands", result);
+    if (result != VK_SUCCESS) return failed_call("V418", "beginning the commands of a frame", result);
     return Unit{};
 }
 

@@ -13,7 +13,7 @@ Status make_timeline(Device& device, const std::string& name, SemaphoreHandle& h
     info.pNext = &type;
     VkSemaphore semaphore = VK_NULL_HANDLE;
     const VkResult result = device.fn().vkCreateSemaphore(device.handle(), &info, nullptr, &semaphore);
-    if (result != VK_SUCCESS) return failed_call("V418", "making a timeline semaphore", result);
+    if (result != VK_SUCCESS) return failed_call("V418", "creating a timeline semaphore", result);
     handle = {device, semaphore};
     device.name(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<uint64_t>(semaphore), name);
     return Unit{};

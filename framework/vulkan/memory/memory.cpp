@@ -70,13 +70,15 @@ Status check_supported(const Device& device, const VkImageCreateInfo& info, cons
     if (fits) return Unit{};
     Diagnostic error;
     error.code = "V421";
-    error.message = "\"" + device.info().name + "\" cannot make image \"" + decl.name +
+    error.message = "the device \"" + device.info().name + "\" does not support the image \"" + decl.name +
                     "\": " + std::string(format_info(decl.format).name) + ", " +
                     std::to_string(info.extent.width) + "x" + std::to_string(info.extent.height) + "x" +
                     std::to_string(info.extent.depth) + ", " + std::to_string(info.mipLevels) + " mips, " +
                     std::to_string(info.arrayLayers) + " layers, " + std::to_string(decl.samples) +
                     " samples";
-    error.help = {"the device's limits and formats are in `weft doctor --json`"};
+    error.help = {
+        "use a smaller size or another format; `weft doctor --json` lists the limits and formats of the "
+        "device"};
     return error;
 }
 

@@ -35,7 +35,7 @@ Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& p
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
         if (pass.kind != PassKind::readback) continue;
         if (pass.uses.size() != 1)
-            return pass_error(plan, pass, "V417", "a readback reads exactly one resource");
+            return pass_error(plan, pass, "V417", "a readback pass needs exactly one input");
         const UseDecl& use = pass.uses[0];
         const ResourceDecl& decl = plan.graph.resources[use.resource];
         size_bytes = aligned_place(size_bytes);

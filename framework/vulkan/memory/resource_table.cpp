@@ -23,19 +23,19 @@ Status bind_import(const FramePlan& plan, ResourceId id, const ImportBindings& b
     if (decl.kind == ResourceKind::buffer) {
         const auto it = bindings.buffers.find(decl.name);
         if (it == bindings.buffers.end() || it->second == VK_NULL_HANDLE)
-            return plan.graph.sources.error(decl.loc, "V414",
-                                            "no buffer was given for import \"" + decl.name + "\"");
+            return plan.graph.sources.error(
+                decl.loc, "V414", "the program gave no buffer for the import \"" + decl.name + "\"");
         table.buffers[id] = it->second;
         return Unit{};
     }
     const auto it = bindings.images.find(decl.name);
     if (it == bindings.images.end() || it->second == nullptr)
         return plan.graph.sources.error(decl.loc, "V414",
-                                        "no image was given for import \"" + decl.name + "\"");
+                                        "the program gave no image for the import \"" + decl.name + "\"");
     if (!same_shape(it->second->decl(), decl))
         return plan.graph.sources.error(decl.loc, "V414",
-                                        "import \"" + decl.name + "\" is " + shape_text(it->second->decl()) +
-                                            " where the plan has " + shape_text(decl));
+                                        "the image for the import \"" + decl.name + "\" is " +
+                                            shape_text(it->second->decl()) + "; wanted " + shape_text(decl));
     table.images[id] = it->second->handle();
     return Unit{};
 }

@@ -73,11 +73,12 @@ Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
     for (size_t i = 0; i < memory.heaps.size(); ++i) {
         const HeapPlan& heap = memory.heaps[i];
         const std::string what =
-            "heap " + std::to_string(i) + " of " + std::to_string(heap.size_bytes) + " bytes";
+            "allocating heap " + std::to_string(i) + " of " + std::to_string(heap.size_bytes) + " bytes";
         uint32_t type = device.memory_type(heap.type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
         if (type == UINT32_MAX) type = device.memory_type(heap.type_bits, 0);
         if (type == UINT32_MAX)
-            return failed_call("V411", what + " fits no memory type", VK_ERROR_FEATURE_NOT_PRESENT);
+            return failed_call("V411", what + " in any memory type of the device",
+                               VK_ERROR_FEATURE_NOT_PRESENT);
         VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
         info.allocationSize = heap.size_bytes;
         info.memoryTypeIndex = type;
@@ -96,12 +97,13 @@ Status TransientHeap::place_image(Device& device, const ResourceDecl& decl, cons
     share(info, sharing);
     VkImage object = VK_NULL_HANDLE;
     VkResult result = device.fn().vkCreateImage(device.handle(), &info, nullptr, &object);
-    if (result != VK_SUCCESS) return failed_call("V411", "image \"" + decl.name + "\"", result);
+    if (result != VK_SUCCESS) return failed_call("V411", "creating image \"" + decl.name + "\"", result);
     images_[placement.resource] = {device, object};
     device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(object), decl.name);
     result = device.fn().vkBindImageMemory(device.handle(), object, memory_[placement.heap].get(),
                                            placement.offset_bytes);
-    if (result != VK_SUCCESS) return failed_call("V411", "memory of image \"" + decl.name + "\"", result);
+    if (result != VK_SUCCESS)
+        return failed_call("V411", "binding memory of image \"" + decl.name + "\"", result);
     return Unit{};
 }
 
@@ -111,12 +113,13 @@ Status TransientHeap::place_buffer(Device& device, const ResourceDecl& decl, con
     share(info, sharing);
     VkBuffer object = VK_NULL_HANDLE;
     VkResult result = device.fn().vkCreateBuffer(device.handle(), &info, nullptr, &object);
-    if (result != VK_SUCCESS) return failed_call("V411", "buffer \"" + decl.name + "\"", result);
+    if (result != VK_SUCCESS) return failed_call("V411", "creating buffer \"" + decl.name + "\"", result);
     buffers_[placement.resource] = {device, object};
     device.name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(object), decl.name);
     result = device.fn().vkBindBufferMemory(device.handle(), object, memory_[placement.heap].get(),
                                             placement.offset_bytes);
-    if (result != VK_SUCCESS) return failed_call("V411", "memory of buffer \"" + decl.name + "\"", result);
+    if (result != VK_SUCCESS)
+        return failed_call("V411", "binding memory of buffer \"" + decl.name + "\"", result);
     return Unit{};
 }
 

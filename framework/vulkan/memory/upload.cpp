@@ -23,12 +23,11 @@ uint64_t align_up(uint64_t value) {
     return (value + kStagingAlignmentBytes - 1) / kStagingAlignmentBytes * kStagingAlignmentBytes;
 }
 
-Diagnostic size_error(const std::string& what, uint64_t found, uint64_t wanted) {
+Diagnostic size_error(const std::string& what, uint64_t found, uint64_t wanted, const char* unit = " bytes") {
     Diagnostic error;
     error.code = "V420";
-    error.message =
-        what + " is " + std::to_string(found) + " bytes when it should be " + std::to_string(wanted);
-    error.help = {"texels are tightly packed, all layers of a mip one after another"};
+    error.message = what + " has " + std::to_string(found) + unit + "; wanted " + std::to_string(wanted);
+    error.help = {"pack the texels without gaps, and store the layers of a mip one after the other"};
     return error;
 }
 
@@ -43,7 +42,7 @@ uint64_t level_bytes(const ResourceDecl& decl, uint32_t mip) {
 Result<std::vector<VkBufferImageCopy>> plan_copies(const ResourceDecl& decl,
                                                    std::span<const std::span<const std::byte>> levels) {
     if (levels.empty() || levels.size() > decl.mips) {
-        return size_error("the list of mips of \"" + decl.name + "\" (its count)", levels.size(), decl.mips);
+        return size_error("the list of mips of \"" + decl.name + "\"", levels.size(), decl.mips, " mips");
     }
     std::vector<VkBufferImageCopy> copies;
     uint64_t offset = 0;
@@ -135,7 +134,7 @@ Status copy_from_staging(Device& device, const std::string& what, uint64_t size_
 Status upload_buffer(Device& device, const Buffer& target, std::span<const std::byte> bytes) {
     if (bytes.empty()) return Unit{};
     if (bytes.size() > target.size_bytes()) {
-        return size_error("an upload into a buffer", bytes.size(), target.size_bytes());
+        return size_error("the data for the buffer", bytes.size(), target.size_bytes());
     }
     // The data is uploaded in pieces, so that the staging memory stays small for any size of buffer.
     for (size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {

@@ -66,7 +66,8 @@ Status add_binding(DescriptorSources& sources, const PassDecl& pass, const Shade
     if (!uses.empty() && uses.size() != binding.count)
         return pass_error(sources.plan, pass, "V413",
                           "binding \"" + binding.name + "\" has " + std::to_string(binding.count) +
-                              " elements for " + std::to_string(uses.size()) + " ports");
+                              " elements, but the pass has " + std::to_string(uses.size()) +
+                              " ports for them");
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstBinding = binding.binding;
     write.descriptorCount = binding.count;
@@ -108,7 +109,7 @@ Result<SlotSets> allocate_sets(Device& device, VkDescriptorPool pool, const Fram
     SlotSets sets{};
     const VkResult result = device.fn().vkAllocateDescriptorSets(device.handle(), &info, sets.data());
     if (result != VK_SUCCESS)
-        return failed_pass_call(plan, pass, "V413", "allocating its descriptor sets", result);
+        return failed_pass_call(plan, pass, "V413", "allocating the descriptor sets", result);
     return sets;
 }
 
@@ -133,7 +134,7 @@ Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const std::vec
     info.pPoolSizes = sizes.data();
     VkDescriptorPool pool = VK_NULL_HANDLE;
     const VkResult result = device.fn().vkCreateDescriptorPool(device.handle(), &info, nullptr, &pool);
-    if (result != VK_SUCCESS) return failed_call("V413", "making the descriptor pool", result);
+    if (result != VK_SUCCESS) return failed_call("V413", "creating the descriptor pool", result);
     return DescriptorPoolHandle(device, pool);
 }
 

@@ -45,7 +45,8 @@ Result<std::vector<VkDescriptorSetLayout>> choose_sets(const FramePlan& plan, co
         if (sets[set] == VK_NULL_HANDLE)
             errors.push_back(pass_error(plan, pass, "V415",
                                         "shader \"" + pass.shader + "\" declares descriptor set " +
-                                            std::to_string(set) + ", which the draw source doesn't offer"));
+                                            std::to_string(set) +
+                                            ", which the DrawSource of the program does not provide"));
     }
     if (!errors.empty()) return errors;
     return sets;
@@ -62,7 +63,8 @@ Result<PassLayout> make_pass_layout(Device& device, const FramePlan& plan, const
     if (params_in_buffer(interface)) layout.declares[kPortSet] = true;
     VkResult result = make_set_layout(device, bindings, layout.ports);
     if (result == VK_SUCCESS) result = make_set_layout(device, {}, layout.empty);
-    if (result != VK_SUCCESS) return failed_pass_call(plan, pass, "V413", "making its set layouts", result);
+    if (result != VK_SUCCESS)
+        return failed_pass_call(plan, pass, "V413", "creating the descriptor set layouts", result);
 
     Result<std::vector<VkDescriptorSetLayout>> sets = choose_sets(plan, pass, layout, draws);
     if (!sets) return sets.take_errors();
@@ -82,7 +84,7 @@ Result<PassLayout> make_pass_layout(Device& device, const FramePlan& plan, const
     VkPipelineLayout object = VK_NULL_HANDLE;
     result = device.fn().vkCreatePipelineLayout(device.handle(), &info, nullptr, &object);
     if (result != VK_SUCCESS)
-        return failed_pass_call(plan, pass, "V413", "making its pipeline layout", result);
+        return failed_pass_call(plan, pass, "V413", "creating the pipeline layout", result);
     layout.pipeline = {device, object};
     return layout;
 }

@@ -21,7 +21,7 @@ Result<PipelineHandle> make_compute(Device& device, const PipelineRequest& reque
     const VkResult result =
         device.fn().vkCreateComputePipelines(device.handle(), request.cache, 1, &info, nullptr, &pipeline);
     if (result != VK_SUCCESS)
-        return failed_pass_call(request.plan, request.pass, "V412", "making its pipeline", result);
+        return failed_pass_call(request.plan, request.pass, "V412", "creating the pipeline", result);
     return PipelineHandle(device, pipeline);
 }
 
@@ -31,8 +31,8 @@ Diagnostic missing_inputs(const PipelineRequest& request, const std::string& lis
     for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + "\"";
     return pass_error(request.plan, request.pass, "V416",
                       "shader \"" + request.pass.shader + "\" reads vertex input " + text +
-                          (list.empty() ? ", but nothing feeds it vertices"
-                                        : ", which draw list \"" + list + "\" doesn't have"));
+                          (list.empty() ? ", but the pass draws no list with vertices"
+                                        : ", which the draw list \"" + list + "\" does not have"));
 }
 
 // The properties of a draw list on which a pipeline depends.
@@ -56,7 +56,7 @@ Result<PipelineHandle> make_graphics(Device& device, const PipelineRequest& requ
     const VkResult result =
         device.fn().vkCreateGraphicsPipelines(device.handle(), request.cache, 1, &info, nullptr, &pipeline);
     if (result != VK_SUCCESS)
-        return failed_pass_call(request.plan, request.pass, "V412", "making its pipeline", result);
+        return failed_pass_call(request.plan, request.pass, "V412", "creating the pipeline", result);
     return PipelineHandle(device, pipeline);
 }
 
@@ -89,7 +89,8 @@ Status add_list(Device& device, const PipelineRequest& request, const std::strin
                 std::vector<DrawPipeline>& out) {
     const ImportDecl* import = find_list(request.imports, list);
     if (import == nullptr)
-        return pass_error(request.plan, request.pass, "V414", "no draw list \"" + list + "\" was given");
+        return pass_error(request.plan, request.pass, "V414",
+                          "the program gave no draw list \"" + list + "\"");
     for (uint32_t i = 0; i < import->variants.size(); ++i) {
         const ListPart part{list, &import->variants[i], &import->vertex_format};
         Result<PipelineLease> pipeline = lease_pipeline(device, request, part);
@@ -121,7 +122,7 @@ Result<PipelineCacheHandle> make_pipeline_cache(Device& device) {
     VkPipelineCacheCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
     VkPipelineCache cache = VK_NULL_HANDLE;
     const VkResult result = device.fn().vkCreatePipelineCache(device.handle(), &info, nullptr, &cache);
-    if (result != VK_SUCCESS) return failed_call("V412", "making the pipeline cache", result);
+    if (result != VK_SUCCESS) return failed_call("V412", "creating the pipeline cache", result);
     return PipelineCacheHandle(device, cache);
 }
 

@@ -20,7 +20,7 @@ Result<VkSampler> SamplerCache::get(const SamplerDecl& decl, bool integer_border
         integer_border ? VK_BORDER_COLOR_INT_TRANSPARENT_BLACK : VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK;
     VkSampler sampler = VK_NULL_HANDLE;
     const VkResult result = device_->fn().vkCreateSampler(device_->handle(), &info, nullptr, &sampler);
-    if (result != VK_SUCCESS) return failed_call("V413", "sampler", result);
+    if (result != VK_SUCCESS) return failed_call("V413", "creating a sampler", result);
     samplers_.emplace(key, SamplerHandle(*device_, sampler));
     return sampler;
 }

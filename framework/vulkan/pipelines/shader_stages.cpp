@@ -56,8 +56,8 @@ Result<ShaderStages> ShaderStages::create(Device& device, const FramePlan& plan,
         VkShaderModule object = VK_NULL_HANDLE;
         const VkResult result = device.fn().vkCreateShaderModule(device.handle(), &info, nullptr, &object);
         if (result != VK_SUCCESS)
-            return failed_pass_call(plan, pass, "V412", "making a module of shader \"" + pass.shader + "\"",
-                                    result);
+            return failed_pass_call(plan, pass, "V412",
+                                    "creating the shader module of \"" + pass.shader + "\"", result);
         stages.modules_.emplace_back(device, object);
         VkPipelineShaderStageCreateInfo stage{VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
         stage.stage = to_vk(module.stage);

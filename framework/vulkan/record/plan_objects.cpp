@@ -45,33 +45,36 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
             errors.push_back(pass_error(plan, pass, "V417", what));
         };
         if (rings.period(pass) > kMaxRingPhases)
-            fault(
-                "its resources keep histories of so many lengths that they are back in their places only "
-                "after " +
-                std::to_string(rings.period(pass)) + " frames");
+            fault("the histories of its resources have lengths whose common multiple is " +
+                  std::to_string(rings.period(pass)) + " frames, the limit is " +
+                  std::to_string(kMaxRingPhases));
         if ((pass.kind == PassKind::copy || pass.kind == PassKind::blit) && !copies_like_to_like(plan, pass))
             fault("a copy needs one input and one output, both images or both buffers");
         if (is_resolved_elsewhere(device, pass)) {
             fault(
-                "it resolves a layer behind the first, and llvmpipe resolves the first whatever it is told");
-            errors.back().help = {"resolve into an image of one layer, and copy that"};
+                "the pass resolves into a layer after the first, but the driver llvmpipe resolves only into "
+                "the first layer");
+            errors.back().help = {"resolve into an image with one layer, and copy this image into the layer"};
         }
         if (pass.kind == PassKind::custom && (input.passes == nullptr || !input.passes->contains(pass.type)))
-            fault("no pass type \"" + pass.type + "\" was given");
+            fault("the program gave no pass type \"" + pass.type + "\"");
         if (pass.kind == PassKind::raster && !pass.draw_lists.empty() && input.draws == nullptr)
-            errors.push_back(pass_error(plan, pass, "V415", "it draws, but no draw source was given"));
+            errors.push_back(
+                pass_error(plan, pass, "V415",
+                           "the pass draws the lists of a scene, but the program gave no DrawSource"));
         if (pass.draw_commands_use != kNoId && pass.draw_lists.size() != 1)
-            fault("a buffer of draw commands is for one list, but it draws " +
-                  std::to_string(pass.draw_lists.size()));
+            fault("the pass draws " + std::to_string(pass.draw_lists.size()) +
+                  " lists with one buffer of draw commands; wanted exactly one list");
         if (!runs_shader(pass.kind)) continue;
         const auto program =
             input.shaders == nullptr ? ShaderCatalog::const_iterator{} : input.shaders->find(pass.shader);
         if (input.shaders == nullptr || program == input.shaders->end() || program->second.modules.empty())
-            fault("no shader \"" + pass.shader + "\" was given");
+            fault("the program gave no shader \"" + pass.shader + "\"");
         else if (program->second.interface.has_params &&
                  program->second.interface.params.size_bytes != pass.params_bytes)
-            fault("its Params have " + std::to_string(pass.params_bytes) + " bytes where the shader has " +
-                  std::to_string(program->second.interface.params.size_bytes));
+            fault("the plan has " + std::to_string(pass.params_bytes) +
+                  " bytes of Params, but the shader declares " +
+                  std::to_string(program->second.interface.params.size_bytes) + " bytes");
     }
     return errors;
 }

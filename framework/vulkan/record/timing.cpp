@@ -33,7 +33,7 @@ Result<PassTimer> PassTimer::create(Device& device, const FramePlan& plan, bool 
         info.queryCount = timer.end_query(timer.before_.size());
         VkQueryPool object = VK_NULL_HANDLE;
         const VkResult result = device.fn().vkCreateQueryPool(device.handle(), &info, nullptr, &object);
-        if (result != VK_SUCCESS) return failed_call("V418", "making the timestamp queries", result);
+        if (result != VK_SUCCESS) return failed_call("V418", "creating the timestamp queries", result);
         pool = {device, object};
     }
     return timer;

@@ -376,7 +376,8 @@ TEST(TimeOut, CountsTheObjectsThatThePassesInFlightDraw) {
                                     "--graph", folder / "ink.json", "-o", folder / "late.png"});
     EXPECT_EQ(run.exit_code, 7) << run.text();
     EXPECT_NE(run.err.find("error[V407]"), std::string::npos) << run.text();
-    EXPECT_NE(run.err.find("objects that these passes draw may explain it: surfaces 5"), std::string::npos)
+    EXPECT_NE(run.err.find("the unfinished passes draw these numbers of objects: surfaces 5"),
+              std::string::npos)
         << run.text();
 }
 

@@ -95,7 +95,8 @@ TEST(ForeignSceneLeftOut, IsSaidOnce) {
         run_weft({"render", "scene.gltf", "--graph", "graph.json", "--size", "32x18", "-o", "out.png"}, {},
                  folder.path());
     ASSERT_EQ(run.exit_code, 0) << run.text();
-    const size_t said = run.err.find("warning[S155]: 1 transparent object is left out (BLEND: \"glass\")");
+    const size_t said =
+        run.err.find("warning[S155]: 1 transparent object is not drawn (BLEND materials: \"glass\")");
     ASSERT_NE(said, std::string::npos) << run.text();
     EXPECT_NE(run.err.find("--graph graphs/forward.json"), std::string::npos) << run.text();
     EXPECT_EQ(run.err.find("S155", said + std::string("warning[S155]").size()), std::string::npos)

@@ -147,7 +147,7 @@ TEST_P(Written, WhereAFolderIs) {
     fs::create_directory(out());
     const RunResult run = shell(command(out()));
     expect_refused(run);
-    EXPECT_NE(run.err.find("name a file in it"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("name a file in this folder"), std::string::npos) << run.text();
     EXPECT_TRUE(fs::is_empty(out()));
 }
 
