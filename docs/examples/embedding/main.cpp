@@ -1,6 +1,6 @@
-// Renders a built-in scene with a shipped graph. The program creates the device and the target image, and
-// Weft uses them.
-//   embedding OUTPUT.ppm [--validate]
+// An example of embedding Weft: renders a built-in scene with a graph of Weft. The program creates the Vulkan
+// device and the target image, and Weft renders with this device to this image.
+// Usage: embedding OUTPUT.ppm [--validate]
 #include <weft/registry.h>
 #include <weft/render/session.h>
 #include <weft/scene/builtin_scenes.h>
@@ -21,7 +21,7 @@ constexpr weft::Extent3D kSize_px{320, 180, 1};
 constexpr int kFrames = 3;
 constexpr double kFrameTime_s = 1.0 / 60.0;
 
-// Weft returns errors as values; this program ends at the first error.
+// Returns the value of a result, or throws if the result contains errors. Weft returns errors as values.
 template <class T>
 T take(weft::Result<T> result) {
     if (!result) throw std::runtime_error(weft::to_text(result.errors()));
@@ -65,10 +65,10 @@ std::vector<uint8_t> render(const OwnDevice& own) {
     for (int i = 0; i < kFrames; ++i) {
         frame.time_s = i * kFrameTime_s;
         take(session->render_frame(frame));
-        // Submitted behind the frame to the same queue: the image has been written and may be copied.
+        // read_image() submits its copy to the same queue after the frame, so it copies the finished image.
         texels = read_image(own, target.image, kSize_px.width, kSize_px.height);
     }
-    session.reset();  // before the image to which it renders
+    session.reset();  // Destroy the session first, because it uses the image.
     destroy_image(own, target);
     return texels;
 }

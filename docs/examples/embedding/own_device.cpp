@@ -20,7 +20,7 @@ VkBool32 VKAPI_PTR count_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebug
 VkInstance make_instance(bool validate) {
     VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
     application.pApplicationName = "embedding";
-    application.apiVersion = VK_API_VERSION_1_3;  // Weft needs 1.3
+    application.apiVersion = VK_API_VERSION_1_3;  // Weft needs Vulkan 1.3 or newer.
     const char* layer = "VK_LAYER_KHRONOS_validation";
     const char* extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
     const VkValidationFeatureEnableEXT enable = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
@@ -84,7 +84,7 @@ VkDeviceMemory allocate(const OwnDevice& own, const VkMemoryRequirements& needs,
     return memory;
 }
 
-// The copy, and a barrier that makes it visible to the host.
+// Records a copy of the image to the buffer, and a barrier that makes the copied texels visible to the CPU.
 void record_copy(VkCommandBuffer commands, VkImage image, VkBuffer buffer, uint32_t width, uint32_t height) {
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     require(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
@@ -135,7 +135,7 @@ OwnDevice::OwnDevice(bool validate) : instance(make_instance(validate)) {
     queue_info.pQueuePriorities = &priority;
     weft::vk::FeatureChain supported;
     vkGetPhysicalDeviceFeatures2(physical, &supported.head());
-    weft::vk::enable_features(supported, enabled);  // an engine would add its own
+    weft::vk::enable_features(supported, enabled);  // An engine would also enable its own features here.
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
     info.pNext = &enabled.head();
     info.queueCreateInfoCount = 1;
@@ -146,7 +146,7 @@ OwnDevice::OwnDevice(bool validate) : instance(make_instance(validate)) {
 
 void OwnDevice::destroy() {
     if (instance == VK_NULL_HANDLE) return;
-    vkDestroyDevice(device, nullptr);  // the layer reports objects that still exist
+    vkDestroyDevice(device, nullptr);  // The validation layer reports objects that have not been destroyed.
     const auto destroy_messenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
         vkGetInstanceProcAddr(instance, "vkDestroyDebugUtilsMessengerEXT"));
     if (messenger != VK_NULL_HANDLE) destroy_messenger(instance, messenger, nullptr);

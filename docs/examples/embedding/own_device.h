@@ -1,5 +1,5 @@
-// The Vulkan objects that an engine has without Weft. Only the features with which the device is created come
-// from Weft. Failures throw std::runtime_error.
+// Purpose: creates the Vulkan objects that an engine already has before it embeds Weft. Weft only chooses the
+// features with which the device is created. If a Vulkan function fails, std::runtime_error is thrown.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -12,12 +12,12 @@
 struct OwnDevice {
     VkInstance instance = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
-    uint32_t messages = 0;  // of the validation layer
+    uint32_t messages = 0;  // Number of messages that the validation layer has reported.
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
     uint32_t family = 0;
     VkQueue queue = VK_NULL_HANDLE;
-    weft::vk::FeatureChain enabled;  // the features with which `device` was created
+    weft::vk::FeatureChain enabled;  // The features with which `device` was created.
 
     explicit OwnDevice(bool validate);
     ~OwnDevice() { destroy(); }
@@ -32,5 +32,6 @@ struct OwnImage {
 OwnImage make_image(const OwnDevice& own, const VkImageCreateInfo& info);
 void destroy_image(const OwnDevice& own, const OwnImage& image);
 
-// Copies an RGBA8 image in TRANSFER_SRC_OPTIMAL on the device's queue and returns its texels.
+// Copies an image of 4 bytes per texel to the CPU and returns its bytes. The image must have the layout
+// TRANSFER_SRC_OPTIMAL. Waits until `own.queue` has finished the copy.
 std::vector<uint8_t> read_image(const OwnDevice& own, VkImage image, uint32_t width, uint32_t height);

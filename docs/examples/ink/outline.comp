@@ -1,5 +1,5 @@
-// Lines at the ends and creases of surfaces. Reversed depth is near / distance, which is linear in screen space on any
-// plane, so its second difference is zero there and large only at silhouettes and steps.
+// Draws lines at silhouettes and creases of surfaces. Reversed depth (near plane / distance) is linear in screen space
+// on every plane. So its second difference is zero inside a plane, and large only at silhouettes and steps.
 #version 460
 #include "octahedral.glsl"
 

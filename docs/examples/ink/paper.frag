@@ -1,4 +1,4 @@
-// Ink on paper: outlines, and hatching in up to three directions, more for darker tones.
+// Draws ink on paper: outlines, and hatching. Darker areas get hatching in more directions, at most three.
 #version 460
 
 layout(location = 0) in vec2 uv;
@@ -14,7 +14,7 @@ layout(push_constant) uniform Params {
 const vec3 kPaper = vec3(0.95, 0.92, 0.85);
 const vec3 kInk = vec3(0.11, 0.12, 0.22);
 
-// The share of a pixel covered by strokes, which are `hatching` px apart along `across`, with a small random offset.
+// Returns the share of a pixel that strokes cover. The strokes are `hatching` pixels apart in the direction `across`.
 float stroke(vec2 pixel, vec2 across, float darkness) {
     const vec2 along = vec2(-across.y, across.x);
     const float shake = 0.6 * sin(dot(pixel, along) * 0.071) + 0.4 * sin(dot(pixel, along) * 0.193);

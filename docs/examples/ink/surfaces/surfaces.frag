@@ -1,4 +1,4 @@
-// Where the surface faces, and how dark a pen would make it.
+// Writes the normal of the surface, and the brightness that determines how densely the pen hatches the surface.
 #version 460
 #include "frame_set.glsl"
 #include "material_set.glsl"
@@ -9,8 +9,8 @@ layout(constant_id = 0) const bool MASKED = false;
 layout(location = 0) in vec3 world_normal;
 layout(location = 1) in vec2 surface_uv;
 
-layout(location = 0) out vec2 normal;  // octahedral, world space
-layout(location = 1) out vec4 tone;    // r: 0 black to 1 white
+layout(location = 0) out vec2 normal;  // The unit normal in world space, in octahedral encoding.
+layout(location = 1) out vec4 tone;    // Channel r: brightness from 0 (black) to 1 (white).
 
 const vec3 kLamp = vec3(0.48, 0.80, 0.36);
 
