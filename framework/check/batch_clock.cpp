@@ -27,8 +27,8 @@ void BatchClock::begin_batch(uint32_t batch, FaultList& faults) {
         if (wait.batch >= ends.size() || ends[wait.batch].empty()) {
             faults.add("C305", {},
                        "batch " + std::to_string(batch) + " waits for batch " + std::to_string(wait.batch) +
-                           ", which is not submitted before it",
-                       "batches wait only for earlier ones, or for those of the frame before");
+                           ", which is not submitted earlier",
+                       "a batch can only wait for earlier batches, or for batches of the previous frame");
             continue;
         }
         for (size_t q = 0; q < known_[queue_].size(); ++q)

@@ -142,17 +142,18 @@ class SlicedResource {
         faults_.add("C332", use.loc,
                     "pass " + faults_.pass_name(writer) + " runs in some frames only (perFrame) and writes " +
                         faults_.resource_name(resource_) +
-                        ", which does not keep its content until the next frame",
-                    "such a pass may only write resources that keep their content");
+                        ", but this resource does not keep its content until the next frame",
+                    "a pass with perFrame may only write resources that keep their content");
     }
 
     void report(PassId reader, const UseDecl& use, const SubresourceRange& cell, PassId named, PassId other) {
-        faults_.add("C332", use.loc,
-                    "pass " + faults_.pass_name(reader) + " reads " + faults_.resource_name(resource_) +
-                        range_text(cell) + " as pass " + faults_.pass_name(named) +
-                        " leaves it, but in frames in which that pass does not run, pass " +
-                        faults_.pass_name(other) + " has overwritten it",
-                    "such a pass must not overwrite the result of another one that is still read");
+        faults_.add(
+            "C332", use.loc,
+            "pass " + faults_.pass_name(reader) + " reads " + faults_.resource_name(resource_) +
+                range_text(cell) + " as pass " + faults_.pass_name(named) +
+                " leaves it, but in frames without that pass, pass " + faults_.pass_name(other) +
+                " has overwritten this content",
+            "a pass must not overwrite content of a pass with perFrame that a later frame still reads");
     }
 
     const FramePlan& plan_;
@@ -177,10 +178,10 @@ void check_dropped_content(const FramePlan& plan, FaultList& faults) {
                 barrier.src.layout != Layout::undefined)
                 continue;
             faults.add("C331", pass.loc,
-                       "the barrier before pass " + faults.pass_name(step.pass) + " drops what is in " +
-                           faults.resource_name(barrier.resource) + range_text(barrier.range) +
-                           ", also in frames in which the pass does not run",
-                       "the old layout must be the one that the range is in");
+                       "the barrier before pass " + faults.pass_name(step.pass) +
+                           " discards the content of " + faults.resource_name(barrier.resource) +
+                           range_text(barrier.range) + ", also in frames in which the pass does not run",
+                       "the old layout of the barrier must be the real layout");
         }
     }
 }

@@ -51,16 +51,17 @@ class ScopeRule {
           second_pass_(plan.graph.passes[second.pass]) {}
 
     void check() {
-        if (!is_drawing(first_pass_) || !is_drawing(second_pass_)) return fault("both must draw");
+        if (!is_drawing(first_pass_) || !is_drawing(second_pass_))
+            return fault("one of the two passes does not draw");
         if (!first_.after.empty() || !second_.barriers.empty())
-            return fault("barriers are recorded between them");
+            return fault("barriers are recorded between the two passes");
         if (first_pass_.frame_slices != 0 || second_pass_.frame_slices != 0)
-            return fault("one of them does not draw in every frame");
+            return fault("one of the two passes does not draw in every frame");
         if (first_pass_.render_extent != second_pass_.render_extent)
-            return fault("they draw to different extents");
+            return fault("the two passes have different render extents");
         const std::vector<Bound> before = bound_by(first_pass_), after = bound_by(second_pass_);
         if (after.empty() || !same_places(before, after) || !same_places(after, before))
-            return fault("their attachments, or the layouts of these, differ");
+            return fault("the two passes differ in attachments or in layouts of attachments");
         for (const Bound& bound : before) check_first(bound, after);
         for (const Bound& bound : after) check_second(bound);
         for (const PassDecl* pass : {&first_pass_, &second_pass_}) check_other_uses(*pass, before, after);
@@ -71,26 +72,28 @@ class ScopeRule {
         faults_.add("C306", second_pass_.loc,
                     "pass " + faults_.pass_name(second_.pass) + " continues the rendering scope of pass " +
                         faults_.pass_name(first_.pass) + ", but " + why,
-                    "it needs a scope of its own, and barriers before it");
+                    "begin a new rendering scope for this pass, with barriers before it");
     }
 
     std::string name(const Bound& bound) const { return faults_.resource_name(bound.use->resource); }
 
     void check_first(const Bound& bound, const std::vector<Bound>& after) {
-        if (bound.decl->resolve_use != kNoId) fault(name(bound) + " is resolved when the first of them ends");
+        if (bound.decl->resolve_use != kNoId)
+            fault(name(bound) + " is resolved at the end of the first pass");
         const auto same =
             std::find_if(after.begin(), after.end(), [&](const Bound& b) { return same_place(bound, b); });
         if (writes(bound.use->access) && !writes(same->use->access))
-            fault("the second does not store the result of the first in " + name(bound));
+            fault("the second pass does not store the result of the first pass in " + name(bound));
     }
 
     void check_second(const Bound& bound) {
-        if (bound.decl->resolve_use != kNoId) fault(name(bound) + " is resolved by the second of them only");
+        if (bound.decl->resolve_use != kNoId) fault(name(bound) + " is resolved only by the second pass");
         const auto ops =
             std::find_if(second_.attachments.begin(), second_.attachments.end(),
                          [&](const AttachmentOps& o) { return &second_pass_.uses[o.use] == bound.use; });
         const bool loads = ops == second_.attachments.end() || ops->load == LoadOp::load;
-        if (!loads || !reads(bound.use->access)) fault("it does not keep the content of " + name(bound));
+        if (!loads || !reads(bound.use->access))
+            fault("the second pass does not load the content of " + name(bound));
     }
 
     // Reports other uses of the attachments, such as sampling. Inside a rendering scope only attachment
@@ -104,7 +107,7 @@ class ScopeRule {
                 for (const Bound& bound : *scope)
                     if (bound.use->resource == use.resource && overlaps(bound.use->range, use.range) &&
                         (writes(use.access) || writes(bound.use->access)))
-                        fault(name(bound) + " is used by them other than by drawing to it");
+                        fault(name(bound) + " is also used in other ways than as an attachment");
         }
     }
 
@@ -133,7 +136,7 @@ void check_scopes(const FramePlan& plan, FaultList& faults) {
             faults.add("C306", plan.graph.passes[step.pass].loc,
                        "pass " + faults.pass_name(step.pass) +
                            " continues a rendering scope, but is the first pass of its submission",
-                       "it needs a scope of its own, and barriers before it");
+                       "begin a new rendering scope for this pass, with barriers before it");
         }
     }
 }

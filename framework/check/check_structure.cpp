@@ -8,13 +8,12 @@
 
 #include "check/check_frame_slices.h"
 #include "check/check_scopes.h"
-#include "check/check_frame_slices.h"
 #include "check/overlaps.h"
 
 namespace weft::check {
 namespace {
 
-constexpr const char* kCompilerFault = "this is a fault of the compiler, not of the graph: please report it";
+constexpr const char* kCompilerFault = "this is an error of Weft, not of the graph: please report it";
 
 bool check_shape(const FramePlan& plan, FaultList& faults) {
     const size_t passes = plan.graph.passes.size();
@@ -29,7 +28,7 @@ bool check_shape(const FramePlan& plan, FaultList& faults) {
     for (size_t i = 0; ok && i < plan.schedule.order.size(); ++i)
         ok = plan.barriers.steps[i].pass == plan.schedule.order[i];
     if (!ok) {
-        faults.add("C301", {}, "the plan's tables do not belong together", kCompilerFault);
+        faults.add("C301", {}, "the tables of the plan do not match each other", kCompilerFault);
         return false;
     }
     for (PassId p = 0; p < passes; ++p) {
@@ -46,13 +45,13 @@ bool check_shape(const FramePlan& plan, FaultList& faults) {
 const char* edge_text(EdgeKind kind) {
     switch (kind) {
         case EdgeKind::raw:
-            return "reads what it writes";
+            return "reads the result of the other pass";
         case EdgeKind::war:
-            return "overwrites what it reads";
+            return "overwrites content that the other pass reads";
         case EdgeKind::waw:
-            return "overwrites what it writes";
+            return "overwrites content that the other pass writes";
         case EdgeKind::after:
-            return "says it comes after it";
+            return "names the other pass in \"after\"";
     }
     return "";
 }
@@ -68,7 +67,7 @@ void check_edges(const FramePlan& plan, FaultList& faults) {
         faults.add("C302", edge.loc,
                    "pass " + faults.pass_name(edge.to) + " is recorded before pass " +
                        faults.pass_name(edge.from) + ", but " + edge_text(edge.kind) + through,
-                   "the order of the schedule is wrong");
+                   "the schedule must order the two passes the other way round");
     }
 }
 
@@ -85,9 +84,10 @@ void check_lifetimes(const FramePlan& plan, FaultList& faults) {
             };
             faults.add("C342", use.loc,
                        "pass " + faults.pass_name(plan.schedule.order[i]) + " uses " +
-                           faults.resource_name(use.resource) + ", whose memory it holds only from pass " +
-                           at(span.first) + " to pass " + at(span.last),
-                       "a lifetime must cover every use");
+                           faults.resource_name(use.resource) +
+                           ", but this resource has memory only from pass " + at(span.first) + " to pass " +
+                           at(span.last),
+                       "the lifetime of a resource must cover all its uses");
         }
     }
 }
@@ -139,8 +139,8 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
             faults.add("C340", plan.graph.resources[a.resource].loc,
                        faults.resource_name(a.resource) + " (" + users(plan, faults, a.resource) + ") and " +
                            faults.resource_name(b.resource) + " (" + users(plan, faults, b.resource) +
-                           ") hold the same memory at the same time",
-                       "resources that live together need places of their own");
+                           ") use the same memory at the same time",
+                       "resources with overlapping lifetimes need separate memory");
         }
     }
     for (ResourceId id = 0; id < placed.size(); ++id) {
@@ -168,10 +168,11 @@ void check_alias_transitions(const FramePlan& plan, FaultList& faults) {
                 for (auto it = begin; it != end; ++it) used[it->second] = 1;
                 if (begin != end) continue;
                 faults.add("C341", plan.graph.resources[barrier.resource].loc,
-                           "the barrier before pass " + faults.pass_name(step.pass) + " hands memory of " +
-                               faults.resource_name(from) + " (" + users(plan, faults, from) + ") over to " +
-                               faults.resource_name(barrier.resource) + ", which is not in the memory plan",
-                           "every hand-over must be in the memory plan");
+                           "the barrier before pass " + faults.pass_name(step.pass) + " moves memory of " +
+                               faults.resource_name(from) + " (" + users(plan, faults, from) + ") to " +
+                               faults.resource_name(barrier.resource) +
+                               ", but the memory plan does not contain this alias transition",
+                           "the memory plan must list every alias transition");
             }
         }
     }
@@ -185,7 +186,7 @@ void check_alias_transitions(const FramePlan& plan, FaultList& faults) {
                 users(plan, faults, listed[i].from) + "), but no barrier before pass " +
                 faults.pass_name(to.first < plan.schedule.order.size() ? plan.schedule.order[to.first]
                                                                        : kNoId) +
-                " waits for it",
+                " waits for the end of the earlier uses",
             "the first use of a resource needs a barrier that names the previous resource in its memory");
     }
 }
@@ -211,8 +212,9 @@ void check_submissions(const FramePlan& plan, FaultList& faults) {
     ok = ok && epilogues == 1 && std::all_of(times.begin(), times.end(), [](uint32_t n) { return n == 1; });
     if (!ok)
         faults.add("C303", {},
-                   "the submissions do not hold every pass once, in order, on its own queue, and the end of "
-                   "the frame on the first queue",
+                   "the submissions do not contain each pass once, in order and on its own queue, and the "
+                   "end of the "
+                   "frame on the first queue",
                    kCompilerFault);
 }
 
@@ -235,7 +237,7 @@ void check_stages(const FramePlan& plan, FaultList& faults) {
         faults.add("C304", plan.graph.passes[step.pass].loc,
                    "pass " + faults.pass_name(step.pass) + " needs " + stages_text(used & ~offered) +
                        " on queue " + std::to_string(plan.schedule.queue[position]) +
-                       ", which does not offer it",
+                       ", which does not support these stages",
                    kCompilerFault);
     }
 }
@@ -269,8 +271,8 @@ void check_boundary(const FramePlan& plan, FaultList& faults) {
         const ResourceDecl& resource = plan.graph.resources[boundary.resource];
         if (!resource.import || boundary.state.layout == resource.import->exit.layout) continue;
         faults.add("C350", resource.loc,
-                   faults.resource_name(boundary.resource) + " is handed back in " +
-                       layout_text(boundary.state.layout) + ", but is wanted in " +
+                   faults.resource_name(boundary.resource) + " returns to the program in layout " +
+                       layout_text(boundary.state.layout) + ", but the program expects layout " +
                        layout_text(resource.import->exit.layout),
                    kCompilerFault);
     }

@@ -54,8 +54,9 @@ class TransitionCheck {
                            std::count_if(transition_.carried.begin(), transition_.carried.end(),
                                          [&](const CarryOver& c) { return c.to == id; });
         if (times != 1)
-            add("C370", id, "gets its content " + std::to_string(times) + " times",
-                "every copy is either carried over or cleared");
+            add("C370", id,
+                "gets its content " + std::to_string(times) + " times in the transition, not once",
+                "the transition must either copy each old content or clear the resource, once");
         const bool image = new_.graph.resources[id].kind == ResourceKind::image;
         const AccessState writing = writing_state(id);
         const auto opens = [&](const BarrierDecl& b) {
@@ -63,8 +64,8 @@ class TransitionCheck {
                    (writing.access & ~b.dst.access) == 0;
         };
         if (image && !covered_by(transition_.before, id, new_.graph.resources[id].whole(), opens))
-            add("C371", id, "is written in a layout that it was not brought into",
-                "a barrier out of undefined must come before");
+            add("C371", id, "is written before a barrier changes its layout for the write",
+                "record a barrier from the undefined layout before the write");
         for (const BoundaryState& boundary : new_.boundary) {
             if (boundary.resource != id) continue;
             const auto closes = [&](const BarrierDecl& b) {
@@ -74,9 +75,9 @@ class TransitionCheck {
             };
             if (!covered_by(transition_.after, id, boundary.range, closes))
                 add("C371", id,
-                    "is not left in " + layout_text(boundary.state.layout) +
-                        ", in which the first frame expects it",
-                    "a barrier from the writing stage to all stages must come after");
+                    "does not end in layout " + layout_text(boundary.state.layout) +
+                        ", which the first frame expects",
+                    "record a barrier from the writing stage to all stages after the write");
         }
     }
 
@@ -91,20 +92,20 @@ class TransitionCheck {
     void check_carried(const CarryOver& carry) {
         const ResourceDecl& decl = new_.graph.resources[carry.to];
         if (carry.from >= old_.graph.resources.size() || !old_.live.live_resources[carry.from]) {
-            add("C370", carry.to, "is carried over from a resource that the old plan does not keep",
-                "clear it, or carry its namesake over");
+            add("C370", carry.to, "gets its content from a resource that the old plan does not keep",
+                "clear the resource, or copy the old resource of the same name");
             return;
         }
         const ResourceDecl& from = old_.graph.resources[carry.from];
         if (from.name != decl.name || from.age != decl.age || from.format != decl.format ||
             from.lifetime != ResourceLifetime::persistent)
-            add("C370", carry.to, "is carried over from \"" + from.name + "\"",
-                "only a resource of the same name, format and age has its content");
+            add("C370", carry.to, "gets its content from \"" + from.name + "\"",
+                "copy only a resource of the same name, format and age");
         const bool same = from.extent == decl.extent && from.mips == decl.mips &&
                           from.layers == decl.layers && from.size_bytes == decl.size_bytes;
         if (carry.resample ? decl.on_resize != OnResize::resample : !same)
-            add("C370", carry.to, "has another size than the copy it is carried over from",
-                "onResize determines its content after a change of size");
+            add("C370", carry.to, "has another size than the old resource that gives its content",
+                "after a change of size, follow onResize");
         const AccessState reading =
             access_state(carry.resample ? Access::blit_read : Access::copy_read, 0,
                          from.kind == ResourceKind::image ? from.aspects : aspect::kNone);
@@ -116,9 +117,9 @@ class TransitionCheck {
                        (reading.access & ~b.dst.access) == 0;
             };
             if (!covered_by(transition_.before_old, carry.from, boundary.range, leaves))
-                add("C371", carry.to, "is carried over from a copy that the old frames may still use",
-                    "a barrier from all stages out of " + layout_text(boundary.state.layout) +
-                        " must come before");
+                add("C371", carry.to, "gets its content from a copy that the old frames may still use",
+                    "record a barrier from all stages and layout " + layout_text(boundary.state.layout) +
+                        " before the copy");
         }
     }
 

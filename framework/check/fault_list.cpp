@@ -25,7 +25,8 @@ std::string FaultList::resource_name(ResourceId resource) const {
 }
 
 std::string FaultList::actor_text(const Actor& actor, uint32_t current_frame) const {
-    std::string text = actor.pass == kNoId ? "the program around the graph" : "pass " + pass_name(actor.pass);
+    std::string text =
+        actor.pass == kNoId ? "the program outside the graph" : "pass " + pass_name(actor.pass);
     if (actor.transition) text = "the layout transition before " + text;
     if (actor.frame != current_frame) text += " of the frame before";
     return text;

@@ -145,10 +145,10 @@ void Replay::check_boundary() {
         cells_[boundary.resource].each(boundary.range, [&](const Cell& cell) {
             if (cell.layout == boundary.state.layout) return;
             faults_.add("C350", resource.loc,
-                        "a frame finds " + faults_.resource_name(boundary.resource) + range_text(cell.range) +
-                            " in " + layout_text(cell.layout) + ", but the plan says " +
-                            layout_text(boundary.state.layout),
-                        "the prologue or the frame before must leave it there");
+                        "at the start of a frame, " + faults_.resource_name(boundary.resource) +
+                            range_text(cell.range) + " is in layout " + layout_text(cell.layout) +
+                            ", but the plan says " + layout_text(boundary.state.layout),
+                        "the prologue or the previous frame must leave the image in the planned layout");
         });
     }
 }
@@ -189,15 +189,16 @@ void Replay::uses(const PassStep& step, bool scope_continues) {
             if (ops && ops->load != LoadOp::load)
                 faults_.add(
                     "C331", use.loc,
-                    "pass " + faults_.pass_name(step.pass) + " needs what is in " +
+                    "pass " + faults_.pass_name(step.pass) + " needs the content of " +
                         faults_.resource_name(use.resource) + " from pass " +
                         faults_.pass_name(use.sources.empty() ? kNoId : use.sources.front().producer) +
-                        ", but does not load it",
+                        ", but does not load this content",
                     "the attachment's load operation must be load");
         } else if (ops && ops->load == LoadOp::load) {
             faults_.add("C331", use.loc,
                         "pass " + faults_.pass_name(step.pass) + " loads " +
-                            faults_.resource_name(use.resource) + ", whose content is undefined there",
+                            faults_.resource_name(use.resource) +
+                            ", but its content is undefined at this point",
                         "the attachment's load operation must be clear or dont_care");
         }
     }
@@ -208,7 +209,8 @@ void Replay::uses(const PassStep& step, bool scope_continues) {
         if (writes(use.access) || (ops && ops->store != StoreOp::none))
             // The content is kept if the next pass draws in the same rendering scope, because the store
             // operation takes effect only at the end of the scope.
-            write(actor_of_use(step.pass, u), use, state, !ops || scope_continues || ops->store == StoreOp::store);
+            write(actor_of_use(step.pass, u), use, state,
+                  !ops || scope_continues || ops->store == StoreOp::store);
     }
 }
 

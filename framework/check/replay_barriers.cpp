@@ -65,9 +65,9 @@ void Replay::transfer(const BarrierDecl& barrier, PassId before) {
     const bool releases = family() == barrier.src_family;
     if (!releases && family() != barrier.dst_family)
         faults_.add("C360", resource.loc,
-                    "pass " + faults_.pass_name(before) + " hands " + what +
-                        " over between two queue families, but runs on a third",
-                    "a transfer is recorded on the queues of its two families");
+                    "pass " + faults_.pass_name(before) + " transfers " + what +
+                        " between two queue families, but runs on a queue of a third family",
+                    "record both halves of a transfer on queues of its two families");
     superseded_by_[barrier.resource] = kNoId;
     cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         if (releases) {
@@ -77,9 +77,9 @@ void Replay::transfer(const BarrierDecl& barrier, PassId before) {
             if (cell.released_to != barrier.dst_family || cell.released_in != barrier.dst.layout)
                 faults_.add("C360", resource.loc,
                             "pass " + faults_.pass_name(before) + " acquires " + what +
-                                ", which was not released to its queue family: its last user is " +
+                                ", but the last user did not release it to this queue family: " +
                                 faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_),
-                            "after that pass a matching release is missing");
+                            "add a matching release after the last user");
             cell.released_to = kNoFamily;
             cell.owner = barrier.dst_family;
             cell.layout = barrier.dst.layout;
@@ -98,20 +98,20 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
         if (ordered(record, scopes) && flushed(record, scopes)) return;
         faults_.add("C313", resource.loc,
                     faults_.actor_text(by, frame_) + " changes " + faults_.resource_name(barrier.resource) +
-                        range_text(barrier.range) + " to " + layout_text(barrier.dst.layout) +
+                        range_text(barrier.range) + " to layout " + layout_text(barrier.dst.layout) +
                         " without waiting for " + faults_.actor_text(record.actor(), frame_),
-                    missing(record, "the barrier's source needs " + stages_text(record.stages()) + " and " +
-                                        access_text(record.access() & access::kAllWrites)));
+                    missing(record, "the source scope of the barrier needs " + stages_text(record.stages()) +
+                                        " and " + access_text(record.access() & access::kAllWrites)));
     };
     cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         if (barrier.src.layout != Layout::undefined && barrier.src.layout != cell.layout)
             faults_.add("C320", resource.loc,
-                        "the barrier before " + faults_.actor_text({before, frame_}, frame_) + " takes " +
-                            faults_.resource_name(barrier.resource) + range_text(cell.range) + " from " +
-                            layout_text(barrier.src.layout) + ", but " +
+                        "the barrier before " + faults_.actor_text({before, frame_}, frame_) + " changes " +
+                            faults_.resource_name(barrier.resource) + range_text(cell.range) +
+                            " from layout " + layout_text(barrier.src.layout) + ", but " +
                             faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
-                            " left it in " + layout_text(cell.layout),
-                        "the old layout must be the one the range is in, or undefined");
+                            " left it in layout " + layout_text(cell.layout),
+                        "the old layout of the barrier must be the real layout or undefined");
         if (cell.has_write) expect_over(cell.write);
         for (AccessRecord& record : cell.reads) expect_over(record);
     });

@@ -35,7 +35,7 @@ bool Replay::visible(const AccessRecord& record, const AccessState& state) const
 std::string Replay::missing(const AccessRecord& record, const std::string& barrier) const {
     if (record.actor().queue == clock_.queue()) return barrier;
     return "queue " + std::to_string(clock_.queue()) + " must wait for queue " +
-           std::to_string(record.actor().queue) + " after that";
+           std::to_string(record.actor().queue) + " after that pass";
 }
 
 void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const AccessState& state,
@@ -49,9 +49,9 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
     const bool image = plan_.graph.resources[use.resource].kind == ResourceKind::image;
     if (image && !judged_as_read && cell.layout != state.layout)
         faults_.add("C320", use.loc,
-                    who() + " needs " + what() + " in " + layout_text(state.layout) + ", but " +
+                    who() + " needs " + what() + " in layout " + layout_text(state.layout) + ", but " +
                         faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
-                        " left it in " + layout_text(cell.layout),
+                        " left it in layout " + layout_text(cell.layout),
                     "a barrier before " + who() + " must change the layout");
     // The rasteriser keeps the order of draws within one rendering scope.
     const auto drawn_before = [&](const AccessRecord& record) {
@@ -59,13 +59,13 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
     };
     if (cell.has_write && !judged_as_read && !drawn_before(cell.write) &&
         (!ordered(cell.write, state.stages) || !visible(cell.write, state))) {
-        faults_.add(
-            is_write ? "C312" : "C310", use.loc,
-            who() + (is_write ? " writes " : " reads ") + what() + " (" + access_text(state.access) + " in " +
-                stages_text(state.stages) + "), but what " + faults_.actor_text(cell.write.actor(), frame_) +
-                " wrote (" + access_text(cell.write.access()) + " in " + stages_text(cell.write.stages()) +
-                ") is not made visible to it",
-            missing(cell.write, "a barrier between them is missing, or its stages or accesses are too weak"));
+        faults_.add(is_write ? "C312" : "C310", use.loc,
+                    who() + (is_write ? " writes " : " reads ") + what() + " (" + access_text(state.access) +
+                        " in " + stages_text(state.stages) + "), but the write by " +
+                        faults_.actor_text(cell.write.actor(), frame_) + " (" +
+                        access_text(cell.write.access()) + " in " + stages_text(cell.write.stages()) +
+                        ") is not made visible first",
+                    missing(cell.write, "a barrier between them is missing, or it lacks stages or accesses"));
     }
     if (!is_write) return;
     for (AccessRecord& record : cell.reads) {
@@ -75,7 +75,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
             "C311", use.loc,
             who() + " writes " + what() + " while " + faults_.actor_text(record.actor(), frame_) +
                 " may still read it (" + stages_text(record.stages()) + ")",
-            missing(record, "a barrier from the reading to the writing stages is missing or too weak"));
+            missing(record, "a barrier from the reading to the writing stages is missing or incomplete"));
     }
 }
 
@@ -117,11 +117,11 @@ void Replay::expect_owner(const Actor& by, const UseDecl& use, Cell& cell) {
     faults_.add("C361", use.loc,
                 faults_.actor_text(by, frame_) + " uses " + faults_.resource_name(use.resource) +
                     range_text(cell.range) + " on a queue of family " + std::to_string(family()) +
-                    ", but since " +
+                    ", but after " +
                     faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
-                    " it belongs to family " +
+                    " this part belongs to family " +
                     std::to_string(cell.released_to == kNoFamily ? cell.owner : cell.released_to),
-                "it must be released and acquired in between, or be made concurrent");
+                "release and acquire the resource in between, or make it concurrent");
 }
 
 void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint) {
@@ -138,23 +138,24 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
     const PassId wanted = source == use.sources.end() ? kNoId : source->producer;
     const Content& found = cell.content;
     if (is_wanted_content(use, cell, wanted)) return;
-    std::string holds = "holds nothing";
+    std::string holds = "has no content";
     if (found.kind == Content::Kind::written)
-        holds = "holds what " + faults_.actor_text({found.pass, found.frame}, frame_) + " wrote";
-    if (found.kind == Content::Kind::outside) holds = "still holds what was there before the frame";
-    if (found.kind == Content::Kind::initial) holds = "holds its first-frame value";
+        holds = "has the content that " + faults_.actor_text({found.pass, found.frame}, frame_) + " wrote";
+    if (found.kind == Content::Kind::outside) holds = "still has the content from before the frame";
+    if (found.kind == Content::Kind::initial) holds = "has its first-frame value";
     if (found.kind == Content::Kind::carried)
-        holds = "holds what it held " + std::to_string(frame_ - found.frame) + " frames ago";
+        holds = "has its content from " + std::to_string(frame_ - found.frame) + " frames ago";
     if (found.kind == Content::Kind::overwritten)
         holds = "was overwritten by " + faults_.actor_text({found.pass, found.frame}, frame_) + " through " +
-                faults_.resource_name(found.through) + ", which shares its memory";
-    faults_.add("C330", use.loc,
-                "pass " + faults_.pass_name(id) + " reads " + faults_.resource_name(use.resource) +
-                    range_text(cell.range) + " as " +
-                    (wanted == kNoId ? std::string("it was before the frame")
-                                     : "pass " + faults_.pass_name(wanted) + " leaves it") +
-                    ", but it " + holds,
-                "the order of passes, an attachment's store operation, or a shared placement is wrong");
+                faults_.resource_name(found.through) + ", which shares the same memory";
+    faults_.add(
+        "C330", use.loc,
+        "pass " + faults_.pass_name(id) + " reads " + faults_.resource_name(use.resource) +
+            range_text(cell.range) + " as " +
+            (wanted == kNoId ? std::string("it was before the frame")
+                             : "pass " + faults_.pass_name(wanted) + " leaves it") +
+            ", but it " + holds,
+        "the order of passes, the store operation of an attachment, or the sharing of memory is wrong");
 }
 
 // Checks that no other resource in the same memory is still in use before `resource` is written. `transition`
@@ -174,11 +175,11 @@ void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc 
                                      : ordered(record, stages) && flushed(record, stages);
         if (over) return;
         faults_.add("C341", loc,
-                    faults_.actor_text(by, frame_) + " takes over memory for " +
+                    faults_.actor_text(by, frame_) + " begins to use memory for " +
                         faults_.resource_name(resource) + " that " +
                         faults_.actor_text(record.actor(), frame_) + " may still use through " +
                         faults_.resource_name(owner),
-                    missing(record, "the hand-over from " + faults_.resource_name(owner) + " to " +
+                    missing(record, "the alias transition from " + faults_.resource_name(owner) + " to " +
                                         faults_.resource_name(resource) +
                                         " needs a barrier whose source is " + stages_text(record.stages()) +
                                         " and " + access_text(record.access() & access::kAllWrites)));

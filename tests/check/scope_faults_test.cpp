@@ -143,7 +143,7 @@ TEST_F(ScopeFault, SamplingWhatTheScopeDraws) {
     UseDecl& sampled = use("second", "src");
     sampled.resource = use("second", "color").resource;
     sampled.sources = use("second", "color").sources;
-    expect_fault("C306", "other than by drawing");
+    expect_fault("C306", "in other ways than as an attachment");
     expect_fault("C310", "\"target\"");
 }
 

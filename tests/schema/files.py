@@ -20,7 +20,7 @@ BEYOND_SCHEMAS = {
     "the lower bound is greater than the upper bound", "the name {} is already used",
     "{} is a reserved word of expressions",
     "the pass draws no draw list, so no material can determine culling", "the number of view {} is",
-    "whose format is {}, can't be cleared to", "the size of {} is",
+    "whose format is {}, cannot be cleared to", "the size of {} is",
 }
 
 

@@ -137,7 +137,7 @@ struct ProfileReader {
         for (const auto& [name, list] : object.items()) {
             const std::optional<Format> format = format_from_name(name);
             if (!format || !list.is_array()) {
-                fault("/formats/" + name, "\"" + name + "\" is not a format with a list of features",
+                fault("/formats/" + name, "\"" + name + "\" is not a known format with a list of features",
                       "use the names that `weft doctor --json` writes");
                 continue;
             }
@@ -149,7 +149,7 @@ struct ProfileReader {
                     });
                 if (it == kFeatureNames.end()) {
                     fault("/formats/" + name, "unknown format feature " + item.dump(),
-                          "known are sampled, linear, storage, color, blend, depth, copySrc, copyDst, "
+                          "use sampled, linear, storage, color, blend, depth, copySrc, copyDst, "
                           "blitSrc, blitDst");
                 } else {
                     mask |= it->bit;
@@ -169,9 +169,9 @@ struct ProfileReader {
             if (std::has_single_bit(count) && count <= kMostSamples)
                 mask |= static_cast<SampleCountMask>(count);
             else
-                fault("/" + key, item.dump() + " samples a pixel", "counts are 1, 2, 4, 8, 16, 32 and 64");
+                fault("/" + key, item.dump() + " is not a sample count", "use 1, 2, 4, 8, 16, 32 and 64");
         }
-        if ((mask & 1) == 0) fault("/" + key, "no single sample", "every device has images of one sample");
+        if ((mask & 1) == 0) fault("/" + key, "the sample count 1 is missing", "add 1 to the list");
         profile.*it->value = mask;
         return true;
     }
@@ -190,7 +190,7 @@ struct ProfileReader {
             std::string known;
             for (const CapabilityName& c : kCapabilityNames)
                 known += (known.empty() ? "" : ", ") + std::string(c.name);
-            fault("/shaderCapabilities", "unknown shader capability " + item.dump(), "known are " + known);
+            fault("/shaderCapabilities", "unknown shader capability " + item.dump(), "use one of " + known);
         }
     }
 
@@ -200,15 +200,15 @@ struct ProfileReader {
             const std::string kind = item.value("kind", "");
             const auto it = std::find(kQueueNames.begin(), kQueueNames.end(), kind);
             if (it == kQueueNames.end()) {
-                fault("/queueFamilies", "a queue family's kind is \"" + kind + "\"",
-                      "a kind is graphics, compute or transfer");
+                fault("/queueFamilies", "a queue family has the unknown kind \"" + kind + "\"",
+                      "use graphics, compute or transfer");
                 continue;
             }
             profile.queue_families.push_back(
                 {static_cast<QueueKind>(it - kQueueNames.begin()), item.value("count", 1u)});
         }
         if (profile.queue_families.empty())
-            fault("/queueFamilies", "no queue family", "a device has at least one");
+            fault("/queueFamilies", "the list of queue families is empty", "add at least one queue family");
     }
 
     void heaps(const Json& list, DeviceProfile& profile) {
@@ -224,8 +224,8 @@ struct ProfileReader {
             const auto it = std::find_if(kContentNames.begin(), kContentNames.end(),
                                          [&](const ContentName& c) { return word == c.name; });
             if (it == kContentNames.end())
-                fault("/memoryTypes", "memory that holds " + word.dump(),
-                      "memory holds buffers, colorImages, depthImages");
+                fault("/memoryTypes", "unknown content of a memory type: " + word.dump(),
+                      "use buffers, colorImages and depthImages");
             else
                 mask |= it->bit;
         }
@@ -243,25 +243,27 @@ struct ProfileReader {
     // memory type. So this check runs after all keys have been read.
     void check_memory(const DeviceProfile& profile) {
         if (profile.memory_types.size() > 32)
-            fault("/memoryTypes", std::to_string(profile.memory_types.size()) + " types of memory",
-                  "a device has 32 at most");
+            fault("/memoryTypes", std::to_string(profile.memory_types.size()) + " memory types are too many",
+                  "list at most 32 memory types");
         MemoryContentMask held = 0;
         for (const MemoryTypeProfile& type : profile.memory_types) {
             if (!type.lazily_allocated) held |= type.holds;
             if (type.heap >= profile.memory_heaps.size())
-                fault("/memoryTypes", "a type of memory in heap " + std::to_string(type.heap),
-                      "there are " + std::to_string(profile.memory_heaps.size()) + " heaps, counted from 0");
+                fault("/memoryTypes", "a memory type names the unknown heap " + std::to_string(type.heap),
+                      "the profile has " + std::to_string(profile.memory_heaps.size()) +
+                          " heaps, counted from 0");
         }
         if (!profile.memory_types.empty() && held != memory_content::kAll)
-            fault("/memoryTypes", "something has no memory to live in",
-                  "buffers, colorImages and depthImages each need a type that is not lazily allocated");
+            fault("/memoryTypes", "the memory types do not cover all kinds of resources",
+                  "list a memory type that is not lazily allocated for each of buffers, colorImages and "
+                  "depthImages");
         for (const WideLimit& l : kMemoryLimits)
             if (!std::has_single_bit(profile.*l.value))
-                fault(std::string("/") + l.name, "an alignment is a power of two",
-                      "not " + std::to_string(profile.*l.value));
+                fault(std::string("/") + l.name, "the alignment must be a power of two",
+                      "correct the value, which is " + std::to_string(profile.*l.value));
         if (!std::has_single_bit(profile.buffer_image_granularity_bytes))
-            fault("/bufferImageGranularityBytes", "the granularity is a power of two",
-                  "not " + std::to_string(profile.buffer_image_granularity_bytes));
+            fault("/bufferImageGranularityBytes", "the granularity must be a power of two",
+                  "correct the value, which is " + std::to_string(profile.buffer_image_granularity_bytes));
     }
 
     void member(const std::string& key, const Json& value, DeviceProfile& profile) {
@@ -278,7 +280,8 @@ struct ProfileReader {
         } else if (key == "memoryTypes" && value.is_array()) {
             types(value, profile);
         } else if (!sample_counts(key, value, profile) && !limit(key, value, profile)) {
-            fault("/" + key, "unknown key or wrong type", "compare it with what `weft doctor --json` writes");
+            fault("/" + key, "unknown key or wrong type",
+                  "compare the profile with the output of `weft doctor --json`");
         }
     }
 
@@ -326,13 +329,14 @@ Result<DeviceProfile> parse_profile(const std::string& json, const std::string& 
     DeviceProfile profile;
     const Json root = Json::parse(json, nullptr, false);
     if (!root.is_object()) {
-        reader.fault("", "this is not a JSON object", "a profile is what `weft doctor --json` writes");
+        reader.fault("", "the profile is not a JSON object",
+                     "use a profile in the format that `weft doctor --json` writes");
         return std::move(reader.faults);
     }
     try {
         for (const auto& [key, value] : root.items()) reader.member(key, value, profile);
     } catch (const nlohmann::json::exception& e) {
-        reader.fault("", e.what(), "compare it with what `weft doctor --json` writes");
+        reader.fault("", e.what(), "compare the profile with the output of `weft doctor --json`");
     }
     reader.check_memory(profile);
     if (!reader.faults.empty()) return std::move(reader.faults);

@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "\"x\""},
         BadProfile{"NothingForBuffers",
                    R"({"memoryHeaps": [{"bytes": 1}], "memoryTypes": [{"holds": ["colorImages"]}]})",
-                   "no memory to live in"},
+                   "do not cover all kinds of resources"},
         BadProfile{"TypesAreNoList", R"({"memoryTypes": 7})", "memoryTypes"},
         BadProfile{"HeapIsNoObject", R"({"memoryHeaps": [7]})", "type_error"}),
     [](const auto& row) { return std::string(row.param.name); });

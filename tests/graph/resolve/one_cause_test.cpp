@@ -33,7 +33,7 @@ class OneCause : public ResolveTest {
 TEST_F(OneCause, ACycleOfARepeatIsMendedByThePinThatItsHelpNames) {
     const Diagnostic d = bad(chain("bloom"));
     EXPECT_EQ(d.code, "W150");
-    expect_help(d, R"j(pin the version you want in "down": "bloom@down")j");
+    expect_help(d, R"j(select one of its versions in pass "down": "bloom@down")j");
     const ResolvedGraph g = good(chain("bloom@down"));
     EXPECT_EQ(seen(g, "down#1", "src"), "first");
     EXPECT_EQ(seen(g, "down#2", "src"), "down#1");

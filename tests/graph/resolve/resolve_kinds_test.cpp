@@ -90,7 +90,7 @@ TEST_F(ResolveKinds, MultisampledImagesAreNoStorage) {
     const Diagnostic d = bad(R"j("resources": {"x": {"format": "rgba16f", "samples": 4}}, "passes": {
       "m": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}}})j");
     EXPECT_EQ(d.code, "W173");
-    expect_help(d, "resolve it");
+    expect_help(d, "resolve the image first");
 }
 
 TEST_F(ResolveKinds, AttachmentsAreResolvedWhenThePassEnds) {

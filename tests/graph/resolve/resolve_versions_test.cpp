@@ -266,7 +266,8 @@ TEST_F(ResolveVersions, CycleTellsTheLoopAndThePin) {
               "dependency cycle: ssrTrace (reads hdr) -> ssrApply (reads acc) -> ssrTemporal (reads ray) -> "
               "ssrTrace");
     EXPECT_EQ(d.line, 5u);
-    expect_help(d, R"j("hdr" has several writers; pin the version you want in "ssrTrace": "hdr@lighting")j");
+    expect_help(
+        d, R"j("hdr" has several writers; select one of its versions in pass "ssrTrace": "hdr@lighting")j");
 }
 
 TEST_F(ResolveVersions, PinMendsTheCycle) {
@@ -288,7 +289,7 @@ TEST_F(ResolveVersions, CycleOfAfters) {
         "b": {"type": "compute", "shader": "make.comp", "out": {"dst": "y"}, "after": ["a"]}})j");
     EXPECT_EQ(d.code, "W150");
     EXPECT_EQ(d.message, "dependency cycle: a (after) -> b (after) -> a");
-    expect_help(d, "remove the \"after\"");
+    expect_help(d, "remove \"after\" from");
 }
 
 // Pass "r" reads the version of pass "a", but runs after "b", which overwrites that version. resolve() must

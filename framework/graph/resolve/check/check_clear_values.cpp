@@ -128,9 +128,9 @@ class ClearCheck {
         const bool exact = !range.whole || static_cast<double>(saturated_float(x)) == x || x == UINT32_MAX;
         if (inside && exact) return;
         Diagnostic fault =
-            reporter_.sources().error(channel.loc, "W109", who + " can't be cleared to " + number_text(x));
-        add_help(fault, inside ? "whole numbers are exact up to 16777216"
-                               : (range.whole ? "it holds whole numbers of " : "it holds values of ") +
+            reporter_.sources().error(channel.loc, "W109", who + " cannot be cleared to " + number_text(x));
+        add_help(fault, inside ? "choose a number up to 16777216: greater whole numbers are not exact"
+                               : (range.whole ? "choose a whole number from " : "choose a value from ") +
                                      number_text(range.least) + " to " + number_text(range.most));
         reporter_.add_once(std::move(fault));
     }

@@ -32,14 +32,16 @@ std::string blit_fault(const std::vector<ResourceDecl>& resources, const UseDecl
     const ResourceDecl& source = resources[from.resource];
     const ResourceDecl& target = resources[to.resource];
     if (source.kind == ResourceKind::buffer || target.kind == ResourceKind::buffer)
-        return "buffers have no texels";
-    if (source.samples > 1 || target.samples > 1) return "multisampled images are resolved, not blitted";
+        return "a buffer cannot be blitted";
+    if (source.samples > 1 || target.samples > 1)
+        return "multisampled images can only be resolved, not blitted";
     const NumericClass numeric = format_info(source.format).numeric;
-    if (numeric != format_info(target.format).numeric) return "their numbers are of different kinds";
-    if (numeric == NumericClass::depth && source.format != target.format) return "depth needs equal formats";
+    if (numeric != format_info(target.format).numeric) return "their formats have different numeric types";
+    if (numeric == NumericClass::depth && source.format != target.format)
+        return "depth images need the same format";
     const bool linear = from.sampler.filter == SamplerFilter::linear;
-    if (linear && numeric != NumericClass::float_like) return "only floats can be filtered linearly";
-    if (from.range.mips != 1 || to.range.mips != 1) return "a blit is of one mip to one mip";
+    if (linear && numeric != NumericClass::float_like) return "linear filtering needs a format of floats";
+    if (from.range.mips != 1 || to.range.mips != 1) return "a blit copies only one mip to one mip";
     if (from.range.layers != to.range.layers) return "they have different numbers of layers";
     return "";
 }
@@ -52,11 +54,12 @@ void check_blit(const VersionedGraph& graph, const PassDecl& decl, PassId pass, 
     const std::string fault = blit_fault(graph.resources, from, to);
     if (fault.empty()) return;
     Diagnostic& d = report.error(pass, to.loc, "W183",
-                                 "blit pass " + quote(decl.name) + " can't go from " +
+                                 "blit pass " + quote(decl.name) + " cannot copy from " +
                                      quote(range_of(graph.resources[from.resource], from.range)) + " to " +
                                      quote(range_of(graph.resources[to.resource], to.range)) + ": " + fault);
     add_help(d,
-             "pick mips and layers, set \"sampler\": { \"filter\": \"nearest\" }, or use a fullscreen pass");
+             "select one mip and the same layers, set \"sampler\": { \"filter\": \"nearest\" }, or use a "
+             "fullscreen pass");
 }
 
 }  // namespace
@@ -71,10 +74,10 @@ void check_copy(const Declared& declared, const VersionedGraph& graph, PassId pa
     const UseDecl& to = uses[1];
     if (suspects.shapes[from.resource] || suspects.shapes[to.resource]) return;
     if (same_shape(graph.resources, from, to)) return;
-    Diagnostic& d = report.error(pass, to.loc, "W183",
-                                 "copy pass " + quote(decl.name) +
-                                     " has ends of different shape: " + shape_text(graph.resources, from) +
-                                     " and " + shape_text(graph.resources, to));
+    Diagnostic& d =
+        report.error(pass, to.loc, "W183",
+                     "copy pass " + quote(decl.name) + " has an input and an output of different shape: " +
+                         shape_text(graph.resources, from) + " and " + shape_text(graph.resources, to));
     add_help(d, "give both the same size, mips, layers and bytes per texel, or use a fullscreen pass");
 }
 

@@ -28,8 +28,9 @@ void report_unknown_params(const CustomPass& pass) {
             param.loc, "W113",
             "passes of type " + quote(draft.desc->type) + " have no parameter " + quote(param.name));
         const std::string near = did_you_mean_text(param.name, known);
-        add_help(d,
-                 near.empty() ? (known.empty() ? "they have none" : "they have " + quote_all(known)) : near);
+        add_help(d, near.empty() ? (known.empty() ? "remove this parameter"
+                                                  : "the parameters of this type are " + quote_all(known))
+                                 : near);
     }
 }
 
@@ -39,7 +40,7 @@ std::optional<double> evaluate_param(const CustomPass& pass, const ParamValueDes
         if (!value || !value->is_size) return value ? std::optional(value->x) : std::nullopt;
     }
     Diagnostic& d = pass.error(param.loc, "W113", "parameter " + quote(param.name) + " must be one number");
-    add_help(d, "use .x or .y of a size");
+    add_help(d, "write a number, or use .x or .y of a size");
     return std::nullopt;
 }
 
@@ -62,7 +63,7 @@ std::vector<NamedValue> evaluate_params(const CustomPass& pass) {
             Diagnostic& d = pass.error(param->loc, "W113",
                                        "parameter " + quote(declared.name) + " of pass " +
                                            quote(draft.desc->name) + " is out of range");
-            add_help(d, "its range is " + std::to_string(declared.min) + " to " +
+            add_help(d, "choose a value from " + std::to_string(declared.min) + " to " +
                             std::to_string(declared.max) + " " + std::string(declared.unit));
         }
         params.push_back({std::string(declared.name), value});

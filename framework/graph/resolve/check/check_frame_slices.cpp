@@ -14,8 +14,9 @@ void check_repeat(const PassDesc& desc, Reporter& reporter) {
     const bool none = desc.per_frame.empty() || desc.per_frame.text == "false";
     if (none || !desc.repeat.empty()) return;
     Diagnostic& d = reporter.error(desc.per_frame_loc, "W124",
-                                   "pass " + quote(desc.name) + " says \"perFrame\" but repeats nothing");
-    add_help(d, "add the repeat whose passes are spread over frames: \"repeat\": { \"i\": \"0..5\" }");
+                                   "pass " + quote(desc.name) + " has \"perFrame\", but no \"repeat\"");
+    add_help(
+        d, "remove \"perFrame\", or add a repeat to distribute over frames: \"repeat\": { \"i\": \"0..5\" }");
 }
 
 void check_outputs(const Declared& declared, const FormattedGraph& graph, PassId pass, PassReporter& report) {
@@ -26,9 +27,9 @@ void check_outputs(const Declared& declared, const FormattedGraph& graph, PassId
             report.error(pass, use.loc, "W124",
                          "pass " + quote(declared.author_name(pass)) +
                              " runs in some frames only (\"perFrame\") and writes " + quote(resource.name) +
-                             ", which does not keep its content between frames");
+                             ", but this resource does not keep its content between frames");
         if (resource.lifetime == ResourceLifetime::imported)
-            add_help(d, "write a resource with \"keep\": true, and copy that");
+            add_help(d, "write a resource with \"keep\": true, and copy its content");
         else
             add_help(d, "add \"keep\": true to resource " + quote(resource.name) +
                             (resource.history > 0 ? " instead of its history" : ""));
@@ -38,7 +39,7 @@ void check_outputs(const Declared& declared, const FormattedGraph& graph, PassId
 }  // namespace
 
 Suspects check_frame_slices(const Declared& declared, const FormattedGraph& graph, Suspects suspects,
-                     Reporter& reporter) {
+                            Reporter& reporter) {
     PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
     for (const auto& [name, desc] : declared.input.graph.passes) check_repeat(desc, reporter);
     for (PassId id = 0; id < graph.passes.size(); ++id)

@@ -68,7 +68,7 @@ class InterfaceCheck {
         if (port.binding->kind == BindingKind::storage_image && resource.samples > 1) {
             error(use, "W173",
                   port_text(use) + " is a storage image, but " + quote(resource.name) + " is multisampled",
-                  "resolve it first, or sample it");
+                  "resolve the image first, or declare a sampler2DMS in the shader");
             return;
         }
         if (port.binding->kind == BindingKind::storage_image) check_storage(use, resource, *port.binding);
@@ -89,8 +89,8 @@ class InterfaceCheck {
         Diagnostic& d =
             report_.error(pass_, use.loc, "W105",
                           quote(resource.name) + " has format " + quote(format_info(resource.format).name) +
-                              ", which has no such aspect");
-        add_help(d, "leave out .depth or .stencil, or change the format");
+                              ", which does not have this aspect");
+        add_help(d, "remove .depth or .stencil, or change the format");
         return false;
     }
 
@@ -100,7 +100,7 @@ class InterfaceCheck {
             error(use, "W173",
                   port_text(use) + " is a colour output, but " + quote(resource.name) + " is " +
                       (resource.kind == ResourceKind::buffer ? "a buffer" : "a depth image"),
-                  "bind a colour image to it; depth goes to \"depth\"");
+                  "name a colour image here; name a depth image in \"depth\"");
             return;
         }
         const NumericClass wanted = output.scalar == ScalarType::i32   ? NumericClass::sint
@@ -108,9 +108,9 @@ class InterfaceCheck {
                                                                        : NumericClass::float_like;
         if (wanted == format.numeric) return;
         error(use, "W172",
-              port_text(use) + " gives " + numeric_name(wanted) + " values, but " + quote(resource.name) +
+              port_text(use) + " writes " + numeric_name(wanted) + " values, but " + quote(resource.name) +
                   " has format " + quote(format.name),
-              "change the output's type in the shader, or the format");
+              "change the type of the output in the shader, or change the format");
     }
 
     void check_depth(const UseDecl& use, const ResourceDecl& resource) {
@@ -118,14 +118,14 @@ class InterfaceCheck {
             !(resource.aspects & (aspect::kDepth | aspect::kStencil))) {
             error(use, "W182",
                   "\"depth\" of pass " + quote(declared_.pass_name(pass_)) + " is " + quote(resource.name) +
-                      ", which is no depth image",
-                  "give it a depth format: \"d32f\"");
+                      ", which is not a depth image",
+                  "give the image a depth format, for example \"d32f\"");
             return;
         }
         if (!desc_.state.stencil_test || (resource.aspects & aspect::kStencil)) return;
         error(use, "W182",
               "pass " + quote(declared_.pass_name(pass_)) + " tests stencil, but " + quote(resource.name) +
-                  " has none",
+                  " has no stencil",
               "use the format \"d32f_s8|d24_s8\"");
     }
 
@@ -141,13 +141,13 @@ class InterfaceCheck {
             error(use, "W172",
                   port_text(use) + ": shader " + quote(desc_.shader) + " expects " + numeric_name(wanted) +
                       " values, but " + quote(resource.name) + " has format " + quote(format.name),
-                  "change the declaration in the shader, or the format");
+                  "change the declaration in the shader, or change the format");
             return false;
         }
         if (!binding.shadow || format.depth) return true;
         error(use, "W172",
-              port_text(use) + " compares depths, but " + quote(resource.name) + " has format " +
-                  quote(format.name),
+              port_text(use) + " is a shadow sampler, which compares depths, but " + quote(resource.name) +
+                  " has format " + quote(format.name),
               "declare a plain sampler, or bind a depth image");
         return false;
     }
@@ -156,7 +156,8 @@ class InterfaceCheck {
         const std::string name(format_info(resource.format).name);
         if (binding.storage_format == Format::undefined) {
             if (!binding.reads || declared_.input.profile.storage_read_without_format) return;
-            error(use, "W172", port_text(use) + " is read without a format, which the device can't do",
+            error(use, "W172",
+                  port_text(use) + " is read without a format, which the device does not support",
                   "declare layout(" + name + ") in the shader, or declare it `writeonly`");
             return;
         }
@@ -164,8 +165,8 @@ class InterfaceCheck {
         if (binding.reads && desc && desc->formats.size() > 1) {
             error(use, "W172",
                   quote(resource.name) + " has a choice of formats, but " + port_text(use) +
-                      " reads it as a storage image, whose format the shader fixes",
-                  "name one format: " + quote(format_info(binding.storage_format).name));
+                      " reads it as a storage image with the format that the shader declares",
+                  "name only the format of the shader: " + quote(format_info(binding.storage_format).name));
             return;
         }
         if (binding.storage_format == resource.format) return;
@@ -173,7 +174,7 @@ class InterfaceCheck {
               port_text(use) + ": the shader declares layout(" +
                   std::string(format_info(binding.storage_format).name) + "), but " + quote(resource.name) +
                   " has format " + quote(name),
-              "make them the same");
+              "use the same format in both");
     }
 
     void check_dimensions(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
@@ -181,7 +182,7 @@ class InterfaceCheck {
             error(use, "W173",
                   port_text(use) + " is a storage image of one mip, but " + quote(resource.name) + " has " +
                       std::to_string(use.range.mips),
-                  "pick one: " + quote(resource.name + ".mip(0)"));
+                  "select one mip: " + quote(resource.name + ".mip(0)"));
             return;
         }
         const bool is_cube =
@@ -204,15 +205,15 @@ class InterfaceCheck {
         if (fits && binding.multisampled == (resource.samples > 1)) return;
         const std::string declared = std::string(dim_name(binding.dim)) + (binding.multisampled ? "MS" : "") +
                                      (binding.arrayed ? "Array" : "");
-        error(use, "W173",
-              port_text(use) + " is declared as " + declared + " in shader " + quote(desc_.shader) +
-                  ", but " + quote(range_of(resource, use.range)) + " has " +
-                  std::to_string(use.range.layers) + " layers and " + std::to_string(resource.samples) +
-                  " samples" +
-                  (is_3d     ? " and is 3D"
-                   : is_cube ? " and is a cube"
-                             : ""),
-              "change the declaration, or pick a layer: " + quote(resource.name + ".layer(0)"));
+        error(
+            use, "W173",
+            port_text(use) + " is declared as " + declared + " in shader " + quote(desc_.shader) + ", but " +
+                quote(range_of(resource, use.range)) + " has " + std::to_string(use.range.layers) +
+                " layers and " + std::to_string(resource.samples) + " samples" +
+                (is_3d     ? " and is 3D"
+                 : is_cube ? " and is a cube"
+                           : ""),
+            "change the declaration in the shader, or select a layer: " + quote(resource.name + ".layer(0)"));
     }
 
     void check_filter(const UseDecl& use, const ResourceDecl& resource) {
@@ -223,7 +224,7 @@ class InterfaceCheck {
             use.sampler.filter == SamplerFilter::linear || use.sampler.mip_filter == SamplerFilter::linear;
         if (!integers || !linear) return;
         error(use, "W172",
-              port_text(use) + " filters " + quote(resource.name) + " linearly, but its numbers are integers",
+              port_text(use) + " filters " + quote(resource.name) + " linearly, but its format has integers",
               "use \"sampler\": { \"filter\": \"nearest\", \"mipFilter\": \"nearest\" }");
     }
 
@@ -232,16 +233,16 @@ class InterfaceCheck {
             error(use, "W166",
                   port_text(use) + " needs " + std::to_string(binding.block_bytes) + " bytes, but " +
                       quote(resource.name) + " has " + std::to_string(resource.size_bytes),
-                  "raise its count, or check the block's declaration");
+                  "increase \"count\" of the buffer, or correct the block in the shader");
             return;
         }
         const bool uniform = binding.kind == BindingKind::uniform_buffer;
         if (uniform && resource.size_bytes > declared_.input.profile.max_uniform_buffer_bytes) {
             error(use, "W166",
                   port_text(use) + " is a uniform buffer of " + std::to_string(resource.size_bytes) +
-                      " bytes; the device offers " +
+                      " bytes; the device allows at most " +
                       std::to_string(declared_.input.profile.max_uniform_buffer_bytes),
-                  "declare it as a storage buffer: `readonly buffer`");
+                  "declare the block as a storage buffer: `readonly buffer`");
             return;
         }
         if (binding.members.empty() || !binding.members.back().is_runtime_array || resource.stride_bytes == 0)
@@ -252,10 +253,10 @@ class InterfaceCheck {
         const uint32_t step = binding.members.back().array_stride_bytes;
         if (step == 0 || step % resource.stride_bytes == 0 || resource.stride_bytes % step == 0) return;
         error(use, "W166",
-              port_text(use) + ": the shader's elements are " + std::to_string(step) +
-                  " bytes apart, those of " + quote(resource.name) + " " +
+              port_text(use) + " has elements of " + std::to_string(step) +
+                  " bytes in the shader, but elements of " + quote(resource.name) + " have " +
                   std::to_string(resource.stride_bytes),
-              "both sides should name the same struct");
+              "use the same struct in the graph and in the shader");
     }
 
     const Declared& declared_;
@@ -292,10 +293,9 @@ void check_layouts(const Declared& declared, const FormattedGraph& graph, PassId
                                  (both_write ? " both write " : " need different layouts of ") +
                                  quote(range_of(graph.resources[uses[j].resource], uses[j].range)));
             if (both_write) {
-                add_help(d, "give each its own mips, layers or resource");
+                add_help(d, "give each port its own mips, layers or resource");
             } else {
-                add_help(
-                    d, "use storage images for both, read another version's copy, or other mips and layers");
+                add_help(d, "use storage images for both ports, read a copy, or use other mips and layers");
             }
             return;
         }

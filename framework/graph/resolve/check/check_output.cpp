@@ -19,9 +19,11 @@ void check_output(const Declared& declared, const VersionedGraph& graph, const S
     const ResourceDecl& decl = graph.resources[output];
     Diagnostic& d = reporter.error(decl.loc, "W184", "no pass writes the output " + quote(decl.name));
     if (const PassDesc* dropped = dropped_writer(declared.expansion, decl.name, reporter))
-        add_help(d, "pass " + quote(dropped->name) + ", which would write it, is left out");
-    add_help(d, "let a pass write it: \"out\": [" + quote(decl.name) +
-                    "]; or, in a graph that only delivers resources, remove the import");
+        add_help(
+            d, "pass " + quote(dropped->name) +
+                   " would write the output, but is removed: its \"if\" is false or its \"repeat\" is empty");
+    add_help(d, "let a pass write the output: \"out\": [" + quote(decl.name) +
+                    "]; or remove the import, if the graph needs no output image");
 }
 
 }  // namespace weft

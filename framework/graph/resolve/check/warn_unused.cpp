@@ -24,7 +24,7 @@ void warn_unused(const Declared& declared, Reporter& reporter) {
         if (used.contains(resource.name) || !shapes.origins[id].desc || resource.age > 0) continue;
         if (is_included(reporter.sources(), resource.loc)) continue;
         reporter.warn(resource.loc, "W130", "no pass uses resource " + quote(resource.name),
-                      "remove it, or use it");
+                      "remove the resource, or use it in a pass");
     }
 }
 

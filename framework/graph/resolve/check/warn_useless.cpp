@@ -65,8 +65,8 @@ class UselessSearch {
         if (resource.lifetime != ResourceLifetime::transient || seen_[id] || !written_[id]) return;
         if (read_.contains(resource.name) || at_times_.contains(resource.name)) return;
         reporter_.warn(resource.loc, "W135",
-                       "resource " + quote(resource.name) + " is written, but nothing reads it",
-                       "read it, show it in a \"debug\" view, or leave out what writes it");
+                       "resource " + quote(resource.name) + " is written, but no pass reads it",
+                       "read the resource, show it in a \"debug\" view, or remove the passes that write it");
     }
 
     bool is_for_other_times(const PassDesc& desc) const {
@@ -83,8 +83,8 @@ class UselessSearch {
         const auto cause = std::ranges::find_if(ids, is_cause);
         if (cause == ids.end() || is_for_other_times(*declared_.expansion.passes[*cause].desc)) return;
         reporter_.warn(declared_.expansion.passes[*cause].desc->loc, "W136",
-                       "pass " + quote(name) + " is left out: " + live_.details[*cause],
-                       "let a pass that leads to the output read what it writes, or remove it");
+                       "pass " + quote(name) + " does not run: " + live_.details[*cause],
+                       "read its result in a pass that the output depends on, or remove the pass");
     }
 
     const Declared& declared_;

@@ -32,24 +32,24 @@ class ParamCosts {
         if (is_unknown_ || reporter.has_errors()) return;
         for (const auto& [name, param] : graph_.params)
             if (!costs_.contains(name) && !is_included(graph_.sources, param.loc))
-                reporter.warn(param.loc, "W132", "nothing uses parameter " + quote(name),
-                              "remove it, or name it in a shader's Params or in an expression");
+                reporter.warn(param.loc, "W132", "no pass or expression uses parameter " + quote(name),
+                              "remove the parameter, or use it in an expression or in Params of a shader");
         for (const auto* named : {&graph_.consts, &graph_.sizes})
             for (const auto& [name, expression] : *named)
                 if (!costs_.contains(name) && !is_included(graph_.sources, expression.loc))
                     reporter.warn(expression.loc, "W133",
-                                  "nothing uses " +
+                                  "no expression uses " +
                                       std::string(named == &graph_.consts ? "constant " : "size ") +
                                       quote(name),
-                                  "remove it, or use it");
+                                  "remove this line, or use the name in an expression");
         const ResourceNames named = named_resources();
         // An output import that no pass writes is an error, W184, so it needs no warning.
         const char* output = import_kind_name(ImportKind::output);
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
                 !is_included(graph_.sources, import.loc))
-                reporter.warn(import.loc, "W134", "nothing uses the import " + quote(name),
-                              "remove it, or name it in a port or in \"draws\"");
+                reporter.warn(import.loc, "W134", "no pass uses the import " + quote(name),
+                              "remove the import, or use it in a port or in \"draws\"");
     }
 
  private:

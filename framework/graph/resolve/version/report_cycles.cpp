@@ -170,16 +170,17 @@ class CycleReport {
 
     std::string remedy(const OrderArc& cut, const std::vector<PassId>& knot) const {
         const std::string to = quote(declared_.author_name(cut.to));
-        if (cut.kind == EdgeKind::after) return "remove the \"after\" of " + to + ", or one of the reads";
+        if (cut.kind == EdgeKind::after)
+            return "remove \"after\" from " + to + ", or one of the reads in the cycle";
         const std::string& resource = declared_.resource_name(cut.resource);
         const std::string writer = !cut.pinnable ? ""
                                    : reads_own_repeat(cut.to, cut.resource)
                                        ? declared_.author_name(cut.to)
                                        : writer_outside(knot, cut.resource);
         if (writer.empty()) {
-            return "one of these passes must read another resource, or another version: name@pass";
+            return "let one of these passes read another resource, or another version: name@pass";
         }
-        return quote(resource) + " has several writers; pin the version you want in " + to + ": " +
+        return quote(resource) + " has several writers; select one of its versions in pass " + to + ": " +
                quote(resource + "@" + writer);
     }
 
