@@ -95,8 +95,8 @@ TEST(LightCheck, ManyFaultsAreToldInFewWarnings) {
     const Diagnostics warnings = light_warnings(scene);
     ASSERT_EQ(warnings.size(), 9u);
     EXPECT_EQ(warnings[0].code, "S158");
-    EXPECT_EQ(warnings[0].message, "light \"lamp\": its range was out of range");
-    EXPECT_EQ(warnings[8].message, "and 999992 more lights or functions");
+    EXPECT_EQ(warnings[0].message, "light \"lamp\": the range was not within its limits");
+    EXPECT_EQ(warnings[8].message, "999992 more lights or light functions have wrong values");
 }
 
 TEST(LightPictures, AreResampledOnceEach) {
@@ -110,7 +110,8 @@ TEST(LightPictures, AreResampledOnceEach) {
     EXPECT_EQ(pictures.layers, 1u);
     const Diagnostics warnings = light_warnings(scene);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_EQ(warnings[0].message, "light function 3: its picture is none of the scene's textures");
+    EXPECT_EQ(warnings[0].message,
+              "light function 3: the scene has no texture with the index of the picture");
     EXPECT_EQ(pictures.layer_of, (std::vector<uint32_t>{kNone, 0, 0, kNone}));
     ASSERT_EQ(pictures.mips.size(), 9u);
     EXPECT_EQ(pictures.mips[0].size(), size_t{kLightPictureSize_px} * kLightPictureSize_px * 4);

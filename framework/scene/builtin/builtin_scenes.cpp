@@ -40,7 +40,7 @@ Result<Scene> make_builtin(std::string_view name, const BuiltinOptions& options)
     if (name == "stage") return make_stage();
     Diagnostic error;
     error.code = "S120";
-    error.message = "no built-in scene is called \"" + std::string(name) + "\"";
+    error.message = "there is no built-in scene \"" + std::string(name) + "\"";
     const std::string hint = did_you_mean_text(std::string(name), builtin_scene_names());
     if (!hint.empty()) error.help.push_back(hint);
     std::string known = "the built-in scenes are:";

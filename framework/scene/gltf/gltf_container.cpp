@@ -43,41 +43,43 @@ std::optional<Chunk> next_chunk(std::span<const uint8_t> file, size_t& at) {
 }
 
 void report_truncated(Report& report, const std::string& what) {
-    report.error("S102", {}, what, "the file is truncated: copy or export it again");
+    report.error("S102", {}, what, "copy or export the file again, because it is truncated");
 }
 
 std::optional<Container> open_binary(std::span<const uint8_t> file, Report& report) {
     if (file.size() < kHeaderBytes) {
-        report_truncated(report, "a .glb begins with 12 bytes, this file has " + std::to_string(file.size()));
+        report_truncated(report,
+                         "a .glb file has at least 12 bytes, this file has " + std::to_string(file.size()));
         return std::nullopt;
     }
     const uint32_t version = read_u32(file, 4);
     if (version != 2) {
-        report.error("S113", {},
-                     version == 1 ? "this is a binary file of glTF 1.0; weft reads glTF 2.0"
-                                  : "GLB version is " + std::to_string(version) + " when it should be 2",
-                     "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the "
-                     "scene as glTF 2.0");
+        report.error(
+            "S113", {},
+            version == 1 ? "the file is a binary file of glTF 1.0; wanted glTF 2.0"
+                         : "the version of the .glb file is " + std::to_string(version) + "; wanted 2",
+            "convert the file to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the "
+            "scene as glTF 2.0");
         return std::nullopt;
     }
     const uint32_t length = read_u32(file, 8);
     if (length > file.size() || length < kHeaderBytes) {
-        report_truncated(report, "the header says " + std::to_string(length) + " bytes, the file has " +
-                                     std::to_string(file.size()));
+        report_truncated(report, "the header of the file gives a size of " + std::to_string(length) +
+                                     " bytes, the file has " + std::to_string(file.size()));
         return std::nullopt;
     }
     file = file.first(length);
     size_t at = kHeaderBytes;
     const std::optional<Chunk> json = next_chunk(file, at);
     if (!json || json->type != kJsonChunk) {
-        report_truncated(report, "the first chunk should be JSON and end within the file");
+        report_truncated(report, "the first chunk of the file is not a complete JSON chunk");
         return std::nullopt;
     }
     Container container{as_text(json->bytes), std::nullopt};
     while (file.size() - at >= kChunkHeaderBytes) {
         const std::optional<Chunk> chunk = next_chunk(file, at);
         if (!chunk) {
-            report_truncated(report, "a chunk reaches past the end of the file");
+            report_truncated(report, "a chunk extends beyond the end of the file");
             return std::nullopt;
         }
         if (chunk->type == kBinChunk && !container.binary) container.binary = chunk->bytes;
@@ -98,8 +100,9 @@ std::optional<Container> open_container(std::span<const uint8_t> file, Report& r
     const size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || text[first] != '{') {
         const TextPosition at = position_of(text, first);
-        report.error_at("S102", at.line, at.column, "this is neither a .glb nor the JSON object of a .gltf",
-                        "name a .gltf or .glb, or export the scene again");
+        report.error_at("S102", at.line, at.column,
+                        "the file is neither a .glb nor the JSON object of a .gltf",
+                        "name a .gltf or .glb file, or export the scene again");
         return std::nullopt;
     }
     return Container{text, std::nullopt};
@@ -110,7 +113,7 @@ std::optional<uint64_t> count_values(std::string_view json, const SceneLimits& l
         report.error("S107", {},
                      "the JSON has " + std::to_string(json.size()) + " bytes, the limit is " +
                          std::to_string(limits.json_bytes),
-                     "move embedded data: URIs into .bin and image files, save as .glb, " +
+                     "store embedded data (data: URIs) in .bin and image files, save the scene as .glb, " +
                          raise_limit_text("scene.jsonBytes"));
         return std::nullopt;
     }
@@ -134,10 +137,9 @@ std::optional<uint64_t> count_values(std::string_view json, const SceneLimits& l
         report.error_at(
             "S107", at.line, at.column,
             deep ? "the JSON is nested deeper than " + std::to_string(limits.json_depth) + " levels"
-                 : "the JSON holds more than " + std::to_string(limits.json_values) + " values",
-            deep ? "glTF needs fewer than 16 levels: remove the nested extras or extensions, " +
-                       raise_limit_text("scene.jsonDepth")
-                 : "keep geometry in binary buffers and split the scene into several files, " +
+                 : "the JSON has more than " + std::to_string(limits.json_values) + " values",
+            deep ? "remove deeply nested extras or extensions, " + raise_limit_text("scene.jsonDepth")
+                 : "store geometry in binary buffers and split the scene into several files, " +
                        raise_limit_text("scene.jsonValues"));
         return std::nullopt;
     }

@@ -30,7 +30,7 @@ std::string quoted(const char* key) {
 }  // namespace
 
 std::string describe(const json& value) {
-    if (value.is_array()) return "an array of " + std::to_string(value.size());
+    if (value.is_array()) return "an array of length " + std::to_string(value.size());
     if (value.is_object()) return "an object";
     std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
     if (text.size() > 60) text = text.substr(0, 57) + "...";
@@ -49,8 +49,8 @@ std::optional<int64_t> whole_number(const json& value) {
 }
 
 void Fields::wrong(const char* key, const std::string& found, const std::string& wanted) const {
-    report_->error("S108", pointer_to(key), quoted(key) + " is " + found + " when it should be " + wanted,
-                   "correct the value or export the scene again; the glTF Validator names every such fault");
+    report_->error("S108", pointer_to(key), quoted(key) + " is " + found + "; wanted " + wanted,
+                   "correct the value or export the scene again; the glTF Validator lists all such errors");
 }
 
 void Fields::wrong(const char* key, const std::string& wanted) const {
@@ -105,7 +105,7 @@ uint32_t Fields::index(const char* key, Need need, size_t size, const char* arra
         "S110", pointer_to(key),
         quoted(key) + " is " + describe(*value) + ", but the file has " + std::to_string(size) + " " + array,
         size == 0 ? "add the missing " + std::string(array)
-                  : "use an index from 0 to " + std::to_string(size - 1));
+                  : "use an index of 0 to " + std::to_string(size - 1));
     return kNone;
 }
 
@@ -120,10 +120,10 @@ std::vector<uint32_t> Fields::indices(const char* key, uint64_t max_items, size_
             out.push_back(static_cast<uint32_t>(*number));
             continue;
         }
-        report_->error(
-            "S110", pointer_to(key) + "/" + std::to_string(i),
-            "is " + describe((*items)[i]) + ", but the file has " + std::to_string(size) + " " + array_name,
-            "name an existing one of the " + std::string(array_name));
+        report_->error("S110", pointer_to(key) + "/" + std::to_string(i),
+                       "the index is " + describe((*items)[i]) + ", but the file has " +
+                           std::to_string(size) + " " + array_name,
+                       "use the index of one of the " + std::string(array_name));
     }
     return out;
 }
@@ -132,7 +132,7 @@ std::optional<double> Fields::number(const char* key, Need need) const {
     const json* value = find(key, need);
     if (value == nullptr) return std::nullopt;
     if (is_usable_number(*value)) return value->get<double>();
-    wrong(key, "a number of at most 1e18");
+    wrong(key, "a number between -1e18 and 1e18");
     return std::nullopt;
 }
 
@@ -141,7 +141,7 @@ void Fields::number_in(const char* key, double min, double max) const {
     if (!value || (*value >= min && *value <= max)) return;
     report_->warn(
         "S154", pointer_to(key),
-        quoted(key) + " is " + describe(*value) + " and is clamped to " + describe(*value < min ? min : max),
+        quoted(key) + " is " + describe(*value) + " and was clamped to " + describe(*value < min ? min : max),
         "keep the value between " + describe(min) + " and " + describe(max));
 }
 
@@ -155,7 +155,7 @@ std::vector<double> Fields::numbers(const char* key, size_t length) const {
         if (good) out.push_back((*value)[i].get<double>());
     }
     if (good) return out;
-    wrong(key, "an array of " + std::to_string(length) + " numbers of at most 1e18");
+    wrong(key, "an array of " + std::to_string(length) + " numbers between -1e18 and 1e18");
     return {};
 }
 
@@ -175,7 +175,7 @@ std::vector<std::string> Fields::texts(const char* key, uint64_t max_items) cons
         if (item.is_string()) {
             out.push_back(item.get<std::string>());
         } else {
-            wrong(key, "an array with " + describe(item) + " in it", "an array of strings");
+            wrong(key, "an array that contains " + describe(item), "an array of strings");
         }
     }
     return out;
@@ -233,7 +233,7 @@ void Fields::each(const char* key, uint64_t max_items,
             continue;
         }
         report_->error("S108", std::move(pointer),
-                       "is " + describe((*items)[i]) + " when it should be an object",
+                       "the item is " + describe((*items)[i]) + "; wanted an object",
                        "export the scene again");
     }
 }

@@ -55,15 +55,16 @@ std::optional<json> parse_json(std::string_view text, Report& report) {
     try {
         json root = json::parse(text.begin(), text.end());
         if (root.is_object()) return root;
-        report.error("S102", {}, "the JSON is " + describe(root) + " when it should be an object",
-                     "this is not a glTF file: name a .gltf or .glb");
+        report.error("S102", {}, "the JSON is " + describe(root) + "; wanted an object",
+                     "name a .gltf or .glb file; this file is not glTF");
     } catch (const json::parse_error& fault) {
         const TextPosition at = position_of(text, fault.byte > 0 ? fault.byte - 1 : 0);
         const bool cut = fault.byte > text.size();
         report.error_at("S102", at.line, at.column,
-                        cut ? "the JSON ends in the middle" : "this is not JSON from here on",
-                        cut ? "the file is truncated: copy or export it again"
-                            : "correct the syntax at this place, or name a .gltf or .glb");
+                        cut ? "the JSON ends inside an object, array or string"
+                            : "the text is not valid JSON from this place on",
+                        cut ? "copy or export the file again, because it is truncated"
+                            : "correct the syntax at this place, or name a .gltf or .glb file");
     } catch (const std::bad_alloc&) {
         // Memory that runs out is not a fault of the file. load_gltf() catches this exception and reports it.
         throw;

@@ -78,7 +78,7 @@ class Scan {
             report_.error_at(
                 "S114", place.line, place.column,
                 "the key \"" + shortened(std::string(keys_[i].raw)) + "\" occurs twice in one object",
-                "remove one of the two: programs differ in which one they read");
+                "remove one of the two keys, because some programs read the first and others the second");
             ++named_;
         }
     }

@@ -16,10 +16,11 @@ class Loader {
             is_data_uri(uri) ? decode(uri, pointer) : read(uri, pointer);
         if (!bytes) return std::nullopt;
         if (bytes->size() > bytes_left_) {
-            report_fault(ReadFault::too_large, "the data: URI exceeds what is left of the limit", pointer);
+            report_fault(ReadFault::too_large,
+                         "the data: URI is larger than the memory that the limit leaves", pointer);
             return std::nullopt;
         }
-        if (!take_memory(memory_, {bytes->size(), "S107", pointer, "this file"}, report_))
+        if (!take_memory(memory_, {bytes->size(), "S107", pointer, "this data"}, report_))
             return std::nullopt;
         bytes_left_ -= bytes->size();
         return bytes;
@@ -29,7 +30,7 @@ class Loader {
     // to the chunk.
     bool reserve(uint64_t bytes, const std::string& pointer) {
         if (bytes > bytes_left_) {
-            report_fault(ReadFault::too_large, "the buffers exceed the limit", pointer);
+            report_fault(ReadFault::too_large, "the buffers together are larger than the limit", pointer);
             return false;
         }
         if (!take_memory(memory_, {bytes, "S107", pointer, "the buffer"}, report_)) return false;
@@ -42,7 +43,7 @@ class Loader {
         std::optional<std::vector<uint8_t>> bytes = decode_data_uri(uri);
         if (!bytes) {
             report_.error("S102", pointer, "the data: URI is not valid base64",
-                          "the file is damaged: export it again");
+                          "export the file again, because it is damaged");
         }
         return bytes;
     }
@@ -60,7 +61,7 @@ class Loader {
         switch (fault) {
             case ReadFault::escapes:
                 report_.error("S103", pointer, message,
-                              "copy the file into the scene's folder and refer to it by a relative URI");
+                              "copy the file into the scene's folder, and use a relative URI");
                 break;
             case ReadFault::too_large:
                 report_.error("S107", pointer, message,
@@ -69,7 +70,8 @@ class Loader {
                 break;
             case ReadFault::missing:
             case ReadFault::unreadable:
-                report_.error("S101", pointer, message, "put the file beside the scene, with this name");
+                report_.error("S101", pointer, message,
+                              "put the file beside the scene, under the name in the URI");
                 break;
         }
     }
@@ -82,8 +84,9 @@ class Loader {
 
 void report_short_buffer(Report& report, const std::string& pointer, uint64_t wanted, uint64_t found) {
     report.error("S104", pointer + "/byteLength",
-                 "the buffer says " + std::to_string(wanted) + " bytes, there are " + std::to_string(found),
-                 "the buffer is truncated: copy or export the scene again");
+                 "\"byteLength\" is " + std::to_string(wanted) + ", but the data of the buffer has " +
+                     std::to_string(found) + " bytes",
+                 "copy or export the scene again, because the buffer is truncated");
 }
 
 void load_buffer(Loader& loader, const BufferSource& source, std::optional<std::span<const uint8_t>> binary,
@@ -96,8 +99,9 @@ void load_buffer(Loader& loader, const BufferSource& source, std::optional<std::
         buffer = std::move(*bytes);
     } else {
         if (!binary || index != 0) {
-            report.error("S101", pointer, "the buffer has no URI and the file has no binary chunk for it",
-                         "add \"uri\", or save the scene as .glb with its buffer first");
+            report.error("S101", pointer,
+                         "the buffer has no \"uri\", and the file has no binary chunk for the buffer",
+                         "add \"uri\", or save the scene as .glb with this buffer as the first");
             return;
         }
         if (source.length_bytes > binary->size()) {

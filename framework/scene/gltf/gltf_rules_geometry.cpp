@@ -45,8 +45,8 @@ void check_view(Checker& c, const Fields& view) {
     if (buffer == kNone || offset + length <= c.out.buffers[buffer].length_bytes) return;
     c.report.error("S104", view.pointer_to("byteLength"),
                    "the view covers bytes " + std::to_string(offset) + " to " +
-                       std::to_string(offset + length) + ", buffer " + std::to_string(buffer) + " has " +
-                       std::to_string(c.out.buffers[buffer].length_bytes),
+                       std::to_string(offset + length) + ", but buffer " + std::to_string(buffer) +
+                       " has only " + std::to_string(c.out.buffers[buffer].length_bytes) + " bytes",
                    "shorten the view or export the scene again");
 }
 
@@ -76,9 +76,9 @@ void check_extent(Checker& c, const std::string& pointer, uint32_t view, const R
     c.report.error("S104", pointer,
                    std::to_string(range.count) + " elements need " +
                        (end ? std::to_string(*end) + " bytes" : std::string("more than 2^64 bytes")) +
-                       ", buffer view " + std::to_string(view) + " has " +
-                       std::to_string(c.view_lengths[view]),
-                   "lower the count to what the buffer holds or export the scene again");
+                       ", but buffer view " + std::to_string(view) + " has only " +
+                       std::to_string(c.view_lengths[view]) + " bytes",
+                   "lower \"count\" to the number of elements in the buffer view, or export the scene again");
 }
 
 void check_sparse(Checker& c, const Fields& accessor, uint64_t accessor_count, uint64_t element) {
@@ -91,8 +91,8 @@ void check_sparse(Checker& c, const Fields& accessor, uint64_t accessor_count, u
     c.sparse_values += count;
     if (c.sparse_values > c.limits.vertices && c.sparse_values - count <= c.limits.vertices)
         c.report.error("S107", sparse->pointer_to("count"),
-                       "the sparse accessors have " + std::to_string(c.sparse_values) +
-                           " values up to here, the limit is " + std::to_string(c.limits.vertices),
+                       "the sparse accessors up to this one have " + std::to_string(c.sparse_values) +
+                           " values together, the limit is " + std::to_string(c.limits.vertices),
                        "export without sparse accessors, " + raise_limit_text("scene.vertices"));
     const std::optional<Fields> indices = sparse->object("indices", Need::required);
     const std::optional<Fields> values = sparse->object("values", Need::required);
@@ -125,15 +125,16 @@ void check_accessor_data(Checker& c, const Fields& accessor, uint64_t count, uin
         // applies.
         if (count <= c.limits.vertices) return;
         c.report.error("S107", accessor.pointer_to("count"),
-                       std::to_string(count) + " elements without a buffer view, the limit is " +
+                       "the accessor has " + std::to_string(count) +
+                           " elements without a buffer view, the limit is " +
                            std::to_string(c.limits.vertices),
-                       "lower the count, " + raise_limit_text("scene.vertices"));
+                       "lower \"count\", " + raise_limit_text("scene.vertices"));
         return;
     }
     const uint64_t stride = c.view_strides[view] != 0 ? c.view_strides[view] : element;
     if (stride < element) {
-        accessor.wrong("bufferView", "a view of stride " + std::to_string(stride),
-                       "one of at least the " + std::to_string(element) + " bytes of an element");
+        accessor.wrong("bufferView", "a view with a stride of " + std::to_string(stride) + " bytes",
+                       "a stride of at least " + std::to_string(element) + " bytes, the size of an element");
     }
     check_extent(c, accessor.pointer_to("count"), view, {offset, stride, count, element});
 }
@@ -162,15 +163,16 @@ void check_attribute(Checker& c, const Fields& attributes, const char* key, uint
     const AccessorShape& shape = c.accessors[index];
     const bool without_alpha = std::string_view(key) == "COLOR_0" && shape.components == 3;
     if (shape.components != components && !without_alpha) {
-        attributes.wrong(key, "an accessor of " + std::to_string(shape.components) + " components",
-                         "one of " + std::to_string(components));
+        attributes.wrong(key, "an accessor with " + std::to_string(shape.components) + " components",
+                         "an accessor with " + std::to_string(components));
     }
     if (shape.component_type == static_cast<uint64_t>(ComponentType::u32)) {
-        attributes.wrong(key, "an accessor of 32-bit integers", "one of floats, or of 8- or 16-bit integers");
+        attributes.wrong(key, "an accessor of 32-bit integers",
+                         "an accessor of floats, or of 8- or 16-bit integers");
     }
     if (shape.count != count) {
-        attributes.wrong(key, "an accessor of " + std::to_string(shape.count) + " elements",
-                         "one of " + std::to_string(count) + ", as POSITION");
+        attributes.wrong(key, "an accessor with " + std::to_string(shape.count) + " elements",
+                         "an accessor with " + std::to_string(count) + " elements, as many as POSITION has");
     }
 }
 

@@ -18,8 +18,7 @@ constexpr const char* kConvertOldFile =
 void check_version(const Fields& asset, const char* key, bool fine, const std::string& version,
                    Report& report) {
     if (fine) return;
-    report.error("S113", asset.pointer_to(key),
-                 "glTF version is \"" + version + "\" when it should be \"2.0\"",
+    report.error("S113", asset.pointer_to(key), "the glTF version is \"" + version + "\"; wanted \"2.0\"",
                  "export the scene as glTF 2.0");
 }
 
@@ -39,7 +38,7 @@ bool is_gltf_1(const Fields& root) {
 void check_asset(Checker& c) {
     if (is_gltf_1(c.root)) {
         c.report.error("S113", c.root.has("asset") ? "/asset/version" : "/asset",
-                       "this is a glTF 1.0 file; weft reads glTF 2.0", kConvertOldFile);
+                       "the file is a glTF 1.0 file; wanted glTF 2.0", kConvertOldFile);
         return;
     }
     const std::optional<Fields> asset = c.root.object("asset", Need::required);
@@ -58,7 +57,7 @@ void check_extensions(Checker& c) {
         if (is_known_extension(required[i])) continue;
         c.report.error("S105", "/extensionsRequired/" + std::to_string(i),
                        "the file requires the extension " + required[i] + ", which is not supported",
-                       "export without " + required[i] + "; compressed meshes and textures are not read");
+                       "export without " + required[i] + "; Weft reads no compressed meshes and textures");
     }
     const std::vector<std::string> used = c.root.texts("extensionsUsed", kMaxExtensions);
     for (size_t i = 0; i < used.size(); ++i) {
@@ -66,7 +65,7 @@ void check_extensions(Checker& c) {
         if (told || is_known_extension(used[i])) continue;
         c.report.warn("S150", "/extensionsUsed/" + std::to_string(i),
                       "the extension " + used[i] + " is ignored",
-                      "the scene may look different than intended; export without it to be sure");
+                      "export without the extension if the scene does not look as intended");
     }
 }
 

@@ -20,8 +20,8 @@ float number_within(const Fields& fields, const char* key, double fallback, doub
 
 void warn_of_clamps(Checker& c, const Fields& fields, const char* key, double low, double high) {
     c.report.warn("S154", fields.pointer_to(key),
-                  "\"" + std::string(key) + "\" has numbers out of range, which are clamped",
-                  "keep them between " + describe(low) + " and " + describe(high));
+                  "\"" + std::string(key) + "\" has numbers out of range, which were clamped",
+                  "keep the numbers between " + describe(low) + " and " + describe(high));
 }
 
 template <class Vector>
@@ -46,8 +46,8 @@ void warn_of_others(Checker& c, const Fields& fields, std::initializer_list<cons
     for (const std::string& key : fields.keys()) {
         if (std::ranges::find(known, key) != known.end()) continue;
         c.report.warn("S153", fields.pointer_to(key),
-                      "\"" + shortened(key) + "\" means nothing here and is ignored",
-                      "what is read: " + names);
+                      "\"" + shortened(key) + "\" is not a key of this object and is ignored",
+                      "remove it, or use one of the keys " + names);
     }
 }
 
@@ -91,7 +91,7 @@ void check_extras(Checker& c, const Fields& extras, const std::string& type, Lig
     warn_of_others(c, extras, {"type", "size", "length", "radius", "function"});
     read_shape(c, extras, out);
     const bool parallel = type == "directional";
-    if (out.shape && parallel) extras.wrong("type", "left out, because the light is directional");
+    if (out.shape && parallel) extras.wrong("type", "no \"type\", because the light is directional");
     if (const std::optional<Fields> function = extras.object("function", Need::optional))
         out.function = read_function(c, *function, parallel);
 }
@@ -108,8 +108,9 @@ void check_light_extras(Checker& c, const nlohmann::json& extras) {
         if (ours.is_null()) return;
         const std::string place = light.pointer_to("extras/weft");
         if (!ours.is_object()) {
-            c.report.error("S108", place, "\"weft\" is " + describe(ours) + " when it should be an object",
-                           "write { \"type\": \"rectangle\", \"size\": [1, 1] }, or leave it out");
+            c.report.error(
+                "S108", place, "\"weft\" is " + describe(ours) + "; wanted an object",
+                "write for example { \"type\": \"rectangle\", \"size\": [1, 1] }, or remove the key");
             return;
         }
         const std::string type = light.text("type", Need::required).value_or("");

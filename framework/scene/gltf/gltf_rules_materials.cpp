@@ -21,9 +21,10 @@ void check_images(Checker& c) {
         source.uri = image.text("uri", Need::optional).value_or("");
         source.view = image.index("bufferView", Need::optional, c.view_lengths.size(), "bufferViews");
         if (image.has("uri") == image.has("bufferView")) {
-            image.wrong("uri",
-                        image.has("uri") ? "given beside \"bufferView\"" : "missing, as is \"bufferView\",",
-                        "exactly one of the two");
+            image.wrong(
+                "uri",
+                image.has("uri") ? "given together with \"bufferView\"" : "missing, and so is \"bufferView\"",
+                "exactly one of the two keys");
         }
         c.out.images.push_back(std::move(source));
     });
@@ -33,7 +34,7 @@ void check_texture(Checker& c, const Fields& texture) {
     texture.index("source", Need::optional, c.sizes["images"], "images");
     texture.index("sampler", Need::optional, c.sizes["samplers"], "samplers");
     if (texture.has("source")) return;
-    c.report.warn("S153", texture.pointer(), "the texture has no PNG or JPEG source and is left out",
+    c.report.warn("S153", texture.pointer(), "the texture has no PNG or JPEG image and is ignored",
                   "export textures as PNG or JPEG");
 }
 
@@ -51,9 +52,10 @@ void check_texture_info(Checker& c, const Fields& parent, const char* key) {
         set = transform->integer("texCoord", Need::optional, 0, 64).value_or(set);
     }
     if (set <= 1) return;
-    c.report.warn("S153", info->pointer_to("texCoord"),
-                  "texture coordinate set " + std::to_string(set) + " is not read, set 0 is used instead",
-                  "export this texture with TEXCOORD_0 or TEXCOORD_1");
+    c.report.warn(
+        "S153", info->pointer_to("texCoord"),
+        "texture coordinate set " + std::to_string(set) + " is not supported; set 0 is used instead",
+        "export this texture with TEXCOORD_0 or TEXCOORD_1");
 }
 
 void check_material_extensions(Checker& c, const Fields& material) {
@@ -63,8 +65,8 @@ void check_material_extensions(Checker& c, const Fields& material) {
         for (const char* key : {"specularTexture", "specularColorTexture"}) {
             if (!specular->has(key)) continue;
             c.report.warn("S153", specular->pointer_to(key),
-                          std::string(key) + " is ignored, its factor is used",
-                          "bake an average into the factor");
+                          std::string(key) + " is ignored; only the factor is used",
+                          "set the factor to the average of the texture");
         }
     }
     if (const auto ior = material.extension("KHR_materials_ior")) ior->number_in("ior", 0, kUnbounded);

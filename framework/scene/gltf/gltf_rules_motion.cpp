@@ -36,10 +36,9 @@ void check_skins(Checker& c, const std::vector<std::string>& nodes, const std::v
         node.index("skin", Need::optional, c.sizes["skins"], "skins");
         const uint32_t mesh = node.index("mesh", Need::optional, meshes.size(), "meshes");
         if (mesh == kNone || mesh >= meshes.size()) return;
-        c.report.warn(
-            "S153", node.pointer_to("skin"),
-            name + ": the skin is ignored, " + meshes[mesh] + " is shown at rest, as it was modelled",
-            "bake the pose into the mesh if it matters");
+        c.report.warn("S153", node.pointer_to("skin"),
+                      name + ": the skin is ignored, so " + meshes[mesh] + " is shown without a pose",
+                      "apply the wanted pose to the mesh before exporting");
     });
 }
 
@@ -52,10 +51,10 @@ void check_morphs(Checker& c, const std::vector<std::string>& meshes) {
             targets = std::max(targets, primitive.array_size("targets", c.limits.array_items));
         });
         if (targets == 0) return;
-        c.report.warn(
-            "S153", mesh.pointer(),
-            name + ": its morph targets, " + std::to_string(targets) + ", are ignored, its base is shown",
-            "apply the shape before exporting");
+        c.report.warn("S153", mesh.pointer(),
+                      name + ": morph targets (" + std::to_string(targets) +
+                          ") are ignored, so the base shape is shown",
+                      "apply the wanted shape before exporting");
     });
 }
 
@@ -72,7 +71,8 @@ void check_animations(Checker& c, const std::vector<std::string>& nodes) {
             if (node != kNone) moved.insert(node);
         });
         c.report.warn("S153", animation.pointer(),
-                      name + " is not played" + (moved.empty() ? "" : "; at rest: " + first_of(moved, nodes)),
+                      name + " is not played" +
+                          (moved.empty() ? "" : "; these nodes do not move: " + first_of(moved, nodes)),
                       "apply the wanted pose before exporting");
     });
 }

@@ -13,9 +13,9 @@ void warn_of_cones(const Fields& cone, Report& report) {
     const double outer = cone.number("outerConeAngle", Need::optional).value_or(kHalfPi / 2);
     if (inner < outer) return;
     report.warn("S154", cone.pointer(),
-                "the inner cone, " + describe(inner) + ", is not inside the outer one, " + describe(outer) +
-                    "; the edge is made hard",
-                "make innerConeAngle the smaller one");
+                "innerConeAngle is " + describe(inner) + ", which is not less than outerConeAngle, " +
+                    describe(outer) + "; the light gets a hard edge",
+                "make innerConeAngle less than outerConeAngle");
 }
 
 void check_light(const Fields& light, Report& report) {
@@ -27,8 +27,8 @@ void check_light(const Fields& light, Report& report) {
     light.number_in("intensity", 0, kUnbounded);
     if (const std::optional<double> range = light.number("range", Need::optional); range && *range <= 0)
         report.warn("S154", light.pointer_to("range"),
-                    "\"range\" is " + describe(*range) + " and is taken as unlimited",
-                    "give it a range above 0, or none");
+                    "\"range\" is " + describe(*range) + " and is ignored, so the light has no limit",
+                    "give the light a range above 0, or remove \"range\"");
     const std::optional<Fields> cone = light.object("spot", type == "spot" ? Need::required : Need::optional);
     if (!cone) return;
     cone->number_in("innerConeAngle", 0, kHalfPi);
@@ -42,14 +42,14 @@ void warn_of_unused(const Fields& perspective, double near, Report& report) {
     const std::optional<double> far = perspective.number("zfar", Need::optional);
     if (far && *far <= near)
         report.warn("S154", perspective.pointer_to("zfar"),
-                    "\"zfar\" is " + describe(*far) + ", which is not beyond \"znear\", " + describe(near) +
-                        "; it is not used",
-                    "give the camera a zfar above its znear, or none");
+                    "\"zfar\" is " + describe(*far) + ", which is not greater than \"znear\", " +
+                        describe(near) + "; \"zfar\" is ignored",
+                    "make \"zfar\" greater than \"znear\", or remove \"zfar\"");
     const std::optional<double> aspect = perspective.number("aspectRatio", Need::optional);
     if (aspect && *aspect <= 0)
         report.warn("S154", perspective.pointer_to("aspectRatio"),
-                    "\"aspectRatio\" is " + describe(*aspect) + "; it is not used",
-                    "give the camera an aspectRatio above 0, or none");
+                    "\"aspectRatio\" is " + describe(*aspect) + " and is ignored",
+                    "give the camera an \"aspectRatio\" above 0, or remove the key");
 }
 
 void check_camera(Checker& c, const Fields& camera, size_t self) {
@@ -58,7 +58,7 @@ void check_camera(Checker& c, const Fields& camera, size_t self) {
     if (type == "orthographic") {
         camera.object("orthographic", Need::required);
         c.report.warn("S153", camera.pointer(),
-                      label("camera", self, name) + " is orthographic and is left out",
+                      label("camera", self, name) + " is orthographic and is ignored",
                       "use a perspective camera");
         return;
     }
@@ -67,9 +67,9 @@ void check_camera(Checker& c, const Fields& camera, size_t self) {
     if (!perspective) return;
     const std::optional<double> fov = perspective->number("yfov", Need::required);
     if (fov && (*fov <= 0 || *fov > kMaxFovRad))
-        perspective->wrong("yfov", "above 0 and at most 3.1 radians");
+        perspective->wrong("yfov", "an angle above 0 and at most 3.1 radians");
     const std::optional<double> near = perspective->number("znear", Need::required);
-    if (near && *near <= 0) perspective->wrong("znear", "above 0");
+    if (near && *near <= 0) perspective->wrong("znear", "a number above 0");
     warn_of_unused(*perspective, near.value_or(0), c.report);
 }
 
@@ -91,7 +91,7 @@ void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
         if (path.size() > parent.size()) {
             c.report.error(
                 "S109", pointer + "/children",
-                "node " + std::to_string(start) + " is its own descendant: the children form a cycle",
+                "node " + std::to_string(start) + " is its own descendant, because \"children\" form a cycle",
                 "remove the child that closes the cycle");
             return;
         }
@@ -101,7 +101,7 @@ void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
             c.report.error("S109", pointer,
                            "the node is " + std::to_string(levels) + " levels deep, the limit is " +
                                std::to_string(c.limits.node_depth),
-                           "flatten the hierarchy, " + raise_limit_text("scene.nodeDepth"));
+                           "use fewer levels of nodes, " + raise_limit_text("scene.nodeDepth"));
             return;
         }
     }
@@ -117,8 +117,8 @@ void check_rotation(const Fields& node, Report& report) {
     if (std::abs(length - 1) <= kRounding) return;
     const bool is_zero = length <= kNone_length;
     report.warn(is_zero ? "S152" : "S154", node.pointer_to("rotation"),
-                is_zero ? "the rotation is zero and is replaced by [0, 0, 0, 1]: the node is not turned"
-                        : "the rotation has length " + describe(length) + " and is brought to length 1",
+                is_zero ? "the rotation is zero and was replaced by [0, 0, 0, 1], which means no rotation"
+                        : "the rotation has length " + describe(length) + " and was normalised to length 1",
                 "write rotations as unit quaternions [x, y, z, w]");
 }
 
@@ -132,8 +132,8 @@ void check_scale(const Fields& node, Report& report) {
                     (zeros == 1   ? "one axis"
                      : zeros == 2 ? "two axes"
                                   : "all axes") +
-                    (zeros == 1 ? ": the node and what is below it are flat"
-                                : ": nothing of the node and what is below it can be seen"),
+                    (zeros == 1 ? ", so the node and its descendants are flat"
+                                : ", so the node and its descendants are invisible"),
                 "give the node a scale above 0, or remove it");
 }
 
@@ -146,13 +146,13 @@ void check_matrix(const Fields& node, Report& report) {
     const double last_row = std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1);
     if (last_row > kRounding)
         report.warn("S154", node.pointer_to("matrix"),
-                    "the last row of the matrix is not 0, 0, 0, 1, and is taken as that",
-                    "end each of its four columns in 0, 0, 0 and 1");
+                    "the last row of the matrix is not 0, 0, 0, 1 and was replaced by it",
+                    "end the four columns of the matrix in 0, 0, 0 and 1");
     const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
                                m[8] * (m[1] * m[6] - m[2] * m[5]);
     if (determinant == 0)
         report.warn("S152", node.pointer_to("matrix"),
-                    "the matrix has the determinant 0: the node and what is below it are flat",
+                    "the matrix has the determinant 0, so the node and its descendants are flat",
                     "give the node a scale above 0, or remove it");
 }
 
@@ -175,7 +175,7 @@ void check_node(Checker& c, const Fields& node, uint32_t self, std::vector<uint3
         c.report.error(
             "S109", node.pointer_to("children"),
             "node " + std::to_string(child) + " is already a child of node " + std::to_string(parent[child]),
-            "give every node one parent; show a mesh twice through two nodes");
+            "give every node one parent; to show a mesh twice, use two nodes");
     }
 }
 
@@ -207,9 +207,8 @@ void warn_of_other_scenes(Checker& c, uint32_t chosen) {
         if (!name.empty()) others += " \"" + shortened(name) + "\"";
     });
     if (named > kMaxNamed) others += ", ...";
-    c.report.warn("S153", "/scenes",
-                  "scene " + std::to_string(chosen) + " is shown, the others are left out: " + others,
-                  "set \"scene\" to the index of the one to show");
+    c.report.warn("S153", "/scenes", "only scene " + std::to_string(chosen) + " is shown; ignored: " + others,
+                  "set \"scene\" to the index of the scene to show");
 }
 
 }  // namespace

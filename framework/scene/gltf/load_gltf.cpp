@@ -33,8 +33,9 @@ fs::path find_file(const fs::path& path, gltf::Report& report) {
     std::error_code failed;
     if (!fs::is_directory(path, failed)) {
         if (fs::exists(path, failed)) return path;
-        report.error("S101", {}, "there is no file or folder \"" + path.string() + "\"",
-                     "check the path; a scene is a .gltf, a .glb, a folder that holds one, or builtin:NAME");
+        report.error(
+            "S101", {}, "there is no file or folder \"" + path.string() + "\"",
+            "check the path: name a .gltf or .glb file, a folder that contains one, or builtin:NAME");
         return {};
     }
     std::vector<fs::path> found;
@@ -47,8 +48,8 @@ fs::path find_file(const fs::path& path, gltf::Report& report) {
     for (const fs::path& file : found) names += (names.empty() ? ": " : ", ") + file.filename().string();
     report.error(
         "S101", {},
-        "the folder holds " + std::to_string(found.size()) + " glTF files when it should hold one" + names,
-        found.empty() ? "name a folder with a .gltf or .glb in it" : "name one of the files");
+        "the folder contains " + std::to_string(found.size()) + " glTF files; wanted exactly one" + names,
+        found.empty() ? "name a folder that contains a .gltf or .glb file" : "name one of the files");
     return {};
 }
 
@@ -62,7 +63,7 @@ FileBytes read_scene_file(const fs::path& file, const SceneLimits& limits, Memor
         large ? "S107" : "S101", {}, bytes.message,
         large ? "split the scene into several files, or raise scene.resourceBytes or scene.memoryBytes "
                 "with --limits"
-              : "check that the file exists and may be read");
+              : "check that the file exists and can be read");
     return bytes;
 }
 
@@ -163,10 +164,8 @@ Result<Scene> load_gltf(const fs::path& file_or_folder, Diagnostics& warnings, c
     try {
         scene = load_scene(file, limits, options, report);
     } catch (const std::bad_alloc&) {
-        report.error(
-            "X571", {}, "memory ran out while the scene was loaded",
-            "close other programs, or simplify the scene; a lower scene.memoryBytes in a file of --limits "
-            "refuses such scenes");
+        report.error("X571", {}, "memory ran out while the scene was loaded",
+                     "close other programs, or simplify the scene");
     }
     for (Diagnostic& warning : report.take_warnings()) warnings.push_back(std::move(warning));
     if (report.failed()) return report.take_errors();

@@ -150,8 +150,8 @@ class Builder {
         if (primitive.second_uv != kNone) return;
         report_.warn("S160", from.attributes + "/TEXCOORD_1",
                      "a texture of " + gltf::label("material", primitive.material, material.name) +
-                         " reads TEXCOORD_1, which " + label_ + " lacks; set 0 is used instead",
-                     "give the mesh a second set of texture coordinates");
+                         " uses TEXCOORD_1, which " + label_ + " does not have; TEXCOORD_0 is used instead",
+                     "give the mesh a second set of texture coordinates (TEXCOORD_1)");
     }
 
     std::vector<uint32_t> read_indices(const Primitive& primitive, uint64_t vertices,
@@ -171,8 +171,8 @@ class Builder {
         }
         if (primitive.mode == kTriangles && count % 3 != 0) {
             report_.warn("S156", pointer,
-                         label_ + ": " + std::to_string(count) +
-                             " corners are not a multiple of 3, the rest is left out",
+                         label_ + ": the number of indices, " + std::to_string(count) +
+                             ", is not a multiple of 3; the last incomplete triangle is ignored",
                          "export the mesh as triangles");
             count -= count % 3;
         }
@@ -210,8 +210,8 @@ class Builder {
         is_full_ = true;
         report_.error(
             "S107", pointer,
-            "the scene has " + std::to_string(found) + " " + what + " up to here, the limit is " +
-                std::to_string(limit),
+            "the meshes up to this one have " + std::to_string(found) + " " + what +
+                " together, the limit is " + std::to_string(limit),
             "simplify the meshes or split the scene, " + raise_limit_text("scene." + std::string(what)));
     }
 
@@ -226,11 +226,10 @@ class Builder {
             for (size_t k = 0; k < 3; ++k) indices[kept++] = indices[i + k];
         }
         if (kept == indices.size()) return;
-        report_.warn(
-            "S152", pointer + "/attributes/POSITION",
-            label_ + ": " + std::to_string((indices.size() - kept) / 3) +
-                " triangles have a position that is not finite, or farther out than 1e12 m, and are left out",
-            "remove NaN and infinite positions from the mesh");
+        report_.warn("S152", pointer + "/attributes/POSITION",
+                     label_ + ": " + std::to_string((indices.size() - kept) / 3) +
+                         " triangles have a position that is not finite or beyond 1e12 m, and are ignored",
+                     "remove NaN, infinite and very large positions from the mesh");
         indices.resize(kept);
     }
 
@@ -268,13 +267,13 @@ bool is_drawable(const Primitive& primitive, const std::string& label, const std
     static constexpr std::array<const char*, 4> kModes{"points", "lines", "a line loop", "a line strip"};
     if (!has_triangles(primitive.mode)) {
         report.warn("S151", pointer + "/mode",
-                    label + " is " + std::string(kModes[std::min<uint32_t>(primitive.mode, 3)]) +
-                        " and is left out: only triangles are drawn",
+                    label + " consists of " + std::string(kModes[std::min<uint32_t>(primitive.mode, 3)]) +
+                        " and is ignored, because Weft draws only triangles",
                     "export the mesh as triangles");
         return false;
     }
     if (primitive.position == kNone) {
-        report.warn("S156", pointer + "/attributes", label + " has no POSITION and is left out",
+        report.warn("S156", pointer + "/attributes", label + " has no POSITION and is ignored",
                     "add positions or remove the primitive");
         return false;
     }

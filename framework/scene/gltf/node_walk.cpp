@@ -125,8 +125,9 @@ void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t d
         if (!is_usable_transform(world)) {
             report.warn("S152", "/nodes/" + std::to_string(visit.node),
                         label("node", visit.node, node.name) +
-                            ": its transform leaves the range of numbers; it and its children are left out",
-                        "correct the matrix or scale of the node or of its parents");
+                            ": the transform in the scene is too large or not finite; the node and its "
+                            "descendants are ignored",
+                        "correct the matrix or scale of the node or of one of its parents");
             continue;
         }
         if (!take_memory(

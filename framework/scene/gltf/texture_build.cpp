@@ -73,7 +73,7 @@ std::string size_text(const ImageSize& size) {
 
 void report_undecodable(Report& report, uint32_t image, const std::string& name, const std::string& why) {
     report.error("S112", image_pointer(image), "image \"" + shortened(name) + "\" cannot be decoded: " + why,
-                 "save it as PNG or JPEG again");
+                 "save the image as PNG or JPEG again");
 }
 
 // Returns the size of the full mip chain in bytes, at four bytes per texel.
@@ -134,13 +134,13 @@ class ImageSizes {
         const std::string& name = document_.images[image].name;
         std::optional<ImageSize> size = read_image_size(encoded_bytes(document_, image));
         if (!size) {
-            report_undecodable(report_, image, name, "it is neither PNG nor JPEG, or cut short");
+            report_undecodable(report_, image, name, "the file is neither PNG nor JPEG, or is truncated");
             return std::nullopt;
         }
         if (std::max(size->width_px, size->height_px) <= limits_.image_side_px) return size;
         report_.error("S106", image_pointer(image),
                       "image \"" + shortened(name) + "\" is " + size_text(*size) + ", the limit is " +
-                          std::to_string(limits_.image_side_px) + " a side",
+                          std::to_string(limits_.image_side_px) + " px per side",
                       "scale the image down, " + raise_limit_text("scene.imageSidePx"));
         return std::nullopt;
     }

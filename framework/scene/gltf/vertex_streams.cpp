@@ -17,8 +17,8 @@ void warn_mended(const StreamSource& from, const std::string& name, size_t count
     if (count == 0) return;
     from.report.warn(
         "S152", from.attributes + "/" + name,
-        from.mesh + ": " + std::to_string(count) + " " + what + " are not finite or zero and were replaced",
-        "recompute the " + std::string(what) + " before exporting");
+        from.mesh + ": " + std::to_string(count) + " " + what + " are zero or not finite and were replaced",
+        "compute the " + std::string(what) + " again before exporting");
 }
 
 }  // namespace
@@ -30,7 +30,8 @@ std::optional<AccessorReader> open_accessor(const Document& document, uint32_t a
     if (!reader) {
         report.error("S104", pointer,
                      "accessor " + std::to_string(accessor) +
-                         " reaches past its bytes, or its sparse indices do not ascend within its count",
+                         " extends beyond its buffer view, or its sparse indices are not ascending and below "
+                         "\"count\"",
                      "export the scene again");
     }
     return reader;
@@ -77,8 +78,8 @@ std::vector<glm::vec4> read_colors(const StreamSource& from, uint32_t accessor) 
     if (clamped > 0) {
         from.report.warn("S154", from.attributes + "/COLOR_0",
                          from.mesh + ": " + std::to_string(clamped) +
-                             " vertex colours lie outside 0 to 1 and were clamped",
-                         "integers have to be \"normalized\"; move brightness into the light");
+                             " vertex colours are outside the range 0 to 1 and were clamped",
+                         "set \"normalized\" for integers; for more brightness, use brighter lights");
     }
     if (std::ranges::all_of(colors, [](const glm::vec4& c) { return c == glm::vec4(1); })) return {};
     return colors;

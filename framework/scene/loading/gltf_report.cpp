@@ -57,7 +57,7 @@ void Report::warn(const char* code, std::string pointer, std::string message, st
 Diagnostics Report::take_errors() {
     if (error_count_ > kMaxErrors) {
         errors_.back().notes.push_back(
-            {file_, 0, 0, "and " + std::to_string(error_count_ - kMaxErrors) + " more errors in this file"});
+            {file_, 0, 0, "the file has " + std::to_string(error_count_ - kMaxErrors) + " more errors"});
     }
     return std::move(errors_);
 }
@@ -66,7 +66,8 @@ Diagnostics Report::take_warnings() {
     for (const auto& [code, count] : warnings_by_code_) {
         if (count <= kMaxWarningsPerCode) continue;
         const std::string more = std::to_string(count - kMaxWarningsPerCode);
-        warnings_.push_back(make(Severity::warning, code, file_, "and " + more + " more of the same kind"));
+        warnings_.push_back(
+            make(Severity::warning, code, file_, more + " more warnings of this kind are not shown"));
     }
     return std::move(warnings_);
 }

@@ -14,7 +14,7 @@ std::string mebibytes(uint64_t bytes) {
 bool take_memory(MemoryBudget& budget, const MemoryRequest& request, Report& report) {
     if (budget.take(request.bytes)) return true;
     report.error(request.code, request.pointer,
-                 request.what + " would bring the memory of the scene, its GPU copy included, to " +
+                 "with " + request.what + ", the scene and its copy on the GPU need " +
                      mebibytes(saturating_add(budget.taken_bytes(), request.bytes)) + ", the limit is " +
                      mebibytes(budget.limit_bytes()),
                  request.remedy + ", " + raise_limit_text("scene.memoryBytes"));

@@ -36,9 +36,9 @@ FileBytes read_file(const fs::path& file, uint64_t max_bytes, LastLink link) {
         case FileFault::too_large:
             break;
     }
-    return fault(ReadFault::too_large, name + " holds " + std::to_string(read.size_bytes) +
-                                           " bytes, more than the " + std::to_string(max_bytes) +
-                                           " that are left of the limit");
+    return fault(ReadFault::too_large, name + " has " + std::to_string(read.size_bytes) +
+                                           " bytes, but the limit leaves only " + std::to_string(max_bytes) +
+                                           " bytes");
 }
 
 int hex_digit(char c) {
@@ -74,13 +74,13 @@ FileBytes RootedFolder::read(std::string_view uri, uint64_t max_bytes) const {
     const fs::path relative(*decoded);
     if (has_scheme(uri) || has_scheme(*decoded) || decoded->find('\\') != std::string::npos ||
         climbs_out(relative)) {
-        return fault(ReadFault::escapes, "\"" + shown + "\" leaves the scene's folder");
+        return fault(ReadFault::escapes, "\"" + shown + "\" leads out of the scene's folder");
     }
-    if (root_.empty()) return fault(ReadFault::missing, "the scene's folder is missing");
+    if (root_.empty()) return fault(ReadFault::missing, "the scene's folder does not exist");
     const RealFile real = find_real_file(root_ / relative, std::span(&root_, 1));
     if (real.path.empty()) return fault(ReadFault::missing, "\"" + shown + "\" does not exist");
     if (!real.is_inside) {
-        return fault(ReadFault::escapes, "\"" + shown + "\" is a link that leaves the scene's folder");
+        return fault(ReadFault::escapes, "\"" + shown + "\" is a link that leads out of the scene's folder");
     }
     return read_file(real.path, max_bytes, LastLink::refused);
 }

@@ -61,30 +61,30 @@ bool is_unit(const glm::vec3& v) {
 
 void clamp_axes(Light& light, Faults& faults) {
     if (!is_unit(light.direction)) {
-        faults.add("its direction was no unit vector");
+        faults.add("the direction was not a unit vector");
         light.direction = unit_or(light.direction, {0, 0, -1});
     }
     const glm::vec3 side = light.side - light.direction * glm::dot(light.side, light.direction);
     if (light.side != glm::vec3(0) && !(glm::length(side) > 1e-3f && finite(side)))
-        faults.add("its side did not lie across its direction");
+        faults.add("the side was not perpendicular to the direction");
     light.side = finite(side) && glm::length(side) > 1e-3f ? glm::normalize(side) : across(light.direction);
 }
 
 void clamp_shape(Light& light, Faults& faults) {
     if (light.type == LightType::rectangle || light.type == LightType::capsule) {
         const float least = light.type == LightType::rectangle ? kMinHalfSize_m : 0;
-        faults.clamp(light.half_size_m.x, least, kMaxHalfSize_m, "its size was out of range");
-        faults.clamp(light.half_size_m.y, kMinHalfSize_m, kMaxHalfSize_m, "its size was out of range");
+        faults.clamp(light.half_size_m.x, least, kMaxHalfSize_m, "the size was out of range");
+        faults.clamp(light.half_size_m.y, kMinHalfSize_m, kMaxHalfSize_m, "the size was out of range");
     }
     if (light.type != LightType::spot) return;
-    faults.clamp(light.outer_cone_rad, 0, kHalfPi, "its outer cone was not within 0 to 90°");
+    faults.clamp(light.outer_cone_rad, 0, kHalfPi, "the outer cone was not within 0 to 90°");
     faults.clamp(light.inner_cone_rad, 0, light.outer_cone_rad,
-                 "its inner cone was not within the outer one");
+                 "the inner cone was not within the outer cone");
 }
 
 void clamp_place(Light& light, Faults& faults) {
     if (!within_world(light.position)) {
-        faults.add("its position was not finite");
+        faults.add("the position was not finite");
         light.position = glm::vec3(0);
         light.intensity = 0;
     }
@@ -93,7 +93,7 @@ void clamp_place(Light& light, Faults& faults) {
     if (!goes_round || (within_world(path.across) && within_world(path.along) && std::isfinite(path.phase) &&
                         std::isfinite(path.turns_per_s)))
         return;
-    faults.add("its path was not finite");
+    faults.add("the path was not finite");
     light.path = {};
 }
 
@@ -114,11 +114,13 @@ Diagnostic warning(std::string message, std::string help) {
 // of pictures that earlier functions use; picture_fault() adds the picture of `function` to this set.
 std::string picture_fault(const LightFunction& function, const Scene& scene, std::set<uint32_t>& pictures) {
     if (function.picture == kNone) return {};
-    if (function.picture >= scene.textures.size()) return "its picture is none of the scene's textures";
+    if (function.picture >= scene.textures.size())
+        return "the scene has no texture with the index of the picture";
     pictures.insert(function.picture);
     const bool room = pictures.size() <= kMaxLightPictures;
     return room ? ""
-                : "its picture is left out, there are " + std::to_string(kMaxLightPictures) + " before it";
+                : "the picture is ignored, because Weft uses only " + std::to_string(kMaxLightPictures) +
+                      " pictures for lights";
 }
 
 }  // namespace
@@ -126,9 +128,9 @@ std::string picture_fault(const LightFunction& function, const Scene& scene, std
 std::string clamp_light(Light& light) {
     Faults faults;
     clamp_place(light, faults);
-    faults.clamp(light.intensity, 0, kMaxIntensity, "its intensity was out of range");
-    for (int i = 0; i < 3; ++i) faults.clamp(light.color[i], 0, kMaxFactor, "its colour was out of range");
-    faults.clamp(light.range_m, 0, kMaxLength_m, "its range was out of range");
+    faults.clamp(light.intensity, 0, kMaxIntensity, "the intensity was out of range");
+    for (int i = 0; i < 3; ++i) faults.clamp(light.color[i], 0, kMaxFactor, "the colour was out of range");
+    faults.clamp(light.range_m, 0, kMaxLength_m, "the range was not within its limits");
     clamp_axes(light, faults);
     clamp_shape(light, faults);
     return faults.take();
@@ -137,14 +139,14 @@ std::string clamp_light(Light& light) {
 std::string clamp_light_function(LightFunction& function) {
     Faults faults;
     for (int i = 0; i < 4; ++i) {
-        faults.clamp(function.doors[i], -kMaxLength_m, LightFunction::kNoDoor, "its doors were out of range");
-        faults.clamp(function.curve[i], 0, kMaxFactor, "its curve was out of range");
+        faults.clamp(function.doors[i], -kMaxLength_m, LightFunction::kNoDoor, "the doors were out of range");
+        faults.clamp(function.curve[i], 0, kMaxFactor, "the curve was out of range");
     }
-    faults.clamp(function.softness, kMinSoftness, kMaxLength_m, "its softness was out of range");
-    faults.clamp(function.reach_m, 1e-3f, kMaxLength_m, "its reach was out of range");
+    faults.clamp(function.softness, kMinSoftness, kMaxLength_m, "the softness was out of range");
+    faults.clamp(function.reach_m, 1e-3f, kMaxLength_m, "the reach was out of range");
     for (int i = 0; i < 2; ++i)
         faults.clamp(function.picture_half_size[i], 1e-3f, kMaxLength_m,
-                     "its picture's size was out of range");
+                     "the size of the picture was out of range");
     return faults.take();
 }
 
@@ -153,14 +155,15 @@ Diagnostics light_warnings(const Scene& scene) {
     size_t faults = 0;
     const auto note = [&](const char* kind, size_t index, const std::string& name, const std::string& fault) {
         if (fault.empty() || ++faults > kMaxNamed) return;
-        warnings.push_back(
-            warning(named(kind, index, name) + ": " + fault, "correct it; it was clamped, or left dark"));
+        warnings.push_back(warning(
+            named(kind, index, name) + ": " + fault,
+            "correct the value in the program that made the scene; Weft clamped it or made the light dark"));
     };
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         Light light = scene.lights[i];
         note("light", i, light.name, clamp_light(light));
         if (light.function != kNone && light.function >= scene.light_functions.size())
-            note("light", i, light.name, "its function is none of the scene's");
+            note("light", i, light.name, "the scene has no light function with the index of its function");
     }
     std::set<uint32_t> pictures;
     for (size_t i = 0; i < scene.light_functions.size(); ++i) {
@@ -169,8 +172,9 @@ Diagnostics light_warnings(const Scene& scene) {
         note("light function", i, function.name, picture_fault(function, scene, pictures));
     }
     if (faults > kMaxNamed)
-        warnings.push_back(warning("and " + std::to_string(faults - kMaxNamed) + " more lights or functions",
-                                   "correct them in the program that made them"));
+        warnings.push_back(
+            warning(std::to_string(faults - kMaxNamed) + " more lights or light functions have wrong values",
+                    "correct the values in the program that made the scene"));
     return warnings;
 }
 

@@ -51,7 +51,7 @@ JpegReader& reader_of(j_common_ptr common) {
 // that is cut off and only warns about the missing data. Here this warning becomes an error.
 void hear(j_common_ptr common, int level) {
     if (level < 0 && common->err->msg_code == JWRN_JPEG_EOF)
-        fail_with(reader_of(common), "the file ends before the picture does");
+        fail_with(reader_of(common), "the file ends before the end of the picture");
 }
 
 void count_scans(j_common_ptr common) {
@@ -113,7 +113,7 @@ bool decode_jpeg_rows(JpegReader& reader, uint64_t most_bytes) {
         uint8_t* target = reader.rgba + info.output_scanline * row_bytes;
         JSAMPROW row = is_cmyk ? reader.cmyk_row : target;
         if (jpeg_read_scanlines(&info, &row, 1) != 1)
-            fail_with(reader, "the file ends before the picture does");
+            fail_with(reader, "the file ends before the end of the picture");
         if (is_cmyk) write_cmyk_row(reader.cmyk_row, info.output_width, target);
     }
     return true;
@@ -157,7 +157,7 @@ std::optional<ImageSize> read_jpeg_size(std::span<const uint8_t> encoded) {
 DecodedImage decode_jpeg(std::span<const uint8_t> encoded) {
     DecodedImage result;
     if (!begins_as_jpeg(encoded)) {
-        result.error = "it is neither PNG nor JPEG";
+        result.error = "the file is neither PNG nor JPEG";
         return result;
     }
     OpenJpegReader reader(encoded);

@@ -28,27 +28,29 @@ Diagnostic fault(const char* code, const std::filesystem::path& file, std::strin
 Result<Environment> load_environment(const std::filesystem::path& file, const SceneLimits& limits) {
     const FileBytes read = read_plain_file(file, std::min(limits.resource_bytes, limits.memory_bytes));
     if (read.fault)
-        return fault("S180", file, "the environment can't be read: " + read.message,
-                     "--env takes a Radiance picture (.hdr), sky or none");
+        return fault("S180", file, "the environment cannot be read: " + read.message,
+                     "use --env with a Radiance picture (.hdr), sky or none");
     const RadianceHeader header = read_radiance_header(read.bytes);
     if (!header.error.empty())
-        return fault("S180", file, "this is not a Radiance picture: " + header.error,
-                     "save it as equirectangular Radiance HDR (32-bit_rle_rgbe)");
+        return fault("S180", file, "the file is not a Radiance picture: " + header.error,
+                     "save the picture as equirectangular Radiance HDR (32-bit_rle_rgbe)");
     const uint64_t texels = uint64_t{header.width_px} * header.height_px;
     const uint64_t bytes = saturating_add(saturating_mul(texels, kBytesPerTexel), read.bytes.size());
     const bool large = header.width_px > limits.image_side_px || header.height_px > limits.image_side_px;
     if (large || bytes > limits.memory_bytes)
-        return fault("S181", file,
-                     "the environment is " + std::to_string(header.width_px) + "x" +
-                         std::to_string(header.height_px) +
-                         (large ? "; a side has at most " + std::to_string(limits.image_side_px) + " px"
-                                : " and takes " + std::to_string(bytes) + " bytes; beside the scene " +
-                                      std::to_string(limits.memory_bytes) + " are left of the limit"),
-                     "scale it down: 2048x1024 shows no less in most pictures, " +
-                         raise_limit_text(large ? "scene.imageSidePx" : "scene.memoryBytes"));
+        return fault(
+            "S181", file,
+            "the environment is " + std::to_string(header.width_px) + "x" + std::to_string(header.height_px) +
+                (large
+                     ? "; a side may have at most " + std::to_string(limits.image_side_px) + " px"
+                     : " and needs " + std::to_string(bytes) + " bytes; beside the scene, the limit leaves " +
+                           std::to_string(limits.memory_bytes) + " bytes"),
+            "scale the picture down (2048x1024 is usually enough), " +
+                raise_limit_text(large ? "scene.imageSidePx" : "scene.memoryBytes"));
     const RadiancePicture picture = decode_radiance(header, read.bytes);
     if (!picture.error.empty())
-        return fault("S180", file, "the environment can't be decoded: " + picture.error, "save it again");
+        return fault("S180", file, "the environment cannot be decoded: " + picture.error,
+                     "save the picture again");
     Environment environment = build_environment(header.width_px, header.height_px, picture.texels);
     environment.name = file.stem().string();
     return environment;

@@ -86,7 +86,8 @@ void pass_over_warning(png_structp, png_const_charp) {}
 
 void read_bytes(png_structp png, png_bytep out, size_t bytes) {
     auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
-    if (bytes > reader->encoded.size() - reader->at) png_error(png, "the file ends before the picture does");
+    if (bytes > reader->encoded.size() - reader->at)
+        png_error(png, "the file ends before the end of the picture");
     std::memcpy(out, reader->encoded.data() + reader->at, bytes);
     reader->at += bytes;
 }
@@ -119,7 +120,7 @@ bool decode_png_rows(PngReader& reader, uint32_t width, uint32_t height) {
     if (png_get_rowbytes(reader.png, reader.info) != row_bytes ||
         png_get_image_width(reader.png, reader.info) != width ||
         png_get_image_height(reader.png, reader.info) != height)
-        png_error(reader.png, "its header contradicts itself");
+        png_error(reader.png, "the header contradicts the data");
     for (int pass = 0; pass < passes; ++pass)
         for (uint32_t y = 0; y < height; ++y) png_read_row(reader.png, reader.rgba + y * row_bytes, nullptr);
     return true;
@@ -151,11 +152,11 @@ DecodedImage decode_png(std::span<const uint8_t> encoded) {
     DecodedImage result;
     const std::optional<ImageSize> size = read_png_size(encoded);
     if (!size) {
-        result.error = "its header is cut short or invalid";
+        result.error = "the header is truncated or invalid";
         return result;
     }
     if (holds_more_than_its_size_needs(encoded, *size)) {
-        result.error = "it holds more data than a picture of its size can need";
+        result.error = "the file has more data than a picture of its size can need";
         return result;
     }
     std::vector<uint8_t> rgba(size->texels() * 4);

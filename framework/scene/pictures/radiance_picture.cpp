@@ -69,7 +69,7 @@ std::string read_variables(Lines& lines, RadianceHeader& header) {
     constexpr std::string_view kFormat = "FORMAT=", kExposure = "EXPOSURE=";
     bool known = false;
     while (const std::optional<std::string_view> line = lines.next()) {
-        if (line->empty()) return known ? "" : "its header names no FORMAT=32-bit_rle_rgbe";
+        if (line->empty()) return known ? "" : "the header has no line FORMAT=32-bit_rle_rgbe";
         if (line->starts_with(kFormat))
             known = without_spaces(line->substr(kFormat.size())) == "32-bit_rle_rgbe";
         if (!line->starts_with(kExposure)) continue;
@@ -78,7 +78,7 @@ std::string read_variables(Lines& lines, RadianceHeader& header) {
         if (exposure && *exposure > 1 / kMostExposure && *exposure < kMostExposure)
             header.exposure *= *exposure;
     }
-    return "its header is cut short";
+    return "the header is truncated";
 }
 
 // Reads bytes in order. ended() says whether a byte was requested after the end of the data.
@@ -147,14 +147,14 @@ RadianceHeader read_radiance_header(std::span<const uint8_t> encoded) {
     Lines lines(text);
     const std::optional<std::string_view> first = lines.next();
     if (!first || !(first->starts_with("#?RADIANCE") || first->starts_with("#?RGBE"))) {
-        header.error = "it does not begin with #?RADIANCE";
+        header.error = "the file does not begin with #?RADIANCE";
         return header;
     }
     header.error = read_variables(lines, header);
     if (!header.error.empty()) return header;
     const std::optional<std::string_view> resolution = lines.next();
     if (!resolution || !read_resolution(*resolution, header))
-        header.error = "its size is not given as \"-Y height +X width\"";
+        header.error = "the size is not given in the form \"-Y height +X width\"";
     header.data_begin = lines.position();
     return header;
 }
@@ -167,7 +167,7 @@ RadiancePicture decode_radiance(const RadianceHeader& header, std::span<const ui
     for (uint32_t y = 0; y < header.height_px; ++y) {
         if (!read_row(source, row)) {
             picture.texels.clear();
-            picture.error = (source.ended() ? "it ends in row " : "its encoding is broken in row ") +
+            picture.error = (source.ended() ? "the file ends in row " : "the encoding is broken in row ") +
                             std::to_string(y + 1) + " of " + std::to_string(header.height_px);
             return picture;
         }

@@ -59,10 +59,10 @@ TEST_F(GltfEncodings, TheScenesThatAreNotShownAreNamed) {
     load(text);
     ASSERT_EQ(warnings_.size(), 1u);
     EXPECT_EQ(where(warnings_[0]), "S153 /scenes");
-    EXPECT_EQ(warnings_[0].message, "scene 0 is shown, the others are left out: 1 \"night\", 2");
+    EXPECT_EQ(warnings_[0].message, "only scene 0 is shown; ignored: 1 \"night\", 2");
     text.members["scene"] = "1";
     load(text);
-    EXPECT_EQ(warnings_.at(0).message, "scene 1 is shown, the others are left out: 0, 2");
+    EXPECT_EQ(warnings_.at(0).message, "only scene 1 is shown; ignored: 0, 2");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ TEST_F(GltfMotion, ASkinNamesItsNodeAndMesh) {
     ASSERT_EQ(warnings_.size(), 1u);
     EXPECT_EQ(where(warnings_[0]), "S153 /nodes/0/skin");
     EXPECT_EQ(warnings_[0].message,
-              "node \"body\": the skin is ignored, mesh \"tri\" is shown at rest, as it was modelled");
+              "node \"body\": the skin is ignored, so mesh \"tri\" is shown without a pose");
     EXPECT_EQ(scene.meshes.at(0).positions.at(1), glm::vec3(1, 0, 0));
 }
 
@@ -26,7 +26,7 @@ TEST_F(GltfMotion, MorphTargetsNameTheirMeshAndLeaveTheBase) {
     const Scene scene = load(text);
     ASSERT_EQ(warnings_.size(), 1u) << "one for each mesh";
     EXPECT_EQ(where(warnings_[0]), "S153 /meshes/0");
-    EXPECT_EQ(warnings_[0].message, "mesh 0: its morph targets, 2, are ignored, its base is shown");
+    EXPECT_EQ(warnings_[0].message, "mesh 0: morph targets (2) are ignored, so the base shape is shown");
     EXPECT_EQ(scene.meshes.at(0).positions.at(1), glm::vec3(1, 0, 0));
 }
 
@@ -42,10 +42,12 @@ TEST_F(GltfMotion, AnAnimationNamesWhatItWouldMove) {
     load(text);
     ASSERT_EQ(warnings_.size(), 3u);
     EXPECT_EQ(where(warnings_[0]), "S153 /animations/0");
-    EXPECT_EQ(warnings_[0].message, "animation \"walk\" is not played; at rest: node \"hip\", node \"knee\"");
+    EXPECT_EQ(warnings_[0].message,
+              "animation \"walk\" is not played; these nodes do not move: node \"hip\", node \"knee\"");
     EXPECT_EQ(warnings_[1].message, "animation 1 is not played");
     EXPECT_EQ(warnings_[2].message,
-              "animation 2 is not played; at rest: node 0, node \"hip\", node \"knee\", node 3 and 2 more");
+              "animation 2 is not played; these nodes do not move: node 0, node \"hip\", node \"knee\", node "
+              "3 and 2 more");
 }
 
 TEST_F(GltfMotion, NodesThatAreNotThereAreErrors) {
@@ -63,12 +65,13 @@ TEST_F(GltfMotion, WarningsNameTheirMeshOrNode) {
         R"([{"name":"wire","primitives":[{"mode":1,"attributes":{"POSITION":0}},{"attributes":{"POSITION":0}}]}])";
     load(text);
     EXPECT_EQ(warnings_.at(0).message,
-              "part 0 of mesh \"wire\" is lines and is left out: only triangles are drawn");
+              "part 0 of mesh \"wire\" consists of lines and is ignored, because Weft draws only triangles");
     GltfText far;
     far.members["nodes"] = R"([{"name":"far","mesh":0,"scale":[1e17,1,1]}])";
     load(far);
     EXPECT_EQ(warnings_.at(0).message,
-              "node \"far\": its transform leaves the range of numbers; it and its children are left out");
+              "node \"far\": the transform in the scene is too large or not finite; the node and its "
+              "descendants are ignored");
 }
 
 }  // namespace

@@ -158,9 +158,9 @@ TEST_F(GltfStreams, AMeshWithoutSecondUvsIsNamed) {
     meshes.replace(meshes.find("TEXCOORD_1"), 10, "TEXCOORD_7");
     EXPECT_TRUE(load(text).meshes.at(0).second_uvs.empty());
     ASSERT_TRUE(warned("S160"));
-    EXPECT_EQ(
-        warnings_.at(0).message,
-        "a texture of material \"lit\" reads TEXCOORD_1, which mesh \"tri\" lacks; set 0 is used instead");
+    EXPECT_EQ(warnings_.at(0).message,
+              "a texture of material \"lit\" uses TEXCOORD_1, which mesh \"tri\" does not have; TEXCOORD_0 "
+              "is used instead");
 }
 
 TEST_F(GltfStreams, TangentsBelongToTheNormalMapsUvs) {

@@ -86,7 +86,7 @@ TEST_P(BrokenRadiance, IsNamed) {
 INSTANTIATE_TEST_SUITE_P(
     All, BrokenRadiance,
     ::testing::Values(Broken{"Empty", "", "#?RADIANCE"}, Broken{"Png", "\x89PNG\r\n", "#?RADIANCE"},
-                      Broken{"NoEndOfHeader", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", "cut short"},
+                      Broken{"NoEndOfHeader", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", "is truncated"},
                       Broken{"Xyz", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n1234", "FORMAT"},
                       Broken{"Turned", header("+Y 1 +X 1") + "1234", "-Y height +X width"},
                       Broken{"NoSize", header("-Y 0 +X 8") + "1234", "-Y height +X width"},
