@@ -1,5 +1,7 @@
 #include "tests/viewer/program.h"
 
+#include <gtest/gtest.h>
+
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -126,6 +128,11 @@ bool extended() {
 
 bool has_device() {
     return run_weft({"doctor"}).exit_code == 0;
+}
+
+void expect_parts(const std::string& text, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts)
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\nis missing in\n" << text;
 }
 
 }  // namespace weft::test

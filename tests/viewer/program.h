@@ -2,6 +2,7 @@
 // with their units.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -28,6 +29,14 @@ struct RunResult {
 // test needs, so only a program that hangs exceeds them. No test result depends on elapsed time.
 inline constexpr unsigned kMostCpu_s = 1200;
 inline constexpr unsigned kMostWall_s = 1500;
+
+// Limits of processor time in seconds and of memory in bytes that every input must respect, however faulty
+// the input is.
+inline constexpr double kMostInputCpu_s = 5;
+inline constexpr uint64_t kMostInputMemory_bytes = uint64_t{1} << 30;
+
+// The path of a shipped graph that many tests use.
+inline constexpr const char* kDeferredGraph = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
 // Restores the default actions of signals in a child process. A shell ignores some signals in background
 // jobs, and a child would inherit this, so that the signals could not end it.
@@ -66,6 +75,9 @@ class ScratchFolder {
 };
 
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
+
+// Expects that a text contains each of the parts.
+void expect_parts(const std::string& text, const std::vector<std::string>& parts);
 
 // Returns true if the environment variable WEFT_EXTENDED asks for the complete test matrices.
 [[nodiscard]] bool extended();

@@ -201,4 +201,8 @@ std::string where(const Diagnostic& diagnostic) {
     return diagnostic.code + " " + diagnostic.pointer;
 }
 
+void expect_near(const glm::vec3& a, const glm::vec3& b) {
+    EXPECT_LT(glm::length(a - b), 1e-5f) << a.x << " " << a.y << " " << a.z;
+}
+
 }  // namespace weft::scene::test

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <map>
 #include <span>
 #include <string>
@@ -71,5 +72,8 @@ class GltfTest : public ::testing::Test {
 
 // Returns the code and the JSON pointer of a diagnostic as one text, for example "S104 /accessors/0/count".
 [[nodiscard]] std::string where(const Diagnostic& diagnostic);
+
+// Expects that two points are at most 1e-5 apart.
+void expect_near(const glm::vec3& a, const glm::vec3& b);
 
 }  // namespace weft::scene::test

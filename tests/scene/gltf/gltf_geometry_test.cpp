@@ -10,10 +10,6 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-void expect_near(const glm::vec3& a, const glm::vec3& b) {
-    EXPECT_LT(glm::length(a - b), 1e-5f) << a.x << " " << a.y << " " << a.z;
-}
-
 class GltfGeometry : public GltfTest {};
 
 TEST_F(GltfGeometry, ReadsATriangle) {

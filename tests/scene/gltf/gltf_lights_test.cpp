@@ -23,10 +23,6 @@ class GltfLights : public GltfTest {
     [[nodiscard]] std::string first_warning() const { return warnings_.empty() ? "" : where(warnings_[0]); }
 };
 
-void expect_near(const glm::vec3& a, const glm::vec3& b) {
-    EXPECT_LT(glm::length(a - b), 1e-5f) << a.x << " " << a.y << " " << a.z;
-}
-
 TEST_F(GltfLights, RectanglesHaveTheirCandelaStraightAhead) {
     const Light light = only_light(
         R"({"type":"spot","intensity":60,"spot":{},"extras":{"weft":{"type":"rectangle","size":[2,3]}}})");

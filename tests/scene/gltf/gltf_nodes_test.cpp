@@ -5,10 +5,6 @@
 namespace weft::scene::test {
 namespace {
 
-void expect_near(const glm::vec3& a, const glm::vec3& b) {
-    EXPECT_LT(glm::length(a - b), 1e-5f) << a.x << " " << a.y << " " << a.z;
-}
-
 glm::vec3 apply(const glm::mat4& m, const glm::vec3& p) {
     return glm::vec3(m * glm::vec4(p, 1));
 }

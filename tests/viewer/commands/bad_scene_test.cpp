@@ -64,10 +64,10 @@ constexpr BadScene kBadScenes[] = {
      "export the scene as glTF 2.0"},
 };
 
-void expect_refused(const RunResult& run, const std::vector<std::string>& wanted) {
+void expect_scene_refused(const RunResult& run, const std::vector<std::string>& wanted) {
     EXPECT_EQ(run.exit_code, 3) << run.text();
-    EXPECT_LE(run.cpu_s, 5.0);
-    EXPECT_LE(run.max_rss_bytes, uint64_t{1} << 30);
+    EXPECT_LE(run.cpu_s, kMostInputCpu_s);
+    EXPECT_LE(run.max_rss_bytes, kMostInputMemory_bytes);
     for (const std::string& part : wanted)
         EXPECT_NE(run.err.find(part), std::string::npos) << "wanted: " << part << "\n" << run.text();
 }
@@ -88,8 +88,8 @@ TEST_P(BadSceneTest, IsRefusedByFileAndPointer) {
     scratch.write("scene/scene.gltf", replaced(square_gltf(), bad.from, bad.to));
     std::filesystem::create_symlink(scratch / "secret.bin", scratch.path() / "scene" / "link.bin");
     const RunResult run = render(scratch / "scene/scene.gltf", scratch);
-    expect_refused(run, {std::string("scene.gltf: error[") + bad.code + "]: ",
-                         std::string("\n  at ") + bad.pointer, "\n  help: ", bad.help});
+    expect_scene_refused(run, {std::string("scene.gltf: error[") + bad.code + "]: ",
+                               std::string("\n  at ") + bad.pointer, "\n  help: ", bad.help});
     EXPECT_FALSE(std::filesystem::exists(scratch / "out.png"));
 }
 
@@ -98,8 +98,8 @@ INSTANTIATE_TEST_SUITE_P(All, BadSceneTest, testing::ValuesIn(kBadScenes),
 
 TEST(BadScene, AMissingFileIsNamed) {
     const ScratchFolder scratch;
-    expect_refused(render(scratch / "none.gltf", scratch),
-                   {"none.gltf: error[S101]", "help: check the path"});
+    expect_scene_refused(render(scratch / "none.gltf", scratch),
+                         {"none.gltf: error[S101]", "help: check the path"});
 }
 
 TEST(BadScene, ATruncatedFileIsRefusedWhereItEnds) {
@@ -108,15 +108,15 @@ TEST(BadScene, ATruncatedFileIsRefusedWhereItEnds) {
     scratch.write("cut.gltf", good.substr(0, good.find("\"meshes\"")));
     scratch.write("cut.glb", std::string("glTF\2\0\0\0\xff\0\0\0\x10\0\0\0JSON", 20));
     scratch.write("empty.gltf", "");
-    expect_refused(render(scratch / "cut.gltf", scratch), {"cut.gltf:10:", "error[S102]", "truncated"});
-    expect_refused(render(scratch / "cut.glb", scratch), {"cut.glb", "error[S102]", "help: "});
-    expect_refused(render(scratch / "empty.gltf", scratch), {"empty.gltf", "error[S102]", "help: "});
+    expect_scene_refused(render(scratch / "cut.gltf", scratch), {"cut.gltf:10:", "error[S102]", "truncated"});
+    expect_scene_refused(render(scratch / "cut.glb", scratch), {"cut.glb", "error[S102]", "help: "});
+    expect_scene_refused(render(scratch / "empty.gltf", scratch), {"empty.gltf", "error[S102]", "help: "});
 }
 
 TEST(BadScene, DeepNestingIsRefusedQuickly) {
     const ScratchFolder scratch;
     scratch.write("deep.gltf", "{ \"asset\": " + std::string(200'000, '[') + "}");
-    expect_refused(render(scratch / "deep.gltf", scratch), {"deep.gltf", "error[S1", "help: "});
+    expect_scene_refused(render(scratch / "deep.gltf", scratch), {"deep.gltf", "error[S1", "help: "});
 }
 
 TEST(BadScene, AnEnvironmentIsJudgedByItsHeader) {
@@ -131,18 +131,18 @@ TEST(BadScene, AnEnvironmentIsJudgedByItsHeader) {
         return run_weft(
             {"render", "builtin:spheres", "--size", "16x16", "--env", env, "-o", scratch / "a.png"});
     };
-    expect_refused(with(scratch / "huge.hdr"), {"huge.hdr: error[S181]", "16384x16384", "help: "});
-    expect_refused(with(scratch / "cut.hdr"), {"cut.hdr: error[S180]", "in row 1 of 512", "help: "});
-    expect_refused(with(scratch / "text.hdr"), {"text.hdr: error[S180]", "#?RADIANCE", "help: "});
-    expect_refused(with(scratch / "none.hdr"), {"none.hdr: error[S180]", "help: "});
+    expect_scene_refused(with(scratch / "huge.hdr"), {"huge.hdr: error[S181]", "16384x16384", "help: "});
+    expect_scene_refused(with(scratch / "cut.hdr"), {"cut.hdr: error[S180]", "in row 1 of 512", "help: "});
+    expect_scene_refused(with(scratch / "text.hdr"), {"text.hdr: error[S180]", "#?RADIANCE", "help: "});
+    expect_scene_refused(with(scratch / "none.hdr"), {"none.hdr: error[S180]", "help: "});
 }
 
 TEST(BadScene, UnknownNamesAreGuessed) {
     const ScratchFolder scratch;
-    expect_refused(render("builtin:atrum", scratch), {"error[S120]", "did you mean \"atrium\"?"});
+    expect_scene_refused(render("builtin:atrum", scratch), {"error[S120]", "did you mean \"atrium\"?"});
     const RunResult run = run_weft(
         {"render", "builtin:spheres", "--size", "16x16", "--camera", "nowhere", "-o", scratch / "a.png"});
-    expect_refused(run, {"error[S130]", "no camera \"nowhere\"", "help: "});
+    expect_scene_refused(run, {"error[S130]", "no camera \"nowhere\"", "help: "});
 }
 
 }  // namespace

@@ -11,7 +11,6 @@ namespace weft::test {
 namespace {
 
 using Json = nlohmann::json;
-constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 const std::string kBad = WEFT_SOURCE_DIR "/tests/diagnostics/W103_port.json";
 constexpr const char* kEscape = "\x1b[";
 
@@ -46,7 +45,7 @@ TEST(CheckColors, AreThereOnATerminalOnly) {
 
 TEST(CheckColors, WarningsAreYellow) {
     const RunResult run =
-        on_terminal("check '" + std::string(kDeferred) + "' --profile integrated --size 3840x2160");
+        on_terminal("check '" + std::string(kDeferredGraph) + "' --profile integrated --size 3840x2160");
     EXPECT_NE(run.out.find("\x1b[1;33mwarning\x1b[0m\x1b[1m[W142]"), std::string::npos) << run.text();
 }
 
@@ -140,7 +139,7 @@ Json expect_log(const std::string& text) {
 }
 
 TEST(CheckSarif, OfAGoodGraphHoldsNoResults) {
-    const RunResult run = run_weft({"check", "--sarif", kDeferred});
+    const RunResult run = run_weft({"check", "--sarif", kDeferredGraph});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     EXPECT_TRUE(run.err.empty()) << run.text();
     const Json log = expect_log(run.out);

@@ -10,7 +10,6 @@ namespace weft::test {
 namespace {
 
 using Json = nlohmann::json;
-constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
 struct BadUsage {
     const char* name;
@@ -36,17 +35,17 @@ const std::vector<BadUsage>& bad_usages() {
         {"UnknownPicture", {"render", "-o", "a.gif"}, ".png, .exr or .pfm"},
         {"CameraOfSixNumbers", {"render", "builtin:spheres", "--camera", "1,2,3,4,5,6"}, "seven numbers"},
         {"CheckWithoutFile", {"check"}, "FILE"},
-        {"UnknownPlanFormat", {"plan", kDeferred, "--format", "pdf"}, "--format"},
+        {"UnknownPlanFormat", {"plan", kDeferredGraph, "--format", "pdf"}, "--format"},
         {"TimeOutsideTheDay", {"render", "--time", "25"}, "--time"},
         {"TimeOfASceneWithoutHours", {"render", "builtin:spheres", "--time", "12"}, "has no time of day"},
         {"LaterProfile", {"render", "--profile", "a.json"}, "is not available in this version"},
-        {"CheckJsonAndSarif", {"check", kDeferred, "--json", "--sarif"}, "excludes"},
+        {"CheckJsonAndSarif", {"check", kDeferredGraph, "--json", "--sarif"}, "excludes"},
         {"LaterView", {"view"}, "this version of weft has no window yet"},
-        {"ExplainUnknownQuestion", {"explain", kDeferred, "why", "x"}, "QUESTION"},
-        {"ExplainOnePassOfTwo", {"explain", kDeferred, "barrier", "gbuffer"}, "barrier PASS PASS"},
-        {"ExplainTwoPassesOfOne", {"explain", kDeferred, "wait", "gbuffer", "lighting"}, "wait PASS"},
-        {"DiffOfOne", {"diff", kDeferred}, "TO"},
-        {"SchemaOfTwo", {"schema", kDeferred, kDeferred}, "not expected"},
+        {"ExplainUnknownQuestion", {"explain", kDeferredGraph, "why", "x"}, "QUESTION"},
+        {"ExplainOnePassOfTwo", {"explain", kDeferredGraph, "barrier", "gbuffer"}, "barrier PASS PASS"},
+        {"ExplainTwoPassesOfOne", {"explain", kDeferredGraph, "wait", "gbuffer", "lighting"}, "wait PASS"},
+        {"DiffOfOne", {"diff", kDeferredGraph}, "TO"},
+        {"SchemaOfTwo", {"schema", kDeferredGraph, kDeferredGraph}, "not expected"},
         {"BenchWithoutWhat", {"bench"}, "subcommand is required"},
         {"BenchShape", {"bench", "compile", "--shape", "star"}, "--shape"},
         {"BenchOfNoPasses", {"bench", "compile", "--passes", "0"}, "--passes"},
@@ -55,7 +54,7 @@ const std::vector<BadUsage>& bad_usages() {
         {"BenchPlotThatIsNoSvg",
          {"bench", "frame", "--plot", "curve.png"},
          "is not a name of a plot; wanted FILE.svg"},
-        {"TooManyQueues", {"plan", kDeferred, "--queues", "5"}, "--queues"},
+        {"TooManyQueues", {"plan", kDeferredGraph, "--queues", "5"}, "--queues"},
         {"CompareOfOne", {"compare", "a.png"}, "TEST"},
         {"CompareUnknownMetric", {"compare", "a.png", "b.png", "--metric", "ssim"}, "--metric"},
         {"CompareMaxOfPsnr", {"compare", "a", "b", "--metric", "psnr", "--max", "9"}, "use --min for psnr"},
@@ -94,7 +93,7 @@ const std::vector<NumberFlag>& number_flags() {
         {"Queues", {"render"}, "--queues", "1 to 4", "0", "5"},
         {"ViewTimeout", {"view", "--headless"}, "--timeout", "0.001 to 3600 s", "-1", "3601"},
         {"ViewFrames", {"view", "--headless"}, "--frames", "1 to 100000000", "0", "100000001"},
-        {"PlanQueues", {"plan", kDeferred}, "--queues", "1 to 4", "-1", "5"},
+        {"PlanQueues", {"plan", kDeferredGraph}, "--queues", "1 to 4", "-1", "5"},
         {"BenchPasses", {"bench", "compile"}, "--passes", "1 to 1000000", "0", "1000001"},
         {"BenchSeed", {"bench", "compile"}, "--seed", "0 to 4294967295", "-1", "4294967296"},
         {"BenchRounds", {"bench", "frame"}, "--rounds", "1 to 1000", "0", "1001"},
@@ -166,19 +165,19 @@ TEST(CommandLine, HelpAndVersionAreData) {
 }
 
 TEST(Check, TheShippedGraphIsGoodAndPrintsNothing) {
-    const RunResult run = run_weft({"check", kDeferred});
+    const RunResult run = run_weft({"check", kDeferredGraph});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     EXPECT_TRUE(run.out.empty()) << run.text();
     EXPECT_NE(run.err.find("deferred.json: ok"), std::string::npos) << run.text();
 }
 
 TEST(Check, JsonHoldsEveryFieldOfTheContract) {
-    const RunResult good = run_weft({"check", "--json", kDeferred});
+    const RunResult good = run_weft({"check", "--json", kDeferredGraph});
     EXPECT_EQ(good.exit_code, 0) << good.text();
     EXPECT_EQ(Json::parse(good.out), Json::array()) << good.text();
 
     const std::string bad = WEFT_SOURCE_DIR "/tests/diagnostics/W103_port.json";
-    const RunResult run = run_weft({"check", "--json", kDeferred, bad});
+    const RunResult run = run_weft({"check", "--json", kDeferredGraph, bad});
     EXPECT_EQ(run.exit_code, 3) << run.text();
     const Json list = Json::parse(run.out);
     ASSERT_EQ(list.size(), 1u) << run.text();
@@ -196,43 +195,44 @@ TEST(Check, JsonHoldsEveryFieldOfTheContract) {
 }
 
 TEST(Plan, SpeaksTextJsonAndDot) {
-    const RunResult text = run_weft({"plan", kDeferred});
+    const RunResult text = run_weft({"plan", kDeferredGraph});
     EXPECT_EQ(text.exit_code, 0) << text.text();
     for (const char* pass : {"lightUpload", "gbuffer", "lighting", "glass", "tonemap"})
         EXPECT_NE(text.out.find(pass), std::string::npos) << text.text();
 
-    const RunResult json = run_weft({"plan", kDeferred, "--format", "json"});
+    const RunResult json = run_weft({"plan", kDeferredGraph, "--format", "json"});
     EXPECT_EQ(json.exit_code, 0) << json.text();
     const Json plan = Json::parse(json.out);
     EXPECT_EQ(plan.at("hash").get<std::string>().size(), 32u);
     EXPECT_EQ(plan.at("schedule").at("order").size(), 9u);
 
-    const RunResult dot = run_weft({"plan", kDeferred, "--format", "dot"});
+    const RunResult dot = run_weft({"plan", kDeferredGraph, "--format", "dot"});
     EXPECT_EQ(dot.exit_code, 0) << dot.text();
     EXPECT_TRUE(dot.out.starts_with("digraph")) << dot.text();
 }
 
 TEST(Plan, IsTheSameBytesEveryTimeAndGoesToAFile) {
     const ScratchFolder scratch;
-    const RunResult first = run_weft({"plan", kDeferred, "--format", "json"});
-    const RunResult second = run_weft({"plan", kDeferred, "--format", "json", "-o", scratch / "plan.json"});
+    const RunResult first = run_weft({"plan", kDeferredGraph, "--format", "json"});
+    const RunResult second =
+        run_weft({"plan", kDeferredGraph, "--format", "json", "-o", scratch / "plan.json"});
     EXPECT_EQ(second.exit_code, 0) << second.text();
     EXPECT_TRUE(second.out.empty());
     EXPECT_EQ(read_text(scratch / "plan.json"), first.out);
-    const RunResult nowhere = run_weft({"plan", kDeferred, "-o", scratch / "no/folder/plan.txt"});
+    const RunResult nowhere = run_weft({"plan", kDeferredGraph, "-o", scratch / "no/folder/plan.txt"});
     EXPECT_EQ(nowhere.exit_code, 1) << nowhere.text();
     EXPECT_NE(nowhere.err.find("error[X510]"), std::string::npos) << nowhere.text();
 }
 
 TEST(Plan, DependsOnTheSize) {
-    const RunResult small = run_weft({"plan", kDeferred, "--size", "320x180", "--format", "json"});
-    const RunResult large = run_weft({"plan", kDeferred, "--size", "641x361", "--format", "json"});
+    const RunResult small = run_weft({"plan", kDeferredGraph, "--size", "320x180", "--format", "json"});
+    const RunResult large = run_weft({"plan", kDeferredGraph, "--size", "641x361", "--format", "json"});
     EXPECT_EQ(small.exit_code, 0) << small.text();
     EXPECT_NE(Json::parse(small.out).at("hash"), Json::parse(large.out).at("hash"));
 }
 
 TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
-    const RunResult run = run_weft({"plan", kDeferred});
+    const RunResult run = run_weft({"plan", kDeferredGraph});
     EXPECT_NE(run.out.find(" at 2 sunShadows#0: sunShadow (12.0 MiB) hdr (7200.0 KiB) albedo"),
               std::string::npos)
         << run.text();
@@ -241,7 +241,7 @@ TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
 }
 
 TEST(Plan, SpeaksOfQueues) {
-    const RunResult run = run_weft({"plan", kDeferred, "--queues", "3", "--profile", "discrete"});
+    const RunResult run = run_weft({"plan", kDeferredGraph, "--queues", "3", "--profile", "discrete"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     EXPECT_NE(run.out.find("queues 0 graphics of family 0, 1 compute of family 1, 2 transfer of family 2"),
               std::string::npos)
@@ -250,23 +250,24 @@ TEST(Plan, SpeaksOfQueues) {
 
 TEST(Profiles, TheShippedGraphFitsAllOfThemByName) {
     for (const char* name : {"lavapipe", "discrete", "integrated", "tiler", "hostile"}) {
-        const RunResult run = run_weft({"check", kDeferred, "--profile", name, "--queues", "3"});
+        const RunResult run = run_weft({"check", kDeferredGraph, "--profile", name, "--queues", "3"});
         EXPECT_EQ(run.exit_code, 0) << run.text();
     }
-    const RunResult plan = run_weft({"plan", kDeferred, "--profile", "hostile"});
+    const RunResult plan = run_weft({"plan", kDeferredGraph, "--profile", "hostile"});
     EXPECT_EQ(plan.exit_code, 0) << plan.text();
     EXPECT_NE(plan.out.find("memory type 2, device-local"), std::string::npos) << plan.text();
 }
 
 TEST(Profiles, AnUnknownNameIsGuessedAt) {
-    const RunResult run = run_weft({"plan", kDeferred, "--profile", "discret"});
+    const RunResult run = run_weft({"plan", kDeferredGraph, "--profile", "discret"});
     EXPECT_EQ(run.exit_code, 3) << run.text();
     for (const char* part : {"error[W141]", "did you mean \"discrete\"?", "hostile, integrated"})
         EXPECT_NE(run.err.find(part), std::string::npos) << run.text();
 }
 
 TEST(Profiles, TooSmallAHeapIsAWarning) {
-    const RunResult run = run_weft({"check", kDeferred, "--profile", "integrated", "--size", "3840x2160"});
+    const RunResult run =
+        run_weft({"check", kDeferredGraph, "--profile", "integrated", "--size", "3840x2160"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     EXPECT_NE(run.err.find("warning[W142]"), std::string::npos) << run.text();
     EXPECT_NE(run.err.find("largest where most is alive: hdr 63.3 MiB"), std::string::npos) << run.text();
@@ -301,7 +302,7 @@ TEST(Doctor, DescribesTheMachineAndItsProfileWorks) {
     EXPECT_TRUE(Json::parse(json.out).contains("formats")) << json.text();
     const ScratchFolder scratch;
     scratch.write("here.json", json.out);
-    const RunResult check = run_weft({"check", kDeferred, "--profile", scratch / "here.json"});
+    const RunResult check = run_weft({"check", kDeferredGraph, "--profile", scratch / "here.json"});
     EXPECT_EQ(check.exit_code, 0) << check.text();
 }
 
@@ -319,7 +320,7 @@ TEST(NoDevice, IsExitCode4AndNamesWhatToInstall) {
 }
 
 TEST(NoDevice, GraphsAreCheckedAllTheSame) {
-    const RunResult run = run_weft({"check", kDeferred}, kNoDriver);
+    const RunResult run = run_weft({"check", kDeferredGraph}, kNoDriver);
     EXPECT_EQ(run.exit_code, 0) << run.text();
 }
 

@@ -11,11 +11,10 @@ namespace weft::test {
 namespace {
 
 using Json = nlohmann::json;
-constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
 // Returns the text of the shipped graph deferred.json with the text `what` replaced by `by`.
 std::string changed_graph(const std::string& what, const std::string& by) {
-    std::ifstream in(kDeferred);
+    std::ifstream in(kDeferredGraph);
     std::ostringstream content;
     content << in.rdbuf();
     std::string text = content.str();
@@ -24,28 +23,23 @@ std::string changed_graph(const std::string& what, const std::string& by) {
     return text.replace(at, what.size(), by);
 }
 
-void expect_parts(const std::string& text, const std::vector<std::string>& parts) {
-    for (const std::string& part : parts)
-        EXPECT_NE(text.find(part), std::string::npos) << part << "\nis missing in\n" << text;
-}
-
 TEST(Diff, APlanAndItselfAreTheSame) {
-    const RunResult run = run_weft({"diff", kDeferred, kDeferred});
+    const RunResult run = run_weft({"diff", kDeferredGraph, kDeferredGraph});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     EXPECT_EQ(run.out, "the same plan\n");
-    const RunResult json = run_weft({"diff", kDeferred, kDeferred, "--json"});
+    const RunResult json = run_weft({"diff", kDeferredGraph, kDeferredGraph, "--json"});
     EXPECT_TRUE(Json::parse(json.out).at("same").get<bool>()) << json.text();
 }
 
 TEST(Diff, AnotherFormatIsAChangeOfItsResourceAndOfMemory) {
     const ScratchFolder scratch;
     scratch.write("wide.json", changed_graph("\"albedo\":   \"rgba8\"", "\"albedo\":   \"rgba16f\""));
-    const RunResult run = run_weft({"diff", kDeferred, scratch / "wide.json"});
+    const RunResult run = run_weft({"diff", kDeferredGraph, scratch / "wide.json"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     expect_parts(run.out,
                  {"+3600.0 KiB heap", "~ albedo\n      - format rgba8\n", "      + format rgba16f\n"});
     EXPECT_EQ(run.out.find("~ gbuffer"), std::string::npos) << "its passes are as they were\n" << run.out;
-    const RunResult back = run_weft({"diff", scratch / "wide.json", kDeferred, "--json"});
+    const RunResult back = run_weft({"diff", scratch / "wide.json", kDeferredGraph, "--json"});
     const Json json = Json::parse(back.out);
     EXPECT_FALSE(json.at("same").get<bool>());
     EXPECT_GT(json.at("counts").at("heap_bytes").at("from"), json.at("counts").at("heap_bytes").at("to"));
@@ -58,15 +52,15 @@ TEST(Diff, PassesComeAndGo) {
     scratch.write("more.json", changed_graph("\"lightUpload\": {",
                                              "\"snapshot\": { \"type\": \"readback\", \"in\": { \"src\": "
                                              "\"hdr@lighting\" } },\n    \"lightUpload\": {"));
-    const RunResult run = run_weft({"diff", kDeferred, scratch / "more.json"});
+    const RunResult run = run_weft({"diff", kDeferredGraph, scratch / "more.json"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     expect_parts(run.out, {"+1 pass", "  + snapshot\n"});
-    const RunResult back = run_weft({"diff", scratch / "more.json", kDeferred});
+    const RunResult back = run_weft({"diff", scratch / "more.json", kDeferredGraph});
     expect_parts(back.out, {"-1 pass", "  - snapshot\n"});
 }
 
 TEST(Diff, AFaultInEitherFileIsReported) {
-    const RunResult run = run_weft({"diff", kDeferred, "no_such_graph.json"});
+    const RunResult run = run_weft({"diff", kDeferredGraph, "no_such_graph.json"});
     EXPECT_EQ(run.exit_code, 3) << run.text();
     expect_parts(run.err, {"no_such_graph.json", "error[W002]"});
 }

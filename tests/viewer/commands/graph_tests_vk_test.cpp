@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
+#include "tests/viewer/pictures/pfm_image.h"
 #include "tests/viewer/program.h"
 
 namespace weft::test {
@@ -186,54 +186,26 @@ TEST_F(DebugViews, ThePictureIsNoneOfTheirBusiness) {
     EXPECT_NE(read_text(folder_ / "view.png"), read_text(folder_ / "plain.png"));
 }
 
-// A picture in memory: rows from top to bottom, three numbers per pixel.
-struct Picture {
-    size_t width = 0, height = 0;
-    std::vector<float> numbers;
-
-    std::array<float, 3> at(size_t x, size_t y) const {
-        const float* pixel = &numbers[(y * width + x) * 3];
-        return {pixel[0], pixel[1], pixel[2]};
-    }
-};
-
-Picture read_pfm(const std::string& text) {
-    std::istringstream in(text);
-    std::string kind;
-    double scale = 0;
-    Picture picture;
-    in >> kind >> picture.width >> picture.height >> scale;
-    in.get();
-    const size_t row = picture.width * 3;
-    if (kind != "PF" || scale >= 0) return {};
-    picture.numbers.resize(row * picture.height);
-    // A PFM file stores the bottom row first.
-    for (size_t y = picture.height; y-- > 0;)
-        in.read(reinterpret_cast<char*>(&picture.numbers[y * row]),
-                static_cast<std::streamsize>(row * sizeof(float)));
-    return picture;
-}
-
 class DebugPictures : public DebugViews {
  protected:
-    Picture picture(const std::string& graph, const std::string& view) const {
+    PfmImage picture(const std::string& graph, const std::string& view) const {
         const RunResult run =
             run_weft({"render", "builtin:cornell", "--graph", (kGraphs / graph).string(), "--camera", "front",
                       "--size", "320x180", "--debug", view, "--output", folder_ / "view.pfm", "--validate"});
         EXPECT_EQ(run.exit_code, 0) << run.text();
-        return read_pfm(read_text(folder_ / "view.pfm"));
+        return read_pfm(folder_ / "view.pfm").value_or(PfmImage{});
     }
 };
 
 TEST_F(DebugPictures, WhereNothingWasDrawnTheyAllShowTheSameStripes) {
-    const Picture depth = picture("deferred.json", "Depth");
-    ASSERT_EQ(depth.numbers.size(), 320u * 180 * 3);
+    const PfmImage depth = picture("deferred.json", "Depth");
+    ASSERT_EQ(depth.texels.size(), 320u * 180);
     std::set<std::array<float, 3>> stripes;
     for (size_t x = 0; x < 16; ++x) stripes.insert(depth.at(x, 0));
     EXPECT_EQ(stripes.size(), 2u) << "the sky's upper left corner";
     for (const char* view : {"Normals", "orm", "Velocity", "Albedo"}) {
-        const Picture shown = picture("deferred.json", view);
-        ASSERT_EQ(shown.numbers.size(), depth.numbers.size());
+        const PfmImage shown = picture("deferred.json", view);
+        ASSERT_EQ(shown.texels.size(), depth.texels.size());
         for (size_t x = 0; x < 16; ++x) EXPECT_EQ(shown.at(x, 0), depth.at(x, 0)) << view << " at " << x;
         EXPECT_EQ(stripes.count(shown.at(160, 150)), 0u) << view << " shows the ground";
     }
@@ -243,7 +215,7 @@ TEST_F(DebugPictures, WhereNothingWasDrawnTheyAllShowTheSameStripes) {
 TEST_F(DebugPictures, NumbersAsColoursHaveALegend) {
     // Returns the middle row of the colour bar, which is 120 px wide. The bar starts 10 px from the left edge
     // and 10 px above the bottom edge.
-    const auto bar = [](const Picture& shown) {
+    const auto bar = [](const PfmImage& shown) {
         std::vector<std::array<float, 3>> colors;
         for (size_t x = 10; x < 130; ++x) colors.push_back(shown.at(x, 180 - 16));
         return colors;
@@ -258,7 +230,7 @@ TEST_F(DebugPictures, NumbersAsColoursHaveALegend) {
     EXPECT_EQ(heats.back()[0], 1);
     // Counts the white pixels above the colour bar, where the legend shows its numbers in white. A view that
     // shows plain colours has no legend.
-    const auto letters = [](const Picture& shown) {
+    const auto letters = [](const PfmImage& shown) {
         size_t count = 0;
         for (size_t y = 180 - 25; y < 180 - 20; ++y)
             for (size_t x = 10; x < 130; ++x)

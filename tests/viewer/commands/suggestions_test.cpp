@@ -10,7 +10,6 @@
 namespace weft::test {
 namespace {
 
-constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 constexpr const char* kLive = WEFT_SOURCE_DIR "/tests/render/reload/live.json";
 
 struct Slip {
@@ -32,26 +31,26 @@ const std::vector<Slip>& slips() {
         {"Flag", {"render", "--sizes", "8x8"}, "\"--sizes\": did you mean \"--size\"?", 2},
         {"FlagWithAValue", {"render", "--siez=8x8"}, "\"--siez\": did you mean \"--size\"", 2},
         {"FlagOfBench", {"bench", "frame", "--grahps", "a"}, "\"--grahps\": did you mean \"--graphs\"?", 2},
-        {"Format", {"plan", kDeferred, "--format", "htlm"}, "did you mean \"html\"?", 2},
+        {"Format", {"plan", kDeferredGraph, "--format", "htlm"}, "did you mean \"html\"?", 2},
         {"Metric", {"compare", "a", "b", "--metric", "psrn"}, "did you mean \"psnr\"?", 2},
         {"Shape", {"bench", "compile", "--shape", "chian"}, "did you mean \"chain\"?", 2},
-        {"Question", {"explain", kDeferred, "resorce", "hdr"}, "did you mean \"resource\"?", 2},
+        {"Question", {"explain", kDeferredGraph, "resorce", "hdr"}, "did you mean \"resource\"?", 2},
         {"Environment", {"render", "--env", "ksy"}, "did you mean \"sky\"?", 2},
         {"GraphAsScene",
-         {"render", kDeferred},
+         {"render", kDeferredGraph},
          "weft render --graph " WEFT_SOURCE_DIR "/graphs/deferred.json",
          2},
-        {"GraphAsSceneOfView", {"view", kDeferred, "--headless"}, "is a graph, not a scene", 2},
-        {"GraphAsSceneOfBench", {"bench", "frame", kDeferred}, "is a graph, not a scene", 2},
-        {"Pass", {"explain", kDeferred, "culled", "lightin"}, "did you mean \"lighting\"?", 3},
-        {"Resource", {"explain", kDeferred, "resource", "hdrr"}, "did you mean \"hdr\"?", 3},
+        {"GraphAsSceneOfView", {"view", kDeferredGraph, "--headless"}, "is a graph, not a scene", 2},
+        {"GraphAsSceneOfBench", {"bench", "frame", kDeferredGraph}, "is a graph, not a scene", 2},
+        {"Pass", {"explain", kDeferredGraph, "culled", "lightin"}, "did you mean \"lighting\"?", 3},
+        {"Resource", {"explain", kDeferredGraph, "resource", "hdrr"}, "did you mean \"hdr\"?", 3},
         {"Tier", {"check", kLive, "--tier", "lwo"}, "did you mean \"low\"?", 3},
         {"TierOfDiff",
          {"diff", WEFT_SOURCE_DIR "/tests/render/reload/live.json:lwo", kLive},
          "did you mean \"low\"?",
          3},
-        {"Parameter", {"check", kDeferred, "--param", "exposur=1"}, "did you mean \"exposure\"?", 3},
-        {"Profile", {"plan", kDeferred, "--profile", "discret"}, "did you mean \"discrete\"?", 3},
+        {"Parameter", {"check", kDeferredGraph, "--param", "exposur=1"}, "did you mean \"exposure\"?", 3},
+        {"Profile", {"plan", kDeferredGraph, "--profile", "discret"}, "did you mean \"discrete\"?", 3},
         {"BuiltInScene", {"render", "builtin:sphers"}, "did you mean \"spheres\"?", 3},
         {"BuiltInSceneWithoutItsPrefix", {"render", "sphers"}, "did you mean \"builtin:spheres\"?", 3},
         {"Camera", {"render", "--camera", "galery"}, "did you mean \"gallery\"?", 3},

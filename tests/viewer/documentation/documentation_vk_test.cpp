@@ -16,7 +16,7 @@ namespace weft::test {
 namespace {
 
 using Json = nlohmann::json;
-constexpr const char* kPage = "writing-a-pass.md";
+constexpr const char* kPassPage = "writing-a-pass.md";
 constexpr double kStrength = 0.9;
 
 // Largest difference caused by two roundings to 8 bits: when the pass stores `display`, and when it stores
@@ -62,7 +62,7 @@ class FullscreenEffect : public testing::Test {
  protected:
     void SetUp() override {
         if (!has_device()) GTEST_SKIP() << "no Vulkan device";
-        write_snippets(kPage, folder_);
+        write_snippets(kPassPage, folder_);
     }
 
     void expect_effect(const std::string& graph) {

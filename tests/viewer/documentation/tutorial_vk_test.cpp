@@ -16,7 +16,7 @@
 namespace weft::test {
 namespace {
 
-constexpr const char* kPage = "tutorial.md";
+constexpr const char* kTutorialPage = "tutorial.md";
 constexpr const char* kGraph = "tutorial/my.json";
 
 std::string substituted(std::string text, const std::string& from, const std::string& to) {
@@ -120,7 +120,7 @@ TEST(TutorialPage, NamesEachFileAboveIt) {
 
 TEST_F(Tutorial, FollowedLiterallyDrawsAndPrintsWhatThePageSays) {
     size_t steps = 0;
-    for (const PageEvent& event : events_of(kPage)) {
+    for (const PageEvent& event : events_of(kTutorialPage)) {
         const testing::ScopedTrace trace(WEFT_SOURCE_DIR "/docs/tutorial.md", event.line, "this fence");
         switch (event.kind) {
             case PageEvent::Kind::file:

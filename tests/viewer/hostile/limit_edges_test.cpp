@@ -15,9 +15,6 @@
 namespace weft::test {
 namespace {
 
-constexpr double kMostCpu_s = 5;
-constexpr uint64_t kMostMemory_bytes = uint64_t{1} << 30;
-
 // Limits on files other than graphs, by the first part of their names, and the test suite that covers them.
 const std::map<std::string, std::string> kSuites{
     {"shader", "HostileShader"}, {"scene", "HostileScene"}, {"picture", "Compare"}};
@@ -38,8 +35,8 @@ class LimitEdges : public testing::Test {
             words.insert(words.end(), {"--limits", scratch_ / "limits.json"});
         }
         RunResult run = run_weft(words);
-        EXPECT_LE(run.cpu_s, kMostCpu_s) << run.text();
-        EXPECT_LE(run.max_rss_bytes, kMostMemory_bytes) << run.text();
+        EXPECT_LE(run.cpu_s, kMostInputCpu_s) << run.text();
+        EXPECT_LE(run.max_rss_bytes, kMostInputMemory_bytes) << run.text();
         return run;
     }
     static bool names_limit(const RunResult& run, const std::string& limit) {
