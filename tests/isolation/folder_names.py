@@ -9,9 +9,12 @@ import re
 import sys
 import tempfile
 
+FOLDERS = ("framework", "passes", "viewer", "tests")
+# Overloads of this function of GoogleTest may stand side by side; main() stands in GLSL texts.
+SHARED = {"PrintTo", "main"}
 FUNCTION = re.compile(r"^(?:\[\[nodiscard\]\] )?(?:constexpr |inline )*[\w:<>,&*\s]*[\w>][\s&*]+(\w+)\(")
 TYPE = re.compile(r"^(?:struct|class|enum class|enum) (\w+)")
-CONSTANT = re.compile(r"^(?:inline )?constexpr [^=({]*?\b(k[A-Z]\w*)\b")
+CONSTANT = re.compile(r"^(?:inline )?constexpr [^=(<{]*?(?:<[^;=]*>[^=({]*?)?\b(k[A-Z]\w*)\b(?=\s*[={;\[])")
 
 
 def unnamed_names(text):
@@ -24,7 +27,7 @@ def unnamed_names(text):
         elif inside and (line[:1].isalpha() or line[:1] == "[") and not line.startswith("using "):
             for pattern in (TYPE, CONSTANT, FUNCTION):
                 found = pattern.match(line)
-                if found:
+                if found and found.group(1) not in SHARED:
                     yield found.group(1)
                     break
 
@@ -44,7 +47,7 @@ def namespaces(text):
 def breaches(root):
     # Maps the name of each constant in a header to its namespaces, and each namespace to the header.
     in_headers = collections.defaultdict(dict)
-    files = [file for top in ("framework", "passes", "viewer") for file in sorted((root / top).rglob("*"))]
+    files = [file for top in FOLDERS for file in sorted((root / top).rglob("*"))]
     for file in files:
         if file.suffix == ".h":
             for line, namespace in namespaces(file.read_text()):
@@ -80,7 +83,7 @@ def self_test():
     }
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        for top in ("framework", "passes", "viewer"):
+        for top in FOLDERS:
             (root / top).mkdir()
         for path, text in planted.items():
             (root / "framework" / path).parent.mkdir(exist_ok=True)

@@ -11,10 +11,10 @@
 namespace weft::test {
 namespace {
 
-constexpr std::array<NullOptions, 4> kOrders{{{3, 0, NullOrder::delayed},
-                                              {3, 1, NullOrder::recorded},
-                                              {3, 2, NullOrder::shuffled},
-                                              {3, 3, NullOrder::shuffled}}};
+constexpr std::array<NullOptions, 4> kJudgedOrders{{{3, 0, NullOrder::delayed},
+                                                    {3, 1, NullOrder::recorded},
+                                                    {3, 2, NullOrder::shuffled},
+                                                    {3, 3, NullOrder::shuffled}}};
 
 class Judge {
  public:
@@ -23,7 +23,7 @@ class Judge {
     // Runs the plan and returns a text about the first difference from the expected result. Returns an empty
     // text if there is no difference.
     [[nodiscard]] std::string broken(const FramePlan& plan) const {
-        for (const NullOptions& options : kOrders) {
+        for (const NullOptions& options : kJudgedOrders) {
             const NullRun found = run_null(plan, options);
             const std::vector<std::string> different = differences(plan.graph, wanted_, found);
             if (!different.empty())

@@ -16,13 +16,13 @@
 namespace weft::test {
 namespace {
 
-constexpr NullOptions kOrders[] = {{3, 0, NullOrder::recorded},
-                                   {3, 1, NullOrder::delayed},
-                                   {3, 2, NullOrder::shuffled},
-                                   {4, 3, NullOrder::shuffled}};
+constexpr NullOptions kPlanOrders[] = {{3, 0, NullOrder::recorded},
+                                       {3, 1, NullOrder::delayed},
+                                       {3, 2, NullOrder::shuffled},
+                                       {4, 3, NullOrder::shuffled}};
 
 void expect_reference(const FramePlan& plan) {
-    for (const NullOptions& options : kOrders) {
+    for (const NullOptions& options : kPlanOrders) {
         const NullRun wanted = run_reference(plan.graph, plan.live, options.frames);
         const NullRun found = run_null(plan, options);
         const std::vector<std::string> different = differences(plan.graph, wanted, found);

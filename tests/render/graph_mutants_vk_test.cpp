@@ -8,9 +8,9 @@
 namespace weft::test {
 namespace {
 
-constexpr uint32_t kFirstSeed = 61000;
-constexpr Extent3D kSize{64, 36, 1};
-constexpr uint32_t kFrames = 2;
+constexpr uint32_t kFirstDrawnSeed = 61000;
+constexpr Extent3D kDrawnSize{64, 36, 1};
+constexpr uint32_t kDrawnFrames = 2;
 // A number out of range may request too much memory or work for a CPU device. Mutants above these limits are
 // skipped.
 constexpr uint64_t kMostMemory_bytes = uint64_t{256} << 20;
@@ -40,7 +40,7 @@ class GraphMutantsVkTest : public SessionTest {
         input.load.shader_root = GraphMutants::path_of("shaders");
         input.load.shader_cache = WEFT_TEST_CACHE "/mutants";
         input.passes = &passes_;
-        input.request.size = kSize;
+        input.request.size = kDrawnSize;
         input.check_plan = true;
         input.load.limits.graph.transient_bytes = kMostMemory_bytes;
         return input;
@@ -61,7 +61,7 @@ class GraphMutantsVkTest : public SessionTest {
         }
         if (is_too_much((*session)->plan())) return Outcome::too_much;
         Status done = Unit{};
-        for (uint32_t frame = 0; frame < kFrames && done; ++frame)
+        for (uint32_t frame = 0; frame < kDrawnFrames && done; ++frame)
             done = (*session)->render_frame({camera_, 0, frame / 60.0, 1 / 60.0});
         if (done) done = (*session)->finish();
         EXPECT_TRUE(done) << to_text(done.errors());
@@ -84,13 +84,13 @@ TEST_F(GraphMutantsVkTest, AreDrawnWithoutAMessage) {
     passes_ = registered_passes();
     const uint32_t wanted = std::getenv("WEFT_EXTENDED") != nullptr ? 300 : 12;
     const GraphMutants mutants;
-    uint32_t drawn = 0, too_much = 0, seed = kFirstSeed;
-    for (; drawn < wanted && seed < kFirstSeed + 20 * wanted && !HasFailure(); ++seed) {
+    uint32_t drawn = 0, too_much = 0, seed = kFirstDrawnSeed;
+    for (; drawn < wanted && seed < kFirstDrawnSeed + 20 * wanted && !HasFailure(); ++seed) {
         const Outcome outcome = draw(mutants.make(seed));
         drawn += outcome == Outcome::drawn ? 1 : 0;
         too_much += outcome == Outcome::too_much ? 1 : 0;
     }
-    std::printf("seeds %u to %u: %u mutants drawn, %u left out as too much work\n", kFirstSeed, seed - 1,
+    std::printf("seeds %u to %u: %u mutants drawn, %u left out as too much work\n", kFirstDrawnSeed, seed - 1,
                 drawn, too_much);
     EXPECT_EQ(drawn, wanted);
 }

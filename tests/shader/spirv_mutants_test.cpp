@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t kMutants = 150;
 
-ShaderProgram shipped(const char* reference, ProgramKind kind) {
+ShaderProgram compile_shipped(const char* reference, ProgramKind kind) {
     const std::filesystem::path folder = std::filesystem::path(WEFT_SOURCE_DIR) / "shaders";
     auto program = compile_shader(reference, kind, {{folder}, folder / "include", {}});
     if (!program) {
@@ -51,7 +51,7 @@ TEST(SpirvMutants, NoneGetsPastTheGateUnlessItIsValid) {
     uint32_t refused = 0, seen = 0;
     for (const auto& [reference, kind] : {std::pair("lighting/deferred_light.comp", ProgramKind::compute),
                                           std::pair("tonemap/tonemap.frag", ProgramKind::fullscreen)}) {
-        const ShaderProgram program = shipped(reference, kind);
+        const ShaderProgram program = compile_shipped(reference, kind);
         ASSERT_FALSE(program.modules.empty());
         const ShaderModule& whole = program.modules.back();
         ASSERT_FALSE(shader::spirv_fault(whole.spirv).has_value());

@@ -48,7 +48,7 @@ class ExecutorFaultsVk : public ExecutorTest {
     }
 };
 
-bool mentions(const Diagnostic& diagnostic, const char* text) {
+bool message_mentions(const Diagnostic& diagnostic, const char* text) {
     return diagnostic.message.find(text) != std::string::npos;
 }
 
@@ -61,7 +61,7 @@ TEST_F(ExecutorFaultsVk, a_missing_or_misshapen_import_is_named) {
     const FramePlan plan = compile_plan(builder);
     Diagnostic fault = fault_of(input_for(plan));
     EXPECT_EQ(fault.code, "V414");
-    EXPECT_TRUE(mentions(fault, "\"backdrop\"")) << fault.message;
+    EXPECT_TRUE(message_mentions(fault, "\"backdrop\"")) << fault.message;
 
     ResourceDecl smaller = *find_resource(plan.graph, "backdrop");
     smaller.extent = {4, 8, 1};
@@ -71,7 +71,7 @@ TEST_F(ExecutorFaultsVk, a_missing_or_misshapen_import_is_named) {
     input.bindings.images.emplace("backdrop", &*other);
     fault = fault_of(std::move(input));
     EXPECT_EQ(fault.code, "V414");
-    EXPECT_TRUE(mentions(fault, "4x8") && mentions(fault, "8x8")) << fault.message;
+    EXPECT_TRUE(message_mentions(fault, "4x8") && message_mentions(fault, "8x8")) << fault.message;
 }
 
 TEST_F(ExecutorFaultsVk, what_a_plan_needs_and_is_not_given_is_named) {
@@ -83,7 +83,7 @@ TEST_F(ExecutorFaultsVk, what_a_plan_needs_and_is_not_given_is_named) {
     input.shaders = &fewer;
     Diagnostic fault = fault_of(std::move(input));
     EXPECT_EQ(fault.code, "V417");
-    EXPECT_TRUE(mentions(fault, "\"fill\"") && mentions(fault, "fill.comp")) << fault.message;
+    EXPECT_TRUE(message_mentions(fault, "\"fill\"") && message_mentions(fault, "fill.comp")) << fault.message;
 
     GraphBuilder custom;
     const ResourceId words = custom.buffer("words", 16);
@@ -113,7 +113,7 @@ TEST_F(ExecutorFaultsVk, a_draw_list_that_does_not_fit_the_shader_is_named) {
     input.draws = &source;
     Diagnostic fault = fault_of(std::move(input));
     EXPECT_EQ(fault.code, "V415");
-    EXPECT_TRUE(mentions(fault, "set 2")) << fault.message;
+    EXPECT_TRUE(message_mentions(fault, "set 2")) << fault.message;
 
     write_shader("flat/flat.vert",
                  "layout(location = 0) in vec3 normal; void main() { gl_Position = vec4(normal, 1); }");
@@ -122,7 +122,7 @@ TEST_F(ExecutorFaultsVk, a_draw_list_that_does_not_fit_the_shader_is_named) {
     input.draws = &source;
     fault = fault_of(std::move(input));
     EXPECT_EQ(fault.code, "V414");
-    EXPECT_TRUE(mentions(fault, "\"opaque\"")) << fault.message;
+    EXPECT_TRUE(message_mentions(fault, "\"opaque\"")) << fault.message;
 
     ImportCatalog imports;
     imports.imports.emplace("opaque", TriangleSource::draw_list("opaque"));
@@ -132,7 +132,7 @@ TEST_F(ExecutorFaultsVk, a_draw_list_that_does_not_fit_the_shader_is_named) {
     Result<std::unique_ptr<Executor>> made = Executor::create(device(), std::move(input));
     ASSERT_FALSE(made.ok());
     EXPECT_EQ(made.errors()[0].code, "V416");
-    EXPECT_TRUE(mentions(made.errors()[0], "\"normal\"")) << made.errors()[0].message;
+    EXPECT_TRUE(message_mentions(made.errors()[0], "\"normal\"")) << made.errors()[0].message;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL never_signalled(VkDevice, uint32_t, const VkFence*, VkBool32, uint64_t) {
@@ -155,7 +155,7 @@ TEST_F(ExecutorFaultsVk, a_frame_that_never_ends_is_a_time_out_that_names_passes
     ASSERT_FALSE(finished.ok());
     ASSERT_FALSE(next.ok()) << "after a time-out nothing runs any more";
     EXPECT_EQ(finished.errors()[0].code, "V407");
-    EXPECT_TRUE(mentions(finished.errors()[0], "read")) << finished.errors()[0].message;
+    EXPECT_TRUE(message_mentions(finished.errors()[0], "read")) << finished.errors()[0].message;
     // This submission waits for the frame, which was only late. After the frame has ended, the executor can
     // be destroyed without leaks.
     ASSERT_TRUE(immediate_submit(device(), "waiting", [](VkCommandBuffer) {}).ok());
@@ -170,7 +170,7 @@ TEST_F(ExecutorFaultsVk, a_lost_device_names_the_passes_of_the_frame) {
     device().fn().vkQueueSubmit = submit;
     ASSERT_FALSE(ran.ok());
     EXPECT_EQ(ran.errors()[0].code, "V408");
-    EXPECT_TRUE(mentions(ran.errors()[0], "fill, pass_on, read")) << ran.errors()[0].message;
+    EXPECT_TRUE(message_mentions(ran.errors()[0], "fill, pass_on, read")) << ran.errors()[0].message;
     EXPECT_FALSE(executor->finish().ok());
 }
 

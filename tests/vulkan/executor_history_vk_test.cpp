@@ -11,7 +11,7 @@ namespace {
 
 using test::GraphBuilder;
 
-constexpr uint32_t kFrames = 9;
+constexpr uint32_t kHistoryFrames = 9;
 constexpr uint32_t kFirst = 7;
 constexpr std::array<float, 4> kFirstFrame{kFirst, 0, 0, 0};
 
@@ -86,10 +86,10 @@ class ExecutorHistoryVk : public ExecutorTest, public testing::WithParamInterfac
         // frames have run.
         FrameInput first;
         first.frame_index = 100;
-        const std::vector<ReadbackData> read = run_frames(*executor, kFrames, first);
-        ASSERT_EQ(read.size(), kFrames);
+        const std::vector<ReadbackData> read = run_frames(*executor, kHistoryFrames, first);
+        ASSERT_EQ(read.size(), kHistoryFrames);
         std::vector<uint32_t> expected;
-        for (uint32_t frame = 0; frame < kFrames; ++frame) {
+        for (uint32_t frame = 0; frame < kHistoryFrames; ++frame) {
             const bool valid = frame >= history;
             expected.push_back(next(valid ? expected[frame - history] : kFirst, valid));
             EXPECT_EQ(values_of<uint32_t>(read[frame]), std::vector<uint32_t>(16, expected[frame]))
@@ -141,8 +141,8 @@ TEST_F(ExecutorKeptVk, copies_and_clears_follow_the_ring) {
     test::make_ring(graph, "depth", 1, {0.25f, 0, 0, 0});
     const auto executor = executor_for(input_for(plan_of(std::move(graph))));
     ASSERT_NE(executor, nullptr);
-    const std::vector<ReadbackData> read = run_frames(*executor, kFrames);
-    ASSERT_EQ(read.size(), size_t{3} * kFrames);
+    const std::vector<ReadbackData> read = run_frames(*executor, kHistoryFrames);
+    ASSERT_EQ(read.size(), size_t{3} * kHistoryFrames);
     for (const ReadbackData& data : read) {
         if (data.pass == "read_depth")
             EXPECT_EQ(values_of<float>(data), std::vector<float>(4, data.frame_index == 0 ? 0.25f : 0.75f));
@@ -169,9 +169,9 @@ TEST_F(ExecutorKeptVk, a_kept_buffer_is_counted_up_in_place) {
         const auto executor = executor_for(input_for(plan));
         ASSERT_NE(executor, nullptr);
         EXPECT_EQ(executor->transient_bytes(), 0u);
-        const std::vector<ReadbackData> read = run_frames(*executor, kFrames);
-        ASSERT_EQ(read.size(), kFrames);
-        for (uint32_t frame = 0; frame < kFrames; ++frame)
+        const std::vector<ReadbackData> read = run_frames(*executor, kHistoryFrames);
+        ASSERT_EQ(read.size(), kHistoryFrames);
+        for (uint32_t frame = 0; frame < kHistoryFrames; ++frame)
             EXPECT_EQ(values_of<uint32_t>(read[frame]), std::vector<uint32_t>(4, 5 + 2 * (frame + 1)));
     }
 }

@@ -9,7 +9,7 @@ namespace {
 using test::GraphBuilder;
 using ExecutorHostDataVk = ExecutorTest;
 
-constexpr uint32_t kFrames = 7;
+constexpr uint32_t kHostDataFrames = 7;
 
 constexpr const char* kEcho = R"(
 layout(local_size_x = 1) in;
@@ -60,9 +60,9 @@ TEST_P(ParamsVk, reach_the_frame_they_were_given_for) {
     FrameInput first;
     first.frame_index = 1000;
     first.pre_exposure = 0.5F;
-    const std::vector<ReadbackData> read = run_frames(*executor, kFrames, first);
-    ASSERT_EQ(read.size(), kFrames);
-    for (uint32_t i = 0; i < kFrames; ++i) {
+    const std::vector<ReadbackData> read = run_frames(*executor, kHostDataFrames, first);
+    ASSERT_EQ(read.size(), kHostDataFrames);
+    for (uint32_t i = 0; i < kHostDataFrames; ++i) {
         EXPECT_EQ(read[i].frame_index, 1000u + i);
         const std::vector<uint32_t> expected{1000 + i, 0x3F000000, 0x3FC00000, 0xC0100000, 0xFFFFFFFD, 1};
         EXPECT_EQ(values_of<uint32_t>(read[i]), expected);
@@ -111,7 +111,7 @@ TEST_F(ExecutorHostDataVk, uploads_of_a_pass_reach_their_frame) {
     input.passes = &passes;
     const auto executor = executor_for(std::move(input));
     ASSERT_NE(executor, nullptr);
-    for (uint32_t i = 0; i < kFrames; ++i) {
+    for (uint32_t i = 0; i < kHostDataFrames; ++i) {
         ASSERT_TRUE(executor->begin_frame().ok());
         const uint32_t start = 10 * i;
         HostInputs host;
@@ -132,7 +132,7 @@ TEST_F(ExecutorHostDataVk, uploads_of_a_pass_reach_their_frame) {
         EXPECT_EQ(values_of<uint32_t>(data), (std::vector<uint32_t>{start, start + 2, start + 4, start + 6}));
         ++seen;
     }
-    EXPECT_EQ(seen, kFrames);
+    EXPECT_EQ(seen, kHostDataFrames);
 }
 
 }  // namespace

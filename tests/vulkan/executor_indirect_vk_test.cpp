@@ -56,7 +56,7 @@ TEST_F(ExecutorIndirectVk, workgroups_are_counted_by_an_earlier_pass) {
     }
 }
 
-constexpr uint32_t kSide = 8;
+constexpr uint32_t kIndirectSide = 8;
 
 class ExecutorIndirectDrawVk : public ExecutorTest {
  protected:
@@ -87,7 +87,7 @@ class ExecutorIndirectDrawVk : public ExecutorTest {
             void main() { gl_Position = vec4(position, 0.5, 1.0); })");
         write_shader("flat/flat.frag", "layout(location = 0) out uint color; void main() { color = 5u; }");
         const ResourceId commands = builder.buffer("commands", 40);
-        const ResourceId target = builder.image("target", Format::r32u, kSide);
+        const ResourceId target = builder.image("target", Format::r32u, kIndirectSide);
         use_shader(builder.compute("write", {{"commands", commands, Access::storage_write, {}, kNoId}}),
                    "write.comp", ProgramKind::compute);
         use_shader(builder.compute("cull", {{"commands", commands, Access::storage_read_write, {}, kNoId}}),
@@ -122,14 +122,14 @@ class ExecutorIndirectDrawVk : public ExecutorTest {
 TEST_F(ExecutorIndirectDrawVk, a_draw_without_instances_is_not_drawn) {
     for (const uint32_t culled : {0u, 1u, 2u}) {
         const std::vector<uint32_t> texels = run(culled);
-        ASSERT_EQ(texels.size(), kSide * kSide);
-        for (uint32_t y = 0; y < kSide; ++y)
-            for (uint32_t x = 0; x < kSide; ++x) {
+        ASSERT_EQ(texels.size(), kIndirectSide * kIndirectSide);
+        for (uint32_t y = 0; y < kIndirectSide; ++y)
+            for (uint32_t x = 0; x < kIndirectSide; ++x) {
                 // Texels whose centre is exactly on the triangle's edge are skipped, because the rasteriser's
                 // fill rule decides about them.
-                if (x + y == kSide - 1) continue;
-                const uint32_t draw = x + y < kSide - 1 ? 0 : 1;
-                ASSERT_EQ(texels[y * kSide + x], draw == culled ? 0u : 5u)
+                if (x + y == kIndirectSide - 1) continue;
+                const uint32_t draw = x + y < kIndirectSide - 1 ? 0 : 1;
+                ASSERT_EQ(texels[y * kIndirectSide + x], draw == culled ? 0u : 5u)
                     << x << ", " << y << " without draw " << culled;
             }
     }

@@ -8,7 +8,7 @@ namespace {
 using test::GraphBuilder;
 using ExecutorProceduralVk = ExecutorTest;
 
-constexpr uint32_t kSide = 8;
+constexpr uint32_t kProceduralSide = 8;
 
 // Instance i covers all columns from column i on. Each column must show the last instance that covers it.
 TEST_F(ExecutorProceduralVk, instances_are_drawn_one_after_the_other) {
@@ -24,7 +24,7 @@ TEST_F(ExecutorProceduralVk, instances_are_drawn_one_after_the_other) {
         layout(location = 0) out uint color;
         void main() { color = shade; })");
     GraphBuilder builder;
-    const ResourceId target = builder.image("target", Format::r32u, kSide);
+    const ResourceId target = builder.image("target", Format::r32u, kProceduralSide);
     PassDecl& draw =
         builder.pass("draw", PassKind::raster, {{"color", target, Access::color_write, {}, kNoId}});
     draw.vertices = 3;
@@ -36,10 +36,10 @@ TEST_F(ExecutorProceduralVk, instances_are_drawn_one_after_the_other) {
     const std::vector<ReadbackData> read = run_frames(*executor, 1);
     ASSERT_EQ(read.size(), 1u);
     const std::vector<uint32_t> texels = values_of<uint32_t>(read[0]);
-    ASSERT_EQ(texels.size(), kSide * kSide);
-    for (uint32_t y = 0; y < kSide; ++y)
-        for (uint32_t x = 0; x < kSide; ++x)
-            ASSERT_EQ(texels[y * kSide + x], std::min(x + 1, 5u)) << x << ", " << y;
+    ASSERT_EQ(texels.size(), kProceduralSide * kProceduralSide);
+    for (uint32_t y = 0; y < kProceduralSide; ++y)
+        for (uint32_t x = 0; x < kProceduralSide; ++x)
+            ASSERT_EQ(texels[y * kProceduralSide + x], std::min(x + 1, 5u)) << x << ", " << y;
 }
 
 }  // namespace

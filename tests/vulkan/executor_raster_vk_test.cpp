@@ -8,15 +8,15 @@ namespace {
 
 using test::GraphBuilder;
 
-constexpr uint32_t kSide = 8;
+constexpr uint32_t kRasterSide = 8;
 
 class ExecutorRasterVk : public ExecutorTest {
  protected:
     // Adds the raster pass "draw", which draws to an rgba32f image and a d32f depth image after clearing
     // them. run() adds a readback of the colour image.
     PassDecl& add_draw(GraphBuilder& builder, const std::string& shader) {
-        target_ = builder.image("target", Format::rgba32f, kSide);
-        const ResourceId depth = builder.image("depth", Format::d32f, kSide);
+        target_ = builder.image("target", Format::rgba32f, kRasterSide);
+        const ResourceId depth = builder.image("depth", Format::d32f, kRasterSide);
         PassDecl& draw = builder.pass("draw", PassKind::raster,
                                       {{"color", target_, Access::color_write, {}, kNoId},
                                        {"depth", depth, Access::depth_write, {}, kNoId}});
@@ -61,14 +61,14 @@ class ExecutorRasterVk : public ExecutorTest {
     // Checks the colour image: the triangle must cover the texels above the diagonal from bottom left to top
     // right.
     static void expect_triangle(const std::vector<float>& texels, const std::array<float, 4>& inside) {
-        ASSERT_EQ(texels.size(), kSide * kSide * 4);
-        for (uint32_t y = 0; y < kSide; ++y)
-            for (uint32_t x = 0; x < kSide; ++x)
+        ASSERT_EQ(texels.size(), kRasterSide * kRasterSide * 4);
+        for (uint32_t y = 0; y < kRasterSide; ++y)
+            for (uint32_t x = 0; x < kRasterSide; ++x)
                 for (uint32_t c = 0; c < 4; ++c) {
                     // Texels whose centre is exactly on the triangle's edge are skipped, because the
                     // rasteriser's fill rule decides about them.
-                    if (x + y == kSide - 1) continue;
-                    ASSERT_EQ(texels[(y * kSide + x) * 4 + c], x + y < kSide - 1 ? inside[c] : -1)
+                    if (x + y == kRasterSide - 1) continue;
+                    ASSERT_EQ(texels[(y * kRasterSide + x) * 4 + c], x + y < kRasterSide - 1 ? inside[c] : -1)
                         << x << ", " << y;
                 }
     }
@@ -128,8 +128,8 @@ TEST_F(ExecutorRasterVk, scissor_and_viewport_are_the_pass_s) {
     draw.state.viewport = RectPx{4, 0, 4, 4};
     draw.state.scissor = RectPx{5, 0, 8 - 5, 1};
     const std::vector<float> texels = run(builder, source);
-    ASSERT_EQ(texels.size(), kSide * kSide * 4);
-    for (uint32_t i = 0; i < kSide * kSide; ++i)
+    ASSERT_EQ(texels.size(), kRasterSide * kRasterSide * 4);
+    for (uint32_t i = 0; i < kRasterSide * kRasterSide; ++i)
         // The centre of texel 7 is exactly on the triangle's edge, so the rasteriser's fill rule decides
         // about this texel.
         if (i != 7) {
@@ -153,7 +153,7 @@ TEST_F(ExecutorRasterVk, a_pass_without_draw_lists_clears) {
     const TriangleSource source(device());
     GraphBuilder builder;
     add_draw(builder, "flat").draw_lists.clear();
-    EXPECT_EQ(run(builder, source), std::vector<float>(kSide * kSide * 4, -1));
+    EXPECT_EQ(run(builder, source), std::vector<float>(kRasterSide * kRasterSide * 4, -1));
     EXPECT_TRUE(source.drawn.empty());
 }
 

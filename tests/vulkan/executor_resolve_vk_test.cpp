@@ -11,7 +11,7 @@ namespace {
 
 using test::GraphBuilder;
 
-constexpr uint32_t kSide = 16;
+constexpr uint32_t kResolveSide = 16;
 constexpr uint32_t kSamples = 4;
 
 struct Point {
@@ -48,7 +48,7 @@ uint32_t samples_covered(uint32_t x, uint32_t y) {
 class ExecutorResolveVk : public ExecutorTest {
  protected:
     ResourceId multisampled(GraphBuilder& builder, const std::string& name, Format format) const {
-        const ResourceId id = builder.image(name, format, kSide);
+        const ResourceId id = builder.image(name, format, kResolveSide);
         builder.edit(id).samples = kSamples;
         return id;
     }
@@ -64,7 +64,7 @@ class ExecutorResolveVk : public ExecutorTest {
                                        {"one", one, Access::color_write, part, kNoId}});
         draw.colors.erase(draw.colors.begin() + 1);
         draw.colors[0].resolve_use = 2;
-        draw.render_extent = {kSide, kSide, 1};
+        draw.render_extent = {kResolveSide, kResolveSide, 1};
         draw.state.depth_test = draw.state.depth_write = true;
         draw.draw_lists = {"opaque"};
         return draw;
@@ -87,7 +87,7 @@ class ExecutorResolveVk : public ExecutorTest {
     GraphBuilder draw_into(uint32_t mip, uint32_t layer) {
         GraphBuilder builder;
         const ResourceId many = multisampled(builder, "many", Format::rgba32f);
-        const ResourceId one = builder.image("one", Format::rgba32f, kSide << mip, mip + 1, 2);
+        const ResourceId one = builder.image("one", Format::rgba32f, kResolveSide << mip, mip + 1, 2);
         builder.pass("clear", PassKind::clear, {{"dst", one, Access::clear_write, {}, kNoId}}).clear = {9, 9,
                                                                                                         9, 9};
         use_triangle(add_draw(builder, many, one, test::one_cell(mip, layer)), "vec4",
@@ -103,7 +103,7 @@ class ExecutorResolveVk : public ExecutorTest {
             if (data.pass == "read")
                 expect_averages(values_of<float>(data), {1, 0.5F, 0.25F, 2});
             else
-                EXPECT_EQ(values_of<float>(data), std::vector<float>(kSide * kSide * 4, 9));
+                EXPECT_EQ(values_of<float>(data), std::vector<float>(kResolveSide * kResolveSide * 4, 9));
     }
 
     std::vector<ReadbackData> run(const GraphBuilder& builder, uint32_t frames = 1) {
@@ -125,14 +125,14 @@ class ExecutorResolveVk : public ExecutorTest {
     }
 
     static void expect_averages(const std::vector<float>& texels, const std::array<float, 4>& inside) {
-        ASSERT_EQ(texels.size(), kSide * kSide * 4);
+        ASSERT_EQ(texels.size(), kResolveSide * kResolveSide * 4);
         std::array<uint32_t, kSamples + 1> pixels_with{};
-        for (uint32_t y = 0; y < kSide; ++y)
-            for (uint32_t x = 0; x < kSide; ++x) {
+        for (uint32_t y = 0; y < kResolveSide; ++y)
+            for (uint32_t x = 0; x < kResolveSide; ++x) {
                 const uint32_t count = samples_covered(x, y);
                 ++pixels_with[count];
                 for (uint32_t c = 0; c < 4; ++c)
-                    ASSERT_EQ(texels[(y * kSide + x) * 4 + c],
+                    ASSERT_EQ(texels[(y * kResolveSide + x) * 4 + c],
                               inside[c] * static_cast<float>(count) / kSamples)
                         << x << ", " << y;
             }
@@ -145,7 +145,7 @@ class ExecutorResolveVk : public ExecutorTest {
 TEST_F(ExecutorResolveVk, floats_are_averaged_over_the_covered_samples) {
     GraphBuilder builder;
     const ResourceId many = multisampled(builder, "many", Format::rgba32f);
-    const ResourceId one = builder.image("one", Format::rgba32f, kSide);
+    const ResourceId one = builder.image("one", Format::rgba32f, kResolveSide);
     use_triangle(add_draw(builder, many, one), "vec4", "vec4(1.0, 0.5, 0.25, 2.0)");
     add_readback(builder, "read", one);
     const std::vector<ReadbackData> read = run(builder, 3);
@@ -171,8 +171,8 @@ TEST_F(ExecutorResolveVk, the_target_may_be_any_layer) {
 TEST_F(ExecutorResolveVk, the_samples_are_still_there_for_who_reads_them) {
     GraphBuilder builder;
     const ResourceId many = multisampled(builder, "many", Format::rgba32f);
-    const ResourceId one = builder.image("one", Format::rgba32f, kSide);
-    const ResourceId masks = builder.image("masks", Format::r32u, kSide);
+    const ResourceId one = builder.image("one", Format::rgba32f, kResolveSide);
+    const ResourceId masks = builder.image("masks", Format::r32u, kResolveSide);
     use_triangle(add_draw(builder, many, one), "vec4", "vec4(1.0, 0.5, 0.25, 2.0)");
     write_shader("masks.comp", R"(
         layout(local_size_x = 16, local_size_y = 16) in;
@@ -197,11 +197,11 @@ TEST_F(ExecutorResolveVk, the_samples_are_still_there_for_who_reads_them) {
             continue;
         }
         const std::vector<uint32_t> found = values_of<uint32_t>(data);
-        ASSERT_EQ(found.size(), kSide * kSide);
+        ASSERT_EQ(found.size(), kResolveSide * kResolveSide);
         for (uint32_t i = 0; i < found.size(); ++i) {
             uint32_t mask = 0;
             for (uint32_t sample = 0; sample < kSamples; ++sample)
-                mask |= (covers(i % kSide, i / kSide, sample) ? 1u : 0u) << sample;
+                mask |= (covers(i % kResolveSide, i / kResolveSide, sample) ? 1u : 0u) << sample;
             ASSERT_EQ(found[i], mask) << i;
         }
     }
@@ -212,7 +212,7 @@ TEST_F(ExecutorResolveVk, integers_keep_their_first_sample) {
         GTEST_SKIP() << "the device has no multisampled integers";
     GraphBuilder builder;
     const ResourceId many = multisampled(builder, "many", Format::r32u);
-    const ResourceId one = builder.image("one", Format::r32u, kSide);
+    const ResourceId one = builder.image("one", Format::r32u, kResolveSide);
     PassDecl& draw = add_draw(builder, many, one);
     draw.colors[0].clear = {3, 0, 0, 0};
     use_triangle(draw, "uint", "1000000007u");
@@ -220,9 +220,9 @@ TEST_F(ExecutorResolveVk, integers_keep_their_first_sample) {
     const std::vector<ReadbackData> read = run(builder);
     ASSERT_EQ(read.size(), 1u);
     const std::vector<uint32_t> texels = values_of<uint32_t>(read[0]);
-    ASSERT_EQ(texels.size(), kSide * kSide);
+    ASSERT_EQ(texels.size(), kResolveSide * kResolveSide);
     for (uint32_t i = 0; i < texels.size(); ++i)
-        ASSERT_EQ(texels[i], covers(i % kSide, i / kSide, 0) ? 1000000007u : 3u) << i;
+        ASSERT_EQ(texels[i], covers(i % kResolveSide, i / kResolveSide, 0) ? 1000000007u : 3u) << i;
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace {
 
 using test::GraphBuilder;
 
-constexpr uint32_t kSide = 8;
-constexpr uint32_t kFrames = 3;
+constexpr uint32_t kScopesSide = 8;
+constexpr uint32_t kScopesFrames = 3;
 
 float from_half(uint16_t bits) {
     const int exponent = bits >> 10 & 31;
@@ -39,8 +39,8 @@ class ExecutorScopesVk : public ExecutorTest {
         }
         const auto executor = executor_for(std::move(input));
         if (executor == nullptr) return {};
-        std::vector<ReadbackData> read = run_frames(*executor, kFrames);
-        EXPECT_EQ(read.size(), kFrames);
+        std::vector<ReadbackData> read = run_frames(*executor, kScopesFrames);
+        EXPECT_EQ(read.size(), kScopesFrames);
         for (const FrameTiming& frame : executor->take_timings())
             for (const auto& pass : frame.passes) EXPECT_EQ(pass.gpu_ms >= 0, timestamps) << pass.pass;
         EXPECT_EQ(device().messages().count(), 0u);
@@ -91,10 +91,11 @@ TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors
     multiply.src_color = BlendFactor::dst_color;
     multiply.src_alpha = BlendFactor::dst_alpha;
     GraphBuilder builder;
-    const ResourceId target = builder.image("target", Format::rgba16f, kSide);
+    const ResourceId target = builder.image("target", Format::rgba16f, kScopesSide);
     add_fill(builder, "base", "gl_FragCoord.x - 0.5", target, {}, {});
-    add_fill(builder, "plus", "gl_FragCoord.y - 0.5", target, add, RectPx{0, 0, kSide / 2, kSide});
-    add_fill(builder, "times", "3.0", target, multiply, RectPx{0, 2, kSide, kSide - 2});
+    add_fill(builder, "plus", "gl_FragCoord.y - 0.5", target, add,
+             RectPx{0, 0, kScopesSide / 2, kScopesSide});
+    add_fill(builder, "times", "3.0", target, multiply, RectPx{0, 2, kScopesSide, kScopesSide - 2});
     builder.pass("read", PassKind::readback, {{"src", target, Access::copy_read, {}, kNoId}});
     const FramePlan plan = compile_plan(builder);
     ASSERT_EQ(continued(plan), 2u);
@@ -106,10 +107,10 @@ TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors
         for (size_t frame = 0; frame < read.size() && frame < naive.size(); ++frame) {
             EXPECT_TRUE(read[frame].bytes == naive[frame].bytes);
             const std::vector<uint16_t> halves = values_of<uint16_t>(read[frame]);
-            ASSERT_EQ(halves.size(), kSide * kSide * 4);
+            ASSERT_EQ(halves.size(), kScopesSide * kScopesSide * 4);
             for (uint32_t i = 0; i < halves.size(); ++i) {
-                const uint32_t x = i / 4 % kSide, y = i / 4 / kSide;
-                const uint32_t sum = x < kSide / 2 ? x + y : x;
+                const uint32_t x = i / 4 % kScopesSide, y = i / 4 / kScopesSide;
+                const uint32_t sum = x < kScopesSide / 2 ? x + y : x;
                 ASSERT_EQ(from_half(halves[i]), static_cast<float>(y < 2 ? sum : sum * 3)) << x << ", " << y;
             }
         }
@@ -121,13 +122,13 @@ TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors
 TEST_F(ExecutorScopesVk, a_depth_tested_pair_in_one_scope_sees_its_depth) {
     const TriangleSource source(device());
     GraphBuilder builder;
-    const ResourceId target = builder.image("target", Format::rgba32f, kSide);
-    const ResourceId depth = builder.image("depth", Format::d32f, kSide);
+    const ResourceId target = builder.image("target", Format::rgba32f, kScopesSide);
+    const ResourceId depth = builder.image("depth", Format::d32f, kScopesSide);
     PassDecl& near = add_draw(builder, "near", "0.75", "3.0",
                               {{"color", target, Access::color_write, {}, kNoId},
                                {"depth", depth, Access::depth_write, {}, kNoId}});
     near.colors[0].clear = {-1, -1, -1, -1};
-    near.state.scissor = RectPx{0, 0, kSide / 2, kSide};
+    near.state.scissor = RectPx{0, 0, kScopesSide / 2, kScopesSide};
     add_draw(builder, "far", "0.25", "5.0",
              {{"color", target, Access::color_read_write, {}, kNoId},
               {"depth", depth, Access::depth_read_write, {}, kNoId}});
@@ -142,16 +143,16 @@ TEST_F(ExecutorScopesVk, a_depth_tested_pair_in_one_scope_sees_its_depth) {
         for (size_t frame = 0; frame < read.size() && frame < naive.size(); ++frame) {
             EXPECT_TRUE(read[frame].bytes == naive[frame].bytes);
             const std::vector<float> texels = values_of<float>(read[frame]);
-            ASSERT_EQ(texels.size(), kSide * kSide * 4);
+            ASSERT_EQ(texels.size(), kScopesSide * kScopesSide * 4);
             for (uint32_t i = 0; i < texels.size(); ++i) {
-                const uint32_t x = i / 4 % kSide, y = i / 4 / kSide;
+                const uint32_t x = i / 4 % kScopesSide, y = i / 4 / kScopesSide;
                 // Texels whose centre is exactly on the triangle's edge are skipped, because the rasteriser's
                 // fill rule decides about them.
-                if (x + y == kSide - 1) continue;
+                if (x + y == kScopesSide - 1) continue;
                 // Each pass also draws the second variant of the list, which adds 1 to the colour: 3 + 1 on
                 // the left, 5 + 1 on the right.
-                const float inside = x < kSide / 2 ? 4 : 6;
-                ASSERT_EQ(texels[i], x + y < kSide - 1 ? inside : -1) << x << ", " << y;
+                const float inside = x < kScopesSide / 2 ? 4 : 6;
+                ASSERT_EQ(texels[i], x + y < kScopesSide - 1 ? inside : -1) << x << ", " << y;
             }
         }
     }

@@ -53,11 +53,11 @@ DeviceProfile three_families() {
 // that the device may not have; all queues are mapped to those of the device. Three frames run, so that a
 // history of two frames is read.
 TEST_F(RandomGraphsVk, RunsBitForBitWithAllFeaturesOnSeveralQueues) {
-    constexpr uint32_t kFirst = 100;
+    constexpr uint32_t kFirstQueueSeed = 100;
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 200 : 36;
     TestShaders shaders;
     test::GraphCoverage coverage;
-    for (uint32_t seed = kFirst; seed < kFirst + seeds; ++seed) {
+    for (uint32_t seed = kFirstQueueSeed; seed < kFirstQueueSeed + seeds; ++seed) {
         const uint32_t queues = 1 + seed / 2 % 4;
         SCOPED_TRACE("seed " + std::to_string(seed) + " on " + std::to_string(queues) + " queues");
         const ResolvedGraph graph = test::random_graph(seed, test::all_features());
@@ -74,7 +74,7 @@ TEST_F(RandomGraphsVk, RunsBitForBitWithAllFeaturesOnSeveralQueues) {
         EXPECT_EQ(device().messages().count(), 0u);
         if (HasFailure()) return;
     }
-    std::printf("seeds %u..%u, %s\n", kFirst, kFirst + seeds - 1, coverage.text().c_str());
+    std::printf("seeds %u..%u, %s\n", kFirstQueueSeed, kFirstQueueSeed + seeds - 1, coverage.text().c_str());
     EXPECT_GE(coverage.several_queues * 2, seeds);
     EXPECT_GE(coverage.history * 10, seeds * 3);
     EXPECT_GE(coverage.alias_transitions * 2, seeds);

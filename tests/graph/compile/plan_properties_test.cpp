@@ -12,7 +12,7 @@
 namespace weft::test {
 namespace {
 
-constexpr uint32_t kGraphs = 300;
+constexpr uint32_t kRandomGraphs = 300;
 
 bool hands_over(const FramePlan& plan) {
     return std::any_of(plan.memory.alias_transitions.begin(), plan.memory.alias_transitions.end(),
@@ -47,7 +47,7 @@ void expect_apart(const FramePlan& plan) {
 TEST(PlanProperties, RandomFramesCompileApartAndProved) {
     uint32_t aliased = 0, ranged = 0, culled = 0;
     double gap = 0;
-    for (uint32_t seed = 0; seed < kGraphs; ++seed) {
+    for (uint32_t seed = 0; seed < kRandomGraphs; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const ResolvedGraph graph = random_graph(seed);
         const FramePlan plan = compile(graph, content_needs(graph), {});
@@ -60,17 +60,17 @@ TEST(PlanProperties, RandomFramesCompileApartAndProved) {
         gap += static_cast<double>(plan.memory.heap_bytes) / static_cast<double>(plan.memory.peak_live_bytes);
         if (HasFailure()) break;
     }
-    std::cout << kGraphs << " graphs (seeds 0.." << kGraphs - 1 << "): " << aliased << " hand memory over, "
-              << ranged << " use subresource ranges, " << culled << " have culled passes, heap / peak "
-              << gap / kGraphs << "\n";
-    EXPECT_GE(aliased, kGraphs / 2);
-    EXPECT_GE(ranged, kGraphs * 3 / 10);
-    EXPECT_GE(culled, kGraphs * 3 / 10);
-    EXPECT_LE(gap / kGraphs, 1.05);
+    std::cout << kRandomGraphs << " graphs (seeds 0.." << kRandomGraphs - 1 << "): " << aliased
+              << " hand memory over, " << ranged << " use subresource ranges, " << culled
+              << " have culled passes, heap / peak " << gap / kRandomGraphs << "\n";
+    EXPECT_GE(aliased, kRandomGraphs / 2);
+    EXPECT_GE(ranged, kRandomGraphs * 3 / 10);
+    EXPECT_GE(culled, kRandomGraphs * 3 / 10);
+    EXPECT_LE(gap / kRandomGraphs, 1.05);
 }
 
 TEST(PlanProperties, TheChosenOrderIsTheBestCandidate) {
-    for (uint32_t seed = 0; seed < kGraphs; ++seed) {
+    for (uint32_t seed = 0; seed < kRandomGraphs; ++seed) {
         const ResolvedGraph graph = random_graph(seed);
         const FramePlan plan = compile(graph, content_needs(graph), {});
         ASSERT_EQ(plan.schedule.candidates.size(), 3u);
@@ -119,7 +119,7 @@ TEST(PlanProperties, TheNaivePlanIsProvedToo) {
 }
 
 TEST(PlanProperties, SizesStayWithinTheOptions) {
-    for (uint32_t seed = 0; seed < kGraphs; ++seed) {
+    for (uint32_t seed = 0; seed < kRandomGraphs; ++seed) {
         const size_t passes = random_graph(seed).passes.size();
         EXPECT_GE(passes, 5u) << "seed " << seed;
         EXPECT_LE(passes, 60u) << "seed " << seed;

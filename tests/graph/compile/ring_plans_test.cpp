@@ -14,7 +14,7 @@
 namespace weft::test {
 namespace {
 
-constexpr uint32_t kGraphs = 300;
+constexpr uint32_t kRingGraphs = 300;
 
 UseDecl use_of(const ResolvedGraph& graph, const char* port, ResourceId id, Access access) {
     UseDecl use;
@@ -114,7 +114,7 @@ CompileOptions on_queues(uint32_t count) {
 
 TEST(RingPlans, RandomFramesWithHistoryAreProvedOnOneToFourQueues) {
     uint32_t remembering = 0;
-    for (uint32_t seed = 0; seed < kGraphs; ++seed) {
+    for (uint32_t seed = 0; seed < kRingGraphs; ++seed) {
         const uint32_t count = 1 + seed % 4;
         SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(count) + " queues");
         const ResolvedGraph graph = with_history(seed);
@@ -125,9 +125,9 @@ TEST(RingPlans, RandomFramesWithHistoryAreProvedOnOneToFourQueues) {
                                    [](const ResourceDecl& r) { return r.age > 0; });
         if (HasFailure()) break;
     }
-    std::cout << kGraphs << " graphs (seeds 0.." << kGraphs - 1 << "): " << remembering
+    std::cout << kRingGraphs << " graphs (seeds 0.." << kRingGraphs - 1 << "): " << remembering
               << " have a history\n";
-    EXPECT_GE(remembering, kGraphs * 3 / 10);
+    EXPECT_GE(remembering, kRingGraphs * 3 / 10);
 }
 
 TEST(RingPlans, AForgottenPrologueIsAFault) {

@@ -9,7 +9,6 @@
 namespace weft::test {
 namespace {
 
-constexpr uint32_t kNone = kNoId;
 const AttachmentOps kLoads{0, LoadOp::load, StoreOp::store};
 const AttachmentOps kClears{0, LoadOp::clear, StoreOp::store};
 
@@ -30,35 +29,35 @@ ScopeTable scopes_of_layers(const ResolvedGraph& graph) {
 }
 
 TEST(FindScopes, APassContinuesTheOneThatDrewTheSameRightBeforeIt) {
-    EXPECT_EQ(scopes_of_layers(layers()), (ScopeTable{kNone, 0, 1}));
+    EXPECT_EQ(scopes_of_layers(layers()), (ScopeTable{kNoId, 0, 1}));
 }
 
 TEST(FindScopes, AClearBeginsAnother) {
     const ResolvedGraph graph = layers();
     EXPECT_EQ(
         find_scopes(graph, in_order(graph, {"first", "second", "third"}), {{kClears}, {kClears}, {kLoads}}),
-        (ScopeTable{kNone, kNone, 1}));
+        (ScopeTable{kNoId, kNoId, 1}));
 }
 
 TEST(FindScopes, OnlyPassesOfTheSameQueueComeBetween) {
     const ResolvedGraph graph = layers();
     const std::vector<std::string> passes{"first", "far", "second"};
     const AttachmentTable ops{{kClears}, {}, {kLoads}};
-    EXPECT_EQ(find_scopes(graph, in_order(graph, passes), ops), (ScopeTable{kNone, kNone, kNone}));
-    EXPECT_EQ(find_scopes(graph, in_order(graph, passes, {0, 1, 0}), ops), (ScopeTable{kNone, kNone, 0}));
+    EXPECT_EQ(find_scopes(graph, in_order(graph, passes), ops), (ScopeTable{kNoId, kNoId, kNoId}));
+    EXPECT_EQ(find_scopes(graph, in_order(graph, passes, {0, 1, 0}), ops), (ScopeTable{kNoId, kNoId, 0}));
 }
 
 TEST(FindScopes, ExtentResolveAndFrameSlicesMustAgree) {
     ResolvedGraph graph = layers();
     PassDecl& second = graph.passes[pass_of(graph, "second")];
     second.render_extent.width /= 2;
-    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNone, kNone, kNone})) << "extent";
+    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNoId, kNoId, kNoId})) << "extent";
     graph = layers();
     graph.passes[pass_of(graph, "third")].colors.front().resolve_use = 0;
-    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNone, 0, kNone})) << "resolve";
+    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNoId, 0, kNoId})) << "resolve";
     graph = layers();
     graph.passes[pass_of(graph, "third")].frame_slices = 2;
-    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNone, 0, kNone})) << "runs in some frames only";
+    EXPECT_EQ(scopes_of_layers(graph), (ScopeTable{kNoId, 0, kNoId})) << "runs in some frames only";
 }
 
 TEST(FindScopes, APassThatAlsoSamplesItsTargetStandsAlone) {
@@ -70,19 +69,19 @@ TEST(FindScopes, APassThatAlsoSamplesItsTargetStandsAlone) {
             {"src", target, Access::sampled_read, {}, 0}});
     const ResolvedGraph graph = b.build();
     EXPECT_EQ(find_scopes(graph, in_order(graph, {"first", "second"}), {{kClears}, {kLoads}}),
-              (ScopeTable{kNone, kNone}));
+              (ScopeTable{kNoId, kNoId}));
 }
 
 TEST(FindScopes, ABarrierBeforeAPassOrBehindTheOneBeforeItDivides) {
-    const ScopeTable all{kNone, 0, 1, 2};
+    const ScopeTable all{kNoId, 0, 1, 2};
     ResourceHistory before, behind, epilogue;
     before.barriers = {{1, false, {}}};
     behind.barriers = {{2, true, {}}};
     epilogue.barriers = {{kEpiloguePosition, false, {}}};
     EXPECT_EQ(undivided(all, {}), all);
     EXPECT_EQ(undivided(all, {epilogue}), all);
-    EXPECT_EQ(undivided(all, {before}), (ScopeTable{kNone, kNone, 1, 2}));
-    EXPECT_EQ(undivided(all, {behind}), (ScopeTable{kNone, 0, 1, kNone}));
+    EXPECT_EQ(undivided(all, {before}), (ScopeTable{kNoId, kNoId, 1, 2}));
+    EXPECT_EQ(undivided(all, {behind}), (ScopeTable{kNoId, 0, 1, kNoId}));
 }
 
 TEST(FindScopes, ABatchBeginsAScope) {
@@ -90,7 +89,7 @@ TEST(FindScopes, ABatchBeginsAScope) {
     plan.batches.resize(3);
     plan.batches[0].positions = {0, 1};
     plan.batches[1].positions = {2, 3};
-    EXPECT_EQ(within_batches({kNone, 0, 1, 2}, plan), (ScopeTable{kNone, 0, kNone, 2}));
+    EXPECT_EQ(within_batches({kNoId, 0, 1, 2}, plan), (ScopeTable{kNoId, 0, kNoId, 2}));
 }
 
 }  // namespace

@@ -10,11 +10,9 @@
 namespace weft::test {
 namespace {
 
-constexpr uint32_t kNone = kNoId;
-
 // Returns one line for each barrier, sorted by position, such as "0 none:none:undefined >
 // compute_shader:storage_write:general".
-std::string text_of(const std::vector<PlacedBarrier>& barriers) {
+std::string barriers_text(const std::vector<PlacedBarrier>& barriers) {
     const auto state = [](const AccessState& s) {
         return stages_text(s.stages) + ":" + access_text(s.access) + ":" + layout_text(s.layout);
     };
@@ -44,9 +42,9 @@ ResolvedGraph make_and_look() {
 
 TEST(Synchronize, ATransientsHistoryIsATakeOverAndOneBarrierForEachHazard) {
     const ResolvedGraph graph = make_and_look();
-    const SyncTable table = synchronize(graph, in_order(graph, {"make", "look"}), {{}, {}}, {kNone, kNone});
+    const SyncTable table = synchronize(graph, in_order(graph, {"make", "look"}), {{}, {}}, {kNoId, kNoId});
     const ResourceHistory& image = table.histories[resource_of(graph, "image")];
-    EXPECT_EQ(text_of(image.barriers),
+    EXPECT_EQ(barriers_text(image.barriers),
               "0 none:none:undefined > compute_shader:storage_write:general\n"
               "1 compute_shader:storage_write:general > compute_shader:sampled_read:shader_read_only\n");
     EXPECT_EQ(reasons_of(image.barriers),
@@ -65,10 +63,10 @@ TEST(Synchronize, ATransientsHistoryIsATakeOverAndOneBarrierForEachHazard) {
 TEST(Synchronize, AcrossQueuesASemaphoreWaitsAndABarrierChangesTheLayout) {
     const ResolvedGraph graph = make_and_look();
     const SyncTable table =
-        synchronize(graph, in_order(graph, {"make", "look"}, {0, 1}), {{}, {}}, {kNone, kNone});
+        synchronize(graph, in_order(graph, {"make", "look"}, {0, 1}), {{}, {}}, {kNoId, kNoId});
     const ResourceId image = resource_of(graph, "image");
     EXPECT_EQ(table.dependencies, (std::vector<QueueDependency>{{0, 1, false, image}}));
-    EXPECT_EQ(text_of(table.histories[image].barriers),
+    EXPECT_EQ(barriers_text(table.histories[image].barriers),
               "0 none:none:undefined > compute_shader:storage_write:general\n"
               "1 compute_shader:none:general > compute_shader:sampled_read:shader_read_only\n");
 }
@@ -81,10 +79,10 @@ TEST(Synchronize, ABufferAcrossQueuesNeedsTheSemaphoreOnly) {
               {{"src", words, Access::storage_read, {}, 0}, {"dst", sum, Access::storage_write, {}, 1}});
     const ResolvedGraph graph = b.build();
     const SyncTable table =
-        synchronize(graph, in_order(graph, {"make", "look"}, {0, 1}), {{}, {}}, {kNone, kNone});
+        synchronize(graph, in_order(graph, {"make", "look"}, {0, 1}), {{}, {}}, {kNoId, kNoId});
     const ResourceId id = resource_of(graph, "words");
     EXPECT_EQ(table.dependencies, (std::vector<QueueDependency>{{0, 1, false, id}}));
-    EXPECT_EQ(text_of(table.histories[id].barriers),
+    EXPECT_EQ(barriers_text(table.histories[id].barriers),
               "0 none:none:undefined > compute_shader:storage_write:undefined\n");
 }
 
@@ -97,12 +95,12 @@ TEST(Synchronize, AnImageMovesBetweenFamiliesAndABufferIsConcurrent) {
     const ResolvedGraph graph = b.build();
     Schedule order = in_order(graph, {"make", "look"}, {0, 1});
     order.queues[1].family = 1;
-    const SyncTable table = synchronize(graph, order, {{}, {}}, {kNone, kNone});
+    const SyncTable table = synchronize(graph, order, {{}, {}}, {kNoId, kNoId});
     const std::vector<PlacedBarrier>& barriers = table.histories[resource_of(graph, "image")].barriers;
     EXPECT_EQ(reasons_of(barriers),
               (std::vector<BarrierReason>{BarrierReason::alias, BarrierReason::release_queue,
                                           BarrierReason::acquire_queue}));
-    EXPECT_EQ(text_of(barriers),
+    EXPECT_EQ(barriers_text(barriers),
               "0 none:none:undefined > compute_shader:storage_write:general\n"
               "after 0 compute_shader:storage_write:general > none:none:general\n"
               "1 compute_shader:none:general > compute_shader:storage_read:general\n");
@@ -130,8 +128,8 @@ TEST(Synchronize, ACandidateThatNoBarrierDividesKeepsItsScope) {
     for (const bool divided : {false, true}) {
         const ResolvedGraph graph = two_layers(divided);
         const SyncTable table =
-            synchronize(graph, in_order(graph, {"fill", "first", "second"}), ops, {kNone, kNone, 1});
-        EXPECT_EQ(table.scopes, (ScopeTable{kNone, kNone, divided ? kNone : 1}));
+            synchronize(graph, in_order(graph, {"fill", "first", "second"}), ops, {kNoId, kNoId, 1});
+        EXPECT_EQ(table.scopes, (ScopeTable{kNoId, kNoId, divided ? kNoId : 1}));
         const std::vector<PlacedBarrier>& target = table.histories[resource_of(graph, "target")].barriers;
         ASSERT_EQ(target.size(), divided ? 2u : 1u);
         EXPECT_EQ(target[0].position, 1u);
@@ -147,12 +145,12 @@ TEST(Synchronize, ARingIsFoundAsTheFrameBeforeLeftTheNextYoungerRole) {
     b.compute("blend", {{"past", roles[1], Access::sampled_read, {}, 0},
                         {"dst", color, Access::storage_write, {}, 1}});
     const ResolvedGraph graph = b.build();
-    const SyncTable table = synchronize(graph, in_order(graph, {"blend"}), {{}}, {kNone});
+    const SyncTable table = synchronize(graph, in_order(graph, {"blend"}), {{}}, {kNoId});
     const ResourceHistory& now = table.histories[resource_of(graph, "color")];
     const ResourceHistory& past = table.histories[resource_of(graph, "color[-1]")];
-    EXPECT_EQ(text_of(now.barriers),
+    EXPECT_EQ(barriers_text(now.barriers),
               "0 from before compute_shader:none:undefined > compute_shader:storage_write:general\n");
-    EXPECT_EQ(text_of(past.barriers),
+    EXPECT_EQ(barriers_text(past.barriers),
               "0 from before compute_shader:storage_write:general > "
               "compute_shader:sampled_read:shader_read_only\n");
     ASSERT_EQ(now.entry.size(), 1u);
@@ -169,9 +167,9 @@ TEST(Synchronize, AnAfterEdgeBecomesADependencyBetweenQueues) {
     b.after("one", "two");
     const ResolvedGraph graph = b.build();
     EXPECT_TRUE(
-        synchronize(graph, in_order(graph, {"one", "two"}), {{}, {}}, {kNone, kNone}).dependencies.empty());
+        synchronize(graph, in_order(graph, {"one", "two"}), {{}, {}}, {kNoId, kNoId}).dependencies.empty());
     EXPECT_EQ(
-        synchronize(graph, in_order(graph, {"one", "two"}, {0, 1}), {{}, {}}, {kNone, kNone}).dependencies,
+        synchronize(graph, in_order(graph, {"one", "two"}, {0, 1}), {{}, {}}, {kNoId, kNoId}).dependencies,
         (std::vector<QueueDependency>{{0, 1, false, kNoId}}));
 }
 

@@ -12,7 +12,7 @@
 namespace weft::test {
 namespace {
 
-constexpr Extent3D kSize{64, 36, 1};
+constexpr Extent3D kReloadSize{64, 36, 1};
 // The number of frames after which the picture no longer changes: the longest history has 2 frames.
 constexpr uint32_t kSettlingFrames = 3;
 
@@ -70,7 +70,9 @@ std::vector<GoodEdit> good_edits() {
          in("live.json", "\"FLIPPED\": 0", "\"FLIPPED\": 1"),
          {4, 0, 4, 1, false, true}},
         {"a pass more", change_passes, plan},
-        {"a comment", in("live.json", "// The reload tests", "// All reload tests"), {4, 0, 0, 0, false, false}},
+        {"a comment",
+         in("live.json", "// The reload tests", "// All reload tests"),
+         {4, 0, 0, 0, false, false}},
         {"an include within an include", in("paint.comp", "\"tint.glsl\"", "\"nested.glsl\""), shaders(1, 1)},
     };
 }
@@ -125,7 +127,7 @@ std::vector<BrokenEdit> broken_edits() {
 class Reloading : public SessionTest {
  protected:
     void begin() {
-        live_ = start(folder_.graph(), kSize, {"frames"});
+        live_ = start(folder_.graph(), kReloadSize, {"frames"});
         ASSERT_TRUE(live_);
         draw(*live_, kSettlingFrames);
         good_ = shown(*live_);
@@ -145,7 +147,7 @@ class Reloading : public SessionTest {
     }
     // Returns the picture of a new session that starts with the current wanted content of the files.
     std::vector<std::byte> wanted() {
-        const std::unique_ptr<render::Session> fresh = start(folder_.graph(), kSize, {"frames"});
+        const std::unique_ptr<render::Session> fresh = start(folder_.graph(), kReloadSize, {"frames"});
         if (!fresh) return {};
         draw(*fresh, kSettlingFrames);
         return shown(*fresh);

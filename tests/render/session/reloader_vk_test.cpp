@@ -13,7 +13,7 @@ namespace weft::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr Extent3D kSize{64, 36, 1};
+constexpr Extent3D kReloaderSize{64, 36, 1};
 
 // The threads that created pipelines. Global, because the functions in the device's table are plain functions
 // without an object.
@@ -36,7 +36,7 @@ VKAPI_ATTR VkResult VKAPI_CALL make_compute(VkDevice device, VkPipelineCache cac
 class Reloads : public SessionTest {
  protected:
     void begin() {
-        live_ = start(folder_.graph(), kSize, {"frames"});
+        live_ = start(folder_.graph(), kReloaderSize, {"frames"});
         ASSERT_TRUE(live_);
         draw(2);
         Result<std::unique_ptr<render::Reloader>> made = render::Reloader::start(*live_);

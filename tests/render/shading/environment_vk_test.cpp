@@ -11,8 +11,8 @@
 namespace weft::test {
 namespace {
 
-constexpr Extent3D kSize{160, 90, 1};
-constexpr double kPi = 3.14159265358979;
+constexpr Extent3D kEnvironmentSize{160, 90, 1};
+constexpr double kEnvironmentPi = std::numbers::pi;
 
 scene::Environment environment_of(uint32_t width, uint32_t height,
                                   const std::function<glm::vec3(uint32_t, uint32_t)>& radiance) {
@@ -45,7 +45,8 @@ scene::Camera camera_at(glm::vec3 eye, glm::vec3 at, float fov_y_rad) {
 // Samples the environment map in direction w, independently of the shaders: bilinear interpolation of the
 // four nearest texels, which wraps around horizontally and is clamped at the poles.
 glm::dvec3 sampled(const scene::Environment& e, glm::dvec3 w) {
-    const double u = 0.5 + std::atan2(w.x, -w.z) / (2 * kPi), v = std::acos(w.y / glm::length(w)) / kPi;
+    const double u = 0.5 + std::atan2(w.x, -w.z) / (2 * kEnvironmentPi),
+                 v = std::acos(w.y / glm::length(w)) / kEnvironmentPi;
     const double x = u * e.width_px - 0.5, y = v * e.height_px - 0.5;
     const auto texel = [&](double column, double row) {
         const auto width = static_cast<int64_t>(e.width_px);
@@ -73,18 +74,19 @@ void EnvironmentLight::expect_background(glm::vec3 at) {
     // The camera is below the plane. The plane is visible only from above, so it hides nothing.
     const glm::vec3 eye(0, -50, 0);
     const scene::Camera camera = camera_at(eye, eye + at, 0.9f);
-    const Rendered r = render(scene, camera, kSize, 0, {"hdr"});
+    const Rendered r = render(scene, camera, kEnvironmentSize, 0, {"hdr"});
     ASSERT_EQ(r.images.size(), 1u);
     const glm::dmat3 axes(camera.transform);
-    const double tan_y = std::tan(0.45), tan_x = tan_y * kSize.width / kSize.height;
+    const double tan_y = std::tan(0.45), tan_x = tan_y * kEnvironmentSize.width / kEnvironmentSize.height;
     // Largest difference between neighbouring texels, per channel.
     const glm::dvec3 steepest(4, 15, 60);
-    for (uint32_t y = 0; y < kSize.height; ++y)
-        for (uint32_t x = 0; x < kSize.width; ++x) {
-            const glm::dvec3 ray = axes * glm::dvec3(((x + 0.5) / kSize.width * 2 - 1) * tan_x,
-                                                     (1 - (y + 0.5) / kSize.height * 2) * tan_y, -1);
+    for (uint32_t y = 0; y < kEnvironmentSize.height; ++y)
+        for (uint32_t x = 0; x < kEnvironmentSize.width; ++x) {
+            const glm::dvec3 ray =
+                axes * glm::dvec3(((x + 0.5) / kEnvironmentSize.width * 2 - 1) * tan_x,
+                                  (1 - (y + 0.5) / kEnvironmentSize.height * 2) * tan_y, -1);
             const glm::dvec3 expected = sampled(scene.environment, ray);
-            const glm::dvec3 found(r.images.at("hdr")[y * kSize.width + x]);
+            const glm::dvec3 found(r.images.at("hdr")[y * kEnvironmentSize.width + x]);
             for (int c = 0; c < 3; ++c)
                 ASSERT_NEAR(found[c], expected[c], steepest[c] * 2 / 256 + expected[c] / 1024)
                     << x << ", " << y;
@@ -106,8 +108,8 @@ TEST_F(EnvironmentLight, InAWhiteFurnaceAWhitePlaneVanishes) {
     scene.environment = environment_of(32, 16, [](uint32_t, uint32_t) { return glm::vec3(2, 3, 4); });
     for (const bool metal : {false, true}) {
         scene.materials[0].metallic = metal ? 1.0f : 0.0f;
-        const Rendered r =
-            render(scene, camera_at({1, 4, 3}, {0, 0, 0}, 0.9f), kSize, 0, {"hdr", "depth", "albedo"});
+        const Rendered r = render(scene, camera_at({1, 4, 3}, {0, 0, 0}, 0.9f), kEnvironmentSize, 0,
+                                  {"hdr", "depth", "albedo"});
         ASSERT_EQ(r.images.size(), 3u);
         for (size_t i = 0; i < r.images.at("hdr").size(); ++i) {
             // The shaders compute only single scattering. So rough metal loses up to two thirds of the light
@@ -126,12 +128,13 @@ TEST_F(EnvironmentLight, InAWhiteFurnaceAWhitePlaneVanishes) {
 TEST_F(EnvironmentLight, AMattPlaneSendsBackItsShareOfALinearSky) {
     scene::Scene scene = matt_plane(0.5f);
     scene.environment = environment_of(512, 256, [](uint32_t, uint32_t y) {
-        return glm::vec3(float(1 + 0.5 * std::cos((y + 0.5) / 256 * kPi)));
+        return glm::vec3(float(1 + 0.5 * std::cos((y + 0.5) / 256 * kEnvironmentPi)));
     });
-    const Rendered r = render(scene, camera_at({0, 3, 0.1f}, {0, 0, 0}, 0.9f), kSize, 0, {"hdr", "albedo"});
+    const Rendered r =
+        render(scene, camera_at({0, 3, 0.1f}, {0, 0, 0}, 0.9f), kEnvironmentSize, 0, {"hdr", "albedo"});
     ASSERT_EQ(r.images.size(), 2u);
-    const double root = r.images.at("albedo")[kSize.width * 45 + 80].r;
-    const double found = r.images.at("hdr")[kSize.width * 45 + 80].r;
+    const double root = r.images.at("albedo")[kEnvironmentSize.width * 45 + 80].r;
+    const double found = r.images.at("hdr")[kEnvironmentSize.width * 45 + 80].r;
     EXPECT_NEAR(found, root * root * (1 + 0.5 * 2 / 3), 1e-3);
 }
 

@@ -9,7 +9,7 @@
 namespace weft::test {
 namespace {
 
-constexpr Extent3D kSize{320, 180, 1};
+constexpr Extent3D kForwardSize{320, 180, 1};
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 constexpr const char* kForward = WEFT_SOURCE_DIR "/graphs/forward.json";
 
@@ -27,7 +27,7 @@ class Forward : public SessionTest {
     std::vector<uint16_t> hdr_of(const scene::Scene& scene, const std::string& graph,
                                  const FileReader& reader) {
         const std::unique_ptr<render::Session> session =
-            start(scene, scene.cameras.at(0), graph, kSize, {"hdr"}, scene.exposure_ev, reader);
+            start(scene, scene.cameras.at(0), graph, kForwardSize, {"hdr"}, scene.exposure_ev, reader);
         if (!session || !draw_frame(*session) || !session->finish()) {
             ADD_FAILURE() << "no picture";
             return {};
@@ -51,7 +51,7 @@ TEST_F(Forward, SeesWhatDeferredSees) {
         const std::vector<uint16_t> deferred = hdr_of(*scene, kDeferred, read_text);
         const std::vector<uint16_t> forward = hdr_of(*scene, kForward, read_quantized);
         ASSERT_EQ(deferred.size(), forward.size());
-        ASSERT_EQ(deferred.size(), size_t{kSize.width} * kSize.height * 4);
+        ASSERT_EQ(deferred.size(), size_t{kForwardSize.width} * kForwardSize.height * 4);
         size_t differ = 0;
         int worst = 0;
         for (size_t i = 0; i < forward.size(); ++i) {

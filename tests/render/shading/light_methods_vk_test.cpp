@@ -13,10 +13,10 @@
 namespace weft::test {
 namespace {
 
-constexpr Extent3D kSize{320, 180, 1};
+constexpr Extent3D kLightMethodsSize{320, 180, 1};
 using Image = std::vector<glm::vec4>;
 
-std::string graph_path(const std::string& name) {
+std::string method_graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
 }
 
@@ -72,14 +72,15 @@ void add_awkward_lights(scene::Scene& scene, const scene::Camera& camera) {
 class LightMethods : public SessionTest {
  protected:
     Rendered drawn(const scene::Scene& scene, const std::string& graph, const scene::Camera& camera) {
-        return render(scene, camera, kSize, scene.exposure_ev, {"hdr@lighting", "depth"}, graph_path(graph));
+        return render(scene, camera, kLightMethodsSize, scene.exposure_ev, {"hdr@lighting", "depth"},
+                      method_graph_path(graph));
     }
     void expect_the_same(const scene::Scene& scene, const scene::Camera& camera) {
         const Rendered looped = drawn(scene, "deferred", camera),
                        tiled = drawn(scene, "tiled_deferred", camera);
         ASSERT_TRUE(looped.images.contains("hdr@lighting") && tiled.images.contains("hdr@lighting"));
         const Image &a = looped.images.at("hdr@lighting"), &b = tiled.images.at("hdr@lighting");
-        ASSERT_EQ(a.size(), size_t{kSize.width} * kSize.height);
+        ASSERT_EQ(a.size(), size_t{kLightMethodsSize.width} * kLightMethodsSize.height);
         size_t differ = 0;
         for (size_t i = 0; i < a.size(); ++i) differ += a[i] != b[i] ? 1 : 0;
         EXPECT_EQ(differ, 0u) << "of " << a.size() << " pixels";
@@ -87,10 +88,11 @@ class LightMethods : public SessionTest {
 };
 
 glm::dvec3 position_of(const shared::ViewConstants& view, size_t pixel, float z) {
-    const double x = static_cast<double>(pixel % kSize.width) + 0.5,
-                 y = static_cast<double>(pixel / kSize.width) + 0.5;
-    const glm::dvec4 at = glm::dmat4(view.inverse_view_projection) *
-                          glm::dvec4(2 * x / kSize.width - 1, 2 * y / kSize.height - 1, z, 1);
+    const double x = static_cast<double>(pixel % kLightMethodsSize.width) + 0.5,
+                 y = static_cast<double>(pixel / kLightMethodsSize.width) + 0.5;
+    const glm::dvec4 at =
+        glm::dmat4(view.inverse_view_projection) *
+        glm::dvec4(2 * x / kLightMethodsSize.width - 1, 2 * y / kLightMethodsSize.height - 1, z, 1);
     return glm::dvec3(at) / at.w;
 }
 

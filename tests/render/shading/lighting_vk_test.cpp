@@ -12,7 +12,7 @@
 namespace weft::test {
 namespace {
 
-constexpr Extent3D kSize{320, 180, 1};
+constexpr Extent3D kLightingSize{320, 180, 1};
 
 class Lighting : public SessionTest {};
 
@@ -21,7 +21,7 @@ TEST_F(Lighting, EveryPixelOfTheSpheresFollowsFromTheGBuffer) {
     ASSERT_TRUE(scene);
     scene->sky_zenith = scene->sky_horizon = glm::vec3(0);
     ASSERT_EQ(scene->lights.size(), 1u);
-    const Rendered r = render(*scene, scene->cameras.at(0), kSize, scene->exposure_ev,
+    const Rendered r = render(*scene, scene->cameras.at(0), kLightingSize, scene->exposure_ev,
                               {"albedo", "normal", "orm", "specular", "depth", "hdr@gbuffer", "hdr"});
     ASSERT_EQ(r.images.size(), 7u);
     const glm::dmat4 to_world = glm::inverse(glm::dmat4(r.view.projection) * glm::dmat4(r.view.view));
@@ -31,8 +31,8 @@ TEST_F(Lighting, EveryPixelOfTheSpheresFollowsFromTheGBuffer) {
         const double z = r.images.at("depth")[i].r;
         if (z <= 0) continue;
         ++surfaces;
-        const double u = (double(i % kSize.width) + 0.5) / kSize.width,
-                     v = (double(i / kSize.width) + 0.5) / kSize.height;
+        const double u = (double(i % kLightingSize.width) + 0.5) / kLightingSize.width,
+                     v = (double(i / kLightingSize.width) + 0.5) / kLightingSize.height;
         const glm::dvec4 world = to_world * glm::dvec4(u * 2 - 1, v * 2 - 1, z, 1);
         const glm::dvec3 at = glm::dvec3(world) / world.w;
         const glm::dvec4 orm = r.images.at("orm")[i], coat = r.images.at("specular")[i];
@@ -100,26 +100,27 @@ TEST_P(Plane, FollowsItsClosedForm) {
     scene::Camera camera;
     camera.transform = glm::inverse(glm::lookAt(glm::vec3(1, 4, 3), glm::vec3(0, 0, 0), glm::vec3(0, 1, 0)));
     camera.fov_y_rad = 0.7f;
-    const Rendered r = render(scene, camera, kSize, 0, {"hdr"});
+    const Rendered r = render(scene, camera, kLightingSize, 0, {"hdr"});
     ASSERT_EQ(r.images.size(), 1u);
     const glm::dvec3 eye(1, 4, 3);
     const glm::dmat3 axes(camera.transform);
-    const double tan_y = std::tan(double(camera.fov_y_rad) / 2), tan_x = tan_y * kSize.width / kSize.height;
+    const double tan_y = std::tan(double(camera.fov_y_rad) / 2),
+                 tan_x = tan_y * kLightingSize.width / kLightingSize.height;
     ReferenceSurface s;
     s.metallic = GetParam().metal ? 1 : 0;
     s.roughness = 0.4;
     s.specular = GetParam().metal ? 1 : 0;
     std::vector<double> errors;
-    for (uint32_t y = 0; y < kSize.height; ++y) {
-        for (uint32_t x = 0; x < kSize.width; ++x) {
-            const glm::dvec3 ray = axes * glm::dvec3(((x + 0.5) / kSize.width * 2 - 1) * tan_x,
-                                                     (1 - (y + 0.5) / kSize.height * 2) * tan_y, -1);
+    for (uint32_t y = 0; y < kLightingSize.height; ++y) {
+        for (uint32_t x = 0; x < kLightingSize.width; ++x) {
+            const glm::dvec3 ray = axes * glm::dvec3(((x + 0.5) / kLightingSize.width * 2 - 1) * tan_x,
+                                                     (1 - (y + 0.5) / kLightingSize.height * 2) * tan_y, -1);
             const glm::dvec3 at = eye + ray * (-eye.y / ray.y);
             if (ray.y >= 0 || std::max(std::abs(at.x), std::abs(at.z)) > 3.95) continue;
             glm::dvec3 l;
             const glm::dvec3 e = incident(r.lights.at(0), at, l);
             const double expected = reflected(s, glm::normalize(eye - at), l).x * e.x;
-            const double found = r.images.at("hdr")[size_t{y} * kSize.width + x].r;
+            const double found = r.images.at("hdr")[size_t{y} * kLightingSize.width + x].r;
             if (expected < 1e-4) {
                 EXPECT_NEAR(found, expected, 2e-6);
             } else {

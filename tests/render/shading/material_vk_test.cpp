@@ -1,15 +1,13 @@
 // Tests materials in both shipped pipelines against closed forms: how each number and channel of glTF 2.0 and
 // its extensions changes the light that a square reflects to the camera.
 #include <array>
-#include <numbers>
 
 #include "tests/render/session_fixture.h"
 #include "tests/render/shading/quad_scene.h"
+#include "tests/render/shading/reference_brdf.h"
 
 namespace weft::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 class Materials : public SessionTest, public ::testing::WithParamInterface<const char*> {
  protected:

@@ -11,7 +11,7 @@
 namespace weft::test {
 namespace {
 
-constexpr Extent3D kSize{160, 90, 1};
+constexpr Extent3D kPrecisionSize{160, 90, 1};
 
 // The values that the G-buffer stores for one pixel, as shaders read them.
 struct Stored {
@@ -122,8 +122,8 @@ glm::dvec3 bound(const Stored& p, const View& view) {
 
 Stored stored_at(const Rendered& r, size_t i, const glm::dmat4& to_world) {
     const glm::dvec4 orm = r.images.at("orm")[i], coat = r.images.at("specular")[i];
-    const double u = (double(i % kSize.width) + 0.5) / kSize.width,
-                 v = (double(i / kSize.width) + 0.5) / kSize.height;
+    const double u = (double(i % kPrecisionSize.width) + 0.5) / kPrecisionSize.width,
+                 v = (double(i / kPrecisionSize.width) + 0.5) / kPrecisionSize.height;
     const glm::dvec4 world = to_world * glm::dvec4(u * 2 - 1, v * 2 - 1, r.images.at("depth")[i].r, 1);
     Stored p;
     p.base_root = glm::dvec3(r.images.at("albedo")[i]);
@@ -148,9 +148,9 @@ TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
             return scene->materials[i.material].alpha_mode == scene::AlphaMode::blend;
         });
         const scene::Camera camera = scene->cameras.at(0);
-        const Rendered deferred = render(*scene, camera, kSize, scene->exposure_ev,
+        const Rendered deferred = render(*scene, camera, kPrecisionSize, scene->exposure_ev,
                                          {"albedo", "normal", "orm", "specular", "depth", "hdr"});
-        const Rendered forward = render(*scene, camera, kSize, scene->exposure_ev, {"hdr"},
+        const Rendered forward = render(*scene, camera, kPrecisionSize, scene->exposure_ev, {"hdr"},
                                         WEFT_SOURCE_DIR "/graphs/forward.json");
         ASSERT_EQ(deferred.images.size(), 6u);
         ASSERT_EQ(forward.images.size(), 1u);

@@ -11,10 +11,10 @@
 namespace weft::test {
 namespace {
 
-constexpr Extent3D kSize{320, 180, 1};
+constexpr Extent3D kTileShadingSize{320, 180, 1};
 constexpr uint32_t kLights = 1024, kTilePx = 16, kListBegin = 3;
-constexpr size_t kTiles =
-    size_t{(kSize.width + kTilePx - 1) / kTilePx} * ((kSize.height + kTilePx - 1) / kTilePx);
+constexpr size_t kTiles = size_t{(kTileShadingSize.width + kTilePx - 1) / kTilePx} *
+                          ((kTileShadingSize.height + kTilePx - 1) / kTilePx);
 
 std::string graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
@@ -28,7 +28,7 @@ class TileShading : public SessionTest {
                                                            std::vector<std::string> observed,
                                                            size_t camera = 0) {
         const std::unique_ptr<render::Session> session =
-            start(scene, scene.cameras.at(camera), graph_path(graph), kSize, std::move(observed),
+            start(scene, scene.cameras.at(camera), graph_path(graph), kTileShadingSize, std::move(observed),
                   scene.exposure_ev);
         if (!session || !draw_frame(*session) || !session->finish()) {
             ADD_FAILURE() << "no picture of " << graph;
@@ -63,7 +63,7 @@ class TileShading : public SessionTest {
     }
     void expect_same(const scene::Scene& scene, const std::string& culled, const std::string& all) {
         const std::vector<uint16_t> found = hdr_of(scene, culled), wanted = hdr_of(scene, all);
-        ASSERT_EQ(found.size(), size_t{kSize.width} * kSize.height * 4);
+        ASSERT_EQ(found.size(), size_t{kTileShadingSize.width} * kTileShadingSize.height * 4);
         ASSERT_EQ(found.size(), wanted.size());
         size_t differ = 0, lit = 0;
         int worst = 0;
@@ -137,13 +137,13 @@ TEST_F(TileShading, EachTileIsInTheListOfItsClass) {
     std::map<std::string, std::vector<std::byte>> found = bytes_of(scene, "light_indexed", observed);
     const std::vector<float> depth = words<float>(found["depth"]);
     const std::vector<uint32_t> lights = words<uint32_t>(found["tileLights"]);
-    const uint32_t columns = (kSize.width + kTilePx - 1) / kTilePx,
-                   rows = (kSize.height + kTilePx - 1) / kTilePx;
+    const uint32_t columns = (kTileShadingSize.width + kTilePx - 1) / kTilePx,
+                   rows = (kTileShadingSize.height + kTilePx - 1) / kTilePx;
     const size_t stride = lights.size() / (size_t{columns} * rows);
     std::vector<bool> surface(size_t{columns} * rows, false);
-    for (uint32_t y = 0; y < kSize.height; ++y)
-        for (uint32_t x = 0; x < kSize.width; ++x)
-            if (depth[size_t{y} * kSize.width + x] > 0)
+    for (uint32_t y = 0; y < kTileShadingSize.height; ++y)
+        for (uint32_t x = 0; x < kTileShadingSize.width; ++x)
+            if (depth[size_t{y} * kTileShadingSize.width + x] > 0)
                 surface[size_t{y / kTilePx} * columns + x / kTilePx] = true;
     std::vector<std::vector<uint32_t>> wanted(names.size());
     for (uint32_t tile = 0; tile < columns * rows; ++tile)

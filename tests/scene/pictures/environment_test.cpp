@@ -11,12 +11,13 @@
 namespace weft::scene {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPiPrecise = std::numbers::pi;
 
 // Returns the direction through the centre of a texel: the middle column points to -z, the columns to its
 // right turn towards +x, and the top row points to +y.
 glm::dvec3 direction_of(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
-    const double azimuth = ((x + 0.5) / width - 0.5) * 2 * kPi, polar = (y + 0.5) / height * kPi;
+    const double azimuth = ((x + 0.5) / width - 0.5) * 2 * kPiPrecise,
+                 polar = (y + 0.5) / height * kPiPrecise;
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
 }
 
@@ -111,7 +112,8 @@ TEST(Environment, TheLastMipIsTheMeanOverTheSphere) {
         glm::dvec3 sum(0);
         for (uint32_t y = 0; y < height; ++y)
             for (uint32_t x = 0; x < width; ++x) {
-                const double angle = std::cos(kPi * y / height) - std::cos(kPi * (y + 1) / height);
+                const double angle =
+                    std::cos(kPiPrecise * y / height) - std::cos(kPiPrecise * (y + 1) / height);
                 const glm::dvec3 w = direction_of(x, y, width, height);
                 sum += glm::dvec3(1 + w.y * 0.9, 1 + w.x, w.y * w.y) * angle;
                 all += angle;

@@ -14,7 +14,7 @@
 namespace weft::scene {
 namespace {
 
-std::vector<uint8_t> bytes_of(const std::string& text) {
+std::vector<uint8_t> picture_bytes(const std::string& text) {
     return {text.begin(), text.end()};
 }
 
@@ -40,7 +40,7 @@ std::string coded_row() {
 }
 
 RadiancePicture decoded(const std::string& text) {
-    const std::vector<uint8_t> bytes = bytes_of(text);
+    const std::vector<uint8_t> bytes = picture_bytes(text);
     const RadianceHeader head = read_radiance_header(bytes);
     if (!head.error.empty()) return {{}, head.error};
     return decode_radiance(head, bytes);

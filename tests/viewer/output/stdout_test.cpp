@@ -9,7 +9,7 @@
 namespace weft::test {
 namespace {
 
-constexpr const char* kGraph = WEFT_SOURCE_DIR "/docs/examples/ink.json";
+constexpr const char* kPrintedGraph = WEFT_SOURCE_DIR "/docs/examples/ink.json";
 constexpr const char* kBroken = WEFT_SOURCE_DIR "/tests/diagnostics/W103_port.json";
 
 struct Printer {
@@ -29,13 +29,13 @@ const std::vector<Printer>& printers() {
         {"HelpOfACommand", {"render", "--help"}},
         {"Version", {"--version"}},
         {"Schema", {"schema"}},
-        {"PlanText", {"plan", kGraph}},
-        {"PlanJson", {"plan", kGraph, "--format", "json"}},
-        {"PlanDot", {"plan", kGraph, "--format", "dot"}},
-        {"PlanPage", {"plan", kGraph, "--format", "html"}},
-        {"Explain", {"explain", kGraph, "resource", "tone"}},
-        {"Diff", {"diff", kGraph, kGraph}},
-        {"DiffJson", {"diff", kGraph, kGraph, "--json"}},
+        {"PlanText", {"plan", kPrintedGraph}},
+        {"PlanJson", {"plan", kPrintedGraph, "--format", "json"}},
+        {"PlanDot", {"plan", kPrintedGraph, "--format", "dot"}},
+        {"PlanPage", {"plan", kPrintedGraph, "--format", "html"}},
+        {"Explain", {"explain", kPrintedGraph, "resource", "tone"}},
+        {"Diff", {"diff", kPrintedGraph, kPrintedGraph}},
+        {"DiffJson", {"diff", kPrintedGraph, kPrintedGraph, "--json"}},
         {"CheckJson", {"check", kBroken, "--json"}, 3},
         {"CheckSarif", {"check", kBroken, "--sarif"}, 3},
         {"BenchCompile", {"bench", "compile", "--passes", "10"}},

@@ -12,15 +12,15 @@ namespace weft::test {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kOld = "the old file";
+constexpr const char* kOldContent = "the old file";
 
 class Interrupted : public testing::Test {
  protected:
     void SetUp() override {
-        scratch_.write("folder/out.json", kOld);
+        scratch_.write("folder/out.json", kOldContent);
         if (write_under_strace({}).exit_code != 0) GTEST_SKIP() << "strace is missing or may not trace";
         whole_ = read_text(out());
-        scratch_.write("folder/out.json", kOld);
+        scratch_.write("folder/out.json", kOldContent);
     }
     // Runs `weft schema` under strace, which injects faults such as "fsync:signal=KILL" into system calls.
     [[nodiscard]] RunResult write_under_strace(const std::vector<std::string>& faults) const {
@@ -53,7 +53,7 @@ class Interrupted : public testing::Test {
 
 TEST_F(Interrupted, KilledWhileWritingTheOldFileStays) {
     EXPECT_EQ(write_under_strace({"fsync:signal=KILL"}).exit_code, 128 + 9);
-    EXPECT_EQ(read_text(out()), kOld);
+    EXPECT_EQ(read_text(out()), kOldContent);
     EXPECT_EQ(files(), has_nameless_files() ? 1u : 2u) << "a draft was left";
 }
 
@@ -76,13 +76,13 @@ TEST_F(Interrupted, ADraftWithANameTakesThePlaceAsWell) {
 TEST_F(Interrupted, KilledOverADraftWithANameTheOldFileStays) {
     const std::string second = has_nameless_files() ? ":when=2" : "";
     EXPECT_EQ(write_under_strace({"linkat:error=ENOENT", "fsync:signal=KILL" + second}).exit_code, 128 + 9);
-    EXPECT_EQ(read_text(out()), kOld);
+    EXPECT_EQ(read_text(out()), kOldContent);
 }
 
 TEST_F(Interrupted, ASignalThatEndsTheProgramLeavesNoDraft) {
     const std::string second = has_nameless_files() ? ":when=2" : "";
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        scratch_.write("folder/out.json", kOld);
+        scratch_.write("folder/out.json", kOldContent);
         const RunResult run =
             write_under_strace({"linkat:error=ENOENT", "fsync:signal=" + std::to_string(signal) + second});
         EXPECT_EQ(run.exit_code, 128 + signal) << run.text();
@@ -96,7 +96,7 @@ TEST_F(Interrupted, AnErrorOfTheDiskLeavesTheOldFileAndNoDraft) {
         const RunResult run = write_under_strace({fault});
         EXPECT_EQ(run.exit_code, 1) << run.text();
         EXPECT_NE(run.err.find("error[X510]"), std::string::npos) << run.text();
-        EXPECT_EQ(read_text(out()), kOld);
+        EXPECT_EQ(read_text(out()), kOldContent);
         EXPECT_EQ(files(), 1u) << fault;
     }
 }

@@ -143,7 +143,7 @@ TEST_F(Sandbox, ThePictureIsTheSame) {
     expect_only({"frame.png", "keep.txt"});
 }
 
-constexpr const char* kGraph = R"({ "version": 1, "imports": { "backbuffer": "output" },
+constexpr const char* kSandboxGraph = R"({ "version": 1, "imports": { "backbuffer": "output" },
   "resources": { "x": "rgba8" },
   "passes": {
     "draw": { "type": "compute", "shader": "own.comp", "out": ["x"] },
@@ -154,7 +154,7 @@ constexpr const char* kGraph = R"({ "version": 1, "imports": { "backbuffer": "ou
 
 // A worker process of `weft` compiles the shader beside the graph. The worker runs in the same sandbox.
 TEST_F(Sandbox, AGraphBesideItsShadersIsCheckedAndRun) {
-    scratch_.write("graph/graph.json", kGraph);
+    scratch_.write("graph/graph.json", kSandboxGraph);
     scratch_.write("graph/own.comp",
                    "#version 460\nlayout(local_size_x = 8) in;\nwriteonly uniform image2D x;\n"
                    "void main() { imageStore(x, ivec2(gl_GlobalInvocationID.xy), vec4(1)); }\n");

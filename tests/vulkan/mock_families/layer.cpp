@@ -198,7 +198,7 @@ PFN_vkVoidFunction find_entry(std::initializer_list<Entry> entries, const char* 
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_device_function(VkDevice device, const char* name);
 
-PFN_vkVoidFunction device_entry(const char* name) {
+PFN_vkVoidFunction find_device_function(const char* name) {
     return find_entry(
         {entry("vkGetDeviceProcAddr", get_device_function), entry("vkDestroyDevice", destroy_device),
          entry("vkGetDeviceQueue", get_queue), entry("vkGetDeviceQueue2", get_queue2),
@@ -212,7 +212,7 @@ PFN_vkVoidFunction device_entry(const char* name) {
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_device_function(VkDevice device, const char* name) {
-    if (const PFN_vkVoidFunction own = device_entry(name)) return own;
+    if (const PFN_vkVoidFunction own = find_device_function(name)) return own;
     return next_of(device)(device, name);
 }
 
@@ -225,7 +225,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_instance_function(VkInstance instan
          entry("vkGetPhysicalDeviceQueueFamilyProperties2KHR", get_families2)},
         name);
     if (own != nullptr) return own;
-    if (const PFN_vkVoidFunction device = device_entry(name)) return device;
+    if (const PFN_vkVoidFunction device = find_device_function(name)) return device;
     return instance == VK_NULL_HANDLE ? nullptr : functions_of(instance).next(instance, name);
 }
 
