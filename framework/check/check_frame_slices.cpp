@@ -108,7 +108,7 @@ class SlicedResource {
                 std::any_of(use.sources.begin(), use.sources.end(),
                             [&](const VersionSource& s) { return contains(s.range, cell); });
             if (part.writers.empty() || part.writers.back() != id) part.writers.push_back(id);
-            part.overwritten = part.overwritten || !scope_continues;
+            part.overwritten = part.overwritten || !keeps_previous;
             part.sliced = part.sliced || is_sliced(plan_.graph.passes[id]);
         });
     }
