@@ -34,8 +34,9 @@ std::string table(const FrameBench& bench, bool with_common) {
 std::string crossing_lines(const FrameBench& bench) {
     std::string text;
     for (const Crossing& c : bench.crossings())
-        text += formatted("%s is faster than %s from about %.0f lights on (between %u and %u)\n",
-                          c.faster.c_str(), c.slower.c_str(), c.lights, c.between[0], c.between[1]);
+        text +=
+            formatted("%s is faster than %s with more than about %.0f lights (measured between %u and %u)\n",
+                      c.faster.c_str(), c.slower.c_str(), c.lights, c.between[0], c.between[1]);
     return text.empty() ? "none\n" : text;
 }
 
@@ -46,7 +47,7 @@ std::string pass_line(const FrameBench& bench, const std::string& graph, const P
                      pass.name.c_str(), ms.median, half_width(ms), static_cast<double>(pass.bytes) / 1e6,
                      pass.flops > 0 ? formatted("%.1f", pass.flops / 1e6).c_str() : "-", limit_ms,
                      ms.median / limit_ms, ms.median / bench.yardsticks.trivial_ms,
-                     pass.common ? "  in all" : "");
+                     pass.common ? "  in all graphs" : "");
 }
 
 }  // namespace
@@ -54,22 +55,29 @@ std::string pass_line(const FrameBench& bench, const std::string& graph, const P
 std::string bench_text(const FrameBench& bench) {
     const Yardsticks& y = bench.yardsticks;
     std::string text = bench.scene + ", " +
-                       formatted("%ux%u, %u rounds\n", bench.size.width, bench.size.height, bench.rounds) +
+                       formatted("%ux%u, %u measured frames for each graph\n", bench.size.width,
+                                 bench.size.height, bench.rounds) +
                        bench.device + ", " + bench.driver + '\n';
-    text += formatted("trivial pass t = %.3f ms, copying %.2f GB/s, multiplying and adding %.1f GFLOP/s\n\n",
-                      y.trivial_ms, y.bytes_per_s / 1e9, y.flops_per_s / 1e9);
+    text += formatted(
+        "reference passes: trivial pass %.3f ms, copying %.2f GB/s, multiplying and adding %.1f GFLOP/s\n\n",
+        y.trivial_ms, y.bytes_per_s / 1e9, y.flops_per_s / 1e9);
     text +=
-        "ms a frame: median, half the distance of the quartiles, ratio to the first graph, in trivial "
-        "passes\n" +
+        "frame time in ms: median ± half the interquartile range, ratio to the first graph (x), ratio to the "
+        "trivial pass (t)\n" +
         table(bench, true);
     if (bench.graphs.size() > 1)
-        text += "\nwithout the passes common to all graphs\n" + table(bench, false) +
-                "\ncrossing points of that\n" + crossing_lines(bench);
+        text += "\nthe same without the passes that all graphs have in common\n" + table(bench, false) +
+                "\nnumbers of lights at which one graph becomes faster than another, without the common "
+                "passes\n" +
+                crossing_lines(bench);
     for (size_t light = 0; light < bench.lights.size(); ++light) {
-        text += formatted("\npasses with %u lights\n", bench.lights[light]);
+        text += formatted(
+            "\ntimes of the passes with %u lights (bound: the lowest possible time, from MB, MFLOP and the "
+            "reference passes)\n",
+            bench.lights[light]);
         text +=
-            "graph            pass                    ms  quartiles     MB     MFLOP  limit ms  t/limit  "
-            "trivial\n";
+            "graph            pass                    ms      ±ms       MB     MFLOP  bound ms   /bound  "
+            "/trivial\n";
         for (size_t graph = 0; graph < bench.graphs.size(); ++graph)
             for (const PassResult& pass : bench.at(light, graph).passes)
                 text += pass_line(bench, bench.graphs[graph], pass);

@@ -79,20 +79,20 @@ std::string to_text(const BenchOptions& options, const BenchResult& result) {
     std::string text =
         formatted("%u passes, %s, seed %u, %u queue%s\n", options.passes, options.shape.c_str(), options.seed,
                   options.queues, options.queues == 1 ? "" : "s");
-    text += formatted("compile    cold %.0f us, warm %.0f us (median %.0f)\n", result.cold_us,
+    text += formatted("compile    first %.0f us, fastest later %.0f us (median %.0f us)\n", result.cold_us,
                       result.warm_min_us, result.warm_median_us);
     for (const StageTime& time : result.stages)
         text += formatted("  %-16s %9.1f us  %5.1f %%\n", time.stage.c_str(), time.us,
                           100 * time.us / result.warm_min_us);
     for (const ScheduleCandidate& c : result.plan.schedule.candidates)
-        text += formatted("order      %-9s peak-live %.1f MiB, %u barrier batches%s\n", c.name.c_str(),
-                          static_cast<double>(c.peak_live_bytes) / kMib, c.barrier_batches,
+        text += formatted("order      %-9s peak of live bytes %.1f MiB, %u barrier batches%s\n",
+                          c.name.c_str(), static_cast<double>(c.peak_live_bytes) / kMib, c.barrier_batches,
                           c.name == result.plan.schedule.chosen ? "  <- chosen" : "");
-    text += formatted("memory     sum %.1f MiB, peak-live %.1f MiB, heap %.1f MiB, heap / peak-live %.4f\n",
-                      static_cast<double>(memory.sum_bytes) / kMib,
-                      static_cast<double>(memory.peak_live_bytes) / kMib,
-                      static_cast<double>(memory.heap_bytes) / kMib,
-                      static_cast<double>(memory.heap_bytes) / static_cast<double>(memory.peak_live_bytes));
+    text += formatted(
+        "memory     all resources %.1f MiB, peak of live bytes %.1f MiB, heap %.1f MiB, heap / peak %.4f\n",
+        static_cast<double>(memory.sum_bytes) / kMib, static_cast<double>(memory.peak_live_bytes) / kMib,
+        static_cast<double>(memory.heap_bytes) / kMib,
+        static_cast<double>(memory.heap_bytes) / static_cast<double>(memory.peak_live_bytes));
     return text + formatted("barriers   %u\n", result.plan.barriers.emitted);
 }
 
