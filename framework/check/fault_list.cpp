@@ -28,7 +28,7 @@ std::string FaultList::actor_text(const Actor& actor, uint32_t current_frame) co
     std::string text =
         actor.pass == kNoId ? "the program outside the graph" : "pass " + pass_name(actor.pass);
     if (actor.transition) text = "the layout transition before " + text;
-    if (actor.frame != current_frame) text += " of the frame before";
+    if (actor.frame != current_frame) text += " of the previous frame";
     return text;
 }
 

@@ -22,8 +22,8 @@ std::string type_text(const HeapPlan& heap, const DeviceProfile& profile) {
     const std::optional<uint32_t> type = memory_type(heap, profile);
     if (!type) return "";
     const MemoryTypeProfile& t = profile.memory_types[*type];
-    return "  memory type " + std::to_string(*type) + (t.device_local ? ", device-local" : ", host") +
-           (t.lazily_allocated ? ", lazily allocated: it may cost nothing" : "");
+    return "  memory type " + std::to_string(*type) + (t.device_local ? ", device-local" : ", host memory") +
+           (t.lazily_allocated ? ", lazily allocated: may use no real memory" : "");
 }
 
 std::string heap_text(const FramePlan& plan, uint32_t heap, const DeviceProfile* profile) {
@@ -44,8 +44,8 @@ std::string placement_text(const FramePlan& plan, const Placement& p) {
     std::string owners;
     for (const AliasTransition& h : plan.memory.alias_transitions)
         if (h.to == p.resource && h.from != h.to)
-            owners +=
-                (owners.empty() ? "  after " : ", ") + name(h.from) + (h.wrap ? " of the frame before" : "");
+            owners += (owners.empty() ? "  reuses memory of " : ", ") + name(h.from) +
+                      (h.wrap ? " of the previous frame" : "");
     return text + owners + "\n";
 }
 
@@ -108,9 +108,9 @@ std::vector<ResourceId> live_at_peak(const FramePlan& plan) {
 std::string memory_report(const FramePlan& plan, const DeviceProfile* profile) {
     const MemoryPlan& m = plan.memory;
     const uint64_t gap = m.heap_bytes > m.peak_live_bytes ? m.heap_bytes - m.peak_live_bytes : 0;
-    std::string text = "    sum " + bytes_text(m.sum_bytes) + ", peak live " + bytes_text(m.peak_live_bytes) +
-                       ", heaps " + bytes_text(m.heap_bytes) + ", gap " +
-                       percent_text(gap, m.peak_live_bytes);
+    std::string text = "    sum of resources " + bytes_text(m.sum_bytes) + ", peak of live resources " +
+                       bytes_text(m.peak_live_bytes) + ", heaps " + bytes_text(m.heap_bytes) +
+                       ", heaps above the peak " + percent_text(gap, m.peak_live_bytes);
     if (m.persistent_bytes > 0) text += ", kept from frame to frame " + bytes_text(m.persistent_bytes);
     text += "\n";
     if (m.peak_live_bytes > 0) text += peak_text(plan);
@@ -136,9 +136,9 @@ Diagnostics memory_faults(const FramePlan& plan, const DeviceProfile& profile, c
         Diagnostic d =
             memory_fault(plan, file, "W142",
                          "the plan needs " + bytes_text(wanted[i]) + " of memory heap " + std::to_string(i) +
-                             " of \"" + profile.name + "\", which holds " + bytes_text(room));
+                             " of \"" + profile.name + "\", which has only " + bytes_text(room));
         d.severity = Severity::warning;
-        d.help = {"a smaller --size, or smaller formats; largest where most is alive: " +
+        d.help = {"use a smaller --size or smaller formats; the largest resources at the peak are " +
                   largest_at_peak(plan)};
         faults.push_back(std::move(d));
     }
@@ -149,10 +149,10 @@ Diagnostics budget_faults(const FramePlan& plan, const GraphLimits& limits, cons
     const uint64_t wanted = plan.memory.heap_bytes + plan.memory.persistent_bytes;
     if (wanted <= limits.transient_bytes) return {};
     Diagnostic d = memory_fault(plan, file, "W143",
-                                "the frame's resources take " + bytes_text(wanted) +
+                                "the resources of the frame need " + bytes_text(wanted) +
                                     " of memory; the limit is " + limit_bytes_text(limits.transient_bytes));
-    d.help = {"a smaller --size, or smaller formats, " + raise_limit_text("graph.transientBytes") +
-              "; largest where most is alive: " + largest_at_peak(plan)};
+    d.help = {"use a smaller --size or smaller formats, " + raise_limit_text("graph.transientBytes") +
+              "; the largest resources at the peak are " + largest_at_peak(plan)};
     return {std::move(d)};
 }
 

@@ -110,7 +110,7 @@ std::string headline(const PlanDiff& diff) {
                                                : c.name.substr(0, c.name.size() - 1));
         }
     }
-    return text.empty() ? "the same cost" : text;
+    return text.empty() ? "no change of counts and memory sizes" : text;
 }
 
 void names_text(const char* title, const NamesDiff& diff, std::string& text) {
@@ -145,7 +145,7 @@ PlanDiff diff_plans(const FramePlan& from, const FramePlan& to) {
 }
 
 std::string plan_diff_to_text(const PlanDiff& diff) {
-    if (diff.same) return "the same plan\n";
+    if (diff.same) return "the two plans are identical\n";
     std::string text = headline(diff) + "\n";
     names_text("passes", diff.passes, text);
     names_text("resources", diff.resources, text);

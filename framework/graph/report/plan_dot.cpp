@@ -61,7 +61,7 @@ std::string plan_to_dot(const FramePlan& plan) {
     for (uint32_t p = 0; p < plan.barriers.steps.size(); ++p)
         if (const PassId first = continued_pass(plan, p); first != kNoId)
             text += "  " + pass_node(first) + " -> " + pass_node(plan.schedule.order[p]) +
-                    " [style=bold, dir=none, label=" + dot_string("one scope") + "];\n";
+                    " [style=bold, dir=none, label=" + dot_string("one rendering scope") + "];\n";
     return text + "}\n";
 }
 

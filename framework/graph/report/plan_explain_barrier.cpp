@@ -17,19 +17,19 @@ const char* describe_reason(BarrierReason reason) {
         case BarrierReason::waw:
             return "a write after a write";
         case BarrierReason::layout:
-            return "the image has to change its layout";
+            return "the layout of the image must change";
         case BarrierReason::alias:
-            return "memory changes its owner";
+            return "memory passes from one resource to another";
         case BarrierReason::acquire_import:
-            return "an import enters the frame";
+            return "the frame begins to use an import";
         case BarrierReason::release_import:
-            return "an import leaves the frame";
+            return "the frame ends its use of an import";
         case BarrierReason::release_queue:
-            return "a queue family gives the image away";
+            return "one queue family releases the image to another";
         case BarrierReason::acquire_queue:
-            return "a queue family takes the image over";
+            return "one queue family acquires the image from another";
         case BarrierReason::prologue:
-            return "first-frame values";
+            return "the resource gets its first-frame value";
     }
     return "";
 }
@@ -90,7 +90,7 @@ class BarrierAnswer {
                  (before == kNoId ? "right after " + describe_pass(plan_, first_)
                                   : "before " + describe_pass(plan_, before) + " waits for " +
                                         describe_pass(plan_, first_)) +
-                 (b.from_previous_frame || from_ >= to_ ? " of the frame before" : "") +
+                 (b.from_previous_frame || from_ >= to_ ? " of the previous frame" : "") +
                  ".\n  Reason: " + describe_reason(b.reason) + ".\n";
         for (const UseDecl* use : uses_waited_for(plan_, b, first_))
             text_ += "  first   " + describe_use(plan_, *use) + ".\n";
@@ -113,9 +113,9 @@ class BarrierAnswer {
                 shared = true;
                 text += why_none_on(a, b);
             }
-        if (!shared) text = "  They use nothing in common, and neither takes over the other's memory.\n";
+        if (!shared) text = "  They use no common resource, and neither reuses memory of the other.\n";
         if (from_ > to_)
-            text += "  The second runs first: " + describe_position(plan_, to_) + " comes before " +
+            text += "  The second pass runs first: " + describe_position(plan_, to_) + " comes before " +
                     describe_position(plan_, from_) + ".\n";
         return text;
     }
@@ -131,23 +131,24 @@ class BarrierAnswer {
         const std::string part = describe_part(plan_, a.resource, a.range);
         if (first_ != second_ && in_one_scope() && writes(a.access) && writes(b.access))
             return "  " + part +
-                   ": both draw to it in one rendering scope, in which the rasteriser keeps their order.\n";
+                   ": both passes draw to this resource in one rendering scope, which keeps the order of "
+                   "draws.\n";
         if (!writes(a.access) && !writes(b.access) && a.state.layout == b.state.layout)
-            return "  " + part + ": both only read it, in the same layout.\n";
+            return "  " + part + ": both passes only read this resource, in the same layout.\n";
         if (plan_.schedule.queue[from_] != plan_.schedule.queue[to_])
-            return "  " + part + ": they run on queues " + std::to_string(plan_.schedule.queue[from_]) +
+            return "  " + part + ": the passes run on queues " + std::to_string(plan_.schedule.queue[from_]) +
                    " and " + std::to_string(plan_.schedule.queue[to_]) +
-                   ", which wait for each other by semaphores: `weft explain FILE wait " +
+                   ", which synchronize with semaphores: see `weft explain FILE wait " +
                    plan_.graph.passes[second_].name + "`.\n";
         for (uint32_t p = from_ + 1; p < to_ && from_ < to_; ++p)
             for (const BarrierDecl& between : plan_.barriers.steps[p].barriers)
                 if (between.resource == a.resource && overlaps(between.range, a.range) &&
                     overlaps(between.range, b.range) && waits_for(plan_, between, first_))
                     return "  " + part + ": " + through_words(p, between, b);
-        return "  " + part + ": the first " + access_verb(a.access) + " it, the second " +
-               access_verb(b.access) +
-               " it; what the first left is waited for in the next frame, or by an order that other passes "
-               "give.\n";
+        return "  " + part + ": the first pass " + access_verb(a.access) +
+               " this resource, the second pass " + access_verb(b.access) +
+               " it; the next frame waits for the first pass, or other passes already order "
+               "the two.\n";
     }
 
     // Explains why no barrier between the two passes is needed: an earlier barrier, recorded before the pass
@@ -155,15 +156,16 @@ class BarrierAnswer {
     std::string through_words(uint32_t position, const BarrierDecl& barrier, const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];
         const std::string waited =
-            "the barrier before " + describe_pass(plan_, through) + " has waited for it already";
+            "the barrier before " + describe_pass(plan_, through) + " has already waited for the first pass";
         for (const UseDecl& use : plan_.graph.passes[through].uses)
             if (use.resource == barrier.resource && overlaps(use.range, b.range) && writes(use.access))
-                return waited + "; that pass writes it too, so that the second waits for that one.\n";
+                return waited +
+                       "; that pass also writes this resource, so the second pass waits for that pass.\n";
         const bool visible = (b.state.stages & ~barrier.dst.stages) == 0 &&
                              (b.state.access & ~barrier.dst.access) == 0 &&
                              b.state.layout == barrier.dst.layout;
-        return waited + (visible ? ", and made it visible to the second as well.\n"
-                                 : ", and the second waits for that pass.\n");
+        return waited + (visible ? ", and made the content visible to the second pass as well.\n"
+                                 : ", and the second pass waits for that pass.\n");
     }
 
     const FramePlan& plan_;

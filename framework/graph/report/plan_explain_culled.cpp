@@ -47,7 +47,7 @@ const UseDecl* output_write(const FramePlan& plan, PassId pass) {
 
 std::string root_words(const FramePlan& plan, PassId pass) {
     if (const UseDecl* use = output_write(plan, pass)) return describe_use(plan, *use) + ", the output";
-    return plan.graph.passes[pass].side_effect ? "it has a side effect, so that it always runs" : "";
+    return plan.graph.passes[pass].side_effect ? "the pass has a side effect, so it always runs" : "";
 }
 
 // Returns one chain of readers from a live pass to a pass that must run because it writes the output or has a
@@ -69,17 +69,18 @@ std::vector<Need> way_to_root(const FramePlan& plan, PassId pass) {
 }
 
 std::string live_words(const FramePlan& plan, PassId pass) {
-    std::string text = describe_pass(plan, pass) + " is not culled: it runs at position " +
+    std::string text = describe_pass(plan, pass) + " is not culled: the pass runs at position " +
                        std::to_string(plan.schedule.position[pass]) + ".\n";
     if (const std::string root = root_words(plan, pass); !root.empty()) text += "  " + root + ".\n";
     for (const Need& need : needs_of(plan, pass))
         if (plan.live.live_passes[need.reader])
-            text += "  " + describe_pass(plan, need.reader) + " needs it: " + describe_use(plan, *need.use) +
-                    ".\n";
+            text += "  " + describe_pass(plan, need.reader) +
+                    " needs its result: " + describe_use(plan, *need.use) + ".\n";
     const std::vector<Need> way = way_to_root(plan, pass);
     if (way.empty()) return text;
     const PassId end = way.back().reader;
-    text += "  In the end it is there for " + describe_pass(plan, end) + ": " + root_words(plan, end) + ".\n";
+    text += "  The chain of readers ends at " + describe_pass(plan, end) + ": " +
+            root_words(plan, end) + ".\n";
     return text;
 }
 
@@ -89,7 +90,7 @@ std::string culled_words(const FramePlan& plan, PassId pass) {
         if (writes(use.access)) text += "  " + describe_use(plan, use) + ".\n";
     for (const Need& need : needs_of(plan, pass))
         text += "  " + describe_pass(plan, need.reader) +
-                " would read it, but is culled as well: " + plan.live.details[need.reader] + ".\n";
+                " would read its result, but is culled too: " + plan.live.details[need.reader] + ".\n";
     return text;
 }
 

@@ -36,11 +36,12 @@ bool overlap_in_memory(const Placement& a, const Placement& b) {
 // may share memory.
 std::string alone_words(const FramePlan& plan, ResourceId resource) {
     const std::string name = describe_resource(plan, resource);
-    if (!plan.live.live_resources[resource]) return name + " takes no memory: no pass that runs uses it.\n";
+    if (!plan.live.live_resources[resource])
+        return name + " has no memory, because no running pass uses this resource.\n";
     if (plan.graph.resources[resource].lifetime == ResourceLifetime::imported)
-        return name + " is an import: its memory belongs to somebody else.\n";
+        return name + " is an import: the program outside the graph provides its memory.\n";
     if (plan.graph.resources[resource].lifetime == ResourceLifetime::persistent)
-        return name + " keeps its content from frame to frame, so that its memory is never shared.\n";
+        return name + " keeps its content from frame to frame, so its memory is never shared.\n";
     return placement_of(plan, resource) == nullptr ? name + " needs no memory.\n" : "";
 }
 
@@ -50,10 +51,10 @@ std::string describe_alias_transitions(const FramePlan& plan, ResourceId a, Reso
     std::string text;
     for (const AliasTransition& h : plan.memory.alias_transitions)
         if ((h.from == a && h.to == b) || (h.from == b && h.to == a))
-            text += "  " + describe_resource(plan, h.to) + " takes it over from " +
-                    describe_resource(plan, h.from) + (h.wrap ? " of the frame before" : "") + ", at " +
+            text += "  " + describe_resource(plan, h.to) + " takes over the memory from " +
+                    describe_resource(plan, h.from) + (h.wrap ? " of the previous frame" : "") + ", at " +
                     describe_position(plan, plan.lifetimes.spans[h.to].first) + ".\n";
-    return text.empty() ? "  A third resource holds the memory in between.\n" : text;
+    return text.empty() ? "  A third resource uses the memory in between.\n" : text;
 }
 
 namespace {
@@ -66,21 +67,20 @@ std::string overlap_words(const FramePlan& plan, ResourceId a, ResourceId b) {
                describe_position(plan, last) + ".\n";
     if (plan.schedule.queues.size() > 1 &&
         (s.queues.size() > 1 || t.queues.size() > 1 || s.queues.front().queue != t.queues.front().queue))
-        return "  They are used on several queues: memory is shared there only where one is proved to be "
-               "over "
-               "before the other begins. If it is, packing has kept them apart.\n";
-    return "  Their lifetimes would allow it; the packing that needed least memory has put them side by "
+        return "  Several queues use these resources. Then they can share memory only if all uses of one "
+               "certainly "
+               "end before the uses of the other begin. Even then, packing may place them apart.\n";
+    return "  Their lifetimes would allow sharing, but the packing with the least memory placed them side by "
            "side.\n";
 }
 
 std::string heap_words(const FramePlan& plan, const Placement& a, const Placement& b) {
     const HeapPlan &x = plan.memory.heaps[a.heap], &y = plan.memory.heaps[b.heap];
     if (x.buffers != y.buffers)
-        return "  Buffers and images live in heaps of their own, because pages of this device's granularity "
-               "would "
-               "waste more than sharing saves.\n";
-    return x.type_bits != y.type_bits ? "  They may not live in the same types of memory.\n"
-                                      : "  They live in different heaps.\n";
+        return "  Buffers and images have separate heaps, because padding to the granularity of this device "
+               "would waste more memory than sharing saves.\n";
+    return x.type_bits != y.type_bits ? "  They need different types of memory.\n"
+                                      : "  They are in different heaps.\n";
 }
 
 std::string shape_words(const ResourceDecl& r) {
@@ -99,25 +99,25 @@ std::string shape_words(const ResourceDecl& r) {
 std::string ring_words(const FramePlan& plan, const ResourceDecl& r) {
     if (r.lifetime != ResourceLifetime::persistent) return "";
     if (r.age > 0)
-        return "  It is what " + describe_resource(plan, r.ring) + " held " + count_text(r.age, "frame") +
-               " ago.\n";
+        return "  It is the content of " + describe_resource(plan, r.ring) + " from " +
+               count_text(r.age, "frame") + " ago.\n";
     return r.history > 0
-               ? "  It keeps " + count_text(r.history, "earlier frame") + " in memory of their own.\n"
+               ? "  It keeps " + count_text(r.history, "earlier frame") + ", each in separate memory.\n"
                : "  It keeps its content from frame to frame.\n";
 }
 
 std::string memory_words(const FramePlan& plan, ResourceId id) {
     const Placement* own = placement_of(plan, id);
     if (own == nullptr) return "  " + alone_words(plan, id);
-    std::string text = "  It takes " + bytes_text(own->size_bytes) + ": " + bytes_words(*own) + ".\n";
+    std::string text = "  It needs " + bytes_text(own->size_bytes) + ": " + bytes_words(*own) + ".\n";
     if (plan.lifetimes.spans[id].first > plan.lifetimes.spans[id].last) return text;
-    text += "  It lives " + lifetime_words(plan, id) + ".\n";
+    text += "  It is alive " + lifetime_words(plan, id) + ".\n";
     std::string others;
     for (const Placement& p : plan.memory.placements)
         if (p.resource != id && overlap_in_memory(p, *own))
             others += (others.empty() ? "" : ", ") + describe_resource(plan, p.resource);
-    return text +
-           (others.empty() ? "  Nobody shares that memory.\n" : "  It shares memory with " + others + ".\n");
+    return text + (others.empty() ? "  No other resource shares this memory.\n"
+                                  : "  It shares memory with " + others + ".\n");
 }
 
 std::string users_words(const FramePlan& plan, ResourceId id) {
@@ -133,7 +133,7 @@ std::string users_words(const FramePlan& plan, ResourceId id) {
                                   : "culled, \"" + plan.graph.passes[pass].name + "\"") +
                             ": " + describe_use(plan, use) + " (" + access_name(use.access) + ").\n";
         }
-    return text.empty() ? "  No pass uses it.\n" : text;
+    return text.empty() ? "  No pass uses this resource.\n" : text;
 }
 
 }  // namespace
@@ -149,10 +149,11 @@ Result<std::string> explain_alias(const FramePlan& plan, const std::string& firs
         !alone.empty())
         return "They share no memory.\n  " + alone;
     const Placement &p = *placement_of(plan, *a), &q = *placement_of(plan, *b);
-    const std::string where = "  " + describe_resource(plan, *a) + " has " + bytes_words(p) + " and lives " +
-                              lifetime_words(plan, *a) + ".\n  " + describe_resource(plan, *b) + " has " +
-                              bytes_words(q) + " and lives " + lifetime_words(plan, *b) + ".\n";
-    if (*a == *b) return "They are one and the same.\n" + where;
+    const std::string where = "  " + describe_resource(plan, *a) + " has " + bytes_words(p) +
+                              " and is alive " + lifetime_words(plan, *a) + ".\n  " +
+                              describe_resource(plan, *b) + " has " + bytes_words(q) + " and is alive " +
+                              lifetime_words(plan, *b) + ".\n";
+    if (*a == *b) return "Both names mean the same resource.\n" + where;
     if (overlap_in_memory(p, q))
         return "They share memory.\n" + where + describe_alias_transitions(plan, *a, *b);
     return "They share no memory.\n" + where +

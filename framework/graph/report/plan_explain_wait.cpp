@@ -42,8 +42,8 @@ std::string describe_cause(const FramePlan& plan, uint32_t dependency) {
     if (dependency == kNoId) return "";
     const QueueDependency& d = plan.submissions.dependencies[dependency];
     std::string text = "    " + describe_position(plan, d.to) + " must not start before " +
-                       describe_position(plan, d.from) + (d.previous_frame ? " of the frame before" : "") +
-                       " is over, because of ";
+                       describe_position(plan, d.from) + (d.previous_frame ? " of the previous frame" : "") +
+                       " has finished, because of ";
     text += d.resource == kNoId ? "an \"after\"" : describe_resource(plan, d.resource);
     text += ".\n";
     if (d.resource == kNoId) return text;
@@ -55,25 +55,26 @@ namespace {
 std::string wait_words(const FramePlan& plan, PassId pass) {
     const std::string words = describe_pass(plan, pass);
     if (!plan.live.live_passes[pass])
-        return words + " waits for nothing: it is culled: " + plan.live.details[pass] + ".\n";
+        return words + " does not wait, because it is culled: " + plan.live.details[pass] + ".\n";
     const uint32_t position = plan.schedule.position[pass], own = batch_of(plan, position);
     if (plan.schedule.queues.size() == 1)
         return words +
-               " waits for no other queue: the plan has one. Barriers order what runs on it; plan for more "
-               "with --queues.\n";
+               " waits for no other queue, because the plan has only one queue. Barriers order its passes; "
+               "use "
+               "--queues for a plan with more queues.\n";
     const Batch& batch = plan.submissions.batches[own];
-    std::string text = words + " runs in a submission of its queue: " + describe_batch(plan, batch) + ".\n";
-    if (batch.waits.empty()) text += "  It waits for no other queue.\n";
+    std::string text = words + " runs in this submission: " + describe_batch(plan, batch) + ".\n";
+    if (batch.waits.empty()) text += "  The submission waits for no other queue.\n";
     for (const QueueWait& wait : batch.waits)
-        text += "  Before it begins it waits for " +
+        text += "  Before the submission begins, it waits for " +
                 describe_batch(plan, plan.submissions.batches[wait.batch]) +
-                (wait.previous_frame ? ", of the frame before (ignored in the first)" : "") + ".\n" +
+                (wait.previous_frame ? " of the previous frame (not in the first frame)" : "") + ".\n" +
                 describe_cause(plan, wait.dependency);
     for (const Batch& other : plan.submissions.batches)
         for (const QueueWait& wait : other.waits)
             if (wait.batch == own)
-                text += "  It is waited for by " + describe_batch(plan, other) +
-                        (wait.previous_frame ? ", of the next frame" : "") + ".\n" +
+                text += "  This submission must end before " + describe_batch(plan, other) +
+                        (wait.previous_frame ? " of the next frame" : "") + " begins.\n" +
                         describe_cause(plan, wait.dependency);
     return text;
 }

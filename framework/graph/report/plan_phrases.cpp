@@ -29,7 +29,7 @@ std::string name_one_of(const std::vector<T>& items, const std::vector<uint32_t>
     for (size_t i = 0; i < std::min(rounds.size(), kMost); ++i)
         text += (i > 0 ? ", " : "") + quoted(items[rounds[i]].name);
     if (rounds.size() > kMost) text += " … " + quoted(items[rounds.back()].name);
-    return "it is repeated: name one of " + text;
+    return "this name has several iterations: write one of " + text;
 }
 
 template <class T>
@@ -47,7 +47,7 @@ Result<uint32_t> find_named(const FramePlan& plan, const std::vector<T>& items, 
         return d;
     }
     const std::string guess = did_you_mean_text(name, known);
-    d.help = {guess.empty() ? "`weft plan` lists what there is" : guess};
+    d.help = {guess.empty() ? "run `weft plan` for a list of all names" : guess};
     return d;
 }
 

@@ -99,9 +99,9 @@ void add_step(const FramePlan& plan, PassId pass, Facts& facts) {
     facts.push_back("runs on queue " + std::to_string(plan.schedule.queue[position]));
     const PassStep& step = plan.barriers.steps[position];
     if (const PassId first = continued_pass(plan, position); first != kNoId)
-        facts.push_back("continues the scope of " + plan.graph.passes[first].name);
+        facts.push_back("continues the rendering scope of " + plan.graph.passes[first].name);
     for (const BarrierDecl& b : step.barriers) facts.push_back(barrier_fact(plan, b, "barrier "));
-    for (const BarrierDecl& b : step.after) facts.push_back(barrier_fact(plan, b, "barrier afterwards "));
+    for (const BarrierDecl& b : step.after) facts.push_back(barrier_fact(plan, b, "barrier after the pass "));
     for (const AttachmentOps& ops : step.attachments)
         facts.push_back("attach " + plan.graph.passes[pass].uses[ops.use].port + ": load " +
                         enum_name(ops.load) + ", store " + enum_name(ops.store));
@@ -124,7 +124,7 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
     if (pass.kind == PassKind::compute)
         facts.push_back("groups " + extent_fact({pass.groups[0], pass.groups[1], pass.groups[2]}));
     if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
-        facts.push_back("renders " + extent_fact(pass.render_extent));
+        facts.push_back("render extent " + extent_fact(pass.render_extent));
     for (const std::string& list : pass.draw_lists)
         facts.push_back("draws " + list + " as seen by " + pass.view);
     if (pass.vertices > 0)
@@ -154,10 +154,10 @@ std::vector<std::string> summarize_resource(const FramePlan& plan, ResourceId id
     if (r.history > 0) facts.push_back("keeps " + count_text(r.history, "earlier frame"));
     if (!plan.live.live_resources[id]) facts.push_back("unused");
     if (const uint64_t bytes = placed_bytes(plan, id); bytes > 0)
-        facts.push_back("takes " + bytes_text(bytes));
+        facts.push_back("needs " + bytes_text(bytes) + " of memory");
     const LifetimeSpan& span = plan.lifetimes.spans[id];
     if (span.first <= span.last)
-        facts.push_back("lives from " + plan.graph.passes[plan.schedule.order[span.first]].name + " to " +
+        facts.push_back("alive from " + plan.graph.passes[plan.schedule.order[span.first]].name + " to " +
                         plan.graph.passes[plan.schedule.order[span.last]].name);
     return facts;
 }

@@ -55,11 +55,11 @@ class PlanText {
         if (schedule.queues.size() > 1) queues();
         for (const GraphParam& param : plan_.graph.params)
             text_ += "param  " + param.name + " = " + number_text(param.value) +
-                     ", changing it: " + enum_name(param.cost) + "\n";
+                     ", cost of a change: " + enum_name(param.cost) + "\n";
         text_ += "order  " + schedule.chosen + "; candidates:";
         for (const ScheduleCandidate& c : schedule.candidates)
             text_ += " " + c.name + " (" + bytes_text(c.peak_live_bytes) + ", " +
-                     std::to_string(c.barrier_batches) + " batches)";
+                     std::to_string(c.barrier_batches) + " barrier batches)";
         text_ += "\n";
     }
 
@@ -95,7 +95,7 @@ class PlanText {
                         text_ += ", " + pass(plan_.schedule.order[d.from]);
                     if (d.resource != kNoId) text_ += ", because of " + resource(d.resource);
                 }
-                text_ += wait.previous_frame ? ", of the frame before\n" : "\n";
+                text_ += wait.previous_frame ? ", of the previous frame\n" : "\n";
             }
         }
     }
@@ -112,7 +112,7 @@ class PlanText {
         text_ += "\n";
         waits(position);
         if (const PassId first = continued_pass(plan_, position); first != kNoId)
-            text_ += "    continues the scope of pass " + pass(first) + "\n";
+            text_ += "    continues the rendering scope of pass " + pass(first) + "\n";
         for (const BarrierDecl& b : s.barriers) barrier(b);
         for (const AttachmentOps& ops : s.attachments) {
             const UseDecl& use = decl.uses[ops.use];
@@ -123,7 +123,7 @@ class PlanText {
             text_ += std::string("    ") + (use.is_output ? "out " : "in  ") + use.port + " = " +
                      part(use.resource, use.range) + " (" + access_name(use.access) + ")\n";
         for (const BarrierDecl& b : s.after) {
-            text_ += "    afterwards";
+            text_ += "    after the pass";
             barrier(b);
         }
     }
@@ -137,7 +137,7 @@ class PlanText {
             for (const ResourceId id : b.aliased_from) text_ += " " + resource(id);
         }
         if (b.from != kNoId) text_ += ", after " + pass(b.from);
-        if (b.from_previous_frame) text_ += " of the frame before";
+        if (b.from_previous_frame) text_ += " of the previous frame";
         if (b.src_family != b.dst_family)
             text_ += ", family " + std::to_string(b.src_family) + " to " + std::to_string(b.dst_family);
         text_ += "]\n";

@@ -63,8 +63,8 @@ TEST(PlanDump, TextTellsTheWholeStory) {
                              "barrier color: color_output color_write color_attachment -> compute_shader "
                              "sampled_read shader_read_only  "
                              "[raw, after base]",
-                             "[alias from ", "of the frame before", "peak live", "candidates: program",
-                             "culled\n    extra: no pass reads \"unused\""})
+                             "[alias from ", "of the previous frame", "peak of live resources",
+                             "candidates: program", "culled\n    extra: no pass reads \"unused\""})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\nis missing in\n" << text;
 }
 

@@ -31,7 +31,7 @@ TEST(ExplainRandom, CulledIsWhoDoesNotRun) {
             ASSERT_TRUE(answer.ok());
             EXPECT_EQ(has(*answer, " is not culled"), plan.live.live_passes[pass] != 0) << *answer;
             // A live pass either has a side effect or writes the output, or another pass needs it.
-            EXPECT_TRUE(!plan.live.live_passes[pass] || has(*answer, "needs it") ||
+            EXPECT_TRUE(!plan.live.live_passes[pass] || has(*answer, "needs its result") ||
                         has(*answer, "the output") || has(*answer, "side effect"))
                 << *answer;
         }
@@ -154,7 +154,7 @@ TEST(PlanDump, TextSpeaksOfQueuesAndOfWhatIsDoneOnce) {
         const std::string text = plan_to_text(random_plan(seed, 25));
         waits = waits || has(text, "    wait for queue ");
         prologue = prologue || has(text, "once, before the first frame");
-        afterwards = afterwards || has(text, "    afterwards    barrier ");
+        afterwards = afterwards || has(text, "    after the pass    barrier ");
     }
     EXPECT_TRUE(waits && prologue && afterwards);
 }

@@ -240,9 +240,10 @@ TEST(ScopePlans, DumpsAndAnswersSayIt) {
     Layers layers;
     layers.draw("second");
     const FramePlan plan = layers.plan();
-    EXPECT_NE(plan_to_text(plan).find("    continues the scope of pass first\n"), std::string::npos);
+    EXPECT_NE(plan_to_text(plan).find("    continues the rendering scope of pass first\n"),
+              std::string::npos);
     EXPECT_NE(plan_to_json(plan).find("\"mergesRenderPass\": true"), std::string::npos);
-    EXPECT_NE(plan_to_dot(plan).find("one scope"), std::string::npos);
+    EXPECT_NE(plan_to_dot(plan).find("one rendering scope"), std::string::npos);
     const Result<std::string> answer = explain_barrier(plan, "first", "second");
     ASSERT_TRUE(answer.ok());
     EXPECT_NE(answer->find("one rendering scope"), std::string::npos) << *answer;

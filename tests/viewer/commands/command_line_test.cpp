@@ -236,7 +236,8 @@ TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
     EXPECT_NE(run.out.find(" at 2 sunShadows#0: sunShadow (12.0 MiB) hdr (7200.0 KiB) albedo"),
               std::string::npos)
         << run.text();
-    for (const char* part : {"sum ", "peak live ", "heaps ", "gap "})
+    for (const char* part :
+         {"sum of resources ", "peak of live resources ", "heaps ", "heaps above the peak "})
         EXPECT_NE(run.out.find(part), std::string::npos) << part;
 }
 
@@ -270,7 +271,8 @@ TEST(Profiles, TooSmallAHeapIsAWarning) {
         run_weft({"check", kDeferredGraph, "--profile", "integrated", "--size", "3840x2160"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     EXPECT_NE(run.err.find("warning[W142]"), std::string::npos) << run.text();
-    EXPECT_NE(run.err.find("largest where most is alive: hdr 63.3 MiB"), std::string::npos) << run.text();
+    EXPECT_NE(run.err.find("the largest resources at the peak are hdr 63.3 MiB"), std::string::npos)
+        << run.text();
 }
 
 TEST(Bench, CompilesAGraphOfChanceAndSaysWhereTheTimeGoes) {

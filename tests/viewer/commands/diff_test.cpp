@@ -26,7 +26,7 @@ std::string changed_graph(const std::string& what, const std::string& by) {
 TEST(Diff, APlanAndItselfAreTheSame) {
     const RunResult run = run_weft({"diff", kDeferredGraph, kDeferredGraph});
     EXPECT_EQ(run.exit_code, 0) << run.text();
-    EXPECT_EQ(run.out, "the same plan\n");
+    EXPECT_EQ(run.out, "the two plans are identical\n");
     const RunResult json = run_weft({"diff", kDeferredGraph, kDeferredGraph, "--json"});
     EXPECT_TRUE(Json::parse(json.out).at("same").get<bool>()) << json.text();
 }

@@ -42,12 +42,12 @@ std::string port_place(const std::string& pass, const std::string& port) {
 }
 
 TEST(Explain, ALivePassNamesWhoNeedsIt) {
-    expect_parts(
-        ask({"culled", "gbuffer"}),
-        {"\"gbuffer\" (" + pass_place("gbuffer") + ") is not culled",
-         "\"lighting\" (" + pass_place("lighting") + ") needs it: port \"albedo\" (" +
-             port_place("lighting", "albedo") + ") reads \"albedo\"",
-         "it is there for \"tonemap\" (" + pass_place("tonemap") + ")", "writes \"backbuffer\", the output"});
+    expect_parts(ask({"culled", "gbuffer"}),
+                 {"\"gbuffer\" (" + pass_place("gbuffer") + ") is not culled",
+                  "\"lighting\" (" + pass_place("lighting") + ") needs its result: port \"albedo\" (" +
+                      port_place("lighting", "albedo") + ") reads \"albedo\"",
+                  "The chain of readers ends at \"tonemap\" (" + pass_place("tonemap") + ")",
+                  "writes \"backbuffer\", the output"});
 }
 
 // Pass "second" has no reader, so it is culled. Only "second" reads the output of pass "first", so "first" is
@@ -72,9 +72,10 @@ TEST(Explain, ACulledPassNamesItsReasonAndItsReaders) {
                  {"\"second\" (" + graph + ":7:5) is culled: no pass reads \"b\"", "port \"dst\" (" + graph});
     const RunResult first = run_weft({"explain", graph, "culled", "first"});
     expect_parts(first.out, {"is culled: \"a\" is read only by \"second\", which is culled too",
-                             "\"second\" (" + graph + ":7:5) would read it", "no pass reads \"b\""});
+                             "\"second\" (" + graph + ":7:5) would read its result", "no pass reads \"b\""});
     const RunResult alias = run_weft({"explain", graph, "alias", "a", "c"});
-    expect_parts(alias.out, {"They share no memory", "takes no memory: no pass that runs uses it"});
+    expect_parts(alias.out,
+                 {"They share no memory", "has no memory, because no running pass uses this resource"});
     const RunResult barrier = run_weft({"explain", graph, "barrier", "first", "second"});
     expect_parts(barrier.out, {"There is no barrier", "is culled"});
 }
@@ -90,13 +91,14 @@ TEST(Explain, ABarrierSaysWhoWaitsForWhomAndWhy) {
 }
 
 TEST(Explain, WithoutABarrierItSaysWhyThereIsNone) {
-    expect_parts(ask({"barrier", "lightUpload", "tonemap"}), {"There is no barrier", "nothing in common"});
+    expect_parts(ask({"barrier", "lightUpload", "tonemap"}),
+                 {"There is no barrier", "They use no common resource"});
     expect_parts(
         ask({"barrier", "gbuffer", "tonemap"}),
         {"There is no barrier between", "\"hdr\": the barrier before \"lighting\" (" + pass_place("lighting"),
-         "has waited for it already; that pass writes it too"});
+         "has already waited for the first pass; that pass also writes this resource"});
     expect_parts(ask({"barrier", "lighting", "gbuffer"}),
-                 {"\"lighting\"", "of the frame before", "memory changes its owner"});
+                 {"\"lighting\"", "of the previous frame", "memory passes from one resource to another"});
 }
 
 TEST(Explain, AliasSaysWhoHoldsWhichBytesAndWhen) {
@@ -105,19 +107,20 @@ TEST(Explain, AliasSaysWhoHoldsWhichBytesAndWhen) {
                   "has bytes 0 to ", "Both are alive from 0 \"gbuffer\" to 5 \"lighting\""});
     expect_parts(ask({"alias", "velocity", "lights"}),
                  {"They share memory", "\"lights\" (" + place_of(kDeferredGraph, "\"lights\":"),
-                  "takes it over from \"velocity\""});
+                  "takes over the memory from \"velocity\""});
     expect_parts(ask({"alias", "hdr", "backbuffer"}),
                  {"They share no memory", "\"backbuffer\"", "is an import"});
     expect_parts(ask({"alias", "albedo", "lights", "--profile", "hostile"}),
-                 {"They share no memory", "Buffers and images live in heaps of their own"});
+                 {"They share no memory", "Buffers and images have separate heaps"});
     expect_parts(ask({"alias", "albedo", "depth", "--profile", "hostile"}),
-                 {"not live in the same types of memory"});
+                 {"They need different types of memory"});
 }
 
 TEST(Explain, WaitSpeaksOfOtherQueues) {
-    expect_parts(ask({"wait", "lighting"}), {"\"lighting\" (" + pass_place("lighting"), "the plan has one"});
+    expect_parts(ask({"wait", "lighting"}),
+                 {"\"lighting\" (" + pass_place("lighting"), "the plan has only one queue"});
     expect_parts(ask({"wait", "lighting", "--queues", "3", "--profile", "discrete"}),
-                 {"\"lighting\" (" + pass_place("lighting"), "submission of its queue: queue 0"});
+                 {"\"lighting\" (" + pass_place("lighting"), "runs in this submission: queue 0"});
 }
 
 TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
@@ -135,10 +138,11 @@ TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
     const RunResult run =
         run_weft({"explain", graph, "wait", "lighting", "--queues", "2", "--profile", "discrete"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
-    expect_parts(run.out, {"submission of its queue: queue 1, ", "Before it begins it waits for queue 0, ",
-                           "must not start before", "\"sunShadows#2\" (", "): port \"depth\" (",
-                           "writes \"sunShadow.mip(0).layer(2)\"",
-                           "\"lighting\" (" + graph + ":24:5): port \"", "It is waited for by queue 0, "});
+    expect_parts(run.out,
+                 {"runs in this submission: queue 1, ",
+                  "Before the submission begins, it waits for queue 0, ", "must not start before",
+                  "\"sunShadows#2\" (", "): port \"depth\" (", "writes \"sunShadow.mip(0).layer(2)\"",
+                  "\"lighting\" (" + graph + ":24:5): port \"", "This submission must end before queue 0, "});
     const RunResult barrier = run_weft(
         {"explain", graph, "barrier", "gbuffer", "lighting", "--queues", "2", "--profile", "discrete"});
     EXPECT_EQ(barrier.exit_code, 0) << barrier.text();
@@ -149,10 +153,10 @@ TEST(Explain, AResourceIsDescribedWithItsUsers) {
     expect_parts(ask({"resource", "hdr"}),
                  {"\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":") +
                       ") is an image, rgba16f, 1280x720 (d2), transient",
-                  "It takes 7200.0 KiB: bytes 0 to 7372799 of heap 0", "from 0 \"gbuffer\" to 8 \"tonemap\"",
+                  "It needs 7200.0 KiB: bytes 0 to 7372799 of heap 0", "from 0 \"gbuffer\" to 8 \"tonemap\"",
                   "5 \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
-                  "Nobody shares that memory"});
-    expect_parts(ask({"resource", "hdr", "--size", "64x32"}), {"64x32", "It takes 16.0 KiB"});
+                  "No other resource shares this memory"});
+    expect_parts(ask({"resource", "hdr", "--size", "64x32"}), {"64x32", "It needs 16.0 KiB"});
 }
 
 TEST(Explain, AnUnknownNameIsGuessedAt) {
@@ -178,7 +182,8 @@ TEST(Explain, TheNameOfARepeatStandsForAllItsRounds) {
     }
     const RunResult pair = answer({"barrier", "down", "down#2"});
     EXPECT_EQ(pair.exit_code, 3) << pair.text();
-    EXPECT_NE(pair.err.find("it is repeated: name one of \"down#1\", \"down#2\""), std::string::npos)
+    EXPECT_NE(pair.err.find("this name has several iterations: write one of \"down#1\", \"down#2\""),
+              std::string::npos)
         << pair.text();
 }
 

@@ -30,10 +30,10 @@ void write_inspector(Markup& out) {
     out.leaf("h2", {}, "Explanation");
     out.open("div", {{"id", "explained"}});
     out.leaf("p", {},
-             "Point at anything, or reach it with Tab and the arrow keys, and it is explained here.");
-    out.leaf(
-        "p", {},
-        "A click or Enter selects it: what it has to do with stays bright in all panels. Escape lets go.");
+             "Point at an item, or move to it with Tab and the arrow keys. Its explanation appears here.");
+    out.leaf("p", {},
+             "Click an item or press Enter to select it: related items stay bright in all panels. Press "
+             "Escape to end the selection.");
     out.close();
     out.close();
     out.line();
@@ -120,7 +120,7 @@ std::string wait_label(const PlanPage& page, size_t wait) {
     const std::vector<Batch>& batches = page.plan->submissions.batches;
     return "queue " + std::to_string(batches[item.batch].queue) + " waits for queue " +
            std::to_string(batches[item.wait->batch].queue) +
-           (item.wait->previous_frame ? ", of the frame before" : "");
+           (item.wait->previous_frame ? " of the previous frame" : "");
 }
 
 const char* barrier_style(BarrierReason reason) {

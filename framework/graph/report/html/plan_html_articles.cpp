@@ -18,7 +18,7 @@ std::string pass_subtitle(const FramePlan& plan, PassId pass) {
     if (!decl.shader.empty()) text += ", shader " + decl.shader;
     const uint32_t position = plan.schedule.position[pass];
     if (position == kNoId) return text + ", culled";
-    return text + ", runs as " + std::to_string(position) + " on queue " +
+    return text + ", runs at position " + std::to_string(position) + " on queue " +
            std::to_string(plan.schedule.queue[position]);
 }
 
@@ -29,10 +29,10 @@ void write_uses(const FramePlan& plan, PassId pass, Markup& out) {
             if (use.is_output != output) continue;
             const ResourceDecl& resource = plan.graph.resources[use.resource];
             std::string more = use.range == resource.whole() ? "" : range_text(use.range) + " ";
-            more += std::string("as ") + use.port + ", " + access_name(use.access);
+            more += std::string("port ") + use.port + ", " + access_name(use.access);
             links.push_back({resource_key(use.resource), resource.name, more});
         }
-        write_links(out, output ? "Out" : "In", links);
+        write_links(out, output ? "Outputs" : "Inputs", links);
     }
 }
 
@@ -58,8 +58,9 @@ void write_pass_barriers(const PlanPage& page, PassId pass, Markup& out) {
             links.push_back({barrier_key(b), page.plan->graph.resources[barrier.resource].name,
                              describe_reason(barrier.reason)});
         }
-        write_links(out, place == BarrierPlace::before_pass ? "Barriers in front" : "Barriers afterwards",
-                    links);
+        write_links(
+            out, place == BarrierPlace::before_pass ? "Barriers before the pass" : "Barriers after the pass",
+            links);
     }
 }
 
@@ -72,7 +73,7 @@ void write_needed_by(const PlanPage& page, PassId pass, Markup& out) {
     for (auto it = begin; it != page.edges.end() && it->from == pass && !it->history; ++it)
         if (it->kind == EdgeKind::raw)
             links.push_back({pass_key(it->to), page.plan->graph.passes[it->to].name, ""});
-    write_links(out, "Needed by", links);
+    write_links(out, "Passes that read its results", links);
 }
 
 void write_alias_transitions(const FramePlan& plan, ResourceId id, Markup& out) {
@@ -135,12 +136,12 @@ void write_pass_article(const PlanPage& page, PassId pass, Markup& out) {
 void write_repeat_article(const PlanPage& page, size_t repeat, Markup& out) {
     const RepeatItem& item = page.repeats[repeat];
     open_article(out, repeat_key(repeat), item.name,
-                 "a repeat of " + std::to_string(item.passes.size()) + " rounds");
+                 "a repeat of " + std::to_string(item.passes.size()) + " iterations");
     std::vector<ArticleLink> links;
     for (const PassId pass : item.passes)
         links.push_back({pass_key(pass), page.plan->graph.passes[pass].name,
-                         "runs as " + std::to_string(page.plan->schedule.position[pass])});
-    write_links(out, "Rounds", links);
+                         "runs at position " + std::to_string(page.plan->schedule.position[pass])});
+    write_links(out, "Iterations", links);
     out.close();
     out.line();
 }
@@ -158,9 +159,9 @@ void write_resource_article(const PlanPage& page, ResourceId resource, Markup& o
 
 void write_words(const PlanPage& page, Markup& out) {
     const FramePlan& plan = *page.plan;
-    out.open("section", {{"class", "panel"}, {"id", "words"}, {"aria-label", "In words"}});
+    out.open("section", {{"class", "panel"}, {"id", "words"}, {"aria-label", "All explanations"}});
     out.open("details");
-    out.leaf("summary", {}, "In words: everything that this page explains");
+    out.leaf("summary", {}, "All explanations of this page as text");
     for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) write_pass_article(page, pass, out);
     for (size_t r = 0; r < page.repeats.size(); ++r) write_repeat_article(page, r, out);
     for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) write_resource_article(page, id, out);

@@ -17,7 +17,7 @@ void write_zoom(Markup& out) {
          {std::tuple{"out", "\xE2\x88\x92", "Smaller (key -, or Ctrl and the wheel)"},
           std::tuple{"in", "+", "Larger (key +, or Ctrl and the wheel)"},
           std::tuple{"fit", "Fit", "The whole width (key f)"},
-          std::tuple{"full", "100 %", "As drawn (key 0)"}})
+          std::tuple{"full", "100 %", "Original size (key 0)"}})
         out.leaf("button", {{"type", "button"}, {"data-zoom", name}, {"title", title}, {"aria-label", title}},
                  text);
     out.leaf("output", {}, "");
@@ -32,7 +32,8 @@ void draw_both(const PlanPage& page, Markup& out) {
     draw_graph(page, true, out);
     out.close();
     out.open("details", {{"class", "rounds"}});
-    out.leaf("summary", {}, "Every round: " + std::to_string(page.plan->schedule.order.size()) + " passes");
+    out.leaf("summary", {},
+             "Every iteration: " + std::to_string(page.plan->schedule.order.size()) + " passes");
     out.open("div", {{"id", kRoundsId}});
     draw_graph(page, false, out);
     out.close();
@@ -46,24 +47,25 @@ void write_graph_legend(const PlanPage& page, Markup& out) {
                         [&](const EdgeItem& e) { return std::string_view(edge_style(e)) == kind; }))
             used.emplace_back(style, text);
     };
-    add("raw", "edge raw", "reads what the other wrote");
-    add("war", "edge war", "overwrites what the other read");
-    add("waw", "edge waw", "overwrites what the other wrote");
-    add("after", "edge after", "an \"after\"");
-    add("history", "edge history", "reads what an earlier frame wrote");
+    add("raw", "edge raw", "reads the result of the other pass");
+    add("war", "edge war", "overwrites content that the other pass reads");
+    add("waw", "edge waw", "overwrites content that the other pass writes");
+    add("after", "edge after", "order set by \"after\"");
+    add("history", "edge history", "reads content of an earlier frame");
     if (page.plan->schedule.order.size() < page.plan->graph.passes.size())
         used.emplace_back("pass dead", "culled");
     if (!page.repeats.empty())
-        used.emplace_back("pass repeat", "a repeat of many rounds; + draws each of them");
+        used.emplace_back("pass repeat", "a repeat of many iterations; + draws each iteration");
     write_legend(out, used);
 }
 
 }  // namespace
 
 void write_graph(const PlanPage& page, Markup& out) {
-    open_panel(out, "graph", "Graph",
-               "What has to follow what, from left to right. An edge stands for all resources that two "
-               "passes share.");
+    open_panel(
+        out, "graph", "Graph",
+        "Which pass must run before which, from left to right. An edge represents all resources that two "
+        "passes share.");
     if (page.plan->graph.passes.empty()) {
         out.leaf("p", {{"class", "none"}}, "The graph has no passes.");
     } else {

@@ -275,7 +275,7 @@ class GraphDrawing {
         const std::string middle = std::to_string(kOpen_px / 2 - 4), arm = std::to_string(kOpen_px - 8);
         out_.open("a", {{"class", "open"},
                         {"href", std::string("#") + kRoundsId},
-                        {"aria-label", "Draw every round of " + node.name}});
+                        {"aria-label", "Draw every iteration of " + node.name}});
         draw_rect("plus", at, {kOpen_px, kOpen_px}, 4);
         out_.empty("path", {{"d", "M" + x + " " + y + "m0 " + middle + "h" + arm + "m-" + middle + " -" +
                                       middle + "v" + arm}});

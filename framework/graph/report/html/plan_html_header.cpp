@@ -55,18 +55,18 @@ void write_tiles(const PlanPage& page, Markup& out) {
     const size_t live = plan.schedule.order.size(), all = plan.graph.passes.size();
     out.open("ul", {{"class", "tiles"}});
     write_tile(out, std::to_string(live), live == 1 ? "pass runs" : "passes run",
-               live == all ? "" : of_text(all, "written"));
+               live == all ? "" : of_text(all, "in the graph"));
     write_tile(out, std::to_string(plan.barriers.emitted),
-               plan.barriers.emitted == 1 ? "barrier" : "barriers", "a frame");
+               plan.barriers.emitted == 1 ? "barrier" : "barriers", "per frame");
     write_tile(out, std::to_string(plan.submissions.batches.size()),
                plan.submissions.batches.size() == 1 ? "submission" : "submissions",
                count_text(page.waits.size(), "wait"));
     write_tile(out, bytes_text(memory.heap_bytes), "for transients",
-               "of a sum of " + bytes_text(memory.sum_bytes));
+               "sum of all sizes: " + bytes_text(memory.sum_bytes));
     const uint64_t saved = memory.sum_bytes > memory.heap_bytes ? memory.sum_bytes - memory.heap_bytes : 0;
     write_tile(out, percent_text(saved, memory.sum_bytes), "saved by aliasing", bytes_text(saved));
     if (memory.persistent_bytes > 0)
-        write_tile(out, bytes_text(memory.persistent_bytes), "kept", "from frame to frame");
+        write_tile(out, bytes_text(memory.persistent_bytes), "for kept resources", "from frame to frame");
     out.close();
     out.line();
 }
@@ -82,7 +82,7 @@ void write_header(const PlanPage& page, Markup& out) {
     for (const auto& [id, title] :
          {std::pair{"graph", "Graph"}, std::pair{"timeline", "Timeline"}, std::pair{"lifetimes", "Lifetimes"},
           std::pair{"memory", "Memory"}, std::pair{"kept", "Kept and imported"},
-          std::pair{"culled", "Culled"}, std::pair{"words", "In words"}})
+          std::pair{"culled", "Culled"}, std::pair{"words", "All explanations"}})
         out.leaf("a", {{"href", std::string("#") + id}}, title);
     out.close();
     out.close();

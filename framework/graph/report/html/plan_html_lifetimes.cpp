@@ -97,12 +97,12 @@ class LifetimeDrawing {
         const int32_t left_px = frame ? 2 : first.box_left_px,
                       right_px = frame ? page_.columns.width_px - 2 : last.box_left_px + last.box_width_px;
         const std::string text =
-            frame ? std::string(enum_name(resource.lifetime)) + ", lives longer than a frame"
-                  : "lives from " + pass_at(plan_, row.first) + " to " + pass_at(plan_, row.last);
+            frame ? std::string(enum_name(resource.lifetime)) + ", alive longer than a frame"
+                  : "alive from " + pass_at(plan_, row.first) + " to " + pass_at(plan_, row.last);
         const std::string style =
             std::string("life") + (frame ? " long" : "") + (row.unread ? " unread" : "");
         open_item(out_, style, resource_keys(page_, row.resource),
-                  resource.name + " " + text + (row.unread ? ", no reader: no pass that runs reads it" : ""));
+                  resource.name + ": " + text + (row.unread ? ", no reader: no running pass reads it" : ""));
         out_.empty("rect", {{"class", "hit"},
                             {"x", left_px},
                             {"y", y_px + 2},
@@ -166,15 +166,16 @@ class LifetimeDrawing {
 void write_lifetimes(const PlanPage& page, Markup& out) {
     std::vector<std::pair<const char*, const char*>> legend{{"cell write", "W writes"},
                                                             {"cell read", "R reads"},
-                                                            {"cell both", "RW both, in place"},
-                                                            {"life", "alive, and untouched"},
-                                                            {"life long", "lives longer than a frame"}};
-    if (open_column_panel(page, out, "lifetimes", "Lifetimes",
-                          "From the first pass that uses a resource to the last, and what each does to it. "
-                          "What is kept or imported lives on.")) {
+                                                            {"cell both", "RW reads and writes, in place"},
+                                                            {"life", "alive, but not used by this pass"},
+                                                            {"life long", "alive longer than a frame"}};
+    if (open_column_panel(
+            page, out, "lifetimes", "Lifetimes",
+            "The lifetime of each resource, from its first to its last pass, and how each pass uses it. "
+            "Kept and imported resources live longer than the frame.")) {
         LifetimeDrawing drawing(page, out);
         drawing.draw();
-        if (drawing.shows_unread()) legend.emplace_back("life unread", "written, and never read");
+        if (drawing.shows_unread()) legend.emplace_back("life unread", "written, but never read");
     }
     write_legend(out, legend);
     out.close();

@@ -32,13 +32,15 @@ std::string shape_text(const ResourceDecl& r) {
 
 std::string lasts_text(const FramePlan& plan, ResourceId id) {
     const ResourceDecl& r = plan.graph.resources[id];
-    if (!plan.live.live_resources[id]) return "unused: no pass that runs touches it";
+    if (!plan.live.live_resources[id]) return "unused: no running pass uses it";
     if (r.lifetime == ResourceLifetime::imported)
-        return r.import ? std::string("imported: enters as ") + layout_text(r.import->entry.layout) +
-                              ", leaves as " + layout_text(r.import->exit.layout)
+        return r.import ? std::string("imported: before the frame in layout ") +
+                              layout_text(r.import->entry.layout) + ", after the frame in layout " +
+                              layout_text(r.import->exit.layout)
                         : "imported";
     if (r.age > 0)
-        return "what " + plan.graph.resources[r.ring].name + " held " + count_text(r.age, "frame") + " ago";
+        return "content of " + plan.graph.resources[r.ring].name + " from " + count_text(r.age, "frame") +
+               " ago";
     return r.history > 0 ? "keeps " + count_text(r.history, "earlier frame")
                          : "keeps its content from frame to frame";
 }
@@ -65,15 +67,15 @@ void write_kept_row(const PlanPage& page, ResourceId id, Markup& out) {
 void write_kept(const PlanPage& page, Markup& out) {
     const FramePlan& plan = *page.plan;
     open_panel(out, "kept", "Kept and imported",
-               "Resources that outlive the frame, and those that nobody uses.");
+               "Resources that live longer than the frame, and resources that no pass uses.");
     std::vector<ResourceId> ids;
     for (ResourceId id = 0; id < plan.graph.resources.size(); ++id)
         if (plan.graph.resources[id].lifetime != ResourceLifetime::transient || !plan.live.live_resources[id])
             ids.push_back(id);
     if (ids.empty()) {
-        out.leaf("p", {{"class", "none"}}, "There are none.");
+        out.leaf("p", {{"class", "none"}}, "The graph has no such resources.");
     } else {
-        open_table(out, {"resource", "what", "memory", "how long"});
+        open_table(out, {"resource", "type", "memory", "lifetime"});
         for (const ResourceId id : ids) write_kept_row(page, id, out);
         close_table(out);
     }
@@ -82,8 +84,7 @@ void write_kept(const PlanPage& page, Markup& out) {
 
 void write_culled(const PlanPage& page, Markup& out) {
     const FramePlan& plan = *page.plan;
-    open_panel(out, "culled", "Culled",
-               "Passes that don't run, because nothing that is shown depends on them.");
+    open_panel(out, "culled", "Culled", "Passes that do not run, because no output depends on them.");
     if (plan.schedule.order.size() == plan.graph.passes.size()) {
         out.leaf("p", {{"class", "none"}}, "Every pass runs.");
         out.close();

@@ -40,7 +40,7 @@ class MemoryDrawing {
     void draw() {
         out_.open("div", {{"class", "chart"}});
         write_labels();
-        open_drawing(out_, "Memory of transients", page_.columns.width_px, height_px_);
+        open_drawing(out_, "Memory of transient resources", page_.columns.width_px, height_px_);
         write_heading(page_, out_);
         write_guides(page_, heading_px_, height_px_, out_);
         draw_strip();
@@ -123,7 +123,7 @@ class MemoryDrawing {
                   resource_keys(page_, p.resource),
                   name + ": " + size + " at " + bytes_text(p.offset_bytes) + ", from " +
                       pass_at(plan_, span.first) + " to " + pass_at(plan_, span.last) +
-                      (block.enlarged ? ", drawn larger than to scale" : ""));
+                      (block.enlarged ? ", drawn larger than its real size" : ""));
         out_.empty("rect", {{"class", "mark"},
                             {"x", left_px},
                             {"y", top_px},
@@ -156,16 +156,17 @@ class MemoryDrawing {
 
 void write_memory(const PlanPage& page, Markup& out) {
     MemoryDrawing drawing(page, out);
-    open_panel(out, "memory", "Memory",
-               "Who lies where in the memory of the transients, and when. Blocks in one row of bytes share "
-               "them. Bytes are to scale from each heap's axis.");
+    open_panel(
+        out, "memory", "Memory",
+        "Where each transient resource lies in memory, and during which passes. Blocks at the same height "
+        "share bytes. Heights are to scale, from the axis of each heap.");
     const bool none = drawing.empty() || page.plan->schedule.order.empty();
     if (none)
         out.leaf("p", {{"class", "none"}}, "The frame has no transient resources.");
     else
         drawing.draw();
     if (!none && drawing.enlarges())
-        write_legend(out, {{"enlarged", "too small to be seen: drawn larger than to scale"}});
+        write_legend(out, {{"enlarged", "too small to see: drawn larger than its real size"}});
     out.close();
 }
 

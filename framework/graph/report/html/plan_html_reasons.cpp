@@ -38,7 +38,7 @@ void write_waited_for(const PlanPage& page, const BarrierItem& item, Markup& out
     const std::vector<PassId> passes = waited_for(page, item);
     std::vector<ArticleLink> links;
     for (const PassId pass : passes) {
-        std::string more = of_frame_before(page, item, pass) ? "of the frame before" : "";
+        std::string more = of_frame_before(page, item, pass) ? "of the previous frame" : "";
         for (const UseDecl* use : uses_waited_for(*page.plan, *item.barrier, pass))
             more += (more.empty() ? "" : ", ") + describe_use(*page.plan, *use);
         links.push_back({pass_key(pass), page.plan->graph.passes[pass].name, more});
@@ -46,9 +46,9 @@ void write_waited_for(const PlanPage& page, const BarrierItem& item, Markup& out
     write_links(out, "Waits for", links);
     if (!passes.empty()) return;
     if (item.barrier->reason == BarrierReason::acquire_import)
-        out.leaf("p", {}, "It waits for what used the import before the frame.");
+        out.leaf("p", {}, "The barrier waits for uses of the import before the frame.");
     if (item.place == BarrierPlace::prologue)
-        out.leaf("p", {}, "It is recorded once, before the first frame.");
+        out.leaf("p", {}, "The barrier is recorded once, before the first frame.");
 }
 
 // Returns the uses by `pass` that overlap the barrier's range of its resource, as text; empty if there are
@@ -78,7 +78,7 @@ void write_on_behalf_of(const PlanPage& page, const BarrierItem& item, Markup& o
         if (before || !uses.empty()) links.push_back({pass_key(pass), plan.graph.passes[pass].name, uses});
         if (before) break;
     }
-    write_links(out, before ? "In front of" : "For", links);
+    write_links(out, before ? "Before the pass" : "For the passes", links);
 }
 
 std::string spaced(std::string text) {
@@ -113,16 +113,17 @@ void write_states(const FramePlan& plan, const BarrierDecl& b, Markup& out) {
 std::string edge_words(const PlanPage& page, const EdgeItem& edge, ResourceId resource) {
     const std::string from = describe_pass(*page.plan, edge.from), to = describe_pass(*page.plan, edge.to);
     const std::string what = resource == kNoId ? "" : describe_resource(*page.plan, resource);
-    if (edge.history) return to + " reads " + what + " as " + from + " left it in an earlier frame.";
+    if (edge.history)
+        return to + " reads " + what + " with the content that " + from + " left in an earlier frame.";
     switch (edge.kind) {
         case EdgeKind::raw:
-            return to + " reads what " + from + " wrote to " + what + ".";
+            return to + " reads " + what + ", which " + from + " writes before.";
         case EdgeKind::war:
-            return to + " overwrites what " + from + " read of " + what + ".";
+            return to + " overwrites " + what + ", which " + from + " reads before.";
         case EdgeKind::waw:
-            return to + " overwrites what " + from + " wrote to " + what + ".";
+            return to + " overwrites " + what + ", which " + from + " writes before.";
         case EdgeKind::after:
-            return to + " says that it comes after " + from + ".";
+            return to + " names " + from + " in \"after\", so it runs after that pass.";
     }
     return "";
 }
@@ -135,15 +136,16 @@ void write_barrier_article(const PlanPage& page, size_t barrier, Markup& out) {
     const BarrierDecl& b = *item.barrier;
     open_article(out, barrier_key(barrier), barrier_label(page, barrier), "");
     out.leaf("p", {{"class", "why"}}, std::string("Reason: ") + describe_reason(b.reason) + ".");
-    write_links(out, "On",
-                {{resource_key(b.resource), plan.graph.resources[b.resource].name,
-                  b.range == plan.graph.resources[b.resource].whole() ? "all of it" : range_text(b.range)}});
+    write_links(
+        out, "Resource",
+        {{resource_key(b.resource), plan.graph.resources[b.resource].name,
+          b.range == plan.graph.resources[b.resource].whole() ? "the whole resource" : range_text(b.range)}});
     std::vector<ArticleLink> owners;
     for (const ResourceId id : b.aliased_from)
         owners.push_back({resource_key(id), plan.graph.resources[id].name,
-                          id == b.resource ? "of the frame before: it shares its memory with nobody"
-                                           : "held this memory"});
-    write_links(out, "Takes over from", owners);
+                          id == b.resource ? "of the previous frame: no other resource shares this memory"
+                                           : "used this memory before"});
+    write_links(out, "Takes over memory from", owners);
     write_waited_for(page, item, out);
     write_on_behalf_of(page, item, out);
     write_states(plan, b, out);
@@ -155,16 +157,16 @@ void write_wait_article(const PlanPage& page, size_t wait, Markup& out) {
     const FramePlan& plan = *page.plan;
     const WaitItem& item = page.waits[wait];
     open_article(out, wait_key(wait), wait_label(page, wait), "a semaphore");
-    out.leaf("p", {},
-             "Before it begins, " + describe_batch(plan, plan.submissions.batches[item.batch]) +
-                 " waits until " + describe_batch(plan, plan.submissions.batches[item.wait->batch]) +
-                 " is over" +
-                 (item.wait->previous_frame ? ", of the frame before. The first frame does not wait." : "."));
+    out.leaf(
+        "p", {},
+        "Before it begins, " + describe_batch(plan, plan.submissions.batches[item.batch]) +
+            " waits for the end of " + describe_batch(plan, plan.submissions.batches[item.wait->batch]) +
+            (item.wait->previous_frame ? " of the previous frame. The first frame does not wait." : "."));
     write_sentences(out, describe_cause(plan, item.wait->dependency));
     write_links(
         out, "Submissions",
-        {{batch_key(item.wait->batch), "submission " + std::to_string(item.wait->batch), "is waited for"},
-         {batch_key(item.batch), "submission " + std::to_string(item.batch), "waits"}});
+        {{batch_key(item.wait->batch), "submission " + std::to_string(item.wait->batch), "ends before"},
+         {batch_key(item.batch), "submission " + std::to_string(item.batch), "begins after"}});
     out.close();
     out.line();
 }
@@ -184,7 +186,9 @@ void write_batch_article(const PlanPage& page, size_t batch, Markup& out) {
     write_links(out, "Passes", passes);
     write_links(out, "Waits", waits);
     if (decl.epilogue)
-        out.leaf("p", {}, "At its end imports go into the states that they leave the frame in.");
+        out.leaf(
+            "p", {},
+            "At its end, barriers change imports to the states that the program expects after the frame.");
     out.close();
     out.line();
 }

@@ -256,17 +256,17 @@ void write_timeline_legend(const PlanPage& page, Markup& out) {
     };
     add("raw", "barrier raw", "a read after a write");
     add("over", "barrier over", "a write after a read or a write");
-    add("layout", "barrier layout", "another layout");
-    add("handover", "barrier handover", "memory changes its owner");
-    add("family", "barrier family", "from one queue family to another");
-    add("outside", "barrier outside", "an import enters or leaves, or first-frame values");
+    add("layout", "barrier layout", "a change of the layout");
+    add("handover", "barrier handover", "memory passes to another resource");
+    add("family", "barrier family", "a transfer between queue families");
+    add("outside", "barrier outside", "the start or end of an import, or first-frame values");
     const std::vector<PassStep>& steps = page.plan->barriers.steps;
     if (std::any_of(steps.begin(), steps.end(), [](const PassStep& s) { return s.merges_render_pass; }))
-        used.emplace_back("scope", "goes on in the same rendering scope");
-    if (!page.waits.empty()) used.emplace_back("wait", "a queue waits for another");
+        used.emplace_back("scope", "continues the same rendering scope");
+    if (!page.waits.empty()) used.emplace_back("wait", "a queue waits for another queue");
     if (std::any_of(page.waits.begin(), page.waits.end(),
                     [](const WaitItem& w) { return w.wait->previous_frame; }))
-        used.emplace_back("wait before", "for its work of the frame before");
+        used.emplace_back("wait before", "a queue waits for the previous frame");
     write_legend(out, used);
 }
 
@@ -275,8 +275,8 @@ void write_timeline_legend(const PlanPage& page, Markup& out) {
 void write_timeline(const PlanPage& page, Markup& out) {
     if (open_column_panel(
             page, out, "timeline", "Timeline",
-            "What each queue runs, in the order of submission. The marks in front of a pass are "
-            "the barriers that it waits for, those behind it what it leaves for others.")) {
+            "The passes of each queue, in the order of submission. Marks before a pass are barriers that it "
+            "waits for; marks after a pass are barriers for later passes.")) {
         TimelineDrawing(page, out).draw();
         write_idle_queues(*page.plan, out);
     }

@@ -132,7 +132,7 @@ TEST(PlanHtml, CulledPassesSayWhy) {
     const std::string text = plan_to_html(compiled(b), {});
     EXPECT_NE(text.find("<td>no pass reads &quot;unused&quot;</td>"), std::string::npos) << text;
     EXPECT_NE(text.find("class=\"i pass dead\""), std::string::npos);
-    EXPECT_NE(text.find("unused: no pass that runs touches it"), std::string::npos);
+    EXPECT_NE(text.find("unused: no running pass uses it"), std::string::npos);
 }
 
 // The page must explain a barrier as `weft explain barrier` does: with the reason, the ports and the states.
@@ -160,7 +160,7 @@ TEST(PlanHtml, WhoSharesMemorySaysWithWhomAndWhatSeparatesThem) {
     read_back(b, "out", last);
     const std::string text = plan_to_html(compiled(b), {});
     EXPECT_NE(text.find("It shares memory with &quot;late&quot;"), std::string::npos) << text;
-    EXPECT_NE(text.find("&quot;late&quot; takes it over from &quot;early&quot;, at 2 &quot;c&quot;"),
+    EXPECT_NE(text.find("&quot;late&quot; takes over the memory from &quot;early&quot;, at 2 &quot;c&quot;"),
               std::string::npos)
         << text;
     EXPECT_NE(text.find("33.3 %"), std::string::npos) << "two thirds of the sum are enough";

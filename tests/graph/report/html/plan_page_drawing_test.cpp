@@ -84,8 +84,8 @@ TEST(PlanPageDrawing, TinyBlocksAreEnlargedSideBySideAndSaySo) {
     EXPECT_EQ(tops_px.size(), 5u);
     const std::string text = plan_to_html(plan, {});
     EXPECT_NE(text.find("tiny0: 16 B at"), std::string::npos);
-    EXPECT_NE(text.find("to use, drawn larger than to scale\""), std::string::npos);
-    EXPECT_NE(text.find("too small to be seen: drawn larger than to scale"), std::string::npos);
+    EXPECT_NE(text.find("to use, drawn larger than its real size\""), std::string::npos);
+    EXPECT_NE(text.find("too small to see: drawn larger than its real size"), std::string::npos);
 }
 
 TEST(PlanPageDrawing, AxesHaveOneUnitAndEndWithTheHeap) {
@@ -111,9 +111,9 @@ TEST(PlanPageDrawing, WhatIsWrittenAndNeverReadSaysSo) {
     EXPECT_FALSE(has_no_reader(page, color));
     const std::string text = plan_to_html(plan, {});
     EXPECT_NE(text.find("<small>no reader</small>"), std::string::npos);
-    EXPECT_NE(text.find("velocity lives from draw to draw, no reader: no pass that runs reads it"),
+    EXPECT_NE(text.find("velocity: alive from draw to draw, no reader: no running pass reads it"),
               std::string::npos);
-    EXPECT_NE(text.find("written, and never read"), std::string::npos);
+    EXPECT_NE(text.find("written, but never read"), std::string::npos);
 }
 
 TEST(PlanPageDrawing, WhatTheNextFrameReadsHasAReader) {
@@ -223,20 +223,20 @@ TEST(PlanPageDrawing, APastIsReadFromTheLastWriterOnly) {
         if (edge.history)
             history.push_back(plan.graph.passes[edge.from].name + " to " + plan.graph.passes[edge.to].name);
     EXPECT_EQ(history, std::vector<std::string>{"step#10 to step#1"}) << "each earlier round was overwritten";
-    EXPECT_NE(plan_to_html(plan, {}).find("left it in an earlier frame"), std::string::npos);
+    EXPECT_NE(plan_to_html(plan, {}).find("left in an earlier frame"), std::string::npos);
 }
 
 TEST(PlanPageDrawing, RepeatsOfManyRoundsAreOneBoxThatOpens) {
     const std::string many = plan_to_html(rounds_plan(12), {}), few = plan_to_html(rounds_plan(4), {});
     EXPECT_EQ(read_markup(many).fault, "");
     EXPECT_NE(many.find("12 \xC3\x97 compute</text>"), std::string::npos);
-    EXPECT_NE(many.find("aria-label=\"Draw every round of step\""), std::string::npos);
-    EXPECT_NE(many.find("<summary>Every round: 13 passes</summary>"), std::string::npos);
+    EXPECT_NE(many.find("aria-label=\"Draw every iteration of step\""), std::string::npos);
+    EXPECT_NE(many.find("<summary>Every iteration: 13 passes</summary>"), std::string::npos);
     EXPECT_NE(many.find("step#12: 11  compute"), std::string::npos) << "the open drawing has them all";
-    EXPECT_EQ(few.find("<summary>Every round"), std::string::npos) << "few are legible";
+    EXPECT_EQ(few.find("<summary>Every iteration"), std::string::npos) << "few are legible";
     // The iterations cannot be drawn as a single box, because pass `other` runs after the first iteration and
     // before the second one.
-    EXPECT_EQ(plan_to_html(rounds_plan(12, true), {}).find("<summary>Every round"), std::string::npos);
+    EXPECT_EQ(plan_to_html(rounds_plan(12, true), {}).find("<summary>Every iteration"), std::string::npos);
 }
 
 TEST(PlanPageDrawing, QueuesWithoutWorkHaveNoRow) {
