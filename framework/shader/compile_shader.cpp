@@ -79,7 +79,7 @@ Diagnostic not_found(const std::string& reference, ProgramKind kind, const Stage
             (places.empty() ? "" : ", then ") + (root.empty() ? std::string(".") : root.generic_string());
     }
     if (file.shared) places = roots.include_root.generic_string();
-    diagnostic.help.push_back(places.empty() ? "no shader folder is known: give one to the program"
+    diagnostic.help.push_back(places.empty() ? "give the program a shader folder; it has none"
                                              : "put the file into a shader folder; weft looked in " + places);
     const std::string near = did_you_mean_text(reference, known_references(kind, reader));
     if (!near.empty()) diagnostic.help.push_back(near);

@@ -118,7 +118,7 @@ class TestRun {
                                  "the tests of the graph render more than " +
                                      std::to_string(options_.limits.graph.test_frames) + " frames");
         d.tier = tier_;
-        d.help.push_back("give the test fewer \"frames\", " + raise_limit_text("graph.testFrames"));
+        d.help.push_back("lower \"frames\" in the test, " + raise_limit_text("graph.testFrames"));
         failed_.push_back(std::move(d));
         return false;
     }

@@ -31,7 +31,7 @@ void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
     std::snprintf(text.data(), text.size(), "%.0f stops too %s for the exposure of %g EV", std::abs(stops),
                   stops < 0 ? "dark" : "bright", exposure_ev);
     d.message = "the environment \"" + scene.environment.name + "\" is " + text.data();
-    std::snprintf(text.data(), text.size(), "use --exposure %.1f, or a picture whose values are in cd/m²",
+    std::snprintf(text.data(), text.size(), "use --exposure %.1f, or a picture with values in cd/m²",
                   exposure_ev - stops);
     d.help = {text.data()};
     report({d});

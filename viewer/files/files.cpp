@@ -103,7 +103,7 @@ Result<DeviceProfile> load_profile(const std::string& file_or_name) {
     }
     if (!text) return no_such_profile(name);
     if (text->size() > kMostProfileBytes)
-        return file_error("W140", file, "the file has more than 1 MiB",
+        return file_error("W140", file, "the file is larger than 1 MiB",
                           "give a profile that `weft doctor --json` wrote");
     return parse_profile(*text, file);
 }

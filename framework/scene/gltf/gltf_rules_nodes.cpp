@@ -187,9 +187,10 @@ void check_scene(Checker& c, const Fields& scene, const std::vector<uint32_t>& p
     const bool child =
         std::any_of(roots.begin(), roots.end(), [&](uint32_t n) { return parent[n] != kNone; });
     if (!twice && !child) return;
-    c.report.error("S109", scene.pointer_to("nodes"),
-                   twice ? "a node is listed twice" : "a listed node is the child of another",
-                   "list each root node once");
+    c.report.error(
+        "S109", scene.pointer_to("nodes"),
+        twice ? "the scene lists a node twice" : "the scene lists a node that is the child of another node",
+        "list each root node once, and no other nodes");
 }
 
 // Weft loads only one scene of a file. The warning lists the other scenes, at most eight of them by name.

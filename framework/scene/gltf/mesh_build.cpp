@@ -274,7 +274,7 @@ bool is_drawable(const Primitive& primitive, const std::string& label, const std
     }
     if (primitive.position == kNone) {
         report.warn("S156", pointer + "/attributes", label + " has no POSITION and is ignored",
-                    "add positions or remove the primitive");
+                    "add positions, or remove the primitive");
         return false;
     }
     return true;

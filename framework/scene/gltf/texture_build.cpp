@@ -166,8 +166,7 @@ bool sizes_within_limits(const Document& document, const std::map<Use, uint32_t>
         if (textures.most_bytes() <= memory.left_bytes()) continue;
         return take_memory(memory,
                            {textures.most_bytes(), "S106", image_pointer(use.image),
-                            "image \"" + shortened(name) + "\", " + size_text(*size) +
-                                ", decoded with its mips beside those before it,",
+                            "image \"" + shortened(name) + "\" (" + size_text(*size) + ") and its mips",
                             "scale the images down"},
                            report);
     }

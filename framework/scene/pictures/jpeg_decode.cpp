@@ -56,7 +56,7 @@ void hear(j_common_ptr common, int level) {
 
 void count_scans(j_common_ptr common) {
     JpegReader& reader = reader_of(common);
-    if (reader.info.input_scan_number > kMostScans) fail_with(reader, "it has more than 100 scans");
+    if (reader.info.input_scan_number > kMostScans) fail_with(reader, "the file has more than 100 scans");
 }
 
 uint64_t padded(uint32_t side_px) {

@@ -73,12 +73,13 @@ SourceLookup SourceReader::load(size_t root, const fs::path& relative, const fs:
     if (content.fault == FileFault::not_plain) return {nullptr, true, "this is not a regular file"};
     if (content.fault != FileFault::none) return {nullptr, true, "the file cannot be read"};
     if (texts_.size() >= limits_.files)
-        return {nullptr, true, "a shader may have at most " + std::to_string(limits_.files) + " files"};
+        return {nullptr, true, "the shader has more than " + std::to_string(limits_.files) + " files"};
     std::string text = std::move(content.bytes);
     total_bytes_ += text.size();
     if (total_bytes_ > limits_.text_bytes)
-        return {nullptr, true,
-                "a shader may have at most " + limit_bytes_text(limits_.text_bytes) + " of text"};
+        return {
+            nullptr, true,
+            "the files of the shader have more than " + limit_bytes_text(limits_.text_bytes) + " together"};
 
     const std::string key = relative.generic_string();
     SourceText source;
