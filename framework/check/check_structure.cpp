@@ -261,7 +261,7 @@ void check_transfers(const FramePlan& plan, FaultList& faults) {
                    faults.resource_name(half->resource) + range_text(half->range) +
                        " goes from queue family " + std::to_string(half->src_family) + " to " +
                        std::to_string(half->dst_family) +
-                       ", but no other half of that transfer names this range",
+                       ", but the plan has no matching second half of this ownership transfer",
                    kCompilerFault);
     }
 }

@@ -147,7 +147,7 @@ void Replay::check_boundary() {
             faults_.add("C350", resource.loc,
                         "at the start of a frame, " + faults_.resource_name(boundary.resource) +
                             range_text(cell.range) + " is in layout " + layout_text(cell.layout) +
-                            ", but the plan says " + layout_text(boundary.state.layout),
+                            ", but the plan expects layout " + layout_text(boundary.state.layout),
                         "the prologue or the previous frame must leave the image in the planned layout");
         });
     }

@@ -154,7 +154,7 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
             range_text(cell.range) + " as " +
             (wanted == kNoId ? std::string("it was before the frame")
                              : "pass " + faults_.pass_name(wanted) + " leaves it") +
-            ", but it " + holds,
+            ", but the resource " + holds,
         "the order of passes, the store operation of an attachment, or the sharing of memory is wrong");
 }
 

@@ -66,8 +66,8 @@ const char* operand_fault(ExprOp op, const ExprValue& a, const ExprValue& b) {
 
 const char* operand_help(ExprOp op) {
     if (op == ExprOp::div || op == ExprOp::mod)
-        return "keep the divisor above zero, for example with max(…, 1)";
-    if (op == ExprOp::log2) return "keep its argument above zero, for example with max(…, 1)";
+        return "make the divisor greater than zero, for example with max(…, 1)";
+    if (op == ExprOp::log2) return "make the argument of log2 greater than zero, for example with max(…, 1)";
     if (op == ExprOp::make_size) return "append .x or .y to the size inside the brackets";
     return "remove .x or .y";
 }
@@ -90,7 +90,7 @@ Diagnostic unknown(const ExprNode& node, const ExprNames& names, const SourceMap
     const std::vector<std::string> known = image ? names.known_resources() : names.known_names();
     const std::string near = did_you_mean_text(node.name, known);
     error.help.push_back(!near.empty() ? near
-                         : image       ? "mips() takes the name of an image in \"resources\" or \"imports\""
+                         : image       ? "give mips() the name of an image of \"resources\" or \"imports\""
                                        : "use a name of \"params\", \"consts\" or \"sizes\", or \"output\"");
     return error;
 }

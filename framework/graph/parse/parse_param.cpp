@@ -55,7 +55,7 @@ void check_default(ParseContext& context, const JsonNode& node, const ParamDesc&
         for (const std::string_view key : {"range", "enum", "step"})
             if (const JsonNode* extra = node.find(key))
                 context.error(extra->loc, "W109",
-                              "a parameter that is true or false has no \"" + std::string(key) + "\"",
+                              "a parameter with true or false cannot have \"" + std::string(key) + "\"",
                               "remove this key, or make \"default\" a number");
         return;
     }

@@ -135,9 +135,9 @@ void read_test_size(ParseContext& context, const JsonNode& node, TestDraft& draf
     if (bytes > context.limits().test_bytes)
         return context.error(node.loc, "W125",
                              "a picture of " + node.items[0].string + "x" + node.items[1].string +
-                                 " px takes more than the " + limit_bytes_text(context.limits().test_bytes) +
-                                 " that a test may use",
-                             "make it smaller, " + raise_limit_text("graph.testBytes"));
+                                 " px needs more memory than the limit for a test, which is " +
+                                 limit_bytes_text(context.limits().test_bytes),
+                             "make the picture smaller, " + raise_limit_text("graph.testBytes"));
     draft.test.size = {static_cast<uint32_t>(size[0]), static_cast<uint32_t>(size[1]), 1};
 }
 

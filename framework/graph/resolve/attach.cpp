@@ -191,7 +191,7 @@ class PassAttacher : PassStage {
                       "attachments of pass " + quote(draft_.decl.name) + " differ in size: " +
                           quote(first.port) + " is " + extent_text(result_.render_extent) + ", " +
                           quote(use.port) + " is " + extent_text(extent),
-                      "give them the same \"size\" and mip");
+                      "give the attachments the same \"size\" and mip");
                 return;
             }
             const uint32_t samples = graph_.resources[use.resource].samples;
@@ -201,7 +201,7 @@ class PassAttacher : PassStage {
                       "attachments of pass " + quote(draft_.decl.name) +
                           " differ in samples: " + quote(first.port) + " has " + std::to_string(wanted) +
                           ", " + quote(use.port) + " has " + std::to_string(samples),
-                      "give them the same \"samples\"");
+                      "give the attachments the same \"samples\"");
                 return;
             }
         }

@@ -75,7 +75,7 @@ bool Reporter::is_known(const Diagnostic& fault) const {
 void Reporter::stop_for_steps(SourceLoc loc) {
     Diagnostic& d = errors_.emplace_back(sources().error(
         loc, "W125",
-        "the graph takes more than " + std::to_string(most_steps()) +
+        "the graph needs more than " + std::to_string(most_steps()) +
             " steps to resolve; the limit was exceeded here" +
             (graph_.tiers.empty() ? "" : ": all tiers together may take " + std::to_string(steps_limit_))));
     d.help.push_back("use fewer passes and ports, wider ranges of mips and layers, or shorter expressions, " +

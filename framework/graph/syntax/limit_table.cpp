@@ -195,7 +195,7 @@ Result<Limits> read_limits(const std::string& path, const FileReader& reader) {
     if (document->root.kind != JsonKind::object) {
         Diagnostic d = fault(*document, document->root.loc, "",
                              std::string("found ") + json_kind_name(document->root.kind) +
-                                 ", wanted an object of limits by name");
+                                 ", wanted an object with names and values of limits");
         d.help.emplace_back("write for example { \"graph.passes\": 8192 }");
         return d;
     }

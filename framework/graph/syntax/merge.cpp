@@ -150,7 +150,7 @@ void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
                               "the tier sets \"" + value.key + "\", which is not a parameter of the graph"));
         const std::string near = did_you_mean_text(value.key, names);
         d.help.push_back(!near.empty()   ? near
-                         : names.empty() ? "declare it in \"params\" first"
+                         : names.empty() ? "declare the parameter in \"params\" first"
                                          : "the parameters are " + quoted_list(names) +
                                                "; use \"patch\" to change anything else");
     }

@@ -88,7 +88,7 @@ class IncludeReader {
         if (item.kind != JsonKind::string) {
             fail(item.loc, "W102",
                  std::string("found ") + json_kind_name(item.kind) + ", wanted the name of a file",
-                 "write it in double quotes");
+                 "write the name of the file in double quotes");
             return false;
         }
         const std::filesystem::path name(item.string);

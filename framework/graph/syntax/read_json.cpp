@@ -64,7 +64,7 @@ class JsonReader {
         if (++values_ > limits_.json_values)
             return over(node.loc,
                         "the file contains more than " + std::to_string(limits_.json_values) + " values",
-                        "split it into smaller graphs", "graph.jsonValues");
+                        "split the graph into smaller graphs", "graph.jsonValues");
         const char c = cursor_.peek();
         if (c == '{') return nested(node, '}');
         if (c == '[') return nested(node, ']');

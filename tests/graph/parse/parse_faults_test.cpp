@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"ParamBoolRange",
                   top("\"params\": {\"a\": {\"default\": true, \"range\": $$[0, 1]}}"),
                   {"W109"},
-                  "true or false has no \"range\""},
+                  "true or false cannot have \"range\""},
         FaultCase{
             "ParamStep", top("\"params\": {\"a\": {\"default\": 0, \"step\": $$0}}"), {"W109"}, "above zero"},
         FaultCase{"ParamString", top("\"params\": {\"a\": $$\"1\"}"), {"W102"}, "wanted object"},

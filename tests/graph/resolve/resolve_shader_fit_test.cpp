@@ -50,7 +50,7 @@ TEST_F(ResolveShaderFit, SetsOfDrawsAreForRasterPassesThatDrawLists) {
         shaders["s"] = with_binding(compute({image_out("dst")}), at(set, 0, kind));
         const Diagnostic d = bad(pass("compute"));
         EXPECT_EQ(d.code, "W185");
-        expect_help(d, "leave set and binding out");
+        expect_help(d, "remove set and binding from the layout");
         shaders["s"] = with_binding(fragment({"color"}), at(set, 0, kind));
         EXPECT_EQ(bad(pass("fullscreen")).code, "W185");
         EXPECT_EQ(bad(pass("raster", R"j(, "draws": {"vertices": 3})j")).code, "W167");

@@ -288,7 +288,7 @@ TEST_F(ResolveVersions, CycleOfAfters) {
         "a": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}, "after": ["b"]},
         "b": {"type": "compute", "shader": "make.comp", "out": {"dst": "y"}, "after": ["a"]}})j");
     EXPECT_EQ(d.code, "W150");
-    EXPECT_EQ(d.message, "dependency cycle: a (after) -> b (after) -> a");
+    EXPECT_EQ(d.message, "dependency cycle: a (runs after b) -> b (runs after a) -> a");
     expect_help(d, "remove \"after\" from");
 }
 

@@ -64,8 +64,9 @@ TEST_F(LimitsFile, ChangesWhatItNames) {
 }
 
 TEST_F(LimitsFile, IsAFileLikeAnyOther) {
-    expect_refused(R"({ "graph.pases": 1 })", {"limits.json:1:3: error[X560]", "no limit \"graph.pases\"",
-                                               "did you mean \"graph.passes\"", "shader.stageMs, "});
+    expect_refused(R"({ "graph.pases": 1 })",
+                   {"limits.json:1:3: error[X560]", "no limit has the name \"graph.pases\"",
+                    "did you mean \"graph.passes\"", "shader.stageMs, "});
     expect_refused("{\n  \"graph.mips\": \"4\" }",
                    {"limits.json:2:17: error[X560]", "is string, wanted a whole number"});
     for (const char* value : {"0", "-1", "1.5", "1e30", "true", "null", "[4]"})

@@ -145,7 +145,7 @@ TEST_F(HostileGraph, ImagesBeyondTheLimits) {
     refused(R"("format": "rgba8", "size": [65536, 65536], "mips": "full")", "17 mips; the limit is 15 mips");
     refused(R"("format": "rgba8", "size": [1, 1], "layers": 2049)", "2049 layers; the limit is 2048 layers");
     refused(R"("format": "rgba32f", "size": [16384, 16384], "layers": 2048, "mips": "full")",
-            "\"x\" takes more than 4 GiB of memory");
+            "\"x\" needs more than 4 GiB of memory");
     refused(R"("buffer": "mat4", "count": "1e30 * 1e30")", "W1");
 }
 

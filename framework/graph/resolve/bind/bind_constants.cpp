@@ -45,15 +45,16 @@ class ConstantBinder {
                 std::ranges::find(at_.draft.shader->spec_constants, given.name, &SpecConstant::name) !=
                 at_.draft.shader->spec_constants.end();
             if (known) {
-                add_help(error(given.loc, quote(given.name) +
-                                              " cannot be set: its value says whether the port is bound"),
-                         "remove this constant; to make its value false, remove the port");
+                add_help(
+                    error(given.loc, quote(given.name) +
+                                         " cannot be set: the value only says whether the port is bound"),
+                    "remove this constant; to make its value false, remove the port");
                 continue;
             }
             Diagnostic& d = error(given.loc, "shader " + quote(desc().shader) +
                                                  " has no specialisation constant " + quote(given.name));
             add_help(d, did_you_mean_text(given.name, names));
-            add_help(d, names.empty() ? "the shader has no such constants"
+            add_help(d, names.empty() ? "the shader has no specialisation constants"
                                       : "its constants are " + quote_all(names));
         }
     }

@@ -23,7 +23,7 @@ void report_bad_list(PassBinding& pass, const std::string& list, SourceLoc loc) 
     const std::string near = did_you_mean_text(list, lists);
     const auto catalogued = pass.declared.input.imports.imports.find(list);
     if (catalogued != pass.declared.input.imports.imports.end() && !wrong_kind) {
-        add_help(d, "add it to \"imports\": " + quote(list) + ": \"drawlist\"");
+        add_help(d, "add the draw list to \"imports\": " + quote(list) + ": \"drawlist\"");
     } else {
         add_help(d, near.empty() ? "the imported draw lists are " + quote_all(lists) : near);
     }

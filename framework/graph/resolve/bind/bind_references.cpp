@@ -87,10 +87,10 @@ class ReferenceBinder {
     bool check_pin(PassId pass, const RefDesc& ref) {
         if (ref.pass == declared_.author_name(pass) &&
             declared_.expansion.passes[pass].desc->repeat.empty()) {
-            Diagnostic& d = report_.error(pass, ref.loc, "W104",
-                                          "pass " + quote(ref.pass) +
-                                              " names itself after @, but it cannot read its own result of " +
-                                              quote(ref.name));
+            Diagnostic& d = report_.error(
+                pass, ref.loc, "W104",
+                "pass " + quote(ref.pass) +
+                    " names itself after @, but a pass cannot read its own result of " + quote(ref.name));
             add_help(d, "name the earlier pass whose result this pass reads");
             return false;
         }

@@ -180,8 +180,8 @@ class InterfaceCheck {
     void check_dimensions(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
         if (binding.kind == BindingKind::storage_image && use.range.mips != 1) {
             error(use, "W173",
-                  port_text(use) + " is a storage image of one mip, but " + quote(resource.name) + " has " +
-                      std::to_string(use.range.mips),
+                  port_text(use) + " is a storage image, which must be one mip, but " + quote(resource.name) +
+                      " has " + std::to_string(use.range.mips),
                   "select one mip: " + quote(resource.name + ".mip(0)"));
             return;
         }

@@ -193,7 +193,7 @@ class ResourceShaper {
 
     void over_limit(const std::string& what, const std::string& limit) {
         is_suspect_ = 1;
-        Diagnostic& d = reporter_.error(desc_.loc, "W119", what + "; the device offers at most " + limit);
+        Diagnostic& d = reporter_.error(desc_.loc, "W119", what + "; the device allows at most " + limit);
         add_help(d,
                  "reduce this value; the limit comes from the device profile " + quote(input_.profile.name));
     }

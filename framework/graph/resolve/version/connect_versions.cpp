@@ -174,10 +174,10 @@ class VersionConnector {
         const bool partial = writes(use(u).access) && declared_.expansion.passes[u.pass].desc->partial;
         Diagnostic& d = report_.error(u.pass, use(u).loc, "W110",
                                       partial ? who + " writes only a part of " + what +
-                                                    " (\"partial\"), and no pass writes the rest before it"
+                                                    " (\"partial\"), but no earlier pass writes the rest"
                                               : who + " reads " + what +
                                                     (writes_it_too ? " before any other pass writes it"
-                                                                   : ", which no pass writes before it"));
+                                                                   : ", which no earlier pass writes"));
         if (partial && resource.history == 0)
             add_help(d,
                      "fill the resource first, for example in a pass of type \"clear\"; or remove "

@@ -127,11 +127,13 @@ class CycleReport {
             case EdgeKind::raw:
                 return "reads " + declared_.resource_name(arc.resource);
             case EdgeKind::war:
-                return "overwrites " + declared_.resource_name(arc.resource) + " that the pass before reads";
+                return "overwrites " + declared_.resource_name(arc.resource) + ", which " +
+                       declared_.pass_name(arc.from) + " reads";
             case EdgeKind::waw:
-                return "writes " + declared_.resource_name(arc.resource) + " after the pass before";
+                return "writes " + declared_.resource_name(arc.resource) + " after " +
+                       declared_.pass_name(arc.from);
             case EdgeKind::after:
-                return "after";
+                return "runs after " + declared_.pass_name(arc.from);
         }
         return "";
     }
