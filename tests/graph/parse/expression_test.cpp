@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSum{"a[-0]", "W106", 4, "1 to 16"}, BadSum{"a[-1", "W106", 5, "ends where ']'"},
         BadSum{"a.mpi(0)", "W106", 3, "unknown selector"}, BadSum{"a.mip", "W106", 6, "ends where '('"},
         BadSum{"a.mip(0", "W106", 8, "ends where ')'"}, BadSum{"a.mip()", "W106", 7, "found ')'"},
-        BadSum{"a.mip(0..)", "W106", 10, "found ')'"}, BadSum{"a.mip(0).mip(1)", "W106", 10, "two .mip()"},
+        BadSum{"a.mip(0..)", "W106", 10, "found ')'"}, BadSum{"a.mip(0).mip(1)", "W106", 10, ".mip() twice"},
         BadSum{"a.depth.stencil", "W106", 9, "two aspects"}, BadSum{"a.mip(1 + )", "W106", 11, "found ')'"}));
 
 }  // namespace

@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"ParamRange",
                   top("\"params\": {\"a\": {\"default\": 0, \"range\": $$[1, 0]}}"),
                   {"W109"},
-                  "range ends"},
+                  "the first value of the range is greater than the second"},
         FaultCase{"ParamBoolRange",
                   top("\"params\": {\"a\": {\"default\": true, \"range\": $$[0, 1]}}"),
                   {"W109"},

@@ -97,7 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "\"draws\": [\"opaque\"]"},
         FaultCase{"IfString", compute("\"if\": $$[]"), {"W102"}, "a number or an expression"},
         FaultCase{"IfSyntax", compute("\"if\": \"a +$$\""), {"W106"}, "ends where"},
-        FaultCase{"ConstantVector", compute("\"constants\": {$$\"N\": [1, 2]}"), {"W109"}, "one number"},
+        FaultCase{
+            "ConstantVector", compute("\"constants\": {$$\"N\": [1, 2]}"), {"W109"}, "must be one value"},
         FaultCase{"OptionalNumber",
                   compute("\"in\": {\"a\": {\"ref\": \"x\", \"optional\": $$1}}"),
                   {"W102"},

@@ -92,7 +92,7 @@ void expect_tier_fault(const std::string& tier, const std::string& code, const s
 }
 
 TEST(Tiers, FaultsAreWhereTheTierSaysSo) {
-    expect_tier_fault(R"({"set": {$$"b": 1}})", "W131", "no parameter", "\"a\"");
+    expect_tier_fault(R"({"set": {$$"b": 1}})", "W131", "not a parameter", "\"a\"");
     expect_tier_fault(R"({"set": {"a": $$5}})", "W109", "", "");
     expect_tier_fault(R"({"set": {"a": $$"high"}})", "W102", "found string", "");
     expect_tier_fault(R"({$$"sett": {"a": 1}})", "W101", "sett", "\"set\"");
