@@ -110,7 +110,7 @@ std::string memory_report(const FramePlan& plan, const DeviceProfile* profile) {
     const uint64_t gap = m.heap_bytes > m.peak_live_bytes ? m.heap_bytes - m.peak_live_bytes : 0;
     std::string text = "    sum of resources " + bytes_text(m.sum_bytes) + ", peak of live resources " +
                        bytes_text(m.peak_live_bytes) + ", heaps " + bytes_text(m.heap_bytes) +
-                       ", heaps above the peak " + percent_text(gap, m.peak_live_bytes);
+                       ", excess of the heaps over the peak " + percent_text(gap, m.peak_live_bytes);
     if (m.persistent_bytes > 0) text += ", kept from frame to frame " + bytes_text(m.persistent_bytes);
     text += "\n";
     if (m.peak_live_bytes > 0) text += peak_text(plan);

@@ -88,14 +88,15 @@ class PlanText {
             if (batch.positions.empty() || batch.positions.front() != position) continue;
             for (const QueueWait& wait : batch.waits) {
                 const Batch& other = plan_.submissions.batches[wait.batch];
-                text_ += "    wait for queue " + std::to_string(other.queue);
+                text_ += "    wait for queue " + std::to_string(other.queue) +
+                         (wait.previous_frame ? " of the previous frame" : "");
                 if (wait.dependency != kNoId) {
                     const QueueDependency& d = plan_.submissions.dependencies[wait.dependency];
                     if (d.from < plan_.schedule.order.size())
-                        text_ += ", " + pass(plan_.schedule.order[d.from]);
+                        text_ += ", pass " + pass(plan_.schedule.order[d.from]);
                     if (d.resource != kNoId) text_ += ", because of " + resource(d.resource);
                 }
-                text_ += wait.previous_frame ? ", of the previous frame\n" : "\n";
+                text_ += "\n";
             }
         }
     }

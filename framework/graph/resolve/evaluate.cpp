@@ -205,7 +205,7 @@ Diagnostics param_faults(const GraphDesc& graph, const std::map<std::string, dou
         const std::string what = params.contains(name) ? "parameter " : "the default of parameter ";
         const std::string finite = std::isfinite(value) ? "" : "not a finite number: ";
         Diagnostic& d = faults.emplace_back(graph.sources.error(
-            param.loc, "W120", what + quote(name) + " can't be " + finite + number_text(value)));
+            param.loc, "W120", what + quote(name) + " cannot be " + finite + number_text(value)));
         const bool limited = param.is_bool || !param.allowed.empty() || param.range;
         add_help(d, limited ? allowed_text(param) : "choose a finite number");
     }

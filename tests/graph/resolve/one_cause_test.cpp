@@ -73,7 +73,7 @@ TEST_F(OneCause, EveryParameterThatIsAskedForIsLookedAt) {
     ASSERT_FALSE(g.ok());
     ASSERT_EQ(g.errors().size(), 2u) << to_text(g.errors());
     EXPECT_EQ(g.errors()[0].message, "the graph has no parameter \"fog\"");
-    EXPECT_EQ(g.errors()[1].message, "parameter \"light\" can't be 3");
+    EXPECT_EQ(g.errors()[1].message, "parameter \"light\" cannot be 3");
 }
 
 }  // namespace

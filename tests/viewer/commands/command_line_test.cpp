@@ -237,7 +237,7 @@ TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
               std::string::npos)
         << run.text();
     for (const char* part :
-         {"sum of resources ", "peak of live resources ", "heaps ", "heaps above the peak "})
+         {"sum of resources ", "peak of live resources ", "heaps ", "excess of the heaps over the peak "})
         EXPECT_NE(run.out.find(part), std::string::npos) << part;
 }
 

@@ -20,19 +20,20 @@ void check_port_counts(PassBinding& pass) {
     switch (pass.draft.decl.kind) {
         case PassKind::clear:
             if (ins != 0 || outs == 0) {
-                report_port_counts(pass, "outputs and no input", "for example \"out\": [\"hdr\"]");
+                report_port_counts(pass, "outputs and no input", "write for example \"out\": [\"hdr\"]");
             }
             return;
         case PassKind::copy:
         case PassKind::blit:
             if (ins != 1 || outs != 1) {
-                report_port_counts(pass, "one input and one output",
-                                   "for example \"in\": { \"src\": \"a\" }, \"out\": { \"dst\": \"b\" }");
+                report_port_counts(
+                    pass, "one input and one output",
+                    "write for example \"in\": { \"src\": \"a\" }, \"out\": { \"dst\": \"b\" }");
             }
             return;
         default:
             if (ins != 1 || outs != 0) {
-                report_port_counts(pass, "one input and no output", "for example \"in\": [\"hdr\"]");
+                report_port_counts(pass, "one input and no output", "write for example \"in\": [\"hdr\"]");
             }
     }
 }

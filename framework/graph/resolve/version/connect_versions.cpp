@@ -199,7 +199,8 @@ class VersionConnector {
         } else if (resource.lifetime == ResourceLifetime::imported) {
             add_help(d, "write the import in an earlier pass: it has no content when the frame begins");
         } else if (resource.history == 0 && !partial) {
-            add_help(d, "add it to \"out\" of a pass that runs earlier, or import it");
+            add_help(d,
+                     "add " + quote(resource.name) + " to \"out\" of a pass that runs earlier, or import it");
         }
     }
 
