@@ -181,7 +181,7 @@ TEST_F(ResolveRepeat, OneFaultIsReportedOnce) {
       "a": {"type": "compute", "shader": "make.comp", "repeat": {"i": "0..3"}, "out": {"dst": "x.layer(i)"}},
       "b": {"type": "compute", "shader": "make.comp", "repeat": {"i": "0..3"}, "out": {"dst": "x.layer(i)"}}})j");
     EXPECT_EQ(order.code, "W111");
-    expect_help(order, R"j("after": ["a"] in "b")j");
+    expect_help(order, R"j(add "after": ["a"] to "b")j");
 }
 
 TEST_F(ResolveRepeat, RangesAreWholeAndBounded) {

@@ -163,8 +163,8 @@ TEST_F(ResolveResources, NoFormatServes) {
     const Diagnostic d = bad(R"j("resources": {"x": "rgba8_srgb|d32f"}, "passes": {
       "a": {"type": "compute", "shader": "any.comp", "out": {"dst": "x"}}})j");
     EXPECT_EQ(d.code, "W117");
-    expect_help(d, R"j("rgba8_srgb" lacks storage images)j");
-    expect_help(d, R"j("d32f" lacks storage images)j");
+    expect_help(d, R"j("rgba8_srgb" does not support storage images)j");
+    expect_help(d, R"j("d32f" does not support storage images)j");
 }
 
 TEST_F(ResolveResources, DefaultSamplerNeedsAFilterableFormat) {
