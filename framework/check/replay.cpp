@@ -94,9 +94,7 @@ void Replay::prologue() {
     barriers(prologue.before, kNoId);
     for (const ResourceId id : prologue.cleared) {
         const ResourceDecl& resource = plan_.graph.resources[id];
-        const bool image = resource.kind == ResourceKind::image;
-        const AccessState cleared =
-            access_state(Access::clear_write, 0, image ? resource.aspects : aspect::kNone);
+        const AccessState cleared = clear_state(resource);
         UseDecl use;
         use.resource = id;
         use.access = Access::clear_write;
@@ -113,9 +111,9 @@ void Replay::prologue() {
     barriers(prologue.after, kNoId);
 }
 
-// Advances all rings by one frame. Each resource of a ring gets the content of the resource that is one frame
-// newer. The oldest copy becomes the newest one; its content is then undefined, unless it still has its
-// first-frame value.
+// Advances all rings by one frame: the content of age a becomes the content of age a + 1. The memory of the
+// oldest content is reused for the new frame, so its content counts as undefined. Only a value that the
+// prologue wrote and that no frame has overwritten stays valid.
 void Replay::rotate_rings() {
     for (const std::vector<ResourceId>& ring : rings_) {
         if (ring.size() < 2) continue;

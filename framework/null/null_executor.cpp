@@ -136,8 +136,7 @@ class Execution {
     void clear(uint32_t id, const Node& node) {
         const ResourceDecl& decl = plan_.graph.resources[node.resource];
         const ResourceId object = memory_.object_of(node.resource, 0);
-        const bool image = decl.kind == ResourceKind::image;
-        const AccessState state = access_state(Access::clear_write, 0, image ? decl.aspects : aspect::kNone);
+        const AccessState state = clear_state(decl);
         for_each_cell(decl, [&](uint32_t cell, const SubresourceRange&) {
             memory_.write(object, cell, {id, node.stage, state.access, state.layout},
                           first_frame_value(decl));

@@ -153,9 +153,7 @@ class Unroller {
         barriers(0, prologue.before);
         for (const ResourceId id : prologue.cleared) {
             const ResourceDecl& decl = plan_.graph.resources[id];
-            const bool image = decl.kind == ResourceKind::image;
-            const AccessState state =
-                access_state(Access::clear_write, 0, image ? decl.aspects : aspect::kNone);
+            const AccessState state = clear_state(decl);
             Node node;
             node.kind = NodeKind::clear;
             node.stage = drawn_stage(state.stages, choice_ + id);

@@ -12,7 +12,7 @@ layout(local_size_x = 16, local_size_y = 16) in;
 uniform sampler2D depth;
 layout(rg32f) writeonly uniform image2D mip0, mip1, mip2, mip3, mip4, mip5, mip6;
 
-const int kSide1 = 32;  // Number of texels of mip 1 along one side of a 128-pixel square.
+const int kSide1 = 32;  // Texels of mip 1 along a side of a 128-pixel square. Mip 0 already has half the size.
 const vec2 kSky = vec2(0.0, 1.0);
 
 // Depth ranges of the workgroup's square: all texels of mip 1, then all texels of mip 2, and so on to mip 5.

@@ -24,7 +24,7 @@ float falloff_curve(LightFunction f, float distance_m) {
     return dot(f.curve, vec4(s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t));
 }
 
-// Returns 1 between the doors and 0 behind them. `at` is a position on the plane at distance 1 in front of the light.
+// Returns 1 between the barn doors (the four flaps) of a lamp and 0 behind a flap. `at` is a position on the plane at distance 1 in front of the light.
 float between_doors(LightFunction f, vec2 at) {
     const vec4 within = f.doors + vec4(at.x, -at.x, at.y, -at.y);
     const vec4 open = smoothstep(vec4(-0.5 * f.softness), vec4(0.5 * f.softness), within);

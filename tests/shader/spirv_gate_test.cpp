@@ -1,7 +1,7 @@
 // tests/shader/capabilities/ has one small shader for each SPIR-V capability that glslang can emit. The file
-// is named after the capability. Its first line gives the expected result, such as "// refused". "// here" at
-// the end of a line means that the error must name this line. Further tests limit the memory that shaders may
-// use.
+// is named after the capability. Its first line gives the expected result before a colon: "// refused: ...".
+// "// here" at the end of a line means that the error must name this line. Further tests limit the memory
+// that shaders may use.
 #include "shader/gate/spirv_gate.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <map>
 #include <sstream>
 
-#include "shader/worker/glsl_run.h"
 #include "shader/gate/capability_table.h"
 #include "shader/gate/spirv_words.h"
+#include "shader/worker/glsl_run.h"
 #include "tests/shader/shader_folder.h"
 
 namespace weft {
@@ -50,7 +50,7 @@ CapabilityShader read_shader(const fs::path& path) {
     uint32_t number = 0;
     for (std::string line; std::getline(lines, line);) {
         ++number;
-        if (number == 1) shader.verdict = line.substr(3);
+        if (number == 1) shader.verdict = line.substr(3, line.find(':') - 3);
         if (line.ends_with("// here")) shader.line = number;
     }
     return shader;

@@ -14,18 +14,27 @@ void add_sandbox(CLI::App& command, bool& sandbox) {
                      "for untrusted files: run in a process that can open only the files of this command");
 }
 
+void add_size(CLI::App& command, RawTexts& raw) {
+    command.add_option("--size", raw.size, "size of the output in pixels")
+        ->check(size_validator())
+        ->capture_default_str();
+}
+
+void add_queues(CLI::App& command, uint32_t& count) {
+    command
+        .add_option("--queues", count,
+                    "number of queues in the plan: 1 = graphics; 2 adds compute, 3 adds transfer, 4 adds a "
+                    "second compute queue")
+        ->transform(whole_number_in(1, kMostQueues))
+        ->capture_default_str();
+}
+
 // Adds the options of commands that compile a graph without a device.
 void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     command.add_option("--profile", o.profile,
                        "a device profile: a file, or the name of a shipped profile [lavapipe]");
-    command.add_option("--size", raw.size, "size of the output in pixels")
-        ->check(size_validator())
-        ->capture_default_str();
-    command
-        .add_option("--queues", o.queues,
-                    "number of queues in the plan: 1 graphics, 2 + compute, 3 + transfer, 4 + compute")
-        ->transform(whole_number_in(1, kMostQueues))
-        ->capture_default_str();
+    add_size(command, raw);
+    add_queues(command, o.queues);
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
     add_limits(command, raw);
@@ -51,9 +60,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command.add_option("--graph", o.request.path, "the graph file (JSON) [the shipped graphs/deferred.json]");
     command.add_option("--tier", o.request.tier, "the quality tier of the graph [none]");
-    command.add_option("--size", raw.size, "size of the output in pixels")
-        ->check(size_validator())
-        ->capture_default_str();
+    add_size(command, raw);
     command
         .add_option("--frames", o.frames,
                     "number of frames to render; the last frame is written [the graph's, else 1]")
@@ -90,11 +97,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
                      "run under the Vulkan validation layer; any message gives exit code 5");
     command.add_option("--stats", o.stats, "write times, memory and hashes to this JSON file");
     command.add_option("--device", o.device, "the Vulkan device: its index or a part of its name");
-    command
-        .add_option("--queues", o.queues,
-                    "number of queues in the plan: 1 graphics, 2 + compute, 3 + transfer, 4 + compute")
-        ->transform(whole_number_in(1, kMostQueues))
-        ->capture_default_str();
+    add_queues(command, o.queues);
     command.add_option("--timeout", o.timeout_s, "seconds to wait for a frame before the command fails")
         ->transform(number_in(kTimeout))
         ->capture_default_str();

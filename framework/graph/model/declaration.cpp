@@ -82,6 +82,11 @@ SubresourceRange ResourceDecl::whole() const {
     return {0, mips, 0, layers, aspects};
 }
 
+AccessState clear_state(const ResourceDecl& resource) {
+    const bool image = resource.kind == ResourceKind::image;
+    return access_state(Access::clear_write, 0, image ? resource.aspects : aspect::kNone);
+}
+
 Extent3D mip_extent(const Extent3D& extent, uint32_t mip) {
     const auto halved = [mip](uint32_t side) { return std::max(1u, mip < 32 ? side >> mip : 0u); };
     return {halved(extent.width), halved(extent.height), halved(extent.depth)};

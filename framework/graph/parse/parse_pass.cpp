@@ -225,9 +225,9 @@ TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNo
         const PassKey* key = find_key(entry.key);
         if (key == nullptr || (key->types & kCustom) != 0) continue;
         const PointerScope scope(context, "type");
-        Diagnostic& error = context.error(
-            type->loc, "W115",
-            "unknown pass type \"" + type->string + "\", which has the key \"" + entry.key + "\"");
+        Diagnostic& error = context.error(type->loc, "W115",
+                                          "unknown pass type \"" + type->string + "\"; the key \"" +
+                                              entry.key + "\" belongs to a built-in type");
         const std::string near =
             did_you_mean_text(type->string, choice_names(std::span<const Choice<TypeMask>>(kBuiltinTypes)));
         error.help.push_back(near.empty() ? "built-in types are " + types_text(kAll) : near);

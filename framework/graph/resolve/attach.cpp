@@ -9,12 +9,9 @@
 namespace weft {
 namespace {
 
-class PassAttacher : PassStage {
+class PassAttacher : PassStage<Attachments> {
  public:
-    PassAttacher(const Declared& declared, const VersionedGraph& graph, PassId pass, Attachments& attachments,
-                 Reporter& reporter)
-        : PassStage(declared, graph, pass, attachments.suspects, reporter),
-          result_(attachments.passes[pass]) {}
+    using PassStage::PassStage;
 
     void run() {
         for (uint32_t i = 0; i < bound_.uses.size(); ++i) {
@@ -206,8 +203,6 @@ class PassAttacher : PassStage {
             }
         }
     }
-
-    PassAttachments& result_;
 };
 
 }  // namespace

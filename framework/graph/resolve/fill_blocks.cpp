@@ -26,11 +26,9 @@ constexpr std::string_view kSizeSuffix = "Size";
 constexpr std::string_view kValidSuffix = "Valid";
 constexpr std::string_view kDrawsSuffix = "Draws";
 
-class BlockFiller : PassStage {
+class BlockFiller : PassStage<Blocks> {
  public:
-    BlockFiller(const Declared& declared, const VersionedGraph& graph, PassId pass, Blocks& blocks,
-                Reporter& reporter)
-        : PassStage(declared, graph, pass, blocks.suspects, reporter), result_(blocks.passes[pass]) {}
+    using PassStage::PassStage;
 
     void run() {
         report_params_without_member();
@@ -239,8 +237,6 @@ class BlockFiller : PassStage {
               {did_you_mean_text(member.name, known),
                "set the value in the pass: \"params\": { " + quote(member.name) + ": 0 }"});
     }
-
-    PassBlock& result_;
 };
 
 }  // namespace

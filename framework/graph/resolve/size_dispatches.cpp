@@ -25,11 +25,9 @@ bool holds_floats(const Shapes& shapes, ResourceId resource) {
     return desc->element == "f32" || desc->element == "mat4" || desc->element.starts_with("vec");
 }
 
-class DispatchSizer : PassStage {
+class DispatchSizer : PassStage<Dispatches> {
  public:
-    DispatchSizer(const Declared& declared, const VersionedGraph& graph, PassId pass, Dispatches& dispatches,
-                  Reporter& reporter)
-        : PassStage(declared, graph, pass, dispatches.suspects, reporter), result_(dispatches.passes[pass]) {}
+    using PassStage::PassStage;
 
     void run() {
         check_local_size();
@@ -159,8 +157,6 @@ class DispatchSizer : PassStage {
             result_.groups[i] = static_cast<uint32_t>(count);
         }
     }
-
-    PassDispatch& result_;
 };
 
 // Finds the buffer with the draw commands of a raster pass, and checks that it has room for one command per

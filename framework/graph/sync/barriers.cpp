@@ -130,8 +130,7 @@ void add_to_prologue(const ResolvedGraph& graph, ResourceId id, const ResourceHi
     constexpr AccessMask kHostAccess = access::kHostRead | access::kHostWrite;
     const ResourceDecl& resource = graph.resources[id];
     const bool image = resource.kind == ResourceKind::image;
-    const AccessState cleared =
-        access_state(Access::clear_write, 0, image ? resource.aspects : aspect::kNone);
+    const AccessState cleared = clear_state(resource);
     BarrierDecl barrier;
     barrier.resource = id;
     barrier.reason = BarrierReason::prologue;

@@ -46,6 +46,17 @@ std::vector<std::vector<AccessEvent>> events_by_cell(const SubresourceGrid& grid
     return cells;
 }
 
+BarrierDecl to_decl(const CellBarrier& barrier, const SubresourceRange& range) {
+    return {.range = range,
+            .src = barrier.src,
+            .dst = barrier.dst,
+            .src_family = barrier.src_family,
+            .dst_family = barrier.dst_family,
+            .reason = barrier.reason,
+            .from = barrier.from,
+            .from_previous_frame = barrier.previous_frame};
+}
+
 std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<CellBarrier> barriers) {
     std::sort(barriers.begin(), barriers.end(), [](const CellBarrier& a, const CellBarrier& b) {
         return std::tuple_cat(merge_key(a), std::make_tuple(a.cell)) <
@@ -58,16 +69,7 @@ std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<
         for (; i < barriers.size() && merge_key(barriers[i]) == merge_key(barrier); ++i)
             cells.push_back(barriers[i].cell);
         for (const SubresourceRange& range : grid.merge(cells)) {
-            BarrierDecl decl;
-            decl.range = range;
-            decl.src = barrier.src;
-            decl.dst = barrier.dst;
-            decl.src_family = barrier.src_family;
-            decl.dst_family = barrier.dst_family;
-            decl.reason = barrier.reason;
-            decl.from = barrier.from;
-            decl.from_previous_frame = barrier.previous_frame;
-            result.push_back({barrier.position, barrier.after, decl});
+            result.push_back({barrier.position, barrier.after, to_decl(barrier, range)});
         }
     }
     return result;

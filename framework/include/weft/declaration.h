@@ -134,6 +134,8 @@ struct ResourceDecl {
 // Returns the bytes of all texels in all mips and layers, without padding; for a buffer, its size.
 [[nodiscard]] uint64_t content_bytes(const ResourceDecl& resource);
 [[nodiscard]] Extent3D mip_extent(const Extent3D& extent, uint32_t mip);
+// Returns the state of a resource while a clear command writes it.
+[[nodiscard]] AccessState clear_state(const ResourceDecl& resource);
 
 // Names the pass that wrote the content that a read sees in `range`. producer == kNoId: the content is from
 // before the frame (an import, or history).

@@ -58,7 +58,8 @@ struct TextValue {
 struct TextRef {
     size_t value = kNone;
     size_t version = 0;
-    // True if the text shall contain a pin (`@pass`) even where it is unnecessary.
+    // A pin, "name@pass", selects the version that this pass wrote. True: write the pin even if a reference
+    // without a pin would select the same version.
     bool pin = true;
     std::string words;
 };

@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_NV_compute_shader_derivatives : require
 layout(local_size_x = 2, local_size_y = 2) in;

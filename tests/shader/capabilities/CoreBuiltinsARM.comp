@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_ARM_shader_core_builtins : require
 layout(local_size_x = 8) in;

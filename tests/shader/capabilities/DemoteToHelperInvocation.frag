@@ -1,4 +1,4 @@
-// allowed
+// allowed: the SPIR-V gate must accept this shader on every device.
 #version 460
 #extension GL_EXT_demote_to_helper_invocation : require
 layout(location = 0) in vec2 uv;

@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_NV_conservative_raster_underestimation : require
 layout(location = 0) in vec2 uv;

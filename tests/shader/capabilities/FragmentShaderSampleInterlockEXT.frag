@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_ARB_fragment_shader_interlock : require
 layout(location = 0) in vec2 uv;

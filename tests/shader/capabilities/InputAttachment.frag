@@ -1,4 +1,4 @@
-// interface
+// interface: reflection must reject this shader, because no pass can bind its variable.
 #version 460
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;

@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_EXT_shader_explicit_arithmetic_types_int16 : require
 layout(local_size_x = 8) in;

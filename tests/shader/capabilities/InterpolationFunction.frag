@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;

@@ -1,4 +1,4 @@
-// allowed
+// allowed: the SPIR-V gate must accept this shader on every device.
 #version 460
 #extension GL_EXT_debug_printf : require
 layout(local_size_x = 8) in;

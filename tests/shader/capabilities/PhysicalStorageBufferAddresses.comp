@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require

@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_EXT_subgroup_uniform_control_flow : require  // The error must name this line: // here
 layout(local_size_x = 8) in;

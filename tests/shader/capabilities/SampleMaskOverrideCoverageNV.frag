@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_NV_sample_mask_override_coverage : require
 layout(location = 0) in vec2 uv;

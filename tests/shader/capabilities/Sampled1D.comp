@@ -1,4 +1,4 @@
-// interface
+// interface: the SPIR-V gate must accept this shader on every device; it declares a variable.
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;

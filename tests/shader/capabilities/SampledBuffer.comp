@@ -1,4 +1,4 @@
-// interface
+// interface: reflection must reject this shader, because no pass can bind its variable.
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;

@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_NV_viewport_array2 : require
 void main() {

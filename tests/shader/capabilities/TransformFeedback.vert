@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 layout(xfb_buffer = 0, xfb_offset = 0, location = 0) out vec4 copy;  // The error must name this line: // here
 void main() {

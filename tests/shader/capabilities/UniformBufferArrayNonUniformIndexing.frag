@@ -1,4 +1,4 @@
-// refused
+// refused: the SPIR-V gate must reject this shader on every device.
 #version 460
 #extension GL_EXT_nonuniform_qualifier : require
 layout(location = 0) in vec2 uv;

@@ -1,5 +1,5 @@
-// Runs the example graph for samples, blits and indirect work of the documentation. Compares each result with
-// a value computed from other pictures of the same graph.
+// Runs the documentation's example graph for multisampling, blits and indirect dispatches and draws. Compares
+// each image that the graph writes with values computed from the graph's other images.
 #include <gtest/gtest.h>
 
 #include <algorithm>
