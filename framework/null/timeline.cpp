@@ -262,8 +262,9 @@ class Unroller {
         return before;
     }
 
-    // Adds the accesses of import owners. They happen between two frames on queue 0. A wait for the end of
-    // the previous frame includes them, and in the first frame all other queues wait for them.
+    // Adds the accesses of the program that owns the imported resources. They happen between two frames on
+    // queue 0. A wait for the end of the previous frame includes them, and in the first frame all other
+    // queues wait for them.
     void enter_imports() {
         Node node;
         node.kind = NodeKind::signal;

@@ -87,8 +87,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->transform(number_in({-40, 40, "EV"}));
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
-    command.add_option("--resource", o.resource,
-                       "write this resource (name@pass.mip(e).layer(e)) instead of the output");
+    command.add_option(
+        "--resource", o.resource,
+        "write this resource instead of the output, for example hdr, hdr@lighting or hiz.mip(2)");
     command
         .add_option("--debug", o.request.debug,
                     "write this debug view of the graph, or a view of any resource")

@@ -26,29 +26,33 @@ VkImageLayout old_layout(const BarrierDecl& barrier, const Families& families) {
     return to_vk(done ? barrier.dst.layout : barrier.src.layout);
 }
 
-VkImageMemoryBarrier2 image_barrier(const BarrierDecl& barrier, VkImage image, const Families& families) {
-    VkImageMemoryBarrier2 out{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+// Makes a VkImageMemoryBarrier2 or a VkBufferMemoryBarrier2 with the stages, accesses and queue families of
+// the barrier.
+template <class Barrier>
+Barrier make_barrier(VkStructureType type, const BarrierDecl& barrier, const Families& families) {
+    Barrier out{type};
     out.srcStageMask = stages_to_vk(barrier.src.stages);
     out.srcAccessMask = access_to_vk(barrier.src.access);
-    out.oldLayout = old_layout(barrier, families);
     out.dstStageMask = stages_to_vk(barrier.dst.stages);
     out.dstAccessMask = access_to_vk(barrier.dst.access);
-    out.newLayout = to_vk(barrier.dst.layout);
     out.srcQueueFamilyIndex = families.src;
     out.dstQueueFamilyIndex = families.dst;
+    return out;
+}
+
+VkImageMemoryBarrier2 image_barrier(const BarrierDecl& barrier, VkImage image, const Families& families) {
+    auto out =
+        make_barrier<VkImageMemoryBarrier2>(VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2, barrier, families);
+    out.oldLayout = old_layout(barrier, families);
+    out.newLayout = to_vk(barrier.dst.layout);
     out.image = image;
     out.subresourceRange = to_vk(barrier.range);
     return out;
 }
 
 VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffer, const Families& families) {
-    VkBufferMemoryBarrier2 out{VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2};
-    out.srcStageMask = stages_to_vk(barrier.src.stages);
-    out.srcAccessMask = access_to_vk(barrier.src.access);
-    out.dstStageMask = stages_to_vk(barrier.dst.stages);
-    out.dstAccessMask = access_to_vk(barrier.dst.access);
-    out.srcQueueFamilyIndex = families.src;
-    out.dstQueueFamilyIndex = families.dst;
+    auto out =
+        make_barrier<VkBufferMemoryBarrier2>(VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2, barrier, families);
     out.buffer = buffer;
     out.size = VK_WHOLE_SIZE;
     return out;
