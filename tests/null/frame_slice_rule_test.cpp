@@ -189,7 +189,8 @@ class BruteForce {
                     const std::pair cell(use.resource, layer);
                     if (source->producer != kNoId)
                         wrong |= !memory.contains(cell) || memory.at(cell) != source->producer;
-                    // The read must see the content that all passes of frame 0 left.
+                    // The read names the content from before the frame. All passes run in frame 0, so its
+                    // content is the expected one in all later frames.
                     else if (frame > 0)
                         wrong |= memory[cell] != first[cell];
                 });

@@ -123,8 +123,9 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses
     return usage;
 }
 
-// The result of tracking one cell (block of subresources) of a ring: the values of the last tracked frame, in
-// which the state no longer changes.
+// The barriers, dependencies and final states of one cell (a block of subresources). A resource with history
+// is a ring of copies, so tracking repeats the frame until the states at its end no longer change. These are
+// the values of the last repetition.
 struct CellTrace {
     std::vector<CellSync> sync;  // Index: age in the ring. Barriers and dependencies of the cell.
     std::vector<Layout> entry;   // Index: age in the ring. Layout at the start of the frame.

@@ -31,8 +31,8 @@ struct BlockPlace {
 [[nodiscard]] std::vector<uint32_t> with_opaque_uniforms(std::span<const uint32_t> spirv,
                                                          const BlockPlace& push_constants);
 
-// Hides the uniform values in all modules of a program, and adapts its interface. Push constants become a
-// block at the first free binding of set 1.
+// Applies the function above to all modules of a program, so that llvmpipe does not compile a shader again
+// for each value of a uniform. Push constants become a uniform block at the first free binding of set 1.
 [[nodiscard]] ShaderProgram with_opaque_uniforms(ShaderProgram program);
 
 // Returns the shaders of a plan in the form that `device` needs: on llvmpipe `changed`, which this function

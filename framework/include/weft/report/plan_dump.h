@@ -15,7 +15,8 @@
 
 namespace weft {
 
-// Prints the plan as text. With a profile, the text names the memory type of each heap.
+// Prints the plan as text. With a profile, the text also names the memory type from which each heap
+// (each allocation of the plan) is allocated.
 [[nodiscard]] std::string plan_to_text(const FramePlan& plan, const DeviceProfile* profile = nullptr);
 [[nodiscard]] std::string plan_to_json(const FramePlan& plan);
 [[nodiscard]] std::string plan_to_dot(const FramePlan& plan);
