@@ -1,6 +1,7 @@
 #include "check/check_structure.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -42,19 +43,10 @@ bool check_shape(const FramePlan& plan, FaultList& faults) {
     return true;
 }
 
-const char* edge_text(EdgeKind kind) {
-    switch (kind) {
-        case EdgeKind::raw:
-            return "reads the result of the other pass";
-        case EdgeKind::war:
-            return "overwrites content that the other pass reads";
-        case EdgeKind::waw:
-            return "overwrites content that the other pass writes";
-        case EdgeKind::after:
-            return "names the other pass in \"after\"";
-    }
-    return "";
-}
+// Index: EdgeKind.
+constexpr std::array kEdgeTexts{
+    "reads the result of the other pass", "overwrites content that the other pass reads",
+    "overwrites content that the other pass writes", "names the other pass in \"after\""};
 
 void check_edges(const FramePlan& plan, FaultList& faults) {
     std::vector<uint32_t> position(plan.graph.passes.size(), kNoId);
@@ -66,7 +58,8 @@ void check_edges(const FramePlan& plan, FaultList& faults) {
             edge.resource == kNoId ? "" : " (" + faults.resource_name(edge.resource) + ")";
         faults.add("C302", edge.loc,
                    "pass " + faults.pass_name(edge.to) + " is recorded before pass " +
-                       faults.pass_name(edge.from) + ", but " + edge_text(edge.kind) + through,
+                       faults.pass_name(edge.from) + ", but " +
+                       kEdgeTexts.at(static_cast<size_t>(edge.kind)) + through,
                    "the schedule must order the two passes the other way round");
     }
 }

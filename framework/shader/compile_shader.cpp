@@ -1,6 +1,7 @@
 #include "weft/shader/compile_shader.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -29,16 +30,11 @@ struct StageFile {
     bool shared = false;  // True if the file is in the include root, such as fullscreen.vert.
 };
 
+// Index: ProgramKind. A raster program has two files with other names.
+constexpr std::array kExtensions{".comp", ".frag", ""};
+
 std::string extension_of(ProgramKind kind) {
-    switch (kind) {
-        case ProgramKind::compute:
-            return ".comp";
-        case ProgramKind::fullscreen:
-            return ".frag";
-        case ProgramKind::raster:
-            return "";
-    }
-    return "";
+    return kExtensions.at(static_cast<size_t>(kind));
 }
 
 std::vector<StageFile> stage_files(const std::string& reference, ProgramKind kind) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "graph/report/explain_phrases.h"
@@ -9,29 +10,18 @@
 namespace weft {
 
 const char* describe_reason(BarrierReason reason) {
-    switch (reason) {
-        case BarrierReason::raw:
-            return "a read after a write";
-        case BarrierReason::war:
-            return "a write after a read";
-        case BarrierReason::waw:
-            return "a write after a write";
-        case BarrierReason::layout:
-            return "the layout of the image must change";
-        case BarrierReason::alias:
-            return "memory passes from one resource to another";
-        case BarrierReason::acquire_import:
-            return "the frame begins to use an import";
-        case BarrierReason::release_import:
-            return "the frame ends its use of an import";
-        case BarrierReason::release_queue:
-            return "one queue family releases the image to another";
-        case BarrierReason::acquire_queue:
-            return "one queue family acquires the image from another";
-        case BarrierReason::prologue:
-            return "the resource gets its first-frame value";
-    }
-    return "";
+    // Index: BarrierReason.
+    constexpr std::array kReasons{"a read after a write",
+                                  "a write after a read",
+                                  "a write after a write",
+                                  "the layout of the image must change",
+                                  "memory passes from one resource to another",
+                                  "the frame begins to use an import",
+                                  "the frame ends its use of an import",
+                                  "one queue family releases the image to another",
+                                  "one queue family acquires the image from another",
+                                  "the resource gets its first-frame value"};
+    return kReasons.at(static_cast<size_t>(reason));
 }
 
 std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& b, PassId pass) {

@@ -152,10 +152,7 @@ Scene make_brushed() {
         glm::lookAt(glm::vec3(0.35f, 2.3f, 5.4f), glm::vec3(0.08f, 0.56f, 0), glm::vec3(0, 1, 0)));
     camera.fov_y_rad = glm::radians(32.0f);
     scene.cameras.push_back(camera);
-    scene.sky_zenith = glm::vec3(9, 10, 12);
-    scene.sky_horizon = glm::vec3(14, 13, 12);
-    scene.exposure_ev = -6.2f;
-    scene.bounds = world_bounds(scene);
+    finish_scene(scene, glm::vec3(9, 10, 12), glm::vec3(14, 13, 12), -6.2f);
     return scene;
 }
 

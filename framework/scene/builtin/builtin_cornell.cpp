@@ -117,9 +117,7 @@ Scene make_cornell() {
     scene.cameras.push_back(front_camera(glm::vec3(278, 273, -800) * kUnit_m,
                                          glm::vec3(278, 273, 0) * kUnit_m, 2 * std::atan(0.0125f / 0.035f)));
     // A constant ambient light that stands in for the indirect light between the walls.
-    scene.sky_zenith = scene.sky_horizon = glm::vec3(2.6f, 2.2f, 1.8f);
-    scene.exposure_ev = -4.2f;
-    scene.bounds = world_bounds(scene);
+    finish_scene(scene, glm::vec3(2.6f, 2.2f, 1.8f), glm::vec3(2.6f, 2.2f, 1.8f), -4.2f);
     return scene;
 }
 
@@ -139,10 +137,7 @@ Scene make_mirror() {
     sun.direction = glm::normalize(glm::vec3(-0.5f, -0.8f, -0.45f));
     scene.lights.push_back(sun);
     scene.cameras.push_back(front_camera({0, 2.3f, 7.2f}, {0, 0.55f, 0}, glm::radians(36.0f)));
-    scene.sky_zenith = glm::vec3(70, 105, 170);
-    scene.sky_horizon = glm::vec3(210, 225, 240);
-    scene.exposure_ev = -8.6f;
-    scene.bounds = world_bounds(scene);
+    finish_scene(scene, glm::vec3(70, 105, 170), glm::vec3(210, 225, 240), -8.6f);
     return scene;
 }
 

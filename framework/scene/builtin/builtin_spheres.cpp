@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "scene/builtin/scene_parts.h"
 #include "scene/procedural/procedural_mesh.h"
 
 namespace weft::scene {
@@ -77,10 +78,7 @@ Scene make_spheres() {
     lamp.position = {-3.5f, 5.5f, 4.5f};
     scene.lights.push_back(lamp);
     scene.cameras.push_back(overview());
-    scene.sky_zenith = glm::vec3(70, 105, 170);
-    scene.sky_horizon = glm::vec3(210, 225, 240);
-    scene.exposure_ev = -9.6f;
-    scene.bounds = world_bounds(scene);
+    finish_scene(scene, glm::vec3(70, 105, 170), glm::vec3(210, 225, 240), -9.6f);
     return scene;
 }
 

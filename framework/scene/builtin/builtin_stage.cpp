@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "scene/builtin/scene_parts.h"
 #include "scene/model/angles.h"
 #include "scene/procedural/procedural_mesh.h"
 #include "scene/procedural/procedural_noise.h"
@@ -332,9 +333,7 @@ Scene make_stage() {
     add_lantern(scene, iron);
     scene.cameras.push_back(camera("front", {0.2f, 2.0f, 8.6f}, {0, 1.75f, 0}, 34));
     scene.cameras.push_back(camera("wing", {-4.6f, 1.7f, 4.4f}, {0.5f, 1.1f, -0.4f}, 44));
-    scene.sky_zenith = scene.sky_horizon = glm::vec3(1.1f, 1.2f, 1.6f);
-    scene.exposure_ev = -5.6f;
-    scene.bounds = world_bounds(scene);
+    finish_scene(scene, glm::vec3(1.1f, 1.2f, 1.6f), glm::vec3(1.1f, 1.2f, 1.6f), -5.6f);
     return scene;
 }
 

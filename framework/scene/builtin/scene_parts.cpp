@@ -21,4 +21,11 @@ void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transfor
     scene.instances.push_back({name, static_cast<uint32_t>(scene.meshes.size() - 1), material, transform});
 }
 
+void finish_scene(Scene& scene, glm::vec3 sky_zenith, glm::vec3 sky_horizon, float exposure_ev) {
+    scene.sky_zenith = sky_zenith;
+    scene.sky_horizon = sky_horizon;
+    scene.exposure_ev = exposure_ev;
+    scene.bounds = world_bounds(scene);
+}
+
 }  // namespace weft::scene

@@ -12,4 +12,7 @@ uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughne
 // Adds the mesh and one instance of the mesh. The instance gets the name of the mesh.
 void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transform = glm::mat4(1));
 
+// Completes a scene: sets the sky's colours in cd/m², the exposure in EV, and the bounds of all instances.
+void finish_scene(Scene& scene, glm::vec3 sky_zenith, glm::vec3 sky_horizon, float exposure_ev);
+
 }  // namespace weft::scene

@@ -47,13 +47,9 @@ Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& p
         size_bytes += decl.kind == ResourceKind::buffer ? decl.size_bytes : place.regions.staging_bytes;
         memory.places_.push_back(std::move(place));
     }
-    if (size_bytes == 0) return memory;
-    for (Buffer& buffer : memory.memory_) {
-        Result<Buffer> made = Buffer::create(device, size_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                             Buffer::Memory::readback, "readback");
-        if (!made) return made.take_errors();
-        buffer = std::move(*made);
-    }
+    Status made = create_slot_buffers(memory.memory_, device, size_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                      Buffer::Memory::readback, "readback");
+    if (!made) return made.take_errors();
     return memory;
 }
 

@@ -8,6 +8,7 @@
 
 #include "vulkan/memory/image_regions.h"
 #include "vulkan/memory/resource_table.h"
+#include "vulkan/memory/slot_buffers.h"
 #include "weft/vulkan/executor.h"
 
 namespace weft::vk {
@@ -38,7 +39,7 @@ class ReadbackMemory {
         ImageRegions regions;
     };
     std::vector<Place> places_;
-    std::array<Buffer, kFramesInFlight> memory_;
+    SlotBuffers memory_;
 };
 
 // Copies an image to the host and waits for the copy. The image must be in the transfer_src layout. Errors:

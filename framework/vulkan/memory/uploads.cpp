@@ -112,13 +112,9 @@ Result<UploadMemory> UploadMemory::create(Device& device, const FramePlan& plan)
     }
     for (auto& slot : memory.filled_bytes_)
         for (const auto& places : memory.places_) slot.emplace_back(places.size(), 0);
-    if (size_bytes == 0) return memory;
-    for (Buffer& buffer : memory.memory_) {
-        Result<Buffer> made = Buffer::create(device, size_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                             Buffer::Memory::upload, "uploads");
-        if (!made) return made.take_errors();
-        buffer = std::move(*made);
-    }
+    Status made = create_slot_buffers(memory.memory_, device, size_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                      Buffer::Memory::upload, "uploads");
+    if (!made) return made.take_errors();
     return memory;
 }
 

@@ -10,6 +10,7 @@
 
 #include "vulkan/memory/image_regions.h"
 #include "vulkan/memory/resource_table.h"
+#include "vulkan/memory/slot_buffers.h"
 #include "weft/vulkan/executor.h"
 
 namespace weft::vk {
@@ -44,7 +45,7 @@ class UploadMemory {
     // Number of bytes that the pass has put into a port's upload memory for the current frame of a slot:
     // filled_bytes_[slot][position of the pass in the execution order][n].
     std::array<std::vector<std::vector<uint64_t>>, kFramesInFlight> filled_bytes_;
-    std::array<Buffer, kFramesInFlight> memory_;
+    SlotBuffers memory_;
 };
 
 }  // namespace weft::vk

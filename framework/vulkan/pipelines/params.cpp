@@ -82,13 +82,9 @@ Result<ParamsMemory> ParamsMemory::create(Device& device, const FramePlan& plan)
         size_bytes += (pass.params_bytes + kUniformAlignmentBytes - 1) / kUniformAlignmentBytes *
                       kUniformAlignmentBytes;
     }
-    if (size_bytes == 0) return memory;
-    for (Buffer& buffer : memory.memory_) {
-        Result<Buffer> made = Buffer::create(device, size_bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                                             Buffer::Memory::upload, "Params");
-        if (!made) return made.take_errors();
-        buffer = std::move(*made);
-    }
+    Status made = create_slot_buffers(memory.memory_, device, size_bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                                      Buffer::Memory::upload, "Params");
+    if (!made) return made.take_errors();
     return memory;
 }
 

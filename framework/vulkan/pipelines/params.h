@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "vulkan/memory/resource_table.h"
+#include "vulkan/memory/slot_buffers.h"
 #include "weft/vulkan/executor.h"
 
 namespace weft::vk {
@@ -39,7 +40,7 @@ class ParamsMemory {
     };
     // One block for each pass, in execution order.
     std::vector<Block> blocks_;
-    std::array<Buffer, kFramesInFlight> memory_;
+    SlotBuffers memory_;
 };
 
 }  // namespace weft::vk

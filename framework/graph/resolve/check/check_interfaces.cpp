@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
@@ -6,32 +7,17 @@
 namespace weft {
 namespace {
 
+// Index: NumericClass.
+constexpr std::array kNumericNames{"float", "int", "uint", "depth"};
+// Index: ImageDim.
+constexpr std::array kDimNames{"1D", "2D", "3D", "Cube"};
+
 const char* numeric_name(NumericClass numeric) {
-    switch (numeric) {
-        case NumericClass::float_like:
-            return "float";
-        case NumericClass::sint:
-            return "int";
-        case NumericClass::uint:
-            return "uint";
-        case NumericClass::depth:
-            return "depth";
-    }
-    return "";
+    return kNumericNames.at(static_cast<size_t>(numeric));
 }
 
 const char* dim_name(ImageDim dim) {
-    switch (dim) {
-        case ImageDim::d1:
-            return "1D";
-        case ImageDim::d2:
-            return "2D";
-        case ImageDim::d3:
-            return "3D";
-        case ImageDim::cube:
-            return "Cube";
-    }
-    return "";
+    return kDimNames.at(static_cast<size_t>(dim));
 }
 
 class InterfaceCheck {
