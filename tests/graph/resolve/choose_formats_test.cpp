@@ -39,7 +39,7 @@ TEST_F(ChooseFormatsTest, WithoutASupportedFormatTheShapeIsSuspect) {
     EXPECT_EQ(run().suspects.shapes[x], 1);
     ASSERT_EQ(codes(), "W117");
     ASSERT_FALSE(errors.front().help.empty());
-    EXPECT_EQ(errors.front().help.front(), "\"d32f\" lacks storage images");
+    EXPECT_EQ(errors.front().help.front(), "\"d32f\" does not support storage images");
 }
 
 TEST_F(ChooseFormatsTest, AspectsFollowFromTheFormat) {

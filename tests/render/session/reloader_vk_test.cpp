@@ -187,7 +187,7 @@ TEST_F(Reloads, OtherParametersAreAnotherSelection) {
     reloader_->select(selection);
     const std::optional<render::Reload> reload = next();
     ASSERT_TRUE(reload);
-    EXPECT_EQ(to_text(reload->rebuilt), "values");
+    EXPECT_EQ(to_text(reload->rebuilt), "new values");
     draw(1);
     EXPECT_NE(last_texel(), before);
 }
