@@ -29,8 +29,8 @@ class AccessRecord {
  public:
     AccessRecord() = default;
     AccessRecord(const Actor& actor, StageMask stages, AccessMask access, bool is_write);
-    // Creates the record of a layout transition. A transition has no stage of its own: it is complete when the
-    // destination stages of its barrier start.
+    // Creates the record of a layout transition. A transition has no stage of its own: it is complete when
+    // the destination stages of its barrier start.
     static AccessRecord transition(const Actor& actor, const Scopes& scopes);
 
     // Applies one vkCmdPipelineBarrier2 call. `all` has the barriers of the call on all resources, because
@@ -46,11 +46,12 @@ class AccessRecord {
     // Returns true if every stage of this access completes before any of `stages` starts.
     [[nodiscard]] bool ordered_before(StageMask stages) const;
     [[nodiscard]] bool visible_to(StageMask stages, AccessMask access) const;
-    // Returns true if an earlier barrier made this write available and chains with the source of `scopes` (or
-    // with all of `stages`).
+    // Returns true if an earlier barrier made this write available, and that barrier chains with the source
+    // scope of the barrier `scopes`.
     [[nodiscard]] bool available_before(const Scopes& scopes) const {
         return (available_reach_ & scopes.src_execution) != 0;
     }
+    // Returns true if an earlier barrier made this write available before all of `stages`.
     [[nodiscard]] bool available_before(StageMask stages) const { return (stages & ~available_reach_) == 0; }
     [[nodiscard]] bool flushed_by(const Scopes& scopes) const {
         return (stages_ & ~scopes.src_memory) == 0 &&

@@ -90,7 +90,7 @@ uint enter_translucent(ivec2 square) {
     return enter_translucent_square(square) | enter_translucent_square(square + ivec2(2, 0));
 }
 
-// Returns the depth range from the nearest transparent surface to the farthest surface behind one, without the sky.
+// Returns the depth range of the pixels with glass: from the nearest glass to the farthest opaque surface behind glass.
 vec2 translucent_range() {
     for (int s = 0; s < 2; ++s) {
         const ivec2 square = tile_origin() + squares_in_tile() + ivec2(2 * s, 0);

@@ -128,7 +128,7 @@ struct Square {
 };
 
 struct Filters {
-    std::vector<Square> blur;    // Blur filters of the channels Y, Cx and Cz, in this order.
+    std::vector<Square> blur;  // Blur filters of the channels Y, Cx and Cz, in this order.
     // Feature filters in this order: edge along x, edge along y, point along x, point along y.
     std::vector<Square> detect;
 };

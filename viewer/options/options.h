@@ -123,8 +123,7 @@ struct BenchOptions {
 struct FrameBenchOptions {
     std::string scene = "builtin:lights";
     // Graphs to compare: names of shipped graphs, or paths of files.
-    std::vector<std::string> graphs{"deferred", "tiled_deferred", "light_volumes",
-                                    "light_indexed"};
+    std::vector<std::string> graphs{"deferred", "tiled_deferred", "light_volumes", "light_indexed"};
     std::vector<uint32_t> lights{1, 10, 50, 100, 256, 1024, 3072};
     Extent3D size{640, 360, 1};
     std::string camera;

@@ -24,8 +24,7 @@ struct GraphNames {
     std::set<std::string> resources, draw_lists, params, tiers;
     std::map<std::string, PassNames> passes;
     // Names of shaders in the folder of the graph, or shipped with Weft.
-    std::set<std::string> compute_shaders, fullscreen_shaders,
-        raster_shaders;
+    std::set<std::string> compute_shaders, fullscreen_shaders, raster_shaders;
 };
 
 [[nodiscard]] Result<GraphNames> gather_names(const SchemaOptions& options);

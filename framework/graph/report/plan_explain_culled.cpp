@@ -79,8 +79,8 @@ std::string live_words(const FramePlan& plan, PassId pass) {
     const std::vector<Need> way = way_to_root(plan, pass);
     if (way.empty()) return text;
     const PassId end = way.back().reader;
-    text += "  The chain of readers ends at " + describe_pass(plan, end) + ": " +
-            root_words(plan, end) + ".\n";
+    text +=
+        "  The chain of readers ends at " + describe_pass(plan, end) + ": " + root_words(plan, end) + ".\n";
     return text;
 }
 

@@ -14,8 +14,8 @@ namespace weft {
                                         Reporter& reporter);
 // Checks the passes with `perFrame`, of which only a part runs in each frame: each must have a repeat and
 // must write resources that keep their content between frames. Errors: W124.
-[[nodiscard]] Suspects check_frame_slices(const Declared& declared, const FormattedGraph& graph, Suspects suspects,
-                                   Reporter& reporter);
+[[nodiscard]] Suspects check_frame_slices(const Declared& declared, const FormattedGraph& graph,
+                                          Suspects suspects, Reporter& reporter);
 // Checks that the clear value of each resource can be stored in its format. Errors: W109.
 void check_clear_values(const Declared& declared, const VersionedGraph& graph, const Suspects& suspects,
                         Reporter& reporter);

@@ -7,7 +7,8 @@
 
 namespace weft {
 
-// Marks what is suspect because of a reported error. An element is 1 if it is suspect, else 0.
+// Marks the resources and passes that are suspect: an error was reported, so some of their properties are
+// unknown, and no further errors are reported about these properties. Elements are 1 (suspect) or 0.
 struct Suspects {
     // Indexed by ResourceId: extent, mips or format of the resource are unknown.
     std::vector<uint8_t> shapes;

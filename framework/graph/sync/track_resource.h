@@ -36,12 +36,14 @@ struct Role {
 
 struct HistoryInput {
     ResourceId resource = kNoId;  // The ring's resource of age 0, or the single resource.
-    std::vector<Role> roles;      // All resources of a ring, indexed by age; without a ring, one resource.
+    // The copies of a resource with history form a ring. Index: age, in frames (0: the copy that this frame
+    // writes). A resource without history has one element.
+    std::vector<Role> roles;
     const Schedule* order = nullptr;
 };
 
 struct RingHistory {
-    std::vector<ResourceHistory> roles;
+    std::vector<ResourceHistory> roles;  // Index: age in the ring, as in HistoryInput::roles.
     std::vector<QueueDependency> dependencies;
     // True if several queue families use the ring without ownership transfers.
     bool concurrent = false;

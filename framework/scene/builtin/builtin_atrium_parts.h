@@ -49,7 +49,7 @@ struct Materials {
 // The outline of an object on the floor. The object blocks light from the sky, so it darkens the floor around
 // it.
 struct Footprint {
-    glm::vec2 center{0};   // Centre of the object as (x, z) in metres.
+    glm::vec2 center{0};  // Centre of the object as (x, z) in metres.
     // Half of the object's extent along x and z, in metres. For a round object, half.x is the radius.
     glm::vec2 half{0.2f};
     bool round = true;

@@ -26,8 +26,8 @@ inline constexpr float kMaxCoordinateM = 1e12f;
 struct StreamSource {
     const Document& document;
     Report& report;
-    std::string mesh;                   // Name of the mesh for messages, for example `mesh "Body"`.
-    std::string attributes;             // JSON pointer of the primitive's `attributes`.
+    std::string mesh;        // Name of the mesh for messages, for example `mesh "Body"`.
+    std::string attributes;  // JSON pointer of the primitive's `attributes`.
     // Indices of the used vertices in the file. Each read function returns one element for each of these
     // vertices.
     const std::vector<uint32_t>& used;

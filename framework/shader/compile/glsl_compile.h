@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "shader/worker/glsl_run.h"
 #include "shader/compile/shader_sources.h"
+#include "shader/worker/glsl_run.h"
 #include "shader/worker/worker_process.h"
 #include "weft/result.h"
 #include "weft/shader_interface.h"

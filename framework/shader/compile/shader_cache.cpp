@@ -6,9 +6,9 @@
 #include <system_error>
 
 #include "shader/compile/content_hash.h"
+#include "shader/compile/sealed_file.h"
 #include "shader/worker/glsl_run.h"
 #include "shader/worker/payload.h"
-#include "shader/compile/sealed_file.h"
 
 namespace weft::shader {
 

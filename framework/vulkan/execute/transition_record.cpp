@@ -63,7 +63,7 @@ void copy(const Device& device, VkCommandBuffer commands, const Images& images) 
 }
 
 void record_copies(const Device& device, VkCommandBuffer commands, const CarryOver& carry,
-                       const PlanSide& from, const PlanSide& to) {
+                   const PlanSide& from, const PlanSide& to) {
     const ResourceDecl& decl = to.plan.graph.resources[carry.to];
     if (decl.kind == ResourceKind::buffer) {
         const VkBufferCopy region{0, 0, decl.size_bytes};

@@ -36,8 +36,7 @@ Json whole_scene() {
     // Indices of two triangles, with two values of padding.
     scene::test::append<uint16_t>(bytes, {0, 1, 2, 2, 1, 3, 0, 0});
     // Colours of four vertices, 8 bits per channel.
-    scene::test::append<uint8_t>(bytes,
-                                 {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 9});
+    scene::test::append<uint8_t>(bytes, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 9});
     Json root = Json::parse(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,3]},{"nodes":[3]}],
       "nodes":[{"mesh":0,"children":[1,2],"name":"root","scale":[1,2,1]},
         {"camera":0,"translation":[0,0,3],"rotation":[0,0,0,1]},

@@ -153,8 +153,7 @@ LayeredGraph make_layers(const std::vector<LayoutBox>& boxes, const std::vector<
     const uint32_t longest = longest_span(layer, edges);
     DummyNodes dummies(graph);
     for (size_t e = 0; e < edges.size(); ++e)
-        if (layer[edges[e].to] - layer[edges[e].from] <= longest)
-            dummies.lead(e, edges[e].from, edges[e].to);
+        if (layer[edges[e].to] - layer[edges[e].from] <= longest) dummies.lead(e, edges[e].from, edges[e].to);
     for (uint32_t node = 0; node < graph.nodes.size(); ++node) {
         const uint32_t its = graph.nodes[node].layer;
         if (graph.layers.size() <= its) graph.layers.resize(its + 1);

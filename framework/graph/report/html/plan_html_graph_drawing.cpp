@@ -209,8 +209,8 @@ class GraphDrawing {
 
     bool is_live(uint32_t node) const { return plan_.live.live_passes[graph_.nodes[node].passes[0]]; }
 
-    // A line of the drawing (a GraphLink) stands for all edges between two boxes. Returns the ids of these edges
-    // for the HTML element of the line. A click opens the explanation of the first id.
+    // A line of the drawing (a GraphLink) stands for all edges between two boxes. Returns the ids of these
+    // edges for the HTML element of the line. A click opens the explanation of the first id.
     std::string link_keys(const GraphLink& link) const {
         std::string keys;
         for (const size_t edge : link.edges) keys += (keys.empty() ? "" : " ") + edge_keys(page_, edge);

@@ -37,7 +37,8 @@ class ShaderFit {
         const std::string what = shader() + " reads " + quote(binding.name) + " at set " +
                                  std::to_string(binding.set) + ", binding " + std::to_string(binding.binding);
         if (binding.set != kFrameSet && !draws_lists()) {
-            // Sets 2 and 3 exist only with draw lists. A raster pass without draw lists was already reported (W167).
+            // Sets 2 and 3 exist only with draw lists. A raster pass without draw lists was already reported
+            // (W167).
             if (at_.draft.decl.kind != PassKind::raster)
                 error("W185", what + ", which exists only in raster passes that draw a draw list",
                       "remove set and binding from the layout: then the variable is a port of the pass");
