@@ -40,7 +40,7 @@ class TransitionCheck {
             if (decl.lifetime == ResourceLifetime::persistent && new_.live.live_resources[id])
                 check_filled(id);
         }
-        for (const CarryOver& carry : transition_.carried) check_carried(carry);
+        for (const ContentCopy& carry : transition_.carried) check_carried(carry);
         return faults_.take();
     }
 
@@ -52,7 +52,7 @@ class TransitionCheck {
     void check_filled(ResourceId id) {
         const auto times = std::count(transition_.cleared.begin(), transition_.cleared.end(), id) +
                            std::count_if(transition_.carried.begin(), transition_.carried.end(),
-                                         [&](const CarryOver& c) { return c.to == id; });
+                                         [&](const ContentCopy& c) { return c.to == id; });
         if (times != 1)
             add("C370", id,
                 "gets its content " + std::to_string(times) + " times in the transition, not once",
@@ -84,12 +84,12 @@ class TransitionCheck {
     [[nodiscard]] AccessState writing_state(ResourceId id) const {
         const ResourceDecl& decl = new_.graph.resources[id];
         Access access = Access::clear_write;
-        for (const CarryOver& carry : transition_.carried)
+        for (const ContentCopy& carry : transition_.carried)
             if (carry.to == id) access = carry.resample ? Access::blit_write : Access::copy_write;
         return access_state(access, 0, decl.kind == ResourceKind::image ? decl.aspects : aspect::kNone);
     }
 
-    void check_carried(const CarryOver& carry) {
+    void check_carried(const ContentCopy& carry) {
         const ResourceDecl& decl = new_.graph.resources[carry.to];
         if (carry.from >= old_.graph.resources.size() || !old_.live.live_resources[carry.from]) {
             add("C370", carry.to, "gets its content from a resource that the old plan does not keep",

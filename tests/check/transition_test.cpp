@@ -63,7 +63,7 @@ TEST(Transition, ASwapThatChangesNothingCarriesEverything) {
     const FramePlan old_plan = planned({}), new_plan = planned({});
     ASSERT_TRUE(check_plan(old_plan).empty()) << to_text(check_plan(old_plan));
     const TransitionPlan plan = transition(old_plan, new_plan);
-    EXPECT_EQ(plan.carried, (std::vector<CarryOver>{{1, 1, false}, {2, 2, false}}));
+    EXPECT_EQ(plan.carried, (std::vector<ContentCopy>{{1, 1, false}, {2, 2, false}}));
     EXPECT_EQ(plan.cleared, std::vector<ResourceId>{0});
     EXPECT_EQ(plan.keeps_validity, (std::vector<uint8_t>{1, 0, 1}));
     const Diagnostics faults = check_transition(old_plan, new_plan, plan);
@@ -74,7 +74,7 @@ TEST(Transition, AResizeStretchesWhatIsToBeStretched) {
     const FramePlan old_plan = planned({16}, {16}),
                     new_plan = planned({7}, {7, Format::rgba16f, OnResize::clear});
     const TransitionPlan plan = transition(old_plan, new_plan);
-    EXPECT_EQ(plan.carried, (std::vector<CarryOver>{{1, 1, true}}));
+    EXPECT_EQ(plan.carried, (std::vector<ContentCopy>{{1, 1, true}}));
     EXPECT_EQ(plan.cleared, (std::vector<ResourceId>{0, 2}));
     EXPECT_EQ(plan.keeps_validity, (std::vector<uint8_t>{1, 0, 0}));
     const Diagnostics faults = check_transition(old_plan, new_plan, plan);
@@ -84,7 +84,7 @@ TEST(Transition, AResizeStretchesWhatIsToBeStretched) {
 TEST(Transition, AnotherFormatStartsAfresh) {
     const FramePlan old_plan = planned({}), new_plan = planned({16, Format::rgba32f});
     const TransitionPlan plan = transition(old_plan, new_plan);
-    EXPECT_EQ(plan.carried, (std::vector<CarryOver>{{2, 2, false}}));
+    EXPECT_EQ(plan.carried, (std::vector<ContentCopy>{{2, 2, false}}));
     EXPECT_EQ(plan.keeps_validity, (std::vector<uint8_t>{0, 0, 1}));
     EXPECT_TRUE(check_transition(old_plan, new_plan, plan).empty());
 }

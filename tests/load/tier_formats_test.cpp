@@ -19,7 +19,7 @@ constexpr const char* kGraph = R"({
     "paint": { "patch": { "passes": { "draw": { "type": "compute", "shader": "paint.comp" } } } }
   }
 })";
-// Number of tiers, including the graph without a tier.
+// Number of variants of the graph: four quality tiers, and the graph without a tier.
 constexpr size_t kTiers = 5;
 
 class TierFormats : public ShaderFolder {

@@ -68,7 +68,7 @@ void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies) {
 void print(const Tallies& tallies) {
     constexpr std::array<const char*, kMutantKinds> kNames{
         "barriers removed", "barriers weakened by a bit", "the prologue's barriers weakened by a bit",
-        "waits removed",    "transfer halves removed",    "owners left out of a hand-over",
+        "waits removed",    "transfer halves removed",    "owners left out of an alias transition",
         "scopes parted"};
     for (size_t k = 0; k < tallies.size(); ++k) {
         const Tally& t = tallies[k];

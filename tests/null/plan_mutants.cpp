@@ -74,7 +74,7 @@ class Mutator {
         for (size_t i = 0; i < sound.size(); ++i) {
             barrier.aliased_from.erase(barrier.aliased_from.begin() + static_cast<std::ptrdiff_t>(i));
             show(MutantKind::removed_owner,
-                 plan_.graph.resources[sound[i]].name + " not waited for by the hand-over " + what);
+                 plan_.graph.resources[sound[i]].name + " not waited for by the alias transition " + what);
             barrier.aliased_from = sound;
         }
     }

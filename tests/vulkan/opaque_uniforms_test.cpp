@@ -28,8 +28,9 @@ ShaderInterface reflected(const ShaderProgram& program) {
     return interface;
 }
 
-// Returns the first index of each access to an array of uniform blocks, in order. In a module with hidden
-// uniforms this index is a sum; the function then returns the original index in the sum.
+// Returns the first index of each access to an array of uniform blocks, in order. with_opaque_uniforms()
+// replaces each such index by the sum of the index and a push constant that is always 0; for its modules
+// (`hidden`), the function returns the index before this replacement.
 std::vector<uint32_t> first_indices(const ShaderModule& module, bool hidden) {
     constexpr uint32_t kVariable = 59, kAccessChain = 65, kIAdd = 128, kUniform = 2;
     std::set<uint32_t> blocks;

@@ -169,7 +169,7 @@ class TestRun {
             // A resource with history has several copies. Only the copies of earlier frames must be kept,
             // because the current frame overwrites its own copy.
             const bool carried = std::ranges::any_of(
-                between.carried, [&](const CarryOver& c) { return to.graph.resources[c.to].ring == id; });
+                between.carried, [&](const ContentCopy& c) { return to.graph.resources[c.to].ring == id; });
             if (!carried) measured_.lost.insert(resource.name);
         }
     }

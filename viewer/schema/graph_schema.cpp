@@ -33,8 +33,8 @@ Json reference_to(const Names& resources, const Names& passes) {
              {one_of(resources), {{"type", "string"}, {"pattern", "^" + any_of(resources) + more + "+$"}}}}};
 }
 
-// Returns the schema of ports. The names of the ports are the keys of an object, or the beginnings of the
-// entries of a list.
+// Returns the schema of ports. In an object, the port names are the keys. In a list, each entry is a
+// reference that begins with the port name, such as "depth" or "depth@gbuffer.mip(1)".
 Json ports(const Names& names) {
     return {{"propertyNames", one_of(names)}, {"items", {{"pattern", "^" + any_of(names) + kWordEnds}}}};
 }

@@ -134,7 +134,7 @@ class BarrierAnswer {
             for (const BarrierDecl& between : plan_.barriers.steps[p].barriers)
                 if (between.resource == a.resource && overlaps(between.range, a.range) &&
                     overlaps(between.range, b.range) && waits_for(plan_, between, first_))
-                    return "  " + part + ": " + through_words(p, between, b);
+                    return "  " + part + ": " + describe_semaphore_path(p, between, b);
         return "  " + part + ": the first pass " + access_verb(a.access) +
                " this resource, the second pass " + access_verb(b.access) +
                " it; the next frame waits for the first pass, or other passes already order "
@@ -143,7 +143,8 @@ class BarrierAnswer {
 
     // Explains why no barrier between the two passes is needed: an earlier barrier, recorded before the pass
     // at `position`, already orders the second pass after the first.
-    std::string through_words(uint32_t position, const BarrierDecl& barrier, const UseDecl& b) const {
+    std::string describe_semaphore_path(uint32_t position, const BarrierDecl& barrier,
+                                        const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];
         const std::string waited =
             "the barrier before " + describe_pass(plan_, through) + " has already waited for the first pass";

@@ -45,7 +45,7 @@ const UseDecl* output_write(const FramePlan& plan, PassId pass) {
     return nullptr;
 }
 
-std::string root_words(const FramePlan& plan, PassId pass) {
+std::string describe_root(const FramePlan& plan, PassId pass) {
     if (const UseDecl* use = output_write(plan, pass)) return describe_use(plan, *use) + ", the output";
     return plan.graph.passes[pass].side_effect ? "the pass has a side effect, so it always runs" : "";
 }
@@ -55,7 +55,7 @@ std::string root_words(const FramePlan& plan, PassId pass) {
 std::vector<Need> way_to_root(const FramePlan& plan, PassId pass) {
     std::vector<Need> way;
     std::vector<uint8_t> seen(plan.graph.passes.size(), 0);
-    while (root_words(plan, pass).empty()) {
+    while (describe_root(plan, pass).empty()) {
         seen[pass] = 1;
         const std::vector<Need> needs = needs_of(plan, pass);
         const auto next = std::find_if(needs.begin(), needs.end(), [&](const Need& need) {
@@ -68,10 +68,10 @@ std::vector<Need> way_to_root(const FramePlan& plan, PassId pass) {
     return way;
 }
 
-std::string live_words(const FramePlan& plan, PassId pass) {
+std::string describe_live_pass(const FramePlan& plan, PassId pass) {
     std::string text = describe_pass(plan, pass) + " is not culled: the pass runs at position " +
                        std::to_string(plan.schedule.position[pass]) + ".\n";
-    if (const std::string root = root_words(plan, pass); !root.empty()) text += "  " + root + ".\n";
+    if (const std::string root = describe_root(plan, pass); !root.empty()) text += "  " + root + ".\n";
     for (const Need& need : needs_of(plan, pass))
         if (plan.live.live_passes[need.reader])
             text += "  " + describe_pass(plan, need.reader) +
@@ -79,12 +79,12 @@ std::string live_words(const FramePlan& plan, PassId pass) {
     const std::vector<Need> way = way_to_root(plan, pass);
     if (way.empty()) return text;
     const PassId end = way.back().reader;
-    text +=
-        "  The chain of readers ends at " + describe_pass(plan, end) + ": " + root_words(plan, end) + ".\n";
+    text += "  The chain of readers ends at " + describe_pass(plan, end) + ": " + describe_root(plan, end) +
+            ".\n";
     return text;
 }
 
-std::string culled_words(const FramePlan& plan, PassId pass) {
+std::string describe_culled_pass(const FramePlan& plan, PassId pass) {
     std::string text = describe_pass(plan, pass) + " is culled: " + plan.live.details[pass] + ".\n";
     for (const UseDecl& use : plan.graph.passes[pass].uses)
         if (writes(use.access)) text += "  " + describe_use(plan, use) + ".\n";
@@ -101,7 +101,8 @@ Result<std::string> explain_culled(const FramePlan& plan, const std::string& nam
     if (!passes) return passes.take_errors();
     std::string text;
     for (const PassId pass : *passes)
-        text += plan.live.live_passes[pass] ? live_words(plan, pass) : culled_words(plan, pass);
+        text +=
+            plan.live.live_passes[pass] ? describe_live_pass(plan, pass) : describe_culled_pass(plan, pass);
     return text;
 }
 

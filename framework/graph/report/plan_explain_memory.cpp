@@ -17,12 +17,12 @@ const Placement* placement_of(const FramePlan& plan, ResourceId resource) {
     return it == plan.memory.placements.end() ? nullptr : &*it;
 }
 
-std::string lifetime_words(const FramePlan& plan, ResourceId resource) {
+std::string describe_lifetime(const FramePlan& plan, ResourceId resource) {
     const LifetimeSpan& span = plan.lifetimes.spans[resource];
     return "from " + describe_position(plan, span.first) + " to " + describe_position(plan, span.last);
 }
 
-std::string bytes_words(const Placement& p) {
+std::string describe_bytes(const Placement& p) {
     return "bytes " + std::to_string(p.offset_bytes) + " to " +
            std::to_string(p.offset_bytes + p.size_bytes - 1) + " of heap " + std::to_string(p.heap);
 }
@@ -34,7 +34,7 @@ bool overlap_in_memory(const Placement& a, const Placement& b) {
 
 // Returns the reason why a resource never shares memory, such as being an import. Returns an empty text if it
 // may share memory.
-std::string alone_words(const FramePlan& plan, ResourceId resource) {
+std::string describe_unshared(const FramePlan& plan, ResourceId resource) {
     const std::string name = describe_resource(plan, resource);
     if (!plan.live.live_resources[resource])
         return name + " has no memory, because no running pass uses this resource.\n";
@@ -59,7 +59,7 @@ std::string describe_alias_transitions(const FramePlan& plan, ResourceId a, Reso
 
 namespace {
 
-std::string overlap_words(const FramePlan& plan, ResourceId a, ResourceId b) {
+std::string describe_overlap(const FramePlan& plan, ResourceId a, ResourceId b) {
     const LifetimeSpan &s = plan.lifetimes.spans[a], &t = plan.lifetimes.spans[b];
     const uint32_t first = std::max(s.first, t.first), last = std::min(s.last, t.last);
     if (first <= last)
@@ -74,7 +74,7 @@ std::string overlap_words(const FramePlan& plan, ResourceId a, ResourceId b) {
            "side.\n";
 }
 
-std::string heap_words(const FramePlan& plan, const Placement& a, const Placement& b) {
+std::string describe_heap(const FramePlan& plan, const Placement& a, const Placement& b) {
     const HeapPlan &x = plan.memory.heaps[a.heap], &y = plan.memory.heaps[b.heap];
     if (x.buffers != y.buffers)
         return "  Buffers and images have separate heaps, because padding to the granularity of this device "
@@ -83,7 +83,7 @@ std::string heap_words(const FramePlan& plan, const Placement& a, const Placemen
                                       : "  They are in different heaps.\n";
 }
 
-std::string shape_words(const ResourceDecl& r) {
+std::string describe_shape(const ResourceDecl& r) {
     if (r.kind == ResourceKind::buffer)
         return "a buffer of " + bytes_text(r.size_bytes) +
                (r.stride_bytes > 0 ? ", stride " + std::to_string(r.stride_bytes) : "");
@@ -96,7 +96,7 @@ std::string shape_words(const ResourceDecl& r) {
     return text + " (" + enum_name(r.image_kind) + ")";
 }
 
-std::string ring_words(const FramePlan& plan, const ResourceDecl& r) {
+std::string describe_ring(const FramePlan& plan, const ResourceDecl& r) {
     if (r.lifetime != ResourceLifetime::persistent) return "";
     if (r.age > 0)
         return "  It is the content of " + describe_resource(plan, r.ring) + " from " +
@@ -106,12 +106,12 @@ std::string ring_words(const FramePlan& plan, const ResourceDecl& r) {
                : "  It keeps its content from frame to frame.\n";
 }
 
-std::string memory_words(const FramePlan& plan, ResourceId id) {
+std::string describe_memory(const FramePlan& plan, ResourceId id) {
     const Placement* own = placement_of(plan, id);
-    if (own == nullptr) return "  " + alone_words(plan, id);
-    std::string text = "  It needs " + bytes_text(own->size_bytes) + ": " + bytes_words(*own) + ".\n";
+    if (own == nullptr) return "  " + describe_unshared(plan, id);
+    std::string text = "  It needs " + bytes_text(own->size_bytes) + ": " + describe_bytes(*own) + ".\n";
     if (plan.lifetimes.spans[id].first > plan.lifetimes.spans[id].last) return text;
-    text += "  It is alive " + lifetime_words(plan, id) + ".\n";
+    text += "  It is alive " + describe_lifetime(plan, id) + ".\n";
     std::string others;
     for (const Placement& p : plan.memory.placements)
         if (p.resource != id && overlap_in_memory(p, *own))
@@ -120,7 +120,7 @@ std::string memory_words(const FramePlan& plan, ResourceId id) {
                                   : "  It shares memory with " + others + ".\n");
 }
 
-std::string users_words(const FramePlan& plan, ResourceId id) {
+std::string describe_users(const FramePlan& plan, ResourceId id) {
     std::string text;
     for (const bool live : {true, false})
         for (uint32_t i = 0; i < plan.graph.passes.size(); ++i) {
@@ -145,19 +145,19 @@ Result<std::string> explain_alias(const FramePlan& plan, const std::string& firs
     for (Result<ResourceId>* resource : {&a, &b})
         if (!*resource) errors.insert(errors.end(), resource->errors().begin(), resource->errors().end());
     if (!errors.empty()) return errors;
-    if (const std::string alone = alone_words(plan, *a) + (*a == *b ? "" : alone_words(plan, *b));
+    if (const std::string alone = describe_unshared(plan, *a) + (*a == *b ? "" : describe_unshared(plan, *b));
         !alone.empty())
         return "They share no memory.\n  " + alone;
     const Placement &p = *placement_of(plan, *a), &q = *placement_of(plan, *b);
-    const std::string where = "  " + describe_resource(plan, *a) + " has " + bytes_words(p) +
-                              " and is alive " + lifetime_words(plan, *a) + ".\n  " +
-                              describe_resource(plan, *b) + " has " + bytes_words(q) + " and is alive " +
-                              lifetime_words(plan, *b) + ".\n";
+    const std::string where = "  " + describe_resource(plan, *a) + " has " + describe_bytes(p) +
+                              " and is alive " + describe_lifetime(plan, *a) + ".\n  " +
+                              describe_resource(plan, *b) + " has " + describe_bytes(q) + " and is alive " +
+                              describe_lifetime(plan, *b) + ".\n";
     if (*a == *b) return "Both names mean the same resource.\n" + where;
     if (overlap_in_memory(p, q))
         return "They share memory.\n" + where + describe_alias_transitions(plan, *a, *b);
     return "They share no memory.\n" + where +
-           (p.heap != q.heap ? heap_words(plan, p, q) : overlap_words(plan, *a, *b));
+           (p.heap != q.heap ? describe_heap(plan, p, q) : describe_overlap(plan, *a, *b));
 }
 
 Result<std::string> explain_resource(const FramePlan& plan, const std::string& name) {
@@ -166,8 +166,8 @@ Result<std::string> explain_resource(const FramePlan& plan, const std::string& n
     std::string text;
     for (const ResourceId id : *resources) {
         const ResourceDecl& r = plan.graph.resources[id];
-        text += describe_resource(plan, id) + " is " + shape_words(r) + ", " + enum_name(r.lifetime) + ".\n" +
-                ring_words(plan, r) + memory_words(plan, id) + users_words(plan, id);
+        text += describe_resource(plan, id) + " is " + describe_shape(r) + ", " + enum_name(r.lifetime) +
+                ".\n" + describe_ring(plan, r) + describe_memory(plan, id) + describe_users(plan, id);
     }
     return text;
 }

@@ -52,7 +52,7 @@ std::string describe_cause(const FramePlan& plan, uint32_t dependency) {
 
 namespace {
 
-std::string wait_words(const FramePlan& plan, PassId pass) {
+std::string describe_waits(const FramePlan& plan, PassId pass) {
     const std::string words = describe_pass(plan, pass);
     if (!plan.live.live_passes[pass])
         return words + " does not wait, because it is culled: " + plan.live.details[pass] + ".\n";
@@ -85,7 +85,7 @@ Result<std::string> explain_wait(const FramePlan& plan, const std::string& name)
     Result<std::vector<PassId>> passes = named_passes(plan, name);
     if (!passes) return passes.take_errors();
     std::string text;
-    for (const PassId pass : *passes) text += wait_words(plan, pass);
+    for (const PassId pass : *passes) text += describe_waits(plan, pass);
     return text;
 }
 

@@ -13,21 +13,21 @@ namespace weft {
 
 // Moves the content of a resource of the old plan to the resource of the same age in the new plan. The
 // content is the one that the next frame of the old plan would read.
-struct CarryOver {
+struct ContentCopy {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
     // True: the content is scaled to the new size mip by mip, with a linear filter (integers: nearest texel).
     // If the new resource has more mips, the additional mips are scaled from the last old mip. False: the
     // content is copied unchanged.
     bool resample = false;
-    bool operator==(const CarryOver&) const = default;
+    bool operator==(const ContentCopy&) const = default;
 };
 
 struct TransitionPlan {
     // Barriers for resources of the old plan, from the states between its frames (BoundaryState).
     std::vector<BarrierDecl> before_old;
     std::vector<BarrierDecl> before;  // Barriers for resources of the new plan, from `undefined`.
-    std::vector<CarryOver> carried;
+    std::vector<ContentCopy> carried;
     std::vector<ResourceId> cleared;  // Resources to clear to ResourceDecl::first_frame.
     // Barriers for resources of the new plan, to the states that its first frame expects.
     std::vector<BarrierDecl> after;

@@ -31,7 +31,9 @@ constexpr const char* kStoreSamples =
 constexpr const char* kClip =
     "pass the distance to the fragment stage, and `discard` there if it is negative";
 constexpr const char* kLayer = "draw each layer in a separate pass; `repeat` creates these passes";
-constexpr const char* kPrimitive = "pass the number from the vertex stage in a `flat out uint` variable";
+constexpr const char* kPrimitive =
+    "compute the primitive or layer number in the vertex stage, and pass it to the fragment stage as `flat "
+    "out uint`";
 constexpr const char* kDraw =
     "use gl_VertexIndex and gl_InstanceIndex, which already include the first vertex and instance of the "
     "draw";

@@ -62,7 +62,7 @@ void copy(const Device& device, VkCommandBuffer commands, const Images& images) 
                                copies.data());
 }
 
-void record_copies(const Device& device, VkCommandBuffer commands, const CarryOver& carry,
+void record_copies(const Device& device, VkCommandBuffer commands, const ContentCopy& carry,
                    const PlanSide& from, const PlanSide& to) {
     const ResourceDecl& decl = to.plan.graph.resources[carry.to];
     if (decl.kind == ResourceKind::buffer) {
@@ -82,7 +82,7 @@ void record_transition(const Device& device, VkCommandBuffer commands, const Tra
                        const PlanSide& from, const PlanSide& to) {
     record_barriers(device, commands, transition.before_old, from.plan, from.resources);
     record_barriers(device, commands, transition.before, to.plan, to.resources);
-    for (const CarryOver& carry : transition.carried) record_copies(device, commands, carry, from, to);
+    for (const ContentCopy& carry : transition.carried) record_copies(device, commands, carry, from, to);
     record_first_content(device, commands, to.plan, to.resources, transition.cleared);
     record_barriers(device, commands, transition.after, to.plan, to.resources);
 }

@@ -47,7 +47,7 @@ uint64_t Rings::period(const PassDecl& pass) const {
 }
 
 void Rings::inherit(const Rings& old, uint64_t frames, const TransitionPlan& transition) {
-    for (const CarryOver& carry : transition.carried) {
+    for (const ContentCopy& carry : transition.carried) {
         const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
         if (transition.keeps_validity[ring] == 0 || old.written_[old_ring] == 0) continue;
         // If the new history is longer than the old one, only as many past frames are valid as the old ring

@@ -30,7 +30,8 @@ struct RandomGraphOptions {
     uint32_t max_passes = 60;
     // Adds rings: resources with one or two past frames.
     bool history = false;
-    // Adds kept resources, which are modified in place, and read before and after the change.
+    // Adds resources that keep their content from frame to frame. Passes modify them in place, and others
+    // read them before and after the change.
     bool keep = false;
     // Gives passes hints to run on compute and transfer queues. Most imports become concurrent.
     bool queues = false;

@@ -69,7 +69,7 @@ std::string GraphCoverage::text() const {
         all += std::string(all.back() == ':' ? " " : ", ") + what + " " +
                std::to_string(graphs == 0 ? 0 : (count * 100 + graphs / 2) / graphs) + " %";
     };
-    share("alias hand-overs", alias_transitions);
+    share("alias transitions", alias_transitions);
     share("several queues", several_queues);
     share("cross-queue waits", waits);
     share("family transfers", transfers);

@@ -167,7 +167,8 @@ TEST_F(Functions, DoorsCutTheLightOffWhereTheyAre) {
 
 TEST_F(Functions, CurvesFollowTheirBezier) {
     scene::LightFunction function;
-    // The curve is t². It cancels the inverse square of the distance.
+    // The four Bézier values of the factor t², where t is the distance divided by reach_m. The factor cancels
+    // the inverse square of the distance.
     function.curve = {0, 0, 1.0f / 3, 1};
     function.reach_m = 4;
     const scene::Light light = shaped(scene::LightType::point, {0, 1, 0}, {0, -1, 0}, {1, 0, 0});

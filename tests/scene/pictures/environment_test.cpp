@@ -135,8 +135,9 @@ TEST(Environment, MipsAreEvenAroundThePoles) {
         least = std::min(least, glm::unpackF3x9_E1x5(mip[x]).r);
         most = std::max(most, glm::unpackF3x9_E1x5(mip[x]).r);
     }
-    // In the row nearest to the pole, ten texels together are as wide as one texel at the equator. Without
-    // averaging, neighbouring texels would jump from 0 to 1.
+    // In the row nearest to the pole, ten texels together are as wide as one texel at the equator, so mips
+    // average about ten neighbours there. Half of the picture is 0 and half is 1: averages at opposite places
+    // add up to 1, and neighbours differ little. Without averaging, they would jump from 0 to 1.
     EXPECT_NEAR(least + most, 1, 1e-2);
     float steepest = 0;
     for (size_t x = 0; x < 32; ++x)

@@ -79,7 +79,7 @@ class Written : public testing::TestWithParam<Writer> {
     [[nodiscard]] static RunResult shell(const std::string& script) {
         return run_program({"sh", "-c", script});
     }
-    [[nodiscard]] bool is_left_out() const {
+    [[nodiscard]] bool needs_extended_run() const {
         if (!GetParam().needs_device) return false;
         return (!GetParam().quick && !extended()) || !has_device();
     }
@@ -105,7 +105,7 @@ class Written : public testing::TestWithParam<Writer> {
 };
 
 TEST_P(Written, OntoAFullDevice) {
-    if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
+    if (needs_extended_run()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     fs::create_symlink("/dev/full", out());
     const RunResult run = shell(command(out()));
     expect_refused(run);
@@ -115,7 +115,7 @@ TEST_P(Written, OntoAFullDevice) {
 }
 
 TEST_P(Written, OntoAFullDiskTheOldFileStays) {
-    if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
+    if (needs_extended_run()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     if (!can_mount()) GTEST_SKIP() << "this user may not mount a file system";
     const std::string file = std::string("$DISK/out") + GetParam().extension;
     // The file name contains $DISK, which the shell must expand. So the name is quoted with " instead of '.
@@ -158,7 +158,7 @@ TEST_P(Written, WhereTheFolderIsMissing) {
 }
 
 TEST_P(Written, ThroughALinkTheTargetIsReplaced) {
-    if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
+    if (needs_extended_run()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     const std::string target = scratch_ / "target";
     scratch_.write("target", kOld);
     ASSERT_EQ(chmod(target.c_str(), 0640), 0);
@@ -173,7 +173,7 @@ TEST_P(Written, ThroughALinkTheTargetIsReplaced) {
 }
 
 TEST_P(Written, ThroughADanglingLinkTheTargetIsMade) {
-    if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
+    if (needs_extended_run()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     fs::create_symlink("target", out());
     const RunResult run = shell("umask 027; " + command(out()));
     EXPECT_EQ(run.exit_code, 0) << run.text();
@@ -186,7 +186,7 @@ TEST_P(Written, ThroughADanglingLinkTheTargetIsMade) {
 }
 
 TEST_P(Written, IntoAPipe) {
-    if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
+    if (needs_extended_run()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     const std::string got = scratch_ / "got";
     const RunResult run = shell("mkfifo " + out() + "; cat " + out() + " >" + got + " & " + command(out()) +
                                 "; code=$?; wait; exit $code");
@@ -198,7 +198,7 @@ TEST_P(Written, IntoAPipe) {
 // Kills the program after it has written the data, when it calls fsync. write_signals_test.cpp has further
 // cases.
 TEST_P(Written, KilledWhileItWritesTheOldFileStays) {
-    if (is_left_out()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
+    if (needs_extended_run()) GTEST_SKIP() << "only with WEFT_EXTENDED and a Vulkan device";
     scratch_.write(fs::path(out()).filename(), kOld);
     const std::string strace =
         "strace -f -qq -o " + (scratch_ / "trace") + " -e trace=fsync -e inject=fsync:";

@@ -18,7 +18,7 @@ void write_memory(const PlanPage& page, Markup& out);
 void write_kept(const PlanPage& page, Markup& out);
 void write_culled(const PlanPage& page, Markup& out);
 // Writes the last section: all explanations of the page as text.
-void write_words(const PlanPage& page, Markup& out);
+void write_explanations(const PlanPage& page, Markup& out);
 
 // Opens an element that reacts to the pointer, gets keyboard focus and can be selected. `keys` begins with
 // the element's own key, which is also the target of its link.

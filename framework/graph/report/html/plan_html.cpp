@@ -163,7 +163,7 @@ std::string plan_to_html(const FramePlan& plan, const PlanPageInfo& info) {
     write_memory(page, out);
     write_kept(page, out);
     write_culled(page, out);
-    write_words(page, out);
+    write_explanations(page, out);
     out.close();
     out.close();
     write_inspector(out);

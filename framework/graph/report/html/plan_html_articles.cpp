@@ -157,7 +157,7 @@ void write_resource_article(const PlanPage& page, ResourceId resource, Markup& o
     out.line();
 }
 
-void write_words(const PlanPage& page, Markup& out) {
+void write_explanations(const PlanPage& page, Markup& out) {
     const FramePlan& plan = *page.plan;
     out.open("section", {{"class", "panel"}, {"id", "words"}, {"aria-label", "All explanations"}});
     out.open("details");

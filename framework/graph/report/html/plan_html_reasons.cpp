@@ -110,7 +110,7 @@ void write_states(const FramePlan& plan, const BarrierDecl& b, Markup& out) {
     out.close();
 }
 
-std::string edge_words(const PlanPage& page, const EdgeItem& edge, ResourceId resource) {
+std::string describe_edge(const PlanPage& page, const EdgeItem& edge, ResourceId resource) {
     const std::string from = describe_pass(*page.plan, edge.from), to = describe_pass(*page.plan, edge.to);
     const std::string what = resource == kNoId ? "" : describe_resource(*page.plan, resource);
     if (edge.history)
@@ -197,8 +197,8 @@ void write_edge_article(const PlanPage& page, size_t edge, Markup& out) {
     const EdgeItem& item = page.edges[edge];
     const auto& passes = page.plan->graph.passes;
     open_article(out, edge_key(edge), passes[item.from].name + " to " + passes[item.to].name, "");
-    if (item.resources.empty()) out.leaf("p", {}, edge_words(page, item, kNoId));
-    for (const ResourceId id : item.resources) out.leaf("p", {}, edge_words(page, item, id));
+    if (item.resources.empty()) out.leaf("p", {}, describe_edge(page, item, kNoId));
+    for (const ResourceId id : item.resources) out.leaf("p", {}, describe_edge(page, item, id));
     std::vector<ArticleLink> links;
     for (const ResourceId id : item.resources)
         links.push_back({resource_key(id), page.plan->graph.resources[id].name, ""});

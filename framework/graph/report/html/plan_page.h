@@ -55,7 +55,7 @@ struct PageColumns {
     std::vector<PageColumn> passes;  // Index: schedule position. Column of the pass there.
     PageColumn prologue, epilogue;   // Columns at both ends of the frame; not drawn if their width is 0.
     int32_t width_px = 0;
-    // True if the names above the columns are slanted at 45°, because there are too many for horizontal text.
+    // True if the names above the columns are rotated by 45°, because there are too many for horizontal text.
     bool rotated_labels = false;
 
     // Returns the column of a position. A position after the last pass is the end of the frame.
