@@ -47,6 +47,7 @@ bool check_shape(const FramePlan& plan, FaultList& faults) {
 constexpr std::array kEdgeTexts{
     "reads the result of the other pass", "overwrites content that the other pass reads",
     "overwrites content that the other pass writes", "names the other pass in \"after\""};
+static_assert(kEdgeTexts.size() == static_cast<size_t>(EdgeKind::after) + 1);
 
 void check_edges(const FramePlan& plan, FaultList& faults) {
     std::vector<uint32_t> position(plan.graph.passes.size(), kNoId);

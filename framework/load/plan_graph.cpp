@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "load/load_steps.h"
 #include "weft/compile.h"
 
 namespace weft {

@@ -32,6 +32,7 @@ struct StageFile {
 
 // Index: ProgramKind. A raster program has two files with other names.
 constexpr std::array kExtensions{".comp", ".frag", ""};
+static_assert(kExtensions.size() == static_cast<size_t>(ProgramKind::raster) + 1);
 
 std::string extension_of(ProgramKind kind) {
     return kExtensions.at(static_cast<size_t>(kind));

@@ -21,6 +21,7 @@ const char* describe_reason(BarrierReason reason) {
                                   "one queue family releases the image to another",
                                   "one queue family acquires the image from another",
                                   "the resource gets its first-frame value"};
+    static_assert(kReasons.size() == static_cast<size_t>(BarrierReason::prologue) + 1);
     return kReasons.at(static_cast<size_t>(reason));
 }
 

@@ -12,7 +12,6 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kEnvironmentSize{160, 90, 1};
-constexpr double kEnvironmentPi = std::numbers::pi;
 
 scene::Environment environment_of(uint32_t width, uint32_t height,
                                   const std::function<glm::vec3(uint32_t, uint32_t)>& radiance) {
@@ -45,8 +44,8 @@ scene::Camera camera_at(glm::vec3 eye, glm::vec3 at, float fov_y_rad) {
 // Samples the environment map in direction w, independently of the shaders: bilinear interpolation of the
 // four nearest texels, which wraps around horizontally and is clamped at the poles.
 glm::dvec3 sampled(const scene::Environment& e, glm::dvec3 w) {
-    const double u = 0.5 + std::atan2(w.x, -w.z) / (2 * kEnvironmentPi),
-                 v = std::acos(w.y / glm::length(w)) / kEnvironmentPi;
+    const double u = 0.5 + std::atan2(w.x, -w.z) / (2 * std::numbers::pi),
+                 v = std::acos(w.y / glm::length(w)) / std::numbers::pi;
     const double x = u * e.width_px - 0.5, y = v * e.height_px - 0.5;
     const auto texel = [&](double column, double row) {
         const auto width = static_cast<int64_t>(e.width_px);
@@ -128,7 +127,7 @@ TEST_F(EnvironmentLight, InAWhiteFurnaceAWhitePlaneVanishes) {
 TEST_F(EnvironmentLight, AMattPlaneSendsBackItsShareOfALinearSky) {
     scene::Scene scene = matt_plane(0.5f);
     scene.environment = environment_of(512, 256, [](uint32_t, uint32_t y) {
-        return glm::vec3(float(1 + 0.5 * std::cos((y + 0.5) / 256 * kEnvironmentPi)));
+        return glm::vec3(float(1 + 0.5 * std::cos((y + 0.5) / 256 * std::numbers::pi)));
     });
     const Rendered r =
         render(scene, camera_at({0, 3, 0.1f}, {0, 0, 0}, 0.9f), kEnvironmentSize, 0, {"hdr", "albedo"});

@@ -11,13 +11,11 @@
 namespace weft::scene {
 namespace {
 
-constexpr double kPiPrecise = std::numbers::pi;
-
 // Returns the direction through the centre of a texel: the middle column points to -z, the columns to its
 // right turn towards +x, and the top row points to +y.
 glm::dvec3 direction_of(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
-    const double azimuth = ((x + 0.5) / width - 0.5) * 2 * kPiPrecise,
-                 polar = (y + 0.5) / height * kPiPrecise;
+    const double azimuth = ((x + 0.5) / width - 0.5) * 2 * std::numbers::pi,
+                 polar = (y + 0.5) / height * std::numbers::pi;
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
 }
 
@@ -113,7 +111,7 @@ TEST(Environment, TheLastMipIsTheMeanOverTheSphere) {
         for (uint32_t y = 0; y < height; ++y)
             for (uint32_t x = 0; x < width; ++x) {
                 const double angle =
-                    std::cos(kPiPrecise * y / height) - std::cos(kPiPrecise * (y + 1) / height);
+                    std::cos(std::numbers::pi * y / height) - std::cos(std::numbers::pi * (y + 1) / height);
                 const glm::dvec3 w = direction_of(x, y, width, height);
                 sum += glm::dvec3(1 + w.y * 0.9, 1 + w.x, w.y * w.y) * angle;
                 all += angle;

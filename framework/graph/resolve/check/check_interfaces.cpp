@@ -9,8 +9,10 @@ namespace {
 
 // Index: NumericClass.
 constexpr std::array kNumericNames{"float", "int", "uint", "depth"};
+static_assert(kNumericNames.size() == static_cast<size_t>(NumericClass::depth) + 1);
 // Index: ImageDim.
 constexpr std::array kDimNames{"1D", "2D", "3D", "Cube"};
+static_assert(kDimNames.size() == static_cast<size_t>(ImageDim::cube) + 1);
 
 const char* numeric_name(NumericClass numeric) {
     return kNumericNames.at(static_cast<size_t>(numeric));
