@@ -10,12 +10,8 @@ namespace weft::test {
 using Json = nlohmann::ordered_json;
 using Image = std::vector<glm::vec4>;
 
-inline std::string shipped_path(const std::string& name) {
-    return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
-}
-
 inline Json shipped(const std::string& name) {
-    return Json::parse(read_text(shipped_path(name)).value_or("{}"), nullptr, true, true);
+    return Json::parse(read_text(graph_path(name)).value_or("{}"), nullptr, true, true);
 }
 
 // Returns a graph whose first pass, `picture`, writes `hdr`, followed by the passes `passes` of the shipped

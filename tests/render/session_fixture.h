@@ -17,6 +17,14 @@
 
 namespace weft::test {
 
+// The path of a shipped graph that many tests use.
+inline constexpr const char* kDeferredGraph = WEFT_SOURCE_DIR "/graphs/deferred.json";
+
+// Returns the path of a shipped graph.
+inline std::string graph_path(const std::string& name) {
+    return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
+}
+
 inline std::optional<std::string> read_text(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in) return std::nullopt;
@@ -99,8 +107,7 @@ class SessionTest : public ::testing::Test {
     // Renders one frame and returns the observed images. On any error, the test fails and the result is
     // empty.
     Rendered render(const scene::Scene& scene, const scene::Camera& camera, Extent3D size, float exposure_ev,
-                    std::vector<std::string> observed,
-                    const std::string& graph = WEFT_SOURCE_DIR "/graphs/deferred.json") {
+                    std::vector<std::string> observed, const std::string& graph = kDeferredGraph) {
         const std::unique_ptr<render::Session> session =
             start(scene, camera, graph, size, std::move(observed), exposure_ev);
         if (!session) return {};

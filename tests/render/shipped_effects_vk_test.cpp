@@ -83,7 +83,7 @@ class AntiAliasing : public ShippedEffects {
     void run(double trust) {
         Json graph = shipped("taa");
         graph["params"]["trust"]["default"] = trust;
-        seen_ = frames(graph, shipped_path("taa"), {96, 54, 1}, kFrames, {"hdr", "velocity", "resolved"});
+        seen_ = frames(graph, graph_path("taa"), {96, 54, 1}, kFrames, {"hdr", "velocity", "resolved"});
         ASSERT_EQ(seen_.size(), kFrames);
         mean_.assign(seen_[0].at("hdr").size(), glm::dvec3(0));
         for (const auto& frame : seen_)
@@ -159,7 +159,7 @@ TEST_F(ShippedEffects, TheReactionIsGrayAndScotts) {
     graph["resources"]["cells"]["size"] = {kWidth, kHeight};
     graph["passes"]["step"]["threads"] = {kWidth / 2, kHeight / 2};
     graph["params"]["steps"]["default"] = kSteps;
-    const auto seen = frames(graph, shipped_path("reaction_diffusion"), {32, 18, 1}, kFrames, {"cells"});
+    const auto seen = frames(graph, graph_path("reaction_diffusion"), {32, 18, 1}, kFrames, {"cells"});
     ASSERT_EQ(seen.size(), size_t{kFrames});
     const auto number = [&](const char* name) { return graph["params"][name]["default"].get<double>(); };
     const size_t cells = size_t{kWidth} * kHeight;

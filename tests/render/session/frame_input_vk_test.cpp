@@ -5,7 +5,6 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kSize{64, 36, 1};
-constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
 class FrameInputs : public SessionTest {
  protected:
@@ -21,7 +20,7 @@ class FrameInputs : public SessionTest {
     }
     std::unique_ptr<render::Session> begin(const render::FrameInput& first) {
         std::unique_ptr<render::Session> session =
-            start(scene_, first.camera, kDeferred, kSize, {}, first.exposure_ev);
+            start(scene_, first.camera, kDeferredGraph, kSize, {}, first.exposure_ev);
         if (!session) return nullptr;
         EXPECT_TRUE(session->render_frame(first));
         return session;

@@ -30,4 +30,11 @@ class ObjectCounter {
 // system.
 [[nodiscard]] uint64_t resident_bytes();
 
+// Number of live Vulkan objects and bytes of memory at one moment. A test compares two moments with many
+// edits or resizes between them.
+struct Leftovers {
+    int64_t objects = 0;
+    uint64_t bytes = 0;
+};
+
 }  // namespace weft::test

@@ -204,13 +204,6 @@ class Reloading : public SessionTest {
     uint32_t drawn_ = 0;
 };
 
-// Number of live Vulkan objects and bytes of memory at one moment. The test compares two moments with many
-// edits between them.
-struct Leftovers {
-    int64_t objects = 0;
-    uint64_t bytes = 0;
-};
-
 class ManyEdits : public Reloading {
  protected:
     Leftovers measure(const ObjectCounter& objects) {

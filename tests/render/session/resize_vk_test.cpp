@@ -11,7 +11,6 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kUsual{96, 54, 1};
-constexpr const char* kResizedGraph = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
 class Resize : public SessionTest {
  protected:
@@ -166,7 +165,7 @@ TEST_F(Resize, AnErrorLeavesTheOldSizeRunning) {
 }
 
 TEST_F(Resize, TheShippedPipelineTakesAnySize) {
-    const std::unique_ptr<render::Session> session = start(kResizedGraph, kUsual);
+    const std::unique_ptr<render::Session> session = start(kDeferredGraph, kUsual);
     ASSERT_TRUE(session);
     for (const Extent3D size :
          {Extent3D{1, 1, 1}, Extent3D{1, 50, 1}, Extent3D{7, 3, 1}, Extent3D{64, 64, 1}}) {
@@ -176,7 +175,7 @@ TEST_F(Resize, TheShippedPipelineTakesAnySize) {
     frames(*session, 1);
     ASSERT_TRUE(session->finish());
     const Result<vk::ReadbackData> resized = session->read_output();
-    const std::unique_ptr<render::Session> fresh = start(kResizedGraph, {64, 64, 1});
+    const std::unique_ptr<render::Session> fresh = start(kDeferredGraph, {64, 64, 1});
     ASSERT_TRUE(fresh);
     frames(*fresh, 1);
     ASSERT_TRUE(fresh->finish());
@@ -203,13 +202,6 @@ Extent3D any_size(std::mt19937& random) {
             return {any(160), any(120), 1};
     }
 }
-
-// Number of live Vulkan objects and bytes of memory at one moment. The test compares two moments with many
-// resizes between them.
-struct ResizeLeftovers {
-    int64_t objects = 0;
-    uint64_t bytes = 0;
-};
 
 class ManyResizes : public Resize {
  protected:
@@ -244,7 +236,7 @@ class ManyResizes : public Resize {
         EXPECT_EQ(over_.objects, settled_.objects);
     }
 
-    ResizeLeftovers settled_, over_;
+    Leftovers settled_, over_;
 };
 
 TEST_F(ManyResizes, LeaveNoObjectBehindAndNoMessage) {

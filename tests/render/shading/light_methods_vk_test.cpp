@@ -16,10 +16,6 @@ namespace {
 constexpr Extent3D kLightMethodsSize{320, 180, 1};
 using Image = std::vector<glm::vec4>;
 
-std::string method_graph_path(const std::string& name) {
-    return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
-}
-
 // Returns the scene "lights" with two more rectangle lights, one at each of the first two cameras. These are
 // the last lights in the list, so a method that drops the last light fails.
 scene::Scene lights_scene(uint32_t lights) {
@@ -73,7 +69,7 @@ class LightMethods : public SessionTest {
  protected:
     Rendered drawn(const scene::Scene& scene, const std::string& graph, const scene::Camera& camera) {
         return render(scene, camera, kLightMethodsSize, scene.exposure_ev, {"hdr@lighting", "depth"},
-                      method_graph_path(graph));
+                      graph_path(graph));
     }
     void expect_the_same(const scene::Scene& scene, const scene::Camera& camera) {
         const Rendered looped = drawn(scene, "deferred", camera),

@@ -16,10 +16,6 @@ constexpr uint32_t kLights = 1024, kTilePx = 16, kListBegin = 3;
 constexpr size_t kTiles = size_t{(kTileShadingSize.width + kTilePx - 1) / kTilePx} *
                           ((kTileShadingSize.height + kTilePx - 1) / kTilePx);
 
-std::string graph_path(const std::string& name) {
-    return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
-}
-
 class TileShading : public SessionTest {
  protected:
     // Renders one frame and returns the bytes of the observed resources, by name.
