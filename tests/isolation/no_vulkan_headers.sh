@@ -32,8 +32,8 @@ awk -v into="$scratch/docs" '
 
 "$compiler" "${flags[@]}" -I"$scratch/docs/passes" -fsyntax-only "$scratch"/docs/passes/*/*.cpp
 
+# All sources are preprocessed as one file, so that each header is read only once.
 mapfile -t sources < <(cd "$root" && find framework/{graph,check,null,shader,load} -name '*.cpp' | sort)
 cd "$root"
-printf '%s\0' "${sources[@]}" |
-  xargs -0 -P "$(nproc)" -n 1 "$compiler" "${flags[@]}" -E -o /dev/null
+printf '#include "%s"\n' "${sources[@]}" | "$compiler" "${flags[@]}" -I"$root" -E -o /dev/null -x c++ -
 echo "${#sources[@]} sources and the page's do without Vulkan headers"
