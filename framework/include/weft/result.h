@@ -52,6 +52,8 @@ using Diagnostics = std::vector<Diagnostic>;
                                                     const std::vector<std::string>& known);
 // Returns a text such as `did you mean "a" or "b"?`; empty if no name is similar.
 [[nodiscard]] std::string did_you_mean_text(const std::string& name, const std::vector<std::string>& known);
+// Returns the same text for the names that did_you_mean() returned.
+[[nodiscard]] std::string did_you_mean_text(const std::vector<std::string>& names);
 
 // Contains a value, or the diagnostics with the reasons why there is no value. Functions that also have
 // warnings return them through a parameter of type `Diagnostics&`.

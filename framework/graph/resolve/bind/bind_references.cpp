@@ -44,16 +44,16 @@ class ReferenceBinder {
  private:
     // Marks resources with names similar to a misspelt output as suspect. The author may have meant one of
     // them, so a pass that reads this resource must not be reported because nothing writes it.
-    void suspect_near_names(const std::string& name) {
-        for (const std::string& near : did_you_mean(name, resource_names(declared_.shapes.resources))) {
+    void suspect_near_names(const std::vector<std::string>& near_names) {
+        for (const std::string& near : near_names)
             result_.suspects.writers[resource_id(declared_.shapes.resources, near)] = 1;
-        }
     }
 
     // Returns true if the name is probably an import that the graph's "imports" misspell: the program offers
     // this name, and an import with a similar name has an error. That error was already reported.
-    bool means_faulty_import(PassId pass, const std::string& name) {
-        for (const std::string& near : did_you_mean(name, resource_names(declared_.shapes.resources))) {
+    bool means_faulty_import(PassId pass, const std::string& name,
+                             const std::vector<std::string>& near_names) {
+        for (const std::string& near : near_names) {
             const ResourceId id = resource_id(declared_.shapes.resources, near);
             const bool is_import = !declared_.shapes.origins[id].desc;
             if (!is_import || !result_.suspects.shapes[id] || !declared_.input.imports.imports.contains(name))
@@ -67,7 +67,9 @@ class ReferenceBinder {
     ResourceId find_port_resource(PassId pass, const RefDesc& ref, bool is_output) {
         const ResourceId id = resource_id(declared_.shapes.resources, ref.name);
         if (id != kNoId) return id;
-        if (means_faulty_import(pass, ref.name)) return kNoId;
+        const std::vector<std::string> near_names =
+            did_you_mean(ref.name, resource_names(declared_.shapes.resources));
+        if (means_faulty_import(pass, ref.name, near_names)) return kNoId;
         const std::string verb = is_output ? " writes " : " reads ";
         const std::string who = name_reader(declared_.expansion.passes[pass]) + verb;
         if (declared_.input.graph.imports.contains(ref.name)) {
@@ -77,9 +79,9 @@ class ReferenceBinder {
             return kNoId;
         }
         Diagnostic& d = report_.error(pass, ref.loc, "W103", who + "unknown resource " + quote(ref.name));
-        const std::string near = did_you_mean_text(ref.name, resource_names(declared_.shapes.resources));
+        const std::string near = did_you_mean_text(near_names);
         add_help(d, near.empty() ? "declare the resource in \"resources\", or import it" : near);
-        if (is_output) suspect_near_names(ref.name);
+        if (is_output) suspect_near_names(near_names);
         return kNoId;
     }
 
