@@ -42,8 +42,8 @@ class Replay {
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
     void carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes);
-    // Applies to the record all barriers of its queue that are not on its memory. Call this before any check
-    // of the record.
+    // An access record knows the barriers that followed it on its queue only up to the last call of this
+    // function. Adds the later ones to the record. Call this before each check of the record.
     void follow(AccessRecord& record) const { record.follow(logs_[record.actor().queue]); }
     [[nodiscard]] const BarrierLog& log() const { return logs_[clock_.queue()]; }
     void apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before);

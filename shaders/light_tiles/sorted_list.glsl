@@ -41,7 +41,7 @@ uint entered_count(uint slot) {
     return count;
 }
 
-// Returns the position of the set bit in the word that has `before` set bits below it.
+// Returns the position of a set bit of the word. Exactly `before` bits below this bit are set.
 uint bit_after(uint word, uint before) {
     uint at = 0u;
     for (uint width = 16u; width > 0u; width /= 2u) {

@@ -1,4 +1,5 @@
-// Shows the dish as a glazed relief. v is the height; the light comes from the upper left, and high parts are glossy.
+// Shows the two chemicals of `cells` as a glazed relief. The second chemical, v, is the height of the relief. The light
+// comes from the upper left, and high parts are glossy.
 #version 460
 #include "srgb.glsl"
 

@@ -82,7 +82,8 @@ bool snap_vertices(const fs::path& shader, Triangles triangles) {
     std::string text = read(shader);
     const size_t projection = text.find("gl_Position = view.view_projection *");
     if (projection == std::string::npos) return false;
-    // In a shadow map, clipped triangles do not change the picture, so the code that marks them is left out.
+    // kMarkBeyond marks triangles that reach beyond the edge of the picture. The shader of the shadow maps
+    // does not get it, because the edge of a shadow map is not the edge of the picture.
     const bool marks = triangles == Triangles::whole && shader.filename() != "sun_shadow.vert";
     text.insert(text.find(';', projection) + 1, std::string(kOnGrid) + (marks ? kMarkBeyond : ""));
     const bool has_main = insert_before(text, kMain, "layout(location = 12) out float beyond_picture;\n\n");

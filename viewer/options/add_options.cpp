@@ -10,8 +10,9 @@ namespace {
 constexpr NumberRange kAnyDifference{-1e30, 1e30, ""};
 
 void add_sandbox(CLI::App& command, bool& sandbox) {
-    command.add_flag("--sandbox", sandbox,
-                     "for untrusted files: run in a process that can open only the files of this command");
+    command.add_flag(
+        "--sandbox", sandbox,
+        "for untrusted files: run in a process that can open only the files that the command needs");
 }
 
 void add_size(CLI::App& command, RawTexts& raw) {
@@ -188,7 +189,10 @@ void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
                     "difference of a channel")
         ->check(choice_validator({"flip", "psnr", "max"}))
         ->capture_default_str();
-    command.add_option("--max", o.max, "for flip and max: exit code 6 if the result is above this number")
+    command
+        .add_option(
+            "--max", o.max,
+            "with the metrics flip and max: exit code 6 if the difference is greater than this number")
         ->transform(number_in(kAnyDifference));
     command.add_option("--min", o.min, "for psnr: exit code 6 if the result is below this number")
         ->transform(number_in(kAnyDifference));

@@ -137,7 +137,8 @@ struct Leaf {
     float length = 0.1f;
 };
 
-// Generates the leaves for a projected picture: leaves on both sides of twigs that grow across the picture.
+// Generates the leaves for a picture that a light projects: leaves on both sides of twigs that grow across
+// the picture.
 std::vector<Leaf> grow_leaves() {
     Random random(5);
     std::vector<Leaf> leaves;

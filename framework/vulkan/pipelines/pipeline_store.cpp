@@ -30,7 +30,7 @@ Result<PipelineLease> PipelineStore::get(const std::string& hash, const Make& ma
             return lease(hash, found->second);
     }
     // The lock is not held here, because creating a pipeline may take long. If two threads create the same
-    // pipeline, the one that finishes later is destroyed.
+    // pipeline, the second of the two pipelines is destroyed.
     Result<PipelineHandle> pipeline = make();
     if (!pipeline) return pipeline.take_errors();
     ++made;

@@ -1,4 +1,5 @@
-// Purpose: adds the ordinary passes of random texts, which mix, draw, modify in place, copy and clear.
+// Purpose: adds the ordinary passes of random graph files. These passes mix, draw, modify in place, copy and
+// clear.
 #pragma once
 
 #include "tests/graph/samples/random_text_frame.h"

@@ -7,8 +7,8 @@
 
 namespace weft::test {
 
-// Returns the number of modules created since the start of this process. The number is 0 with drivers that do
-// not use LLVM.
+// Returns the number of LLVM modules that the driver created since the start of this process. The number is 0
+// with drivers that do not use LLVM.
 [[nodiscard]] uint64_t compiled_modules();
 
 // Name of an environment variable. If the variable contains the name of a file, the count is also stored in

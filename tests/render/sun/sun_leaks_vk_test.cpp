@@ -83,8 +83,8 @@ class SunInTheAtrium : public SunShadows {
         // Masked surfaces are leaves. They are smaller than texels of the shadow map and overlap, so they
         // cannot be judged.
         if (scene.materials[hit->material].alpha_mode == scene::AlphaMode::mask) return std::nullopt;
-        // Through the holes of leaves, a ray and a pixel may see different surfaces. Such pixels are skipped:
-        // the distances differ.
+        // Through the holes of leaves, a ray and a pixel may see different surfaces. Such pixels are skipped;
+        // they are recognised because the distances differ.
         const size_t i = size_t{y} * size.width + x;
         const double before_eye_m = hit->distance_m * glm::dot(ray, -glm::dvec3(camera.transform[2]));
         if (std::abs(seen.depths[i].r * before_eye_m / camera.near_m - 1) > 1e-3) return std::nullopt;

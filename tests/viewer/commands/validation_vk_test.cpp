@@ -18,7 +18,7 @@ struct ValidationRun {
     const char* scene;
     const char* size;
     const char* name;
-    // True if the run also happens without WEFT_EXTENDED, then for two frames only.
+    // True if the test also runs without WEFT_EXTENDED. Then it renders only two frames.
     bool quick;
 };
 

@@ -1,5 +1,6 @@
-// Tests each limit on graph files with the most expensive input. `weft` must accept the input at the limit
-// and refuse an input with one more, and both within 5 s of processor time and 1 GiB. The test also fails if
+// Tests each limit on graph files with the most expensive input. `weft` must accept the input at the limit.
+// It must refuse an input with one item more than the limit. Both runs must stay within 5 s of processor time
+// and 1 GiB. The test also fails if
 // a limit has no such input.
 #include "tests/viewer/hostile/limit_edges.h"
 

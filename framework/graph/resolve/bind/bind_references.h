@@ -1,4 +1,4 @@
-// Purpose: finds the resource, the range, and the passes named with `@pass` for the references of all ports.
+// Purpose: finds, for each reference of a port, the resource, the range, and the pass that `@pass` names.
 // Private to bind().
 #pragma once
 

@@ -25,8 +25,8 @@ struct Cell {
     // The uses that read the cell and do not write it.
     std::vector<CellUse> readers;
     bool ordered = false;
-    // For each reader with an `@pass` that names a pass which does not write this cell: the writers whose
-    // versions may come before the reader.
+    // A reader may name, with `@pass`, a pass that does not write this cell. For each such reader, this lists
+    // the writers that do not run after the named pass. The reader runs after all of them.
     std::map<CellUse, std::vector<PassId>> foreign_pins;
 
     // Returns the index into `writers` of a pass, or -1 if the pass does not write the cell.
