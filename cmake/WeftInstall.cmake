@@ -8,7 +8,7 @@ set(WEFT_PROGRAMS weft weft-shader-worker)
 # The libraries of the framework that embedders need. They are installed as one archive, libweft.a.
 set(WEFT_EMBEDDED_LIBRARIES weft_graph weft_check weft_file weft_glsl weft_shader weft_load weft_scene weft_image weft_vulkan weft_render weft_passes)
 # Debian packages whose code is compiled into the programs or linked statically. Their licences are copied, too.
-set(WEFT_LINKED_PACKAGES glslang-dev spirv-tools libtinygltf-dev libstb-dev libglm-dev nlohmann-json3-dev libcli11-dev)
+set(WEFT_LINKED_PACKAGES glslang-dev spirv-tools libtinygltf-dev libglm-dev nlohmann-json3-dev libcli11-dev)
 
 # Installs the programs. They search for shared libraries in lib/weft. This path is written as DT_RPATH and not as
 # DT_RUNPATH, because only DT_RPATH is also used for the libraries that a shared library needs.

@@ -1,16 +1,6 @@
 #include "viewer/pictures/image_encode.h"
 
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-#pragma GCC diagnostic ignored "-Wcast-qual"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wsign-compare"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#include <stb_image_write.h>
-#pragma GCC diagnostic pop
+#include <png.h>
 #include <tinyexr.h>
 
 #include <array>
@@ -23,7 +13,6 @@ namespace weft::viewer {
 namespace {
 
 constexpr size_t kChannels = 4;
-using EncodedBytes = std::unique_ptr<unsigned char, decltype(&std::free)>;
 
 Diagnostic cannot_encode(const std::string& why) {
     Diagnostic d;
@@ -31,10 +20,6 @@ Diagnostic cannot_encode(const std::string& why) {
     d.message = "the picture cannot be encoded: " + why;
     d.help = {"use a smaller --size"};
     return d;
-}
-
-std::string text_of(const unsigned char* bytes, size_t count) {
-    return {reinterpret_cast<const char*>(bytes), count};
 }
 
 // Splits RGBA texels into one plane per channel. tinyexr expects the planes in the alphabetical order of
@@ -52,13 +37,18 @@ std::array<std::vector<float>, kChannels> planes_abgr(std::span<const glm::vec4>
 }  // namespace
 
 Result<std::string> encode_png(uint32_t width_px, uint32_t height_px, std::span<const std::byte> rgba8) {
-    const int width = static_cast<int>(width_px), height = static_cast<int>(height_px);
-    int length = 0;
-    const EncodedBytes bytes(stbi_write_png_to_mem(reinterpret_cast<const unsigned char*>(rgba8.data()),
-                                                   width * 4, width, height, 4, &length),
-                             &std::free);
-    if (!bytes) return cannot_encode("out of memory");
-    return text_of(bytes.get(), static_cast<size_t>(length));
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = width_px;
+    image.height = height_px;
+    image.format = PNG_FORMAT_RGBA;  // sRGB, and alpha is not premultiplied.
+    png_alloc_size_t length = PNG_IMAGE_PNG_SIZE_MAX(image);
+    std::string encoded(length, '\0');
+    const bool is_written =
+        png_image_write_to_memory(&image, encoded.data(), &length, 0, rgba8.data(), 0, nullptr) != 0;
+    if (!is_written) return cannot_encode(image.message);
+    encoded.resize(length);
+    return encoded;
 }
 
 Result<std::string> encode_exr(uint32_t width_px, uint32_t height_px, std::span<const glm::vec4> texels) {
@@ -87,8 +77,8 @@ Result<std::string> encode_exr(uint32_t width_px, uint32_t height_px, std::span<
     unsigned char* memory = nullptr;
     const char* why = nullptr;
     const size_t length = SaveEXRImageToMemory(&image, &header, &memory, &why);
-    const EncodedBytes bytes(memory, &std::free);
-    if (length > 0) return text_of(bytes.get(), length);
+    const std::unique_ptr<unsigned char, decltype(&std::free)> bytes(memory, &std::free);
+    if (length > 0) return std::string(reinterpret_cast<const char*>(bytes.get()), length);
     Diagnostic fault = cannot_encode(why ? why : "out of memory");
     FreeEXRErrorMessage(why);
     return fault;
