@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "weft/source.h"
+#include "weft/file_reader.h"
 
 namespace weft::test {
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "weft/device_profile.h"
+#include "weft/file_reader.h"
 #include "weft/limits.h"
 #include "weft/result.h"
-#include "weft/source.h"
 
 namespace weft::viewer {
 

@@ -79,7 +79,7 @@ constexpr NumberRule kSide{1, kMaxRectPx, true};
 constexpr NumberRule kFloat{-3.4e38, 3.4e38, false};
 
 void read_state_number(ParseContext& context, const JsonNode& node, const NumberRule& rule, PassDesc& pass,
-                       std::function<void(RasterState&, double)> set) {
+                       StateSetter set) {
     if (node.kind == JsonKind::number) {
         int64_t whole = 0;
         float number = 0;
@@ -89,7 +89,7 @@ void read_state_number(ParseContext& context, const JsonNode& node, const Number
             set(pass.state, node.number);
         return;
     }
-    StateNumberDesc late{{}, rule.least, rule.most, rule.whole, std::move(set)};
+    StateNumberDesc late{{}, rule.least, rule.most, rule.whole, set};
     if (read_expression(context, node, late.value)) pass.state_numbers.push_back(std::move(late));
 }
 
@@ -127,9 +127,19 @@ void read_face_choice(ParseContext& context, const JsonNode& node, FaceDraft& dr
 
 template <uint8_t StencilFaceState::*Member>
 void read_face_byte(ParseContext& context, const JsonNode& node, FaceDraft& draft) {
-    read_state_number(context, node, kByte, draft.pass, [faces = draft.faces](RasterState& s, double v) {
-        for (const auto face : faces) (s.*face).*Member = static_cast<uint8_t>(v);
-    });
+    const StateSetter set_front = [](RasterState& s, double v) {
+        s.stencil_front.*Member = static_cast<uint8_t>(v);
+    };
+    const StateSetter set_back = [](RasterState& s, double v) {
+        s.stencil_back.*Member = static_cast<uint8_t>(v);
+    };
+    const StateSetter set_both = [](RasterState& s, double v) {
+        s.stencil_front.*Member = s.stencil_back.*Member = static_cast<uint8_t>(v);
+    };
+    const StateSetter set = draft.faces.size() == 2                             ? set_both
+                            : draft.faces.front() == &RasterState::stencil_back ? set_back
+                                                                                : set_front;
+    read_state_number(context, node, kByte, draft.pass, set);
 }
 
 using Face = StencilFaceState;
@@ -173,8 +183,7 @@ void read_rect(ParseContext& context, const JsonNode& node, const NumberRule& pl
                              "found " + std::to_string(node.items.size()) + " values, wanted 4",
                              "write [x, y, width, height]");
     pass.state.*Rect = RectPx{};
-    using Set = void (*)(RasterState&, double);
-    constexpr std::array<Set, 4> kSet{
+    constexpr std::array<StateSetter, 4> kSet{
         [](RasterState& s, double v) { (s.*Rect)->x = static_cast<int32_t>(v); },
         [](RasterState& s, double v) { (s.*Rect)->y = static_cast<int32_t>(v); },
         [](RasterState& s, double v) { (s.*Rect)->width = static_cast<uint32_t>(v); },

@@ -2,7 +2,6 @@
 // expressions can name. Errors: W106, W107, W109, W120.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <set>
 #include <string>

@@ -4,7 +4,6 @@
 // Errors: W106, W107, W109, W115, W125, W177, W187, and those of references.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <set>
 #include <string>

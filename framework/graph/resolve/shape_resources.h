@@ -3,7 +3,6 @@
 // W105, W106, W109, W116, W118, W119, W125.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <set>
 #include <string>

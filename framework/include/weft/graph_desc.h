@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -160,13 +159,16 @@ struct ResolveDesc {
     SourceLoc output_loc;
 };
 
+// Stores a number in the fixed-function state of a pass.
+using StateSetter = void (*)(RasterState&, double);
+
 // A number of the fixed-function state that the graph gives as an expression. resolve() evaluates `value`,
 // checks that the result is in [least, most] and whole if required, and stores it with `set`.
 struct StateNumberDesc {
     Expr value;
     double least = 0, most = 0;
     bool whole = false;
-    std::function<void(RasterState&, double)> set;
+    StateSetter set = nullptr;
 };
 
 // Places in the file of state that only some devices support, for the messages about missing features.

@@ -9,8 +9,8 @@
 #include <span>
 #include <string>
 
+#include "weft/file_reader.h"
 #include "weft/result.h"
-#include "weft/source.h"
 
 namespace weft {
 

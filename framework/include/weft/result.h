@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace weft {
@@ -60,27 +60,28 @@ using Diagnostics = std::vector<Diagnostic>;
 template <class T>
 class [[nodiscard]] Result {
  public:
-    Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
-    Result(Diagnostic error) : state_(std::in_place_index<1>, Diagnostics{std::move(error)}) {}
-    Result(Diagnostics errors) : state_(std::in_place_index<1>, std::move(errors)) {}
+    Result(T value) : value_(std::move(value)) {}
+    Result(Diagnostic error) { errors_.push_back(std::move(error)); }
+    Result(Diagnostics errors) : errors_(std::move(errors)) {}
 
-    [[nodiscard]] bool ok() const { return state_.index() == 0; }
+    [[nodiscard]] bool ok() const { return value_.has_value(); }
     explicit operator bool() const { return ok(); }
 
-    T& value() & { return std::get<0>(state_); }
-    const T& value() const& { return std::get<0>(state_); }
-    T&& value() && { return std::get<0>(std::move(state_)); }
-    T* operator->() { return &std::get<0>(state_); }
-    const T* operator->() const { return &std::get<0>(state_); }
-    T& operator*() & { return std::get<0>(state_); }
-    const T& operator*() const& { return std::get<0>(state_); }
-    T&& operator*() && { return std::get<0>(std::move(state_)); }
+    T& value() & { return value_.value(); }
+    const T& value() const& { return value_.value(); }
+    T&& value() && { return std::move(value_).value(); }
+    T* operator->() { return &value_.value(); }
+    const T* operator->() const { return &value_.value(); }
+    T& operator*() & { return value_.value(); }
+    const T& operator*() const& { return value_.value(); }
+    T&& operator*() && { return std::move(value_).value(); }
 
-    const Diagnostics& errors() const { return std::get<1>(state_); }
-    Diagnostics&& take_errors() { return std::get<1>(std::move(state_)); }
+    const Diagnostics& errors() const { return errors_; }
+    Diagnostics&& take_errors() { return std::move(errors_); }
 
  private:
-    std::variant<T, Diagnostics> state_;
+    std::optional<T> value_;
+    Diagnostics errors_;
 };
 
 struct Unit {};

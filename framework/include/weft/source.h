@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -60,9 +59,5 @@ struct SourceMap {
     // Returns the place as text, such as "deferred.json:40:73"; "<memory>" if a program made the value.
     [[nodiscard]] std::string describe(SourceLoc loc) const;
 };
-
-// A function that returns the text of a file, or nullopt if the file does not exist. All graph files are read
-// with such a function, so that tests and embedders can provide texts.
-using FileReader = std::function<std::optional<std::string>(const std::string& path)>;
 
 }  // namespace weft

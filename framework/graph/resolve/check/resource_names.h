@@ -1,7 +1,6 @@
 // Purpose: collects the names of the resources that ports, debug views and tests mention.
 #pragma once
 
-#include <functional>
 #include <set>
 #include <string>
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "weft/declaration.h"
+#include "weft/file_reader.h"
 #include "weft/graph_desc.h"
 #include "weft/graph_request.h"
 #include "weft/imports.h"
@@ -16,7 +17,6 @@
 #include "weft/pass.h"
 #include "weft/result.h"
 #include "weft/shader/compile_shader.h"
-#include "weft/source.h"
 #include "weft/syntax/json_doc.h"
 
 namespace weft {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "weft/file_reader.h"
 #include "weft/limits.h"
 #include "weft/result.h"
 #include "weft/source.h"

@@ -1,0 +1,14 @@
+// Purpose: the function with which Weft reads graph files. Tests and embedders can provide the texts.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace weft {
+
+// A function that returns the text of a file, or nullopt if the file does not exist. All graph files are read
+// with such a function, so that tests and embedders can provide texts.
+using FileReader = std::function<std::optional<std::string>(const std::string& path)>;
+
+}  // namespace weft
